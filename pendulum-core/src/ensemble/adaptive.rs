@@ -6,103 +6,17 @@ use nalgebra::SVector;
 
 use super::check::{first_not_finite, in_lane, set_lane, sum};
 use super::members::Members;
-use super::together::Together;
-use super::watch::{Unwatched, Watch, Watched, show_lane};
-use super::{
-    Ensemble, EnsembleError, InLanes, MOST_LANES, ObservedEnsemble, Stopped, alone, check_models, check_observers,
-    conclude, model_of,
-};
+use super::watch::{Watch, show_lane};
+use super::{InLanes, MOST_LANES, Stopped, alone, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::event::Event;
 use crate::hybrid::{Hold, InMode};
 use crate::method::{
-    Adaptive, Estimates, Failure, NonFinite, OneStep, Scheme, Stalled, StepControl, check_span, is_within_tolerance,
-    place, toggle,
+    Adaptive, Estimates, Failure, NonFinite, OneStep, Scheme, Stalled, StepControl, is_within_tolerance, place, toggle,
 };
-use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
-use crate::solution::Observer;
+use crate::real::lanes::{Kernel, LaneElement, Lanes};
 use crate::statistics::Statistics;
 use crate::system::Cast;
-
-impl<M, F, T, const N: usize> Ensemble<M, T, N> for Adaptive<F>
-where
-    M: Cast<N>,
-    F: Together<M, T, N> + Estimates,
-    T: LaneElement,
-{
-    fn ensemble_on(
-        &self,
-        isa: Isa,
-        models: &[M],
-        t0: T,
-        t1: T,
-        starts: &[SVector<T, N>],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
-        run(self, isa, models, (t0, t1), starts, Unwatched)
-    }
-}
-
-impl<M, F, T, const N: usize> ObservedEnsemble<M, T, N> for Adaptive<F>
-where
-    M: Cast<N>,
-    F: Together<M, T, N> + Estimates,
-    T: LaneElement,
-{
-    fn observe_on<'w, 'e: 'w, O>(
-        &self,
-        isa: Isa,
-        models: &[M],
-        span: (T, T),
-        starts: &[SVector<T, N>],
-        events: impl Fn(usize) -> &'w [Event<'e, T, N>],
-        observers: &mut [O],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
-    where
-        O: Observer<T, N>,
-        T: 'w,
-    {
-        check_observers(observers, starts)?;
-        run(self, isa, models, span, starts, Watched::new(observers, events))
-    }
-}
-
-fn run<M, F, T, W, const N: usize>(
-    method: &Adaptive<F>,
-    isa: Isa,
-    models: &[M],
-    (t0, t1): (T, T),
-    starts: &[SVector<T, N>],
-    watch: W,
-) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
-where
-    M: Cast<N>,
-    F: Together<M, T, N> + Estimates,
-    T: LaneElement,
-    W: Watch<T, N>,
-{
-    check_span(t0, t1)?;
-    check_models(models, starts)?;
-    // settings are wrong for all trajectories, or for none
-    if let Some(model) = models.first() {
-        let tolerance = method.tolerance()?;
-        let scheme = method.family.scheme(&model.cast(), Some(tolerance))?;
-        method.control(tolerance, scheme.error_order(), (t0, t1))?;
-    }
-    let mut x = starts.to_vec();
-    let mut stopped = Vec::new();
-    let march = March {
-        method,
-        models,
-        span: (t0, t1),
-        waiting: 0..x.len(),
-        x: &mut x,
-        stopped: &mut stopped,
-        watch,
-    };
-    F::within_tolerance(isa, march)?;
-    conclude(x, stopped)
-}
 
 /// Trajectories on their way from the states `x`, which are replaced.
 pub struct March<'a, F, M, T, W, const N: usize> {
@@ -111,9 +25,9 @@ pub struct March<'a, F, M, T, W, const N: usize> {
     pub(super) span: (T, T),
     pub(super) x: &'a mut [SVector<T, N>],
     /// Those that have not begun.
-    waiting: Range<usize>,
+    pub(super) waiting: Range<usize>,
     pub(super) stopped: &'a mut Vec<Stopped<T>>,
-    watch: W,
+    pub(super) watch: W,
 }
 
 impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N> {

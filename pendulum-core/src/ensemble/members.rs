@@ -4,7 +4,8 @@ use nalgebra::SVector;
 
 use super::MOST_LANES;
 use crate::control::PiController;
-use crate::method::{Accepted, Modes, Pace, Progress, StepControl};
+use crate::hybrid::Modes;
+use crate::method::{Accepted, Pace, Progress, StepControl};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 

@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod check;
+mod entry;
 mod fixed;
 mod hybrid;
 mod lanes;

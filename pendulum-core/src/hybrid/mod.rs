@@ -91,6 +91,7 @@ mod held;
 mod impact;
 mod in_mode;
 mod mode;
+mod modes;
 mod next_mode;
 mod polynomial;
 mod project;
@@ -121,6 +122,7 @@ pub use in_mode::{InMode, Passage};
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;
 pub use mode::{Mode, Status};
+pub(crate) use modes::Modes;
 #[cfg(feature = "std")]
 pub(crate) use polynomial::room;
 pub(crate) use project::project;
@@ -132,5 +134,4 @@ pub(crate) use settled::Settled;
 #[cfg(feature = "std")]
 pub(crate) use switch::rate;
 pub(crate) use switch::{start, switch};
-pub(crate) use watch::Watch;
 pub(crate) use witness::Fired;

@@ -4,7 +4,7 @@ use crate::error::Reason;
 use crate::method::grid::Grid;
 use crate::method::input::check_start;
 use crate::method::scheme::OneStep;
-use crate::method::stepper::Steps;
+use crate::method::smooth::Steps;
 use crate::method::{Method, Stepper};
 use crate::real::Float;
 use crate::system::{IntoState, System};

@@ -19,6 +19,7 @@ mod scheme;
 mod search;
 #[cfg(feature = "std")]
 mod side;
+mod smooth;
 mod stages;
 mod step_control;
 mod stepper;
@@ -59,7 +60,7 @@ pub(crate) use {
     search::Search,
     stages::SHORT,
     step_control::{Pace, is_within_tolerance},
-    stepper::{Modes, Progress},
+    stepper::Progress,
     tangent::{Carried, CarriedStages, Carry, Tangent},
     watch::{Early, follow, see},
 };

@@ -1,0 +1,65 @@
+//! The mode of a system on its way.
+
+use nalgebra::SVector;
+
+use super::ambiguity::Ambiguity;
+use super::mode::Mode;
+use super::project::project;
+use super::watch::Watch;
+use super::witness::Fired;
+use super::{Hold, MOST};
+use crate::real::Float;
+use crate::system::System;
+
+/// The mode of a hybrid system; of no meaning for others.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Modes<T> {
+    pub(crate) mode: Mode,
+    pub(crate) hold: Hold<T>,
+    /// From when on it holds.
+    pub(crate) from: T,
+    /// The impulses along the constraints with which it began.
+    pub(crate) impulses: [T; MOST],
+    /// The impacts among these whose order is not known.
+    pub(crate) ambiguity: Option<Ambiguity<T>>,
+    pub(crate) watch: Watch<T>,
+    /// What ended it, where the last step ended.
+    pub(crate) fired: Fired,
+    /// Of the last step, the fraction of what was integrated: less than one where a mode ended.
+    pub(crate) cut: T,
+    /// Whether the dense output of the last step is known.
+    pub(crate) is_dense: bool,
+    /// How often modes have changed since some time, and that time.
+    pub(crate) changes: (usize, T),
+}
+
+impl<T: Float> Modes<T> {
+    /// Before the first mode is known.
+    pub(crate) fn none(t: T) -> Self {
+        Self {
+            mode: Mode::default(),
+            hold: Hold::default(),
+            from: t,
+            impulses: [T::default(); MOST],
+            ambiguity: None,
+            watch: Watch::new(),
+            fired: Fired::default(),
+            cut: T::from_f64(1.0),
+            is_dense: false,
+            changes: (0, t),
+        }
+    }
+
+    /// Puts a state to where the mode holds it.
+    #[inline]
+    pub(crate) fn place<S, const N: usize>(&self, system: &S, t: T, x: &mut SVector<T, N>)
+    where
+        S: System<T, N> + ?Sized,
+    {
+        if let Some(hybrid) = system.hybrid()
+            && self.hold.held != 0
+        {
+            project(hybrid, &self.hold, &self.mode.0, t, x);
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! The engine of single steps of a smooth system: time, state, step size, failure.
+
+use nalgebra::SVector;
+
+use crate::dense::Step;
+use crate::error::Reason;
+use crate::hybrid::{Hold, InMode, Modes};
+use crate::method::grid::Grid;
+use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
+use crate::method::step_control::{Pace, StepControl, is_within_tolerance};
+use crate::method::toggle;
+use crate::real::Float;
+use crate::statistics::Statistics;
+use crate::system::System;
+
+/// How long the steps are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Steps<T> {
+    /// From one time of a grid to the next.
+    Equal(Grid<T>),
+    /// As long as the tolerance allows.
+    Controlled { control: StepControl<T>, pace: Pace<T> },
+}
+
+impl<T: Float> Steps<T> {
+    pub(crate) fn controlled(control: StepControl<T>) -> Self {
+        let pace = control.start();
+        Self::Controlled { control, pace }
+    }
+}
+
+/// An integration of equations that stay the same, one accepted step at a time.
+#[derive(Clone)]
+pub(super) struct Smooth<C, T, const N: usize> {
+    pub(super) scheme: C,
+    pub(super) steps: Steps<T>,
+    /// Where it ends.
+    pub(super) t1: T,
+    /// The last accepted step; of no length where there is none.
+    pub(super) last: Step<T, N>,
+    /// Where the last attempt arrived.
+    tried: SVector<T, N>,
+    pub(super) statistics: Statistics,
+}
+
+impl<C, T: Float, const N: usize> Smooth<C, T, N> {
+    pub(super) fn at(scheme: C, (t, t1): (T, T), x: SVector<T, N>, steps: Steps<T>) -> Self {
+        Self {
+            scheme,
+            steps,
+            t1,
+            last: Step::at_rest(t, x),
+            tried: x,
+            statistics: Statistics::default(),
+        }
+    }
+
+    #[inline]
+    pub(super) fn t(&self) -> T {
+        self.last.t1
+    }
+
+    #[inline]
+    pub(super) fn x(&self) -> SVector<T, N> {
+        self.last.x1
+    }
+
+    /// Goes to the time `t` on a grid, where steps are on one.
+    pub(super) fn go_to(&mut self, t: T) {
+        if let Steps::Equal(grid) = &mut self.steps {
+            grid.go_to(t);
+        }
+    }
+
+    /// Evaluates the point reached: the derivative there.
+    pub(super) fn begin<S>(&mut self, system: &InMode<'_, S, T>) -> Result<SVector<T, N>, Reason>
+    where
+        C: Scheme<S, T, N>,
+        S: ?Sized,
+    {
+        let (t, x) = (self.t(), self.x());
+        let slope = self.scheme.begin(system, t, &x, &mut self.statistics);
+        NonFinite::check(&slope).map_err(NonFinite::at_start)?;
+        Ok(slope)
+    }
+
+    /// Chooses the first step, from the derivative where it starts.
+    pub(super) fn choose_first_step<S>(&mut self, system: &InMode<'_, S, T>, slope: &SVector<T, N>)
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        if let Steps::Controlled { control, pace } = &mut self.steps
+            && !C::PROPOSES
+            && let Some(h) = control.first_step(system, (self.last.t1, &self.last.x1, slope), self.t1)
+        {
+            pace.h = h;
+            self.statistics.evaluations += 1;
+        }
+    }
+
+    /// Takes one step.
+    #[inline]
+    pub(super) fn step<S>(&mut self, system: &S, modes: &Modes<T>) -> Result<(), Reason>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        match self.steps {
+            Steps::Equal(grid) => self.step_on_grid((system, modes), grid),
+            Steps::Controlled { control, pace } => self.step_within_tolerance((system, modes), &control, pace),
+        }
+        .map_err(|reason| {
+            self.last = Step::at_rest(self.t(), self.x());
+            toggle::behind(reason, system, self.t(), &self.x())
+        })?;
+        self.statistics.accepted += 1;
+        Ok(())
+    }
+
+    #[inline]
+    fn step_on_grid<S>(&mut self, model: (&S, &Modes<T>), mut grid: Grid<T>) -> Result<(), Reason>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        let t_new = grid.next();
+        match self.attempt(model, t_new).and_then(|_| self.advance(model, t_new)) {
+            Ok(()) => {
+                self.steps = Steps::Equal(grid);
+                Ok(())
+            }
+            Err(failure) => {
+                self.statistics.rejected += 1;
+                Err(failure.reason((t_new - self.t()).to_f64()))
+            }
+        }
+    }
+
+    #[inline]
+    fn step_within_tolerance<S>(
+        &mut self,
+        model: (&S, &Modes<T>),
+        control: &StepControl<T>,
+        mut pace: Pace<T>,
+    ) -> Result<(), Reason>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        let t = self.t();
+        let system = InMode::new(model.0, &model.1.hold);
+        let mut proposed = self.scheme.prepare(&system, t, &self.last.x1, &mut self.statistics);
+        pace.set_order(self.scheme.error_order());
+        loop {
+            let steps = self.statistics.accepted + self.statistics.rejected;
+            let t_new = control.plan(&mut pace.h, (t, self.t1), steps, proposed.take())?;
+            let outcome = self.attempt(model, t_new).and_then(|mean_square| {
+                if is_within_tolerance(mean_square) {
+                    self.advance(model, t_new)?;
+                }
+                Ok(mean_square)
+            });
+            let failure = outcome.err();
+            let verdict = control.judge(&mut pace, (t, t_new), outcome, C::PROPOSES);
+            if let Ok(true) = verdict {
+                if let Steps::Controlled { pace: before, .. } = &mut self.steps {
+                    *before = pace;
+                }
+                return Ok(());
+            }
+            self.statistics.rejected += 1;
+            verdict?;
+            if let Some(failure) = failure.filter(|_| toggle::creeps(pace.h, t)) {
+                toggle::reached(failure, model.0, (t, t_new), &self.last.x1)?;
+            }
+        }
+    }
+
+    /// Tries a step to `t_new`, where it arrives at finite numbers: the mean square of its error.
+    #[inline]
+    pub(super) fn attempt<S>(&mut self, (system, modes): (&S, &Modes<T>), t_new: T) -> Result<T, Failure>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        let (start, end) = ((self.last.t1, &self.last.x1), (t_new, &mut self.tried));
+        let mean_square = attempt(
+            &mut self.scheme,
+            (system, &modes.hold),
+            start,
+            end,
+            &mut self.statistics,
+        )?;
+        NonFinite::check(&self.tried)?;
+        modes.place(system, t_new, &mut self.tried);
+        Ok(mean_square)
+    }
+
+    /// Makes an attempt the last step.
+    #[inline]
+    pub(super) fn advance<S>(&mut self, (system, modes): (&S, &Modes<T>), t_new: T) -> Result<(), Failure>
+    where
+        C: Scheme<S, T, N>,
+        S: ?Sized,
+    {
+        let end = (t_new, &self.tried);
+        let system = InMode::new(system, &modes.hold);
+        if let Some(slope) = self.scheme.arrive(&system, end, &mut self.statistics) {
+            NonFinite::check(slope)?;
+        }
+        let step = Step::new((self.last.t1, self.last.x1), (t_new, self.tried));
+        self.scheme.accept(&system, &step, Accepted::All, &mut self.statistics);
+        self.last = step;
+        Ok(())
+    }
+}
+
+/// [`Scheme::attempt`] as a function of its own, so that the compiler knows that what a step writes is not what the
+/// system reads.
+#[inline(never)]
+fn attempt<C, S, T, const N: usize>(
+    scheme: &mut C,
+    (system, hold): (&S, &Hold<T>),
+    start: (T, &SVector<T, N>),
+    end: (T, &mut SVector<T, N>),
+    work: &mut Statistics,
+) -> Result<T, Stalled>
+where
+    C: Scheme<S, T, N>,
+    S: ?Sized,
+    T: Float,
+{
+    scheme.attempt(&InMode::new(system, hold), start, end, work)
+}

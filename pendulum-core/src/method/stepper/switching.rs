@@ -1,0 +1,215 @@
+//! The layer above smooth steps: where a mode of a hybrid system ends, and which one begins.
+
+use nalgebra::SVector;
+
+use super::Stepper;
+use crate::control::Tolerance;
+use crate::dense::{Dense, Step};
+use crate::error::Reason;
+use crate::hybrid::{self, Ambiguity, Fired, InMode, Modes, Settled};
+use crate::method::scheme::Scheme;
+use crate::method::smooth::Steps;
+use crate::real::Float;
+use crate::statistics::Statistics;
+use crate::system::System;
+
+/// Give up after this many changes of modes that are, on average, closer to each other than the times below. The
+/// rebounds of a ball end before they are so short.
+const MANY_CHANGES: usize = 1000;
+/// With steps of fixed length: this fraction of a step.
+const HURRIED_OF_STEP: f64 = 1e-7;
+/// Within a tolerance: this fraction of the time to the end of the span.
+const HURRIED_OF_REST: f64 = 1e-13;
+/// In any case: this many ulps of the time.
+const HURRIED_ULPS: f64 = 4.0;
+/// Do not retake a step to the end of a mode that would be shorter than this many ulps of the time.
+const SHORTEST_ULPS: f64 = 64.0;
+/// Retake a step once more if its mode ends further than this fraction of the step before its end,
+const FAR_FROM_THE_END: f64 = 1e-3;
+/// at most this many times: where modes end so close together that each step shows another one first.
+const MOST_RETAKEN: usize = 16;
+/// Report an order of impacts if it changes the state by more than this many tolerances.
+const LEAST_AMBIGUITY: f64 = 10.0;
+
+impl<C, S, T, const N: usize> Stepper<'_, C, S, T, N>
+where
+    C: Scheme<S, T, N>,
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    /// Cuts the last step of a hybrid system off where its mode ends.
+    #[inline(always)]
+    pub(super) fn look_for_the_end_of_the_mode(&mut self) -> Result<(), Reason> {
+        let Some(hybrid) = self.system.hybrid() else {
+            return Ok(());
+        };
+        (self.modes.cut, self.modes.is_dense) = (T::from_f64(1.0), false);
+        let (dense, modes, work) = self.dense_and_mode();
+        let found = modes.watch.look((hybrid, &modes.mode, &modes.hold), &dense, work)?;
+        let Some((mut cut, mut fired)) = found else {
+            return Ok(());
+        };
+        let mut t = dense.time(cut);
+        // The ends of steps are more exact than what is between them: a step that ends there shows where it is.
+        let mut retaken = 0;
+        let mut x = loop {
+            let is_exact = self.retake(t);
+            let (dense, modes, work) = self.dense_and_mode();
+            if !is_exact {
+                break dense.at_fraction(cut);
+            }
+            let scene = (hybrid, &modes.mode, &modes.hold);
+            let Some((by, first)) = modes.watch.locate(scene, &dense, fired, work) else {
+                // and that there is none
+                self.smooth.go_to(t);
+                return Ok(());
+            };
+            (t, cut, fired) = (dense.step().t1 + by * dense.step().h, T::from_f64(1.0) + by, first);
+            retaken += 1;
+            if by > T::from_f64(-FAR_FROM_THE_END) || retaken == MOST_RETAKEN {
+                break dense.about_end(by);
+            }
+        };
+        self.system.project(t, &mut x);
+        let modes = &mut self.modes;
+        (modes.cut, modes.fired) = (cut, fired);
+        if modes.hold.held != 0 {
+            hybrid::project(hybrid, &modes.hold, &fired.touching(&modes.mode), t, &mut x);
+        }
+        self.smooth.last = Step::new((self.smooth.last.t0, self.smooth.last.x0), (t, x));
+        Ok(())
+    }
+
+    /// The states within the last step, before it is cut off.
+    fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T>, &mut Statistics) {
+        let coefficients = if self.modes.is_dense {
+            self.smooth.scheme.coefficients()
+        } else {
+            let system = InMode::new(self.system, &self.modes.hold);
+            self.smooth
+                .scheme
+                .dense(&system, &self.smooth.last, &mut self.smooth.statistics)
+        };
+        self.modes.is_dense = true;
+        (
+            Dense::new(self.smooth.last, coefficients),
+            &mut self.modes,
+            &mut self.smooth.statistics,
+        )
+    }
+
+    /// Takes the last step again, to the time `t` within it; whether that was possible. If not, it stays as it was.
+    fn retake(&mut self, t: T) -> bool {
+        let whole = self.smooth.last;
+        if t == whole.t1 {
+            return true;
+        }
+        if (t - whole.t0).abs() <= T::from_f64(SHORTEST_ULPS) * T::EPSILON * t.abs().max(whole.h.abs()) {
+            return false;
+        }
+        let scheme = self.smooth.scheme.clone();
+        self.smooth.last = Step::at_rest(whole.t0, whole.x0);
+        self.smooth.scheme.go_back();
+        let begun = self.begin().is_ok();
+        let model = (self.system, &self.modes);
+        if begun
+            && self
+                .smooth
+                .attempt(model, t)
+                .and_then(|_| self.smooth.advance(model, t))
+                .is_ok()
+        {
+            self.modes.is_dense = false;
+            return true;
+        }
+        (self.smooth.last, self.smooth.scheme) = (whole, scheme);
+        false
+    }
+
+    /// Goes to the mode after the one that has ended.
+    pub(super) fn change_mode(&mut self) -> Result<(), Reason> {
+        let Some(hybrid) = self.system.hybrid() else {
+            return Ok(());
+        };
+        let Modes {
+            mode,
+            hold,
+            fired,
+            watch,
+            changes: (count, since),
+            ..
+        } = self.modes;
+        let (t, x) = (self.smooth.t(), self.smooth.x());
+        let pass = |passage: &_| self.smooth.scheme.pass(self.system, passage);
+        let settled = hybrid::switch(hybrid, (t, &x), (&mode, &hold), fired, &watch, pass);
+        self.smooth.statistics.evaluations += 1;
+        if let Some(n) = settled.contradiction() {
+            let constraint = hybrid.constraints()[n].name;
+            return Err(Reason::ModesAccumulate { constraint });
+        }
+        let changes = if count < MANY_CHANGES {
+            (count + 1, since)
+        } else {
+            (1, t)
+        };
+        if count == MANY_CHANGES {
+            let shortest = match &self.smooth.steps {
+                Steps::Equal(grid) => T::from_f64(HURRIED_OF_STEP) * grid.h(),
+                Steps::Controlled { .. } => T::from_f64(HURRIED_OF_REST) * (self.smooth.t1 - t),
+            };
+            let resolved = T::from_f64(HURRIED_ULPS) * T::EPSILON * t.abs().max(self.smooth.last.h.abs());
+            if t - since <= T::from_f64(MANY_CHANGES as f64) * shortest.max(resolved) {
+                let constraint = hybrid.constraints()[fired.first()].name;
+                return Err(Reason::ModesAccumulate { constraint });
+            }
+        }
+        self.modes.changes = changes;
+        self.smooth.go_to(t);
+        self.enter(t, settled);
+        self.begin().map(drop)
+    }
+
+    /// Stands at a point in a mode.
+    pub(super) fn enter(&mut self, t: T, settled: Settled<T, N>) {
+        let ambiguity = settled
+            .ambiguity()
+            .and_then(|found| self.check_ambiguity(t, found, &settled.x));
+        self.smooth.statistics.ambiguities += usize::from(ambiguity.is_some());
+        let Settled {
+            x,
+            mode,
+            hold,
+            delay,
+            impulses,
+            gains,
+            sizes,
+            ..
+        } = settled;
+        (self.modes.mode, self.modes.hold, self.modes.from) = (mode, hold, (t + delay).min(self.smooth.t1));
+        (self.modes.impulses, self.modes.ambiguity) = (impulses, ambiguity);
+        self.modes.fired = Fired::default();
+        self.modes.watch.restart(&mode, gains, sizes);
+        self.smooth.last = Step::at_rest(t, x);
+    }
+
+    /// The impacts at `t` whose order is not known, from the differences that it makes to the state `x` after them; none
+    /// if these are within the tolerance.
+    fn check_ambiguity(
+        &self,
+        t: T,
+        (set, differences): (u8, SVector<T, N>),
+        x: &SVector<T, N>,
+    ) -> Option<Ambiguity<T>> {
+        let matters = |difference: T, x: T| match &self.smooth.steps {
+            Steps::Equal(_) => true,
+            Steps::Controlled { control, .. } => {
+                let Tolerance { rtol, atol } = control.tolerance;
+                difference > T::from_f64(LEAST_AMBIGUITY) * (atol + rtol * x.abs())
+            }
+        };
+        let rates = || differences.iter().zip(x.iter()).skip(N / 2);
+        let difference = rates().fold(T::default(), |most, (&difference, _)| most.max(difference));
+        let matters = rates().any(|(&difference, &x)| matters(difference, x));
+        matters.then_some(Ambiguity { t, difference, set })
+    }
+}
