@@ -2,11 +2,13 @@
 
 use nalgebra::SVector;
 
+use super::march::{March, Paced, Steps};
 use super::together::Together;
 use super::watch::{Unwatched, Watch, Watched};
-use super::{Ensemble, EnsembleError, ObservedEnsemble, adaptive, check_models, check_observers, conclude, fixed};
+use super::{Ensemble, EnsembleError, ObservedEnsemble, check_models, check_observers, conclude};
+use crate::error::Reason;
 use crate::event::Event;
-use crate::method::{Adaptive, Estimates, Fixed, Grid, Scheme, check_span};
+use crate::method::{Adaptive, Estimates, Fixed, OneStep, Scheme, check_span};
 use crate::real::lanes::{Isa, LaneElement};
 use crate::solution::Observer;
 use crate::system::Cast;
@@ -25,7 +27,9 @@ where
         t1: T,
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
-        within_tolerance(self, isa, models, (t0, t1), starts, Unwatched)
+        send(self, models, (t0, t1), starts, Unwatched, |march| {
+            F::within_tolerance(isa, march)
+        })
     }
 }
 
@@ -49,45 +53,11 @@ where
         T: 'w,
     {
         check_observers(observers, starts)?;
-        within_tolerance(self, isa, models, span, starts, Watched::new(observers, events))
+        let watch = Watched::new(observers, events);
+        send(self, models, span, starts, watch, |march| {
+            F::within_tolerance(isa, march)
+        })
     }
-}
-
-fn within_tolerance<M, F, T, W, const N: usize>(
-    method: &Adaptive<F>,
-    isa: Isa,
-    models: &[M],
-    (t0, t1): (T, T),
-    starts: &[SVector<T, N>],
-    watch: W,
-) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
-where
-    M: Cast<N>,
-    F: Together<M, T, N> + Estimates,
-    T: LaneElement,
-    W: Watch<T, N>,
-{
-    check_span(t0, t1)?;
-    check_models(models, starts)?;
-    // settings are wrong for all trajectories, or for none
-    if let Some(model) = models.first() {
-        let tolerance = method.tolerance()?;
-        let scheme = method.family.scheme(&model.cast(), Some(tolerance))?;
-        method.control(tolerance, scheme.error_order(), (t0, t1))?;
-    }
-    let mut x = starts.to_vec();
-    let mut stopped = Vec::new();
-    let march = adaptive::March {
-        method,
-        models,
-        span: (t0, t1),
-        waiting: 0..x.len(),
-        x: &mut x,
-        stopped: &mut stopped,
-        watch,
-    };
-    F::within_tolerance(isa, march)?;
-    conclude(x, stopped)
 }
 
 impl<M, F, T, const N: usize> Ensemble<M, T, N> for Fixed<F>
@@ -104,7 +74,9 @@ where
         t1: T,
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
-        on_grid(self, isa, models, (t0, t1), starts, Unwatched)
+        send(self, models, (t0, t1), starts, Unwatched, |march| {
+            F::on_grid(isa, march)
+        })
     }
 }
 
@@ -128,44 +100,49 @@ where
         T: 'w,
     {
         check_observers(observers, starts)?;
-        on_grid(self, isa, models, span, starts, Watched::new(observers, events))
+        let watch = Watched::new(observers, events);
+        send(self, models, span, starts, watch, |march| F::on_grid(isa, march))
     }
 }
 
-fn on_grid<M, F, T, W, const N: usize>(
-    method: &Fixed<F>,
-    isa: Isa,
+/// Checks what is given, and sends the trajectories on their way.
+fn send<A, M, T, W, const N: usize>(
+    method: &A,
     models: &[M],
-    (t0, t1): (T, T),
+    span: (T, T),
     starts: &[SVector<T, N>],
     watch: W,
+    on_their_way: impl FnOnce(March<'_, A, M, T, W, N>) -> Result<(), Reason>,
 ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
 where
+    A: Paced<T>,
+    A::Family: OneStep<M::In<T>, T, N>,
     M: Cast<N>,
-    F: Together<M, T, N>,
     T: LaneElement,
     W: Watch<T, N>,
 {
-    check_span(t0, t1)?;
-    let grid = Grid::new(method.h, t0, t1)?;
-    if watch.keeps_all() {
-        grid.check_to_keep()?;
-    }
+    check_span(span.0, span.1)?;
     check_models(models, starts)?;
     // settings are wrong for all trajectories, or for none
     if let Some(model) = models.first() {
-        method.family.scheme(&model.cast(), None)?;
+        let scheme = method.family().scheme(&model.cast(), method.within()?)?;
+        let steps = method.steps(scheme.error_order(), span)?;
+        if let Steps::Equal(grid) = steps
+            && watch.keeps_all()
+        {
+            grid.check_to_keep()?;
+        }
     }
     let mut x = starts.to_vec();
     let mut stopped = Vec::new();
-    let march = fixed::March {
+    on_their_way(March {
         method,
         models,
-        grid,
+        span,
+        waiting: 0..x.len(),
         x: &mut x,
         stopped: &mut stopped,
         watch,
-    };
-    F::on_grid(isa, march)?;
+    })?;
     conclude(x, stopped)
 }

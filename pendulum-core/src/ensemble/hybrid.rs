@@ -3,20 +3,19 @@
 
 use nalgebra::SVector;
 
-use super::adaptive::March;
 use super::check::{in_lane, set_lane};
+use super::leave::Leave;
+use super::march::{March, Steps};
 use super::members::Members;
 use super::watch::Watch;
 use super::{InLanes, Stopped, model_of};
 use crate::dense::Step;
-use crate::error::Reason;
-use crate::hybrid::{Hold, InMode, Law, MOST, Modes, Status, room};
-use crate::method::{Estimates, Method, OneStep, Progress, Scheme, StepControl, Stepper};
+use crate::hybrid::{Hold, Hybrid, Law, MOST, Modes, Status, room};
+use crate::method::{Adaptive, Estimates, Method, OneStep, Progress, StepControl, Stepper};
 use crate::real::lanes::{LaneElement, Lanes};
-use crate::statistics::Statistics;
 use crate::system::{Cast, Plant, System};
 
-impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
+impl<F, M, T, W, const N: usize> March<'_, Adaptive<F>, M, T, W, N>
 where
     F: InLanes<M, T, N> + Estimates,
     M: Cast<N>,
@@ -34,95 +33,10 @@ where
         constraints.iter().all(|constraint| !constraint.rate.is_empty())
     }
 
-    #[inline(always)]
-    pub(super) fn in_modes<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
-        let (_, t1) = self.span;
-        let tolerance = self.method.tolerance()?;
-        let mut system = F::gather::<V>(|_| &self.models[0]);
-        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance), true)?;
-        let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
-        let mut laws = [Law::default(); MOST];
-        let mut hold = Hold::default();
-        let mut members = Members::none();
-        let mut modes: Vec<Option<Modes<T>>> = vec![None; V::LANES];
-        let mut ready: Vec<(usize, Progress<T, N>)> = Vec::new();
-        let mut x = SVector::from_element(V::default());
-        let mut x_new = x;
-        let work = &mut Statistics::default();
-        loop {
-            if members.some_are_free(V::LANES) {
-                let mut someone_enters = false;
-                for (lane, modes) in modes.iter_mut().enumerate() {
-                    if members.index(lane).is_none()
-                        && let Some((index, progress)) = ready.pop().or_else(|| self.start(t1))
-                    {
-                        members.enter(lane, index, progress.t, progress.pace);
-                        members.steps[lane] = progress.steps;
-                        set_lane(&mut x, lane, &progress.x);
-                        *modes = Some(progress.modes);
-                        someone_enters = true;
-                    }
-                }
-                if members.busy(V::LANES).next().is_none() {
-                    return Ok(());
-                }
-                if someone_enters {
-                    if self.models.len() > 1 {
-                        system = F::gather::<V>(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
-                    }
-                    if let Some(hybrid) = system.hybrid() {
-                        laws = hybrid.laws();
-                    }
-                    for (n, force) in hold.forces.iter_mut().enumerate() {
-                        let of = |lane: usize| modes[lane].as_ref().map_or(T::default(), |modes| modes.hold.forces[n]);
-                        *force = V::from_fn(of);
-                    }
-                    let t = V::from_fn(|lane| members.t[lane]);
-                    scheme.begin(&InMode::new(&system, &hold), t, &x, work);
-                }
-            }
-            let in_mode = InMode::new(&system, &hold);
-            let t = V::from_fn(|lane| members.t[lane]);
-            let proposed = scheme.prepare(&in_mode, t, &x, work);
-            self.plan(&mut members, &control, &x, proposed);
-            let t_new = V::from_fn(|lane| members.t_new[lane]);
-            let attempt = scheme.attempt(&in_mode, (t, &x), (t_new, &mut x_new), work);
-            let slope = scheme.arrive(&in_mode, (t_new, &x_new), work).copied();
-            let step = Step::new((t, x), (t_new, x_new));
-            // those whose mode may end within the step take it again by themselves
-            if let (Some(hybrid), Ok(_)) = (system.hybrid(), attempt) {
-                let (constraints, measures) = (hybrid.constraints(), hybrid.measures(t, &x));
-                let terms = scheme.dense(&in_mode, &step, work);
-                let room = room((constraints, &laws), &measures, terms);
-                for (lane, own) in modes.iter_mut().enumerate() {
-                    let (Some(index), Some(own)) = (members.index(lane), own) else {
-                        continue;
-                    };
-                    let goes_on = (0..constraints.len()).all(|n| {
-                        let [rate, gap] = &room[n];
-                        let is_slow = rate.lane(lane) <= T::default();
-                        !(is_slow && own.mode.0[n] != Status::Free) && gap.lane(lane) > T::default()
-                    });
-                    if goes_on {
-                        own.watch.note(&laws, &measures, lane);
-                    } else {
-                        let progress = members.progress(lane, in_lane(&x, lane), *own);
-                        members.leave(lane);
-                        ready.extend(self.go_on(index, progress, &control).map(|progress| (index, progress)));
-                    }
-                }
-            }
-            self.judge(&mut members, &control, &x, attempt, (&x_new, slope.as_ref()));
-            let lanes = members.accepted::<V>();
-            scheme.accept(&in_mode, &step, lanes, work);
-            x = lanes.select(&x_new, &x);
-            self.take_out(&mut members, &x);
-        }
-    }
-
     /// Starts the next trajectory, up to where it can go on beside others; those that never can are brought to their
     /// end.
-    fn start(&mut self, t1: T) -> Option<(usize, Progress<T, N>)> {
+    fn start(&mut self) -> Option<(usize, Progress<T, N>)> {
+        let t1 = self.span.1;
         loop {
             let index = self.next()?;
             let model = model_of(self.models, index).cast::<T>();
@@ -181,5 +95,106 @@ where
         }
         self.x[index] = stepper.x();
         None
+    }
+}
+
+/// Trajectories leave where a mode may end within a step, and come back once nothing is held.
+pub(super) struct AtModes<V: Lanes, const N: usize> {
+    modes: Vec<Option<Modes<V::Scalar>>>,
+    /// Those that can go on beside others.
+    ready: Vec<(usize, Progress<V::Scalar, N>)>,
+    hold: Hold<V>,
+    laws: [Law<V>; MOST],
+}
+
+impl<F, M, V, W, const N: usize> Leave<Adaptive<F>, M, V, W, N> for AtModes<V, N>
+where
+    F: InLanes<M, V::Scalar, N> + Estimates,
+    M: Cast<N>,
+    V: Lanes,
+    V::Scalar: LaneElement,
+    W: Watch<V::Scalar, N>,
+{
+    const ASKS: bool = true;
+
+    fn none() -> Self {
+        Self {
+            modes: vec![None; V::LANES],
+            ready: Vec::new(),
+            hold: Hold::default(),
+            laws: [Law::default(); MOST],
+        }
+    }
+
+    #[inline(always)]
+    fn enter(
+        &mut self,
+        march: &mut March<'_, Adaptive<F>, M, V::Scalar, W, N>,
+        members: &mut Members<V::Scalar>,
+        x: &mut SVector<V, N>,
+        _steps: (&mut Steps<V::Scalar>, &Steps<V::Scalar>),
+    ) -> bool {
+        let mut someone_enters = false;
+        for (lane, modes) in self.modes.iter_mut().enumerate() {
+            if members.index(lane).is_none()
+                && let Some((index, progress)) = self.ready.pop().or_else(|| march.start())
+            {
+                members.enter(lane, index, progress.t, progress.pace);
+                members.steps[lane] = progress.steps;
+                set_lane(x, lane, &progress.x);
+                *modes = Some(progress.modes);
+                someone_enters = true;
+            }
+        }
+        someone_enters
+    }
+
+    #[inline(always)]
+    fn begin<S: System<V, N>>(&mut self, system: &S) {
+        if let Some(hybrid) = system.hybrid() {
+            self.laws = hybrid.laws();
+        }
+        for (n, force) in self.hold.forces.iter_mut().enumerate() {
+            let zero = V::Scalar::default();
+            let of = |lane: usize| self.modes[lane].as_ref().map_or(zero, |modes| modes.hold.forces[n]);
+            *force = V::from_fn(of);
+        }
+    }
+
+    #[inline(always)]
+    fn hold(&self) -> &Hold<V> {
+        &self.hold
+    }
+
+    #[inline(always)]
+    fn check(
+        &mut self,
+        march: &mut March<'_, Adaptive<F>, M, V::Scalar, W, N>,
+        members: &mut Members<V::Scalar>,
+        steps: &Steps<V::Scalar>,
+        (hybrid, step, terms): (&dyn Hybrid<V, N>, &Step<V, N>, &[SVector<V, N>]),
+    ) {
+        let Steps::Controlled(control) = steps else { return };
+        let zero = V::Scalar::default();
+        let (constraints, measures) = (hybrid.constraints(), hybrid.measures(step.t0, &step.x0));
+        let room = room((constraints, &self.laws), &measures, terms);
+        for (lane, own) in self.modes.iter_mut().enumerate() {
+            let (Some(index), Some(own)) = (members.index(lane), own) else {
+                continue;
+            };
+            let goes_on = (0..constraints.len()).all(|n| {
+                let [rate, gap] = &room[n];
+                let is_slow = rate.lane(lane) <= zero;
+                !(is_slow && own.mode.0[n] != Status::Free) && gap.lane(lane) > zero
+            });
+            if goes_on {
+                own.watch.note(&self.laws, &measures, lane);
+            } else {
+                let progress = members.progress(lane, in_lane(&step.x0, lane), *own);
+                members.leave(lane);
+                let went_on = march.go_on(index, progress, control);
+                self.ready.extend(went_on.map(|progress| (index, progress)));
+            }
+        }
     }
 }

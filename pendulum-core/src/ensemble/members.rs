@@ -111,6 +111,19 @@ impl<T: Float> Members<T> {
             .fold(false, |some, &index| some | (index == FREE))
     }
 
+    /// Plans a step to the time `t_new` for all of them.
+    pub(super) fn go_to(&mut self, t_new: T) {
+        for (lane, end) in self.t_new.iter_mut().enumerate() {
+            *end = if self.index[lane] == FREE { self.t[lane] } else { t_new };
+        }
+    }
+
+    /// Moves all of them on to the ends of their steps.
+    pub(super) fn accept_all(&mut self) {
+        self.t = self.t_new;
+        self.steps.iter_mut().for_each(|steps| *steps += 1);
+    }
+
     /// Whether a trajectory has arrived at `t1`.
     #[inline(always)]
     pub(super) fn some_arrive(&self, lanes: usize, t1: T) -> bool {

@@ -1,12 +1,14 @@
 //! Many trajectories at a time, in the lanes of the vector registers.
 
-mod adaptive;
 mod check;
 mod entry;
-mod fixed;
 mod hybrid;
+mod in_lanes;
 mod lanes;
+mod leave;
+mod march;
 mod members;
+mod on_grid;
 mod together;
 mod watch;
 

@@ -1,11 +1,12 @@
 //! Which methods integrate many trajectories side by side, and which one after the other.
 
 use super::lanes::InLanes;
+use super::march::March;
 use super::watch::Watch;
-use super::{adaptive, fixed};
 use crate::error::Reason;
 use crate::method::{
-    Carried, Choice, Estimates, Explicit, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock, Switching, SwitchingFrom,
+    Adaptive, Carried, Choice, Estimates, Explicit, Fixed, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock,
+    Switching, SwitchingFrom,
 };
 use crate::real::lanes::{Isa, LaneElement};
 use crate::system::{Cast, CastJacobian, Jacobian};
@@ -15,7 +16,7 @@ use crate::tableau::{Tsitouras5, Verner7, Verner9};
 pub trait Together<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> + Sized {
     /// With steps within a tolerance.
     #[doc(hidden)]
-    fn within_tolerance<W>(_isa: Isa, march: adaptive::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
+    fn within_tolerance<W>(_isa: Isa, march: March<'_, Adaptive<Self>, M, T, W, N>) -> Result<(), Reason>
     where
         Self: Estimates,
         W: Watch<T, N>,
@@ -26,7 +27,7 @@ pub trait Together<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>
 
     /// With steps of equal length.
     #[doc(hidden)]
-    fn on_grid<W>(_isa: Isa, march: fixed::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
+    fn on_grid<W>(_isa: Isa, march: March<'_, Fixed<Self>, M, T, W, N>) -> Result<(), Reason>
     where
         W: Watch<T, N>,
     {
@@ -43,7 +44,7 @@ macro_rules! in_lanes {
             T: LaneElement,
             Self: InLanes<M, T, N>,
         {
-            fn within_tolerance<W>(isa: Isa, march: adaptive::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
+            fn within_tolerance<W>(isa: Isa, march: March<'_, Adaptive<Self>, M, T, W, N>) -> Result<(), Reason>
             where
                 Self: Estimates,
                 W: Watch<T, N>,
@@ -51,7 +52,7 @@ macro_rules! in_lanes {
                 isa.run(march)
             }
 
-            fn on_grid<W>(isa: Isa, march: fixed::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
+            fn on_grid<W>(isa: Isa, march: March<'_, Fixed<Self>, M, T, W, N>) -> Result<(), Reason>
             where
                 W: Watch<T, N>,
             {
@@ -86,7 +87,7 @@ where
     M::In<T>: Jacobian<T, N>,
     T: LaneElement,
 {
-    fn within_tolerance<W>(isa: Isa, march: adaptive::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
+    fn within_tolerance<W>(isa: Isa, march: March<'_, Adaptive<Self>, M, T, W, N>) -> Result<(), Reason>
     where
         W: Watch<T, N>,
     {

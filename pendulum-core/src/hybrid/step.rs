@@ -12,7 +12,7 @@ use super::sizes::rates_at_rest;
 use super::witness::Witness;
 use super::{Hold, Hybrid, Law, MOST};
 use crate::dense::Dense;
-use crate::method::{Known, root};
+use crate::method::{Known, root, root_of_line};
 use crate::real::Float;
 
 /// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
@@ -196,8 +196,8 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
             let other = place + T::from_f64(towards * about);
             let there = function(other);
             ((there > zero) != (value > zero)).then(|| match value > zero {
-                true => root(function, (place, value), (other, there)),
-                false => root(function, (other, there), (place, value)),
+                true => root_of_line(function, (place, value), (other, there)),
+                false => root_of_line(function, (other, there), (place, value)),
             })
         });
         found.or_else(|| (value <= noise()).then_some(place))

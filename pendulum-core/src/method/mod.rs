@@ -50,7 +50,7 @@ pub(crate) use explicit::MAX_DEGREE;
 #[cfg(feature = "std")]
 pub(crate) use input::check_loops;
 pub(crate) use input::require;
-pub(crate) use zero::{Known, dip, first_zero, places, root, unseen_bend};
+pub(crate) use zero::{Known, dip, first_zero, places, root, root_of_line, unseen_bend};
 #[cfg(feature = "std")]
 pub(crate) use {
     grid::Grid,

@@ -44,6 +44,15 @@ const STRETCH: f64 = 1.01;
 const GROW_PROPOSED: f64 = 2.0;
 
 impl<T> Pace<T> {
+    /// That of steps of a given length.
+    #[cfg(feature = "std")]
+    pub(crate) fn of_length(h: T) -> Self {
+        Self {
+            h,
+            controller: PiController::new(1),
+        }
+    }
+
     /// Goes on with an error estimate of another order.
     #[inline(always)]
     pub(crate) fn set_order(&mut self, order: usize) {

@@ -32,10 +32,21 @@ pub(crate) fn places<T: Float>(starts: bool) -> impl Iterator<Item = T> {
 /// T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without
 /// using derivatives", Adv. Eng. Softw. 28 (1997) 145-149.
 pub(crate) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T {
+    root_from(f, from, to, T::from_f64(0.5))
+}
+
+/// [`root`] of a function that is almost a straight line: it is looked for first where the line through the ends has it.
+pub(crate) fn root_of_line<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T {
+    let fraction = to.1 / (to.1 - from.1);
+    root_from(f, from, to, fraction.max(T::EPSILON).min(T::from_f64(1.0) - T::EPSILON))
+}
+
+/// [`root`], looked for first at a fraction of the way back from `to`.
+#[inline]
+fn root_from<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T), mut fraction: T) -> T {
     let (zero, one, two) = (T::default(), T::from_f64(1.0), T::from_f64(2.0));
     let (mut a, mut b) = (to, from);
     let is_past = |value: T| (value > zero) != (from.1 > zero) || value == zero;
-    let mut fraction = T::from_f64(0.5);
     // Bisection alone would end in as many steps as a number has bits; the hybrid takes at most a few times as many.
     for _ in 0..200 {
         let at = |fraction: T| Some(a.0 + fraction * (b.0 - a.0)).filter(|&place| place != a.0 && place != b.0);
@@ -190,10 +201,10 @@ fn cubic<T: Float>((from, to): (Known<T>, Known<T>), part: T) -> T {
 
 #[cfg(test)]
 mod tests {
-    use std::cell::RefCell;
+    use std::cell::{Cell, RefCell};
     use std::f64::consts::PI;
 
-    use super::{dip, first_zero, root, unseen_bend};
+    use super::{dip, first_zero, root, root_of_line, unseen_bend};
 
     /// The root of `f` between 0 and 1, or between 1 and 0 in reverse, and the places that were looked at.
     fn search(f: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> (f64, Vec<f64>) {
@@ -234,6 +245,26 @@ mod tests {
                 assert_eq!(places[0], 0.5);
                 assert!((places[1] - expected).abs() < 1e-15, "{c}: {places:?}");
                 assert!((x - expected).abs() < 1e-15 && places.len() <= 5, "{c}: {places:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_almost_a_line_is_found_in_a_few_places() {
+        for zero in [1e-9, 1e-3, 0.3, 0.999] {
+            for bend in [0.0, 1e-6, -1e-3, 0.2] {
+                let count = Cell::new(0);
+                let f = |x: f64| {
+                    count.set(count.get() + 1);
+                    (x - zero) * (1.0 + bend * x)
+                };
+                let found = root_of_line(f, (0.0, f(0.0)), (1.0, f(1.0)));
+                assert!(
+                    (found - zero).abs() <= 1e-15 && found >= zero,
+                    "{zero} {bend}: {found:e}"
+                );
+                let most = if bend.abs() < 0.1 { 8 } else { 12 };
+                assert!(count.get() <= most, "{zero} {bend}: {}", count.get());
             }
         }
     }

@@ -1,73 +1,61 @@
-//! Many trajectories, each with steps of its own lengths.
-
-use std::ops::Range;
+//! Many trajectories side by side, each of which leaves its lane where it ends.
 
 use nalgebra::SVector;
 
 use super::check::{first_not_finite, in_lane, set_lane, sum};
+use super::hybrid::AtModes;
+use super::leave::Leave;
+use super::march::{March, Paced, Steps};
 use super::members::Members;
 use super::watch::{Watch, show_lane};
-use super::{InLanes, MOST_LANES, Stopped, alone, model_of};
+use super::{InLanes, MOST_LANES, Stopped, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, InMode};
 use crate::method::{
-    Adaptive, Estimates, Failure, NonFinite, OneStep, Scheme, Stalled, StepControl, is_within_tolerance, place, toggle,
+    Adaptive, Estimates, Failure, Method, NonFinite, Pace, Scheme, Stalled, StepControl, is_within_tolerance, place,
+    toggle,
 };
 use crate::real::lanes::{Kernel, LaneElement, Lanes};
 use crate::statistics::Statistics;
-use crate::system::Cast;
+use crate::system::{Cast, System};
 
-/// Trajectories on their way from the states `x`, which are replaced.
-pub struct March<'a, F, M, T, W, const N: usize> {
-    pub(super) method: &'a Adaptive<F>,
-    pub(super) models: &'a [M],
-    pub(super) span: (T, T),
-    pub(super) x: &'a mut [SVector<T, N>],
-    /// Those that have not begun.
-    pub(super) waiting: Range<usize>,
-    pub(super) stopped: &'a mut Vec<Stopped<T>>,
-    pub(super) watch: W,
-}
+/// None leaves.
+pub(super) struct Never<V>(Hold<V>);
 
-impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N> {
-    /// The same by another method.
-    pub(super) fn by<'b, G>(self, method: &'b Adaptive<G>) -> March<'b, G, M, T, W, N>
-    where
-        Self: 'b,
-    {
-        March {
-            method,
-            models: self.models,
-            span: self.span,
-            x: self.x,
-            waiting: self.waiting,
-            stopped: self.stopped,
-            watch: self.watch,
-        }
-    }
-}
-
-impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
+impl<A, F, M, V, W, const N: usize> Leave<A, M, V, W, N> for Never<V>
 where
-    F: OneStep<M::In<T>, T, N> + Estimates,
+    A: Paced<V::Scalar, Family = F> + Method<M::In<V::Scalar>, V::Scalar, N>,
+    F: InLanes<M, V::Scalar, N>,
     M: Cast<N>,
-    T: LaneElement,
-    W: Watch<T, N>,
+    V: Lanes,
+    V::Scalar: LaneElement,
+    W: Watch<V::Scalar, N>,
 {
-    /// Brings all that have not begun to their ends, one after the other.
-    pub(super) fn one_by_one(mut self) {
-        let waiting = self.waiting.clone();
-        self.alone(waiting);
+    const ASKS: bool = false;
+
+    fn none() -> Self {
+        Self(Hold::default())
     }
 
-    fn alone(&mut self, which: Range<usize>) {
-        let states = (&mut *self.x, &mut self.watch);
-        alone(self.method, self.models, self.span, which, states, self.stopped);
+    #[inline(always)]
+    fn enter(
+        &mut self,
+        march: &mut March<'_, A, M, V::Scalar, W, N>,
+        members: &mut Members<V::Scalar>,
+        x: &mut SVector<V, N>,
+        steps: (&mut Steps<V::Scalar>, &Steps<V::Scalar>),
+    ) -> bool {
+        march.enter(members, x, steps)
+    }
+
+    #[inline(always)]
+    fn hold(&self) -> &Hold<V> {
+        &self.0
     }
 }
 
-impl<F, M, T, W, const N: usize> Kernel<T> for March<'_, F, M, T, W, N>
+impl<F, M, T, W, const N: usize> Kernel<T> for March<'_, Adaptive<F>, M, T, W, N>
 where
     F: InLanes<M, T, N> + Estimates,
     M: Cast<N>,
@@ -79,11 +67,11 @@ where
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
         if const { M::HYBRID && F::IN_MODES && !W::WATCHES && V::LANES > 1 } && self.has_plain_rates() {
-            self.in_modes::<V>()
+            self.in_lanes::<V, AtModes<V, N>>()
         } else if const { !M::HYBRID && !F::NARROW } {
-            self.in_lanes::<V::Double>()
+            self.in_lanes::<V::Double, Never<V::Double>>()
         } else if const { !M::HYBRID && V::LANES > 1 } {
-            self.in_lanes::<V>()
+            self.in_lanes::<V, Never<V>>()
         } else {
             self.one_by_one();
             Ok(())
@@ -91,23 +79,29 @@ where
     }
 }
 
-impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
+impl<A, F, M, T, W, const N: usize> March<'_, A, M, T, W, N>
 where
-    F: InLanes<M, T, N> + Estimates,
+    A: Paced<T, Family = F> + Method<M::In<T>, T, N>,
+    F: InLanes<M, T, N>,
     M: Cast<N>,
     T: LaneElement,
     W: Watch<T, N>,
 {
     #[inline(always)]
-    fn in_lanes<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
+    pub(super) fn in_lanes<V, L>(mut self) -> Result<(), Reason>
+    where
+        V: Lanes<Scalar = T>,
+        L: Leave<A, M, V, W, N>,
+    {
         if self.models.is_empty() {
             return Ok(());
         }
-        let tolerance = self.method.tolerance()?;
         let mut system = F::gather::<V>(|_| &self.models[0]);
-        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance), W::WATCHES)?;
-        let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
-        let hold = Hold::default();
+        let (family, tolerance) = (self.method.family(), self.method.within()?);
+        let mut scheme = family.stages::<V>(&system, tolerance, W::WATCHES || L::ASKS)?;
+        let start = self.method.steps(scheme.error_order(), self.span)?;
+        let mut steps = start;
+        let mut leave = L::none();
         let mut members = Members::none();
         let mut x = SVector::from_element(V::default());
         let mut x_new = x;
@@ -115,7 +109,7 @@ where
         let mut within = Vec::new();
         loop {
             if members.some_are_free(V::LANES) {
-                let someone_enters = self.enter(&mut members, &mut x, &control);
+                let someone_enters = leave.enter(&mut self, &mut members, &mut x, (&mut steps, &start));
                 if members.busy(V::LANES).next().is_none() {
                     return Ok(());
                 }
@@ -123,33 +117,27 @@ where
                     if self.models.len() > 1 {
                         system = F::gather::<V>(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
                     }
-                    let t = V::from_fn(|lane| members.t[lane]);
-                    for (lane, index) in members.busy(V::LANES) {
-                        if members.steps[lane] == 0 {
-                            scheme.enter(lane, index);
-                        }
-                    }
-                    *work = Statistics::default();
-                    let slope = scheme.begin(&InMode::new(&system, &hold), t, &x, work);
-                    for (lane, index) in members.busy(V::LANES) {
-                        if members.steps[lane] == 0 {
-                            let work = scheme.work_in(lane, work);
-                            self.begin(&control, &mut members, (lane, index), &in_lane(&slope, lane), work);
-                        }
+                    leave.begin(&system);
+                    if const { L::ASKS } {
+                        // each has begun alone
+                        let t = V::from_fn(|lane| members.t[lane]);
+                        scheme.begin(&InMode::new(&system, leave.hold()), t, &x, work);
+                    } else {
+                        self.begin_all((&system, leave.hold()), &mut scheme, &mut members, (&steps, &x));
                     }
                 }
             }
             let t = V::from_fn(|lane| members.t[lane]);
             *work = Statistics::default();
-            let proposed = scheme.prepare(&InMode::new(&system, &hold), t, &x, work);
+            let proposed = scheme.prepare(&InMode::new(&system, leave.hold()), t, &x, work);
             if const { F::Stages::<V>::ORDERS_DIFFER } {
                 for (lane, _) in members.busy(V::LANES) {
                     members.set_order(lane, scheme.error_order_in(lane));
                 }
             }
-            self.plan(&mut members, &control, &x, proposed);
+            self.plan(&mut members, &mut steps, &x, proposed);
             let t_new = V::from_fn(|lane| members.t_new[lane]);
-            let attempt = scheme.attempt(&InMode::new(&system, &hold), (t, &x), (t_new, &mut x_new), work);
+            let attempt = scheme.attempt(&InMode::new(&system, leave.hold()), (t, &x), (t_new, &mut x_new), work);
             if const { W::WATCHES } {
                 for (lane, index) in members.busy(V::LANES) {
                     self.watch.work(index, &scheme.work_in(lane, work));
@@ -157,27 +145,57 @@ where
             }
             *work = Statistics::default();
             let slope = scheme
-                .arrive(&InMode::new(&system, &hold), (t_new, &x_new), work)
+                .arrive(&InMode::new(&system, leave.hold()), (t_new, &x_new), work)
                 .copied();
             let slope = slope.as_ref();
             if const { W::WATCHES } {
                 self.count(&members, &scheme, attempt, (&x_new, slope), work);
             }
-            self.judge(&mut members, &control, &x, attempt, (&x_new, slope));
-            let lanes = members.accepted::<V>();
             let step = Step::new((t, x), (t_new, x_new));
+            if const { L::ASKS }
+                && attempt.is_ok()
+                && let Some(hybrid) = system.hybrid()
+            {
+                let terms = scheme.dense(&InMode::new(&system, leave.hold()), &step, work);
+                leave.check(&mut self, &mut members, &steps, (hybrid, &step, terms));
+            }
+            self.judge(&mut members, &steps, &x, attempt, (&x_new, slope));
+            let lanes = members.accepted::<V>();
             if const { W::WATCHES } {
                 self.show(
                     &mut members,
                     &mut scheme,
-                    &InMode::new(&system, &hold),
+                    &InMode::new(&system, leave.hold()),
                     &step,
                     &mut within,
                 );
             }
-            scheme.accept(&InMode::new(&system, &hold), &step, lanes, work);
+            scheme.accept(&InMode::new(&system, leave.hold()), &step, lanes, work);
             x = lanes.select(&x_new, &x);
             self.take_out(&mut members, &x);
+        }
+    }
+
+    /// Begins where trajectories are; finds the first steps of those that have just entered.
+    #[inline(always)]
+    fn begin_all<V: Lanes<Scalar = T>>(
+        &mut self,
+        (system, hold): (&F::System<V>, &Hold<V>),
+        scheme: &mut F::Stages<V>,
+        members: &mut Members<T>,
+        (steps, x): (&Steps<T>, &SVector<V, N>),
+    ) {
+        let (t, work) = (V::from_fn(|lane| members.t[lane]), &mut Statistics::default());
+        let enters = |members: &Members<T>, lane: usize| members.steps[lane] == 0;
+        for (lane, index) in members.busy(V::LANES).filter(|&(lane, _)| enters(members, lane)) {
+            scheme.enter(lane, index);
+        }
+        let slope = scheme.begin(&InMode::new(system, hold), t, x, work);
+        for (lane, index) in members.busy(V::LANES) {
+            if enters(members, lane) {
+                let work = scheme.work_in(lane, work);
+                self.begin(steps, members, (lane, index), &in_lane(&slope, lane), work);
+            }
         }
     }
 
@@ -243,7 +261,21 @@ where
 
     /// Plans the next steps; stops those that may take none.
     #[inline(always)]
-    pub(super) fn plan<V: Lanes<Scalar = T>>(
+    fn plan<V: Lanes<Scalar = T>>(
+        &mut self,
+        members: &mut Members<T>,
+        steps: &mut Steps<T>,
+        x: &SVector<V, N>,
+        proposed: Option<V>,
+    ) {
+        match steps {
+            Steps::Controlled(control) => self.plan_controlled(members, control, x, proposed),
+            Steps::Equal(grid) => members.go_to(grid.next()),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn plan_controlled<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,
         control: &StepControl<T>,
@@ -264,7 +296,29 @@ where
 
     /// Judges steps from the states `x` by what came of the attempt; stops those that may take no shorter one.
     #[inline(always)]
-    pub(super) fn judge<V: Lanes<Scalar = T>>(
+    fn judge<V: Lanes<Scalar = T>>(
+        &mut self,
+        members: &mut Members<T>,
+        steps: &Steps<T>,
+        x: &SVector<V, N>,
+        attempt: Result<V, Stalled>,
+        ends: (&SVector<V, N>, Option<&SVector<V, N>>),
+    ) {
+        if let Steps::Controlled(control) = steps {
+            return self.judge_controlled(members, control, x, attempt, ends);
+        }
+        for (lane, index) in members.busy(V::LANES) {
+            let outcome = attempt.map_err(Failure::from);
+            if let Err(failure) = outcome.and_then(|error| outcome_of(ends, error.lane(lane), lane)) {
+                let h = members.t_new[lane] - members.t[lane];
+                self.stop(members, (lane, index), in_lane(x, lane), failure.reason(h.to_f64()));
+            }
+        }
+        members.accept_all();
+    }
+
+    #[inline(always)]
+    pub(super) fn judge_controlled<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,
         control: &StepControl<T>,
@@ -276,7 +330,7 @@ where
         let outcome = |lane| match attempt {
             Err(stalled) => Err(Failure::from(stalled)),
             Ok(mean_square) if sum.lane(lane).is_finite() => Ok(mean_square.lane(lane)),
-            Ok(mean_square) => outcome((x_new, slope), mean_square.lane(lane), lane),
+            Ok(mean_square) => outcome_of((x_new, slope), mean_square.lane(lane), lane),
         };
         let mean_squares = match attempt {
             Ok(mean_square) if sum.all_finite() => mean_square,
@@ -316,20 +370,26 @@ where
         }
     }
 
-    /// Those that wait take the lanes that are free: whether there were any.
+    /// Those that wait take the lanes that are free, with equal steps once all are: whether there were any.
     #[inline(always)]
-    fn enter<V: Lanes<Scalar = T>>(
+    pub(super) fn enter<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,
         x: &mut SVector<V, N>,
-        control: &StepControl<T>,
+        (steps, start): (&mut Steps<T>, &Steps<T>),
     ) -> bool {
+        let pace = match start {
+            Steps::Controlled(control) => control.start(),
+            Steps::Equal(_) if members.busy(V::LANES).next().is_some() => return false,
+            Steps::Equal(grid) => Pace::of_length(grid.h()),
+        };
+        *steps = *start;
         let mut someone_enters = false;
         for lane in 0..V::LANES {
             if members.index(lane).is_none()
                 && let Some(index) = self.next()
             {
-                members.enter(lane, index, self.span.0, control.start());
+                members.enter(lane, index, self.span.0, pace);
                 set_lane(x, lane, &self.x[index]);
                 someone_enters = true;
             }
@@ -362,7 +422,7 @@ where
     /// Begins a trajectory with the derivative at its start: finds a first step, where the method does not propose it.
     fn begin(
         &mut self,
-        control: &StepControl<T>,
+        steps: &Steps<T>,
         members: &mut Members<T>,
         (lane, index): (usize, usize),
         slope: &SVector<T, N>,
@@ -375,17 +435,25 @@ where
             self.stopped.push(Stopped { index, t, reason });
             return members.leave(lane);
         }
-        if const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES } {
+        let control = match steps {
+            Steps::Controlled(control) => Some(control),
+            Steps::Equal(_) => None,
+        };
+        if let Some(control) = control
+            && const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES }
+        {
             let model = model_of(self.models, index).cast::<T>();
             if let Some(h) = control.first_step(&model, (members.t[lane], &x, slope), self.span.1) {
                 members.h[lane] = h;
                 work.evaluations += 1;
             }
         }
-        if let Err(reason) = self
-            .watch
-            .start(index, (members.t[lane], &x), Some(control.tolerance), &work)
-        {
+        if let Err(reason) = self.watch.start(
+            index,
+            (members.t[lane], &x),
+            control.map(|control| control.tolerance),
+            &work,
+        ) {
             self.stop(members, (lane, index), x, reason);
         }
     }
@@ -416,7 +484,7 @@ where
 /// What a step brings in a lane where not all is finite, or which [stalls](Scheme::attempt). The derivative at its end
 /// does not matter if its error is too large.
 #[cold]
-pub(super) fn outcome<V: Lanes, const N: usize>(
+fn outcome_of<V: Lanes, const N: usize>(
     (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
     mean_square: V::Scalar,
     lane: usize,
