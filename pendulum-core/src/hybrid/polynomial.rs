@@ -177,6 +177,9 @@ impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
     fn course(&self, is_positive: bool, noise: T) -> Course<T> {
         let (zero, start) = (T::default(), self.coefficients[0]);
         let end = self.at(T::from_f64(1.0));
+        if !end.is_finite() {
+            return Course::Unclear;
+        }
         let root = if is_positive && start > zero {
             self.first_zero(&self.bernstein(), (zero, T::from_f64(1.0)), noise)
         } else if !is_positive && start >= -noise && self.degree > 0 {

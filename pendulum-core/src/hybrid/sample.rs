@@ -50,9 +50,8 @@ impl<T: Float> Watch<T> {
     ) -> Result<Option<Ended<T>>, Reason> {
         let to = ended.map_or(T::from_f64(1.0), |(theta, _)| theta);
         let (mut earlier, mut last) = (None, *start);
-        // what rebounds may come back at once
-        let comes_back = is_first && live.pairs().any(|(_, witness)| witness.is_gap());
-        for theta in places::<T>(comes_back) {
+        // what begins may end at once
+        for theta in places::<T>(is_first) {
             let here = step.place(theta.min(to));
             self.note_reach(step, &here);
             let mut first = None;

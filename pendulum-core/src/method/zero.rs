@@ -186,6 +186,9 @@ pub(crate) fn first_zero<T: Float>(
     }
     let place = from.0 + T::from_f64(0.5) * width;
     let middle = (place, f(place));
+    if !middle.1[0].is_finite() {
+        return None;
+    }
     *bend = bend.max(unseen_bend([from, middle, to], noise));
     first_zero(f, (from, middle), bend, noise).or_else(|| first_zero(f, (middle, to), bend, noise))
 }
