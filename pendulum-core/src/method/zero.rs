@@ -186,10 +186,11 @@ pub(crate) fn first_zero<T: Float>(
     }
     let place = from.0 + T::from_f64(0.5) * width;
     let middle = (place, f(place));
-    if !middle.1[0].is_finite() {
+    *bend = bend.max(unseen_bend([from, middle, to], noise));
+    let is_finite = bend.is_finite() && middle.1.iter().all(|number| number.is_finite());
+    if !is_finite || middle.0 == from.0 {
         return None;
     }
-    *bend = bend.max(unseen_bend([from, middle, to], noise));
     first_zero(f, (from, middle), bend, noise).or_else(|| first_zero(f, (middle, to), bend, noise))
 }
 
