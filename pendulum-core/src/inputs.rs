@@ -25,7 +25,7 @@ pub use with_inputs::WithInputs;
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
-use crate::system::{Given, PlantJacobian};
+use crate::system::{ActsWith, PlantJacobian};
 
 /// A model with `M` inputs (controls), whose values are given at each evaluation.
 ///
@@ -36,7 +36,7 @@ use crate::system::{Given, PlantJacobian};
     note = "`mechanism!` implements `Controlled` for scenes with inputs where `generate` has `rhs`"
 )]
 pub trait Controlled<T: Real, const N: usize, const M: usize>:
-    PlantJacobian<T, N, Given: Given<Self::Inputs, T>>
+    PlantJacobian<T, N, Given: ActsWith<Self::Inputs, T>>
 {
     /// The inputs by name; as an array they stand in the order of their declaration.
     type Inputs: Copy + From<[T; M]> + Into<[T; M]>;

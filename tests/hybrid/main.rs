@@ -5,6 +5,7 @@ mod controlled;
 mod corner;
 mod hybrid_stability;
 mod impacts;
+mod invariants;
 mod lift_off;
 mod modes;
 mod scenes;

@@ -453,6 +453,9 @@ fn bad_input() {
     assert_eq!(what(1, 3, -0.1, 1.0), Some("h"));
     assert_eq!(what(1, 3, f64::NAN, 1.0), Some("h"));
     assert_eq!(what(1, 3, 1e-18, 1.0), Some("h"));
+    // also where nothing is integrated, and before models are counted
+    assert_eq!(what(0, 0, -0.1, 1.0), Some("h"));
+    assert_eq!(what(2, 3, -0.1, 1.0), Some("h"));
     assert_eq!(what(1, 3, 0.1, f64::INFINITY), Some("t1"));
     for (models, starts) in [(1, 3), (3, 3), (1, 0), (0, 0)] {
         assert_eq!(what(models, starts, 0.1, 1.0), None);

@@ -2,21 +2,20 @@
 
 use nalgebra::SVector;
 
-use super::march::{March, Paced, Steps};
-use super::together::Together;
+use super::march::{March, Marches};
 use super::watch::{Unwatched, Watch, Watched};
 use super::{Ensemble, EnsembleError, ObservedEnsemble, check_models, check_observers, conclude};
-use crate::error::Reason;
 use crate::event::Event;
-use crate::method::{Adaptive, Estimates, Fixed, OneStep, Scheme, check_span};
+use crate::method::{OneStep, Scheme, check_span};
 use crate::real::lanes::{Isa, LaneElement};
 use crate::solution::Observer;
 use crate::system::Cast;
 
-impl<M, F, T, const N: usize> Ensemble<M, T, N> for Adaptive<F>
+impl<A, M, T, const N: usize> Ensemble<M, T, N> for A
 where
+    A: Marches<M, T, N>,
+    A::Family: OneStep<M::In<T>, T, N>,
     M: Cast<N>,
-    F: Together<M, T, N> + Estimates,
     T: LaneElement,
 {
     fn ensemble_on(
@@ -27,16 +26,15 @@ where
         t1: T,
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
-        send(self, models, (t0, t1), starts, Unwatched, |march| {
-            F::within_tolerance(isa, march)
-        })
+        send(self, isa, models, (t0, t1), starts, Unwatched)
     }
 }
 
-impl<M, F, T, const N: usize> ObservedEnsemble<M, T, N> for Adaptive<F>
+impl<A, M, T, const N: usize> ObservedEnsemble<M, T, N> for A
 where
+    A: Marches<M, T, N>,
+    A::Family: OneStep<M::In<T>, T, N>,
     M: Cast<N>,
-    F: Together<M, T, N> + Estimates,
     T: LaneElement,
 {
     fn observe_on<'w, 'e: 'w, O>(
@@ -53,89 +51,41 @@ where
         T: 'w,
     {
         check_observers(observers, starts)?;
-        let watch = Watched::new(observers, events);
-        send(self, models, span, starts, watch, |march| {
-            F::within_tolerance(isa, march)
-        })
-    }
-}
-
-impl<M, F, T, const N: usize> Ensemble<M, T, N> for Fixed<F>
-where
-    M: Cast<N>,
-    F: Together<M, T, N>,
-    T: LaneElement,
-{
-    fn ensemble_on(
-        &self,
-        isa: Isa,
-        models: &[M],
-        t0: T,
-        t1: T,
-        starts: &[SVector<T, N>],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
-        send(self, models, (t0, t1), starts, Unwatched, |march| {
-            F::on_grid(isa, march)
-        })
-    }
-}
-
-impl<M, F, T, const N: usize> ObservedEnsemble<M, T, N> for Fixed<F>
-where
-    M: Cast<N>,
-    F: Together<M, T, N>,
-    T: LaneElement,
-{
-    fn observe_on<'w, 'e: 'w, O>(
-        &self,
-        isa: Isa,
-        models: &[M],
-        span: (T, T),
-        starts: &[SVector<T, N>],
-        events: impl Fn(usize) -> &'w [Event<'e, T, N>],
-        observers: &mut [O],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
-    where
-        O: Observer<T, N>,
-        T: 'w,
-    {
-        check_observers(observers, starts)?;
-        let watch = Watched::new(observers, events);
-        send(self, models, span, starts, watch, |march| F::on_grid(isa, march))
+        send(self, isa, models, span, starts, Watched::new(observers, events))
     }
 }
 
 /// Checks what is given, and sends the trajectories on their way.
 fn send<A, M, T, W, const N: usize>(
     method: &A,
+    isa: Isa,
     models: &[M],
     span: (T, T),
     starts: &[SVector<T, N>],
     watch: W,
-    on_their_way: impl FnOnce(March<'_, A, M, T, W, N>) -> Result<(), Reason>,
 ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
 where
-    A: Paced<T>,
+    A: Marches<M, T, N>,
     A::Family: OneStep<M::In<T>, T, N>,
     M: Cast<N>,
     T: LaneElement,
     W: Watch<T, N>,
 {
-    check_span(span.0, span.1)?;
-    check_models(models, starts)?;
     // settings are wrong for all trajectories, or for none
+    check_span(span.0, span.1)?;
+    if let Some(grid) = method.grid(span)?
+        && watch.keeps_all()
+    {
+        grid.check_to_keep()?;
+    }
+    check_models(models, starts)?;
     if let Some(model) = models.first() {
         let scheme = method.family().scheme(&model.cast(), method.within()?)?;
-        let steps = method.steps(scheme.error_order(), span)?;
-        if let Steps::Equal(grid) = steps
-            && watch.keeps_all()
-        {
-            grid.check_to_keep()?;
-        }
+        method.steps(scheme.error_order(), span)?;
     }
     let mut x = starts.to_vec();
     let mut stopped = Vec::new();
-    on_their_way(March {
+    let march = March {
         method,
         models,
         span,
@@ -143,6 +93,7 @@ where
         x: &mut x,
         stopped: &mut stopped,
         watch,
-    })?;
+    };
+    A::run(isa, march)?;
     conclude(x, stopped)
 }

@@ -188,7 +188,7 @@ where
                 !(is_slow && own.mode.0[n] != Status::Free) && gap.lane(lane) > zero
             });
             if goes_on {
-                own.watch.note(&self.laws, &measures, lane);
+                own.watch.note_lane(&self.laws, &measures, lane);
             } else {
                 let progress = members.progress(lane, in_lane(&step.x0, lane), *own);
                 members.leave(lane);

@@ -6,12 +6,14 @@ use std::ops::Range;
 
 use nalgebra::SVector;
 
+use super::together::Together;
 use super::watch::Watch;
 use super::{Stopped, alone};
 use crate::control::Tolerance;
 use crate::error::Reason;
 use crate::method::{Adaptive, Estimates, Fixed, Grid, Method, StepControl};
 use crate::real::Float;
+use crate::real::lanes::{Isa, LaneElement};
 use crate::system::Cast;
 
 /// Trajectories on their way from the states `x`, which are replaced, by the method `A`.
@@ -91,6 +93,12 @@ pub trait Paced<T: Float> {
     /// [`Reason::InvalidInput`] if a setting is out of its range.
     fn within(&self) -> Result<Option<Tolerance<T>>, Reason>;
 
+    /// The grid of its steps; `None` where a tolerance chooses them.
+    ///
+    /// # Errors
+    /// As for [`within`](Self::within).
+    fn grid(&self, span: (T, T)) -> Result<Option<Grid<T>>, Reason>;
+
     /// How long its steps are.
     ///
     /// # Errors
@@ -107,6 +115,10 @@ impl<F: Estimates, T: Float> Paced<T> for Adaptive<F> {
 
     fn within(&self) -> Result<Option<Tolerance<T>>, Reason> {
         self.tolerance().map(Some)
+    }
+
+    fn grid(&self, _span: (T, T)) -> Result<Option<Grid<T>>, Reason> {
+        Ok(None)
     }
 
     fn steps(&self, error_order: usize, span: (T, T)) -> Result<Steps<T>, Reason> {
@@ -126,7 +138,39 @@ impl<F, T: Float> Paced<T> for Fixed<F> {
         Ok(None)
     }
 
+    fn grid(&self, (t0, t1): (T, T)) -> Result<Option<Grid<T>>, Reason> {
+        Grid::new(self.h, t0, t1).map(Some)
+    }
+
     fn steps(&self, _error_order: usize, (t0, t1): (T, T)) -> Result<Steps<T>, Reason> {
         Grid::new(self.h, t0, t1).map(Steps::Equal)
+    }
+}
+
+/// A method for many trajectories.
+pub trait Marches<M: Cast<N>, T: LaneElement, const N: usize>: Paced<T> + Sized {
+    /// Brings trajectories to their ends.
+    fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason>;
+}
+
+impl<M, F, T, const N: usize> Marches<M, T, N> for Adaptive<F>
+where
+    M: Cast<N>,
+    F: Together<M, T, N> + Estimates,
+    T: LaneElement,
+{
+    fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason> {
+        F::within_tolerance(isa, march)
+    }
+}
+
+impl<M, F, T, const N: usize> Marches<M, T, N> for Fixed<F>
+where
+    M: Cast<N>,
+    F: Together<M, T, N>,
+    T: LaneElement,
+{
+    fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason> {
+        F::on_grid(isa, march)
     }
 }

@@ -16,7 +16,7 @@ use super::series::Series;
 use super::settling::Settling;
 use super::sizes::of_kind;
 use super::switch::finish;
-use super::witness::{Fired, Witness};
+use super::witness::{Witness, Witnesses};
 use super::{MOST, Response};
 use crate::real::Float;
 
@@ -66,8 +66,8 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     }
 
     /// The contacts that approach after an impact. Where there are none, those rest that no longer leave.
-    pub(super) fn next(&mut self) -> Fired {
-        let mut next = Fired::default();
+    pub(super) fn next(&mut self) -> Witnesses {
+        let mut next = Witnesses::default();
         if self.series.is_empty() {
             return next;
         }

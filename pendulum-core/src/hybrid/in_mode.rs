@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::held::{self, pin, pressing, reduced};
 use super::mode::Mode;
-use super::witness::Fired;
+use super::witness::Witnesses;
 use super::{Hold, MOST};
 use crate::layout::StateLayout;
 use crate::real::Real;
@@ -59,7 +59,7 @@ pub struct Passage<T, const N: usize> {
     /// The state before, and the mode that ended.
     pub(crate) before: (SVector<T, N>, Mode, Hold<T>),
     /// What ended it.
-    pub(crate) fired: Fired,
+    pub(crate) fired: Witnesses,
     /// The impulses along the constraints.
     pub(crate) impulses: [T; MOST],
     /// The state after, and what is held there.

@@ -6,7 +6,7 @@ use super::ambiguity::Ambiguity;
 use super::mode::Mode;
 use super::project::project;
 use super::watch::Watch;
-use super::witness::Fired;
+use super::witness::Witnesses;
 use super::{Hold, MOST};
 use crate::real::Float;
 use crate::system::System;
@@ -24,7 +24,7 @@ pub(crate) struct Modes<T> {
     pub(crate) ambiguity: Option<Ambiguity<T>>,
     pub(crate) watch: Watch<T>,
     /// What ended it, where the last step ended.
-    pub(crate) fired: Fired,
+    pub(crate) fired: Witnesses,
     /// Of the last step, the fraction of what was integrated: less than one where a mode ended.
     pub(crate) cut: T,
     /// Whether the dense output of the last step is known.
@@ -43,7 +43,7 @@ impl<T: Float> Modes<T> {
             impulses: [T::default(); MOST],
             ambiguity: None,
             watch: Watch::new(),
-            fired: Fired::default(),
+            fired: Witnesses::default(),
             cut: T::from_f64(1.0),
             is_dense: false,
             changes: (0, t),

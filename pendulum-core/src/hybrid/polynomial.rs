@@ -13,7 +13,7 @@ use crate::taylor::MAX_ORDER;
 
 /// Bounds of polynomials have this part of all their terms to spare, for rounding errors.
 const SLACK: f64 = 1e-4;
-/// Parts of a step shorter than this are not divided further.
+/// Parts of a step shorter than this part of the way from its start are not divided further.
 const SHORTEST: f64 = 1e-9;
 
 /// The terms of a polynomial of a scheme other than a Taylor series, and of any.
@@ -244,7 +244,7 @@ impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
         if changes.count() == 1 && last <= zero {
             return Some(root(|theta| self.at(theta), (from, first), (to, last)));
         }
-        if to - from <= T::from_f64(SHORTEST) * to {
+        if to - from <= T::from_f64(SHORTEST) * to || to <= T::EPSILON {
             return (last <= zero).then_some(to);
         }
         let half = T::from_f64(0.5);

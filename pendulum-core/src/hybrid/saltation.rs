@@ -6,7 +6,7 @@ use super::complementarity::Factored;
 use super::held::{forces, pin, rhs};
 use super::mode::{Mode, bits, set_of};
 use super::resolution::{CONSISTENT, ulps};
-use super::witness::{Fired, Witness};
+use super::witness::{Witness, Witnesses};
 use super::{Hold, HybridJacobian, MOST, Passage};
 use crate::linear::image;
 use crate::real::Float;
@@ -162,7 +162,7 @@ fn first<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
     (t, x): (T, &SVector<T, N>),
     (mode, hold): (&Mode, &Hold<T>),
-    fired: Fired,
+    fired: Witnesses,
 ) -> (SVector<T, N>, T) {
     let n = fired.first();
     if mode.is_held(n) {

@@ -3,8 +3,8 @@
 use super::MOST;
 use super::mode::bits;
 use super::step::{Place, StepInMode};
-use super::watch::{Ended, Watch, earlier_of_two};
-use super::witness::{Fired, Values, Witness};
+use super::watch::{Ended, Watch, sooner};
+use super::witness::{Values, Witness, Witnesses};
 use crate::error::Reason;
 use crate::method::{dip, first_zero, places, root, unseen_bend};
 use crate::real::Float;
@@ -20,7 +20,7 @@ impl<T: Float> Watch<T> {
         &mut self,
         step: &StepInMode<'_, T, N>,
         start: (&Place<T>, bool),
-        (live, noise): (Fired, &Values<T>),
+        (live, noise): (Witnesses, &Values<T>),
         ended: Option<Ended<T>>,
     ) -> Result<Option<Ended<T>>, Reason> {
         if live.is_empty() {
@@ -44,7 +44,7 @@ impl<T: Float> Watch<T> {
         &mut self,
         step: &StepInMode<'_, T, N>,
         (start, is_first): (&Place<T>, bool),
-        (live, noise): (Fired, &Values<T>),
+        (live, noise): (Witnesses, &Values<T>),
         bends: &mut [T; MOST],
         ended: Option<Ended<T>>,
     ) -> Result<Option<Ended<T>>, Reason> {
@@ -56,12 +56,8 @@ impl<T: Float> Watch<T> {
             self.note_reach(step, &here);
             let mut first = None;
             for (n, witness) in live.pairs() {
-                let (value, noise) = (step.value(&here, (n, witness)), noise[n][witness.slot()]);
-                if value.to_f64().is_nan() {
-                    let constraint = step.system.constraints()[n].name;
-                    let t = step.dense.time(here.theta).to_f64();
-                    return Err(Reason::ConstraintNotFinite { constraint, t });
-                }
+                let value = step.number(here.theta, n, step.value(&here, (n, witness)))?;
+                let noise = noise[n][witness.slot()];
                 let place = if !self.positive.has(n, witness) {
                     if value > noise {
                         self.positive.insert(n, witness);
@@ -80,7 +76,7 @@ impl<T: Float> Watch<T> {
                     let rate = |theta| step.value(&step.place(theta), (n, witness));
                     zero(rate, T::default(), earlier.as_ref().map(at), [&last, &here].map(at))
                 };
-                first = earlier_of_two(first, place.map(|theta| (theta, Fired::only(n, witness))));
+                first = sooner(first, place.map(|theta| (theta, Witnesses::only(n, witness))));
             }
             if first.is_some() || here.theta == to {
                 return Ok(first.or(ended));
@@ -95,7 +91,7 @@ impl<T: Float> Watch<T> {
     pub(super) fn sample_forces<const N: usize>(
         &mut self,
         step: &StepInMode<'_, T, N>,
-        live: Fired,
+        live: Witnesses,
         ended: Option<Ended<T>>,
     ) -> Result<Option<Ended<T>>, Reason> {
         let known = self.forces.take();
@@ -137,7 +133,7 @@ impl<T: Float> Watch<T> {
         &mut self,
         step: &StepInMode<'_, T, N>,
         (start, count): (&[T; MOST], usize),
-        live: Fired,
+        live: Witnesses,
         ended: Option<Ended<T>>,
     ) -> Result<(Option<Ended<T>>, T), Reason> {
         let to = ended.map_or(T::from_f64(1.0), |(theta, _)| theta);
@@ -163,11 +159,7 @@ impl<T: Float> Watch<T> {
                 let margin = |theta| step.margin(&step.forces(theta), (n, witness));
                 let at = |(theta, forces): &(T, [T; MOST])| (*theta, step.margin(forces, (n, witness)));
                 let (before, after) = (at(&last), at(&here));
-                if after.1.to_f64().is_nan() {
-                    let constraint = step.system.constraints()[n].name;
-                    let t = step.dense.time(theta).to_f64();
-                    return Err(Reason::ConstraintNotFinite { constraint, t });
-                }
+                step.number(theta, n, after.1)?;
                 let place = if self.positive.has(n, witness) {
                     zero(margin, noise, earlier.as_ref().map(at), [before, after])
                 } else if after.1 + noise < T::default() {
@@ -179,7 +171,7 @@ impl<T: Float> Watch<T> {
                     }
                     None
                 };
-                first = earlier_of_two(first, place.map(|theta| (theta, Fired::only(n, witness))));
+                first = sooner(first, place.map(|theta| (theta, Witnesses::only(n, witness))));
             }
             self.forces = Some(here.1);
             if first.is_some() || theta == to {
@@ -209,7 +201,7 @@ impl<T: Float> Watch<T> {
 fn look_ahead<T: Float, const N: usize>(
     step: &StepInMode<'_, T, N>,
     start: &Place<T>,
-    (fired, noise): (Fired, &Values<T>),
+    (fired, noise): (Witnesses, &Values<T>),
     bends: &mut [T; MOST],
 ) -> bool {
     let moves = |&(n, witness): &(usize, Witness)| witness.is_gap() && step.moves_by_itself(n);

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::mode::Mode;
 use super::series::Series;
 use super::sizes::{ForceSizes, Gains};
-use super::witness::Fired;
+use super::witness::Witnesses;
 use super::{Hold, MOST};
 use crate::real::Float;
 
@@ -23,7 +23,7 @@ pub(crate) struct Settled<T, const N: usize> {
     pub(crate) sizes: ForceSizes<T>,
     /// The impacts so far, and the contacts that approach again: theirs follow at once.
     pub(super) series: Series<T, N>,
-    pub(super) next: Fired,
+    pub(super) next: Witnesses,
 }
 
 impl<T: Float, const N: usize> Settled<T, N> {

@@ -12,22 +12,31 @@ use super::sizes::rates_at_rest;
 use super::witness::Witness;
 use super::{Hold, Hybrid, Law, MOST};
 use crate::dense::Dense;
+use crate::error::Reason;
 use crate::method::{Known, root, root_of_line};
 use crate::real::Float;
 
 /// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
 const LEAST_ACCELERATION: f64 = 1e-6;
 
-/// A step that was taken to the end of a mode is searched so far back from its end, in fractions of it, and beyond it
-/// so far as the polynomial is as exact there.
-const BACK: [f64; 8] = [1e-12, 1e-9, 1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99];
-const BEYOND: usize = 4;
+/// So far about the end of a step, in fractions of it, its polynomial is as exact as the end.
+pub(crate) const ABOUT_THE_END: f64 = 1e-3;
+/// A step that was taken to the end of a mode is searched so far about its end, and farther on back from it.
+const ABOUT: [f64; 4] = [1e-12, 1e-9, 1e-6, ABOUT_THE_END];
+const BACK: [f64; 5] = [0.1, 0.5, 0.9, 0.99, 1.0];
 
 /// A place within a step, in fractions of it, and the value and the rate of each constraint there.
 #[derive(Clone, Copy)]
 pub(super) struct Place<T> {
     pub(super) theta: T,
     measures: [[T; 2]; MOST],
+}
+
+impl<T: Copy> Place<T> {
+    /// The value of a constraint.
+    pub(super) fn value(&self, n: usize) -> T {
+        self.measures[n][0]
+    }
 }
 
 /// A step of a system in a mode.
@@ -111,6 +120,16 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         (place.theta, [self.value(place, (n, gap)), slope])
     }
 
+    /// A number of a constraint at a place, or the error that it is none.
+    pub(super) fn number(&self, theta: T, n: usize, number: T) -> Result<T, Reason> {
+        if number.to_f64().is_nan() {
+            let constraint = self.system.constraints()[n].name;
+            let t = self.dense.time(theta).to_f64();
+            return Err(Reason::ConstraintNotFinite { constraint, t });
+        }
+        Ok(number)
+    }
+
     /// A witness of the forces along the constraints.
     pub(super) fn margin(&self, forces: &[T; MOST], (n, witness): (usize, Witness)) -> T {
         let sticking = self.laws[n].sticking;
@@ -168,7 +187,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
     }
 
     /// Where a witness passes zero about a place, in fractions of a step from its end. Where it does not, it is there if
-    /// it is zero within its `noise`.
+    /// it is zero within its `noise`, and otherwise where a line leads to zero farther on.
     pub(super) fn zero_about_the_end(
         &self,
         place: T,
@@ -187,20 +206,28 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         if value == zero {
             return Some(place);
         }
-        let (count, towards) = if value > zero {
-            (BEYOND, 1.0)
-        } else {
-            (BACK.len(), -1.0)
-        };
-        let found = BACK[..count].iter().find_map(|about| {
+        // forces, each of which takes an evaluation, no more exactly than the step resolves
+        let one = T::from_f64(1.0);
+        let origin = if witness.1.is_force() { one } else { zero };
+        let shifted = |place: T| function(place - origin);
+        let (towards, farther): (_, &[f64]) = if value > zero { (1.0, &[]) } else { (-1.0, &BACK) };
+        for &about in ABOUT.iter().chain(farther) {
             let other = place + T::from_f64(towards * about);
             let there = function(other);
-            ((there > zero) != (value > zero)).then(|| match value > zero {
-                true => root_of_line(function, (place, value), (other, there)),
-                false => root_of_line(function, (other, there), (place, value)),
-            })
-        });
-        found.or_else(|| (value <= noise()).then_some(place))
+            if (there > zero) != (value > zero) {
+                let [near, far] = [(place, value), (other, there)].map(|(place, value)| (origin + place, value));
+                let (from, to) = if value > zero { (near, far) } else { (far, near) };
+                return Some(root_of_line(shifted, from, to) - origin);
+            }
+        }
+        if value <= noise() {
+            return Some(place);
+        }
+        let falls = match witness.1.is_gap() {
+            true => -self.known(&self.about_end(place), witness).1[1],
+            false => value - function(place + one),
+        };
+        (falls > zero).then(|| place + value / falls)
     }
 
     /// Whether a constraint moves where the state does not.

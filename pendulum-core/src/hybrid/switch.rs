@@ -11,7 +11,7 @@ use super::settled::Settled;
 use super::settling::Settling;
 use super::sizes::Gains;
 use super::watch::Watch;
-use super::witness::{Fired, Witness};
+use super::witness::{Witness, Witnesses};
 use super::{Hold, Hybrid, MOST};
 use crate::error::Reason;
 use crate::layout::StateLayout;
@@ -77,7 +77,7 @@ pub(crate) fn switch<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     (t, x): (T, &SVector<T, N>),
     (mode, hold): (&Mode, &Hold<T>),
-    fired: Fired,
+    fired: Witnesses,
     watch: &Watch<T>,
     mut pass: impl FnMut(&Passage<T, N>),
 ) -> Settled<T, N> {
@@ -123,7 +123,7 @@ pub(super) fn finish<T: Float, const N: usize>(
 
 impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// With what holds, touches and gave way where a mode has ended.
-    fn at_the_end_of(mut self, mode: &Mode, fired: Fired) -> Self {
+    fn at_the_end_of(mut self, mode: &Mode, fired: Witnesses) -> Self {
         let measures = self.system.measures(self.t, &self.x);
         let sizes = self.sizes();
         let mut still = 0;

@@ -6,8 +6,8 @@ use super::mode::Mode;
 use super::polynomial::Course;
 use super::resolution::{NOISE, ulps};
 use super::sizes::{ForceSizes, Gains};
-use super::step::{Place, StepInMode, resolution};
-use super::witness::{Fired, Values, Witness};
+use super::step::{ABOUT_THE_END, Place, StepInMode, resolution};
+use super::witness::{Values, Witness, Witnesses};
 use super::{Hold, Hybrid, MOST};
 use crate::dense::Dense;
 use crate::error::Reason;
@@ -17,13 +17,13 @@ use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
 
 /// Where a mode ends within a step, in fractions of it, and by which witnesses.
-pub(super) type Ended<T> = (T, Fired);
+pub(super) type Ended<T> = (T, Witnesses);
 
 /// What is known of a mode since it began.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Watch<T> {
     /// The witnesses that have been positive.
-    pub(super) positive: Fired,
+    pub(super) positive: Witnesses,
     /// Whether nothing of the mode has been looked at.
     starts: bool,
     /// How far each constraint has been from its limits since it was held there.
@@ -42,7 +42,7 @@ pub(crate) struct Watch<T> {
 impl<T: Float> Watch<T> {
     pub(crate) fn new() -> Self {
         Self {
-            positive: Fired::default(),
+            positive: Witnesses::default(),
             starts: true,
             reach: [T::default(); MOST],
             gains: Gains::none(),
@@ -56,7 +56,7 @@ impl<T: Float> Watch<T> {
     /// Goes on in another mode.
     pub(crate) fn restart(&mut self, mode: &Mode, gains: Gains<T>, begun: ForceSizes<T>) {
         (self.gains, self.begun) = (gains, begun);
-        (self.positive, self.starts, self.forces) = (Fired::default(), true, None);
+        (self.positive, self.starts, self.forces) = (Witnesses::default(), true, None);
         (self.width, self.sizes) = (T::from_f64(f64::INFINITY), [T::default(); MOST]);
         for (reach, status) in self.reach.iter_mut().zip(mode.0) {
             if status.touches() {
@@ -75,39 +75,46 @@ impl<T: Float> Watch<T> {
 
     /// Notes how far the constraints of a lane are from their limits, as [`look`](Self::look) does.
     #[cfg(feature = "std")]
-    pub(crate) fn note<V: Lanes<Scalar = T>>(&mut self, laws: &[Law<V>; MOST], measures: &[[V; 2]; MOST], lane: usize) {
+    pub(crate) fn note_lane<V: Lanes<Scalar = T>>(
+        &mut self,
+        laws: &[Law<V>; MOST],
+        measures: &[[V; 2]; MOST],
+        lane: usize,
+    ) {
         for (reach, (law, [value, _])) in self.reach.iter_mut().zip(laws.iter().zip(measures)) {
-            if law.low.is_none() && law.high.is_none() {
-                continue;
-            }
-            let none = T::from_f64(f64::INFINITY);
-            let low = law.low.map_or(none, |low| value.lane(lane) - low.lane(lane));
-            let high = law.high.map_or(none, |high| high.lane(lane) - value.lane(lane));
-            note_near(reach, low.min(high));
+            let limits = [law.low, law.high].map(|limit| limit.map(|limit| limit.lane(lane)));
+            note(reach, nearest(value.lane(lane), limits));
         }
     }
 
-    /// Where the mode ends within a step; the work of looking is counted.
+    /// Where the mode ends within a step, but by other witnesses than those that are `disproved`; the work of looking is
+    /// counted.
     pub(crate) fn look<const N: usize>(
         &mut self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
         dense: &Dense<'_, T, N>,
+        disproved: Witnesses,
         work: &mut Statistics,
     ) -> Result<Option<Ended<T>>, Reason> {
         let step = StepInMode::new(system, dense);
-        let found = self.search(&step);
+        let found = self.search(&step, disproved);
         work.evaluations += step.evaluations.get();
         found
     }
 
     /// Polynomials first, then what is looked at in places up to where these end the mode, then the forces.
-    fn search<const N: usize>(&mut self, step: &StepInMode<'_, T, N>) -> Result<Option<Ended<T>>, Reason> {
+    fn search<const N: usize>(
+        &mut self,
+        step: &StepInMode<'_, T, N>,
+        disproved: Witnesses,
+    ) -> Result<Option<Ended<T>>, Reason> {
         let start = step.place(T::default());
         self.note_reach(step, &start);
         let is_first = core::mem::replace(&mut self.starts, false);
-        let mut live = Fired::default();
+        let mut live = Witnesses::default();
         for (n, witness) in step.witnesses() {
-            if !(self.positive.has(n, witness) && step.stays_positive(&start, (n, witness))) {
+            let is_positive = || self.positive.has(n, witness) && step.stays_positive(&start, (n, witness));
+            if !disproved.has(n, witness) && !is_positive() {
                 live.insert(n, witness);
             }
         }
@@ -134,9 +141,9 @@ impl<T: Float> Watch<T> {
         &mut self,
         step: &StepInMode<'_, T, N>,
         start: &Place<T>,
-        (live, noise): (Fired, &Values<T>),
-    ) -> (Option<Ended<T>>, Fired) {
-        let (mut first, mut unclear) = (None, Fired::default());
+        (live, noise): (Witnesses, &Values<T>),
+    ) -> (Option<Ended<T>>, Witnesses) {
+        let (mut first, mut unclear) = (None, Witnesses::default());
         for (n, witness) in live.pairs() {
             let noise = noise[n][witness.slot()];
             if step.value(start, (n, witness)) > noise {
@@ -155,9 +162,9 @@ impl<T: Float> Watch<T> {
                 Course::Zero { theta, halfway } => {
                     self.positive.insert(n, witness);
                     if witness.is_gap() {
-                        note_near(&mut self.reach[n], halfway);
+                        note(&mut self.reach[n], halfway);
                     }
-                    first = earlier_of_two(first, Some((theta, Fired::only(n, witness))));
+                    first = sooner(first, Some((theta, Witnesses::only(n, witness))));
                 }
             }
         }
@@ -169,7 +176,7 @@ impl<T: Float> Watch<T> {
         &self,
         step: &StepInMode<'_, T, N>,
         (theta, fired): Ended<T>,
-        live: Fired,
+        live: Witnesses,
     ) -> Ended<T> {
         let others = live.and(self.positive).without(fired);
         if others.is_empty() {
@@ -190,12 +197,13 @@ impl<T: Float> Watch<T> {
 
     /// Where the mode ends about the end of a step that was taken to there, in fractions of the step from its end, and
     /// by which witnesses: those that fired, or others that pass zero before them, since two that are near to each
-    /// other may have come in another order. None where the step shows that none of those that fired ends it.
+    /// other may have come in another order. Farther than [`ABOUT_THE_END`] it is a guess. None where the step shows that
+    /// none of those that fired ends it.
     pub(crate) fn locate<const N: usize>(
         &mut self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
         dense: &Dense<'_, T, N>,
-        fired: Fired,
+        fired: Witnesses,
         work: &mut Statistics,
     ) -> Option<Ended<T>> {
         let step = StepInMode::new(system, dense);
@@ -204,7 +212,7 @@ impl<T: Float> Watch<T> {
                 if witness.is_force() {
                     return self.noise_of_force(&step, n);
                 }
-                self.noise(&step, Fired::only(n, witness))[n][witness.slot()]
+                self.noise(&step, Witnesses::only(n, witness))[n][witness.slot()]
             })
         };
         let mut first = None;
@@ -214,16 +222,17 @@ impl<T: Float> Watch<T> {
             } else {
                 Some(T::default())
             };
-            first = earlier_of(first, place, (n, witness), dense);
+            first = sooner_or_together(first, place, (n, witness), dense);
         }
         let by = first.map_or(T::default(), |(by, _)| by);
         let others = self.positive.without(fired).pairs();
         let mut others = others.filter(|(_, witness)| !witness.is_force()).peekable();
-        if others.peek().is_some() {
+        // farther on the polynomial of the step does not show them
+        if by <= T::from_f64(ABOUT_THE_END) && others.peek().is_some() {
             let there = step.about_end(by);
             for (n, witness) in others {
                 if step.value(&there, (n, witness)) <= T::default() {
-                    first = earlier_of(first, about(by, (n, witness)), (n, witness), dense);
+                    first = sooner_or_together(first, about(by, (n, witness)), (n, witness), dense);
                 }
             }
         }
@@ -232,6 +241,24 @@ impl<T: Float> Watch<T> {
             self.forces = None;
         }
         first
+    }
+
+    /// Whether witnesses are positive at the end of a step.
+    pub(crate) fn outlast<const N: usize>(
+        &self,
+        system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
+        dense: &Dense<'_, T, N>,
+        of: Witnesses,
+        work: &mut Statistics,
+    ) -> bool {
+        let step = StepInMode::new(system, dense);
+        let (end, zero) = (T::from_f64(1.0), T::default());
+        let stays = of.pairs().all(|(n, witness)| match witness.is_force() {
+            true => step.margin(&step.forces(end), (n, witness)) > zero,
+            false => step.value(&step.place(end), (n, witness)) > zero,
+        });
+        work.evaluations += step.evaluations.get();
+        stays
     }
 
     /// Within what of its limit the force of what is held may be rounding errors.
@@ -243,7 +270,7 @@ impl<T: Float> Watch<T> {
     }
 
     /// Within what of zero some witnesses of the state may be rounding errors; not of what slips for long.
-    fn noise<const N: usize>(&self, step: &StepInMode<'_, T, N>, of: Fired) -> Values<T> {
+    fn noise<const N: usize>(&self, step: &StepInMode<'_, T, N>, of: Witnesses) -> Values<T> {
         let ends = step.dense.step();
         let mut noise = [[T::default(); 3]; MOST];
         let mut sizes = None;
@@ -270,26 +297,29 @@ impl<T: Float> Watch<T> {
     /// Notes how far the constraints are from their limits.
     pub(super) fn note_reach<const N: usize>(&mut self, step: &StepInMode<'_, T, N>, place: &Place<T>) {
         for (n, law) in step.laws.iter().enumerate().take(step.system.constraints().len()) {
-            if !step.mode.is_held(n) && (law.low.is_some() || law.high.is_some()) {
-                let gap = |gap: Witness| match gap.exists(law) {
-                    true => step.value(place, (n, gap)),
-                    false => T::from_f64(f64::INFINITY),
-                };
-                note_near(&mut self.reach[n], gap(Witness::Low).min(gap(Witness::High)));
+            if !step.mode.is_held(n) {
+                note(&mut self.reach[n], nearest(place.value(n), [law.low, law.high]));
             }
         }
     }
 }
 
-/// Notes a distance from a limit; it is infinite where there is none.
-fn note_near<T: Float>(reach: &mut T, near: T) {
+/// The distance from the nearer of two limits; infinite where there is none.
+fn nearest<T: Float>(value: T, [low, high]: [Option<T>; 2]) -> T {
+    let none = T::from_f64(f64::INFINITY);
+    low.map_or(none, |low| value - low)
+        .min(high.map_or(none, |high| high - value))
+}
+
+/// Notes a distance from a limit.
+fn note<T: Float>(reach: &mut T, near: T) {
     if near > *reach && near < T::from_f64(f64::INFINITY) {
         *reach = near;
     }
 }
 
 /// The earlier of two ends of a mode, the first if they are at the same place.
-pub(super) fn earlier_of_two<T: Float>(first: Option<Ended<T>>, other: Option<Ended<T>>) -> Option<Ended<T>> {
+pub(super) fn sooner<T: Float>(first: Option<Ended<T>>, other: Option<Ended<T>>) -> Option<Ended<T>> {
     match (first, other) {
         (Some(first), Some(other)) if other.0 < first.0 => Some(other),
         _ => first.or(other),
@@ -297,17 +327,17 @@ pub(super) fn earlier_of_two<T: Float>(first: Option<Ended<T>>, other: Option<En
 }
 
 /// What ends a mode first, and where in fractions of the step, after one more that may.
-fn earlier_of<T: Float, const N: usize>(
-    first: Option<(T, Fired)>,
+fn sooner_or_together<T: Float, const N: usize>(
+    first: Option<(T, Witnesses)>,
     place: Option<T>,
     (n, witness): (usize, Witness),
     dense: &Dense<'_, T, N>,
-) -> Option<(T, Fired)> {
+) -> Option<(T, Witnesses)> {
     let Some(place) = place else { return first };
-    let (earliest, mut fired) = first.unwrap_or((place, Fired::default()));
+    let (earliest, mut fired) = first.unwrap_or((place, Witnesses::default()));
     let resolution = resolution(dense, dense.step().t1);
     if place < earliest - resolution {
-        fired = Fired::default();
+        fired = Witnesses::default();
     }
     if place <= earliest + resolution {
         fired.insert(n, witness);

@@ -66,9 +66,9 @@ pub(super) type Values<T> = [[T; 3]; MOST];
 
 /// A set of witnesses, each of a constraint.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Fired(u64);
+pub(crate) struct Witnesses(u64);
 
-impl Fired {
+impl Witnesses {
     /// Bits of a constraint.
     const PLACES: usize = u64::BITS as usize / MOST;
 
@@ -97,7 +97,7 @@ impl Fired {
         chosen
     }
 
-    pub(super) fn or(self, others: Self) -> Self {
+    pub(crate) fn or(self, others: Self) -> Self {
         Self(self.0 | others.0)
     }
 

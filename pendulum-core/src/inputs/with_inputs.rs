@@ -12,7 +12,7 @@ use crate::real::lanes::Lanes;
 #[cfg(feature = "std")]
 use crate::shapes::{Shape, Shapes};
 use crate::system::{
-    Cast, CastJacobian, Differences, Energy, Given, Hybrid, HybridJacobian, Jacobian, Plant, PlantJacobian, System,
+    ActsWith, Cast, CastJacobian, Differences, Energy, Hybrid, HybridJacobian, Jacobian, Plant, PlantJacobian, System,
     WithJacobian, by_sign,
 };
 
@@ -194,7 +194,7 @@ where
     #[inline(always)]
     fn eval(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
         self.system
-            .eval(t, x, &S::Given::new(self.law.inputs(t, x).into(), forces))
+            .eval(t, x, &S::Given::with(self.law.inputs(t, x).into(), forces))
     }
 
     #[inline(always)]
@@ -214,7 +214,7 @@ where
 
     #[inline]
     fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> Response<T, N> {
-        let given = S::Given::new(self.law.inputs(t, x).into(), forces);
+        let given = S::Given::with(self.law.inputs(t, x).into(), forces);
         self.system.response(t, x, &given)
     }
 }
@@ -229,9 +229,9 @@ where
     #[inline(always)]
     fn eval_with_jacobian(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>) {
         let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
-        let given = S::Given::new(inputs.into(), forces);
+        let given = S::Given::with(inputs.into(), forces);
         let (rhs, mut jacobian) = self.system.eval_with_jacobian(t, x, &given);
-        let by_inputs = self.system.input_jacobian(t, x, given.inputs());
+        let by_inputs = self.system.input_jacobian(t, x, S::Given::inputs_of(&given));
         add_product(&mut jacobian, &by_inputs, &by_state);
         (rhs, jacobian)
     }
@@ -241,9 +241,9 @@ where
     where
         T: Lanes,
     {
-        let given = S::Given::new(self.law.inputs(t, x).into(), forces);
+        let given = S::Given::with(self.law.inputs(t, x).into(), forces);
         let mut derivative = self.system.eval_time_derivative(t, x, &given);
-        let by_inputs = self.system.input_jacobian(t, x, given.inputs());
+        let by_inputs = self.system.input_jacobian(t, x, S::Given::inputs_of(&given));
         add_product(&mut derivative, &by_inputs, &self.law.time_derivative(t, x));
         derivative
     }
@@ -254,9 +254,9 @@ where
         T: Lanes,
     {
         let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
-        let given = S::Given::new(inputs.into(), forces);
+        let given = S::Given::with(inputs.into(), forces);
         let mut derivative = self.system.response_derivative(t, x, &given);
-        let by_inputs = self.system.input_jacobian(t, x, given.inputs());
+        let by_inputs = self.system.input_jacobian(t, x, S::Given::inputs_of(&given));
         let by_time = self.law.time_derivative(t, x);
         add_product(&mut derivative.rates, &by_inputs, &by_state);
         add_product(&mut derivative.rates_by_time, &by_inputs, &by_time);

@@ -10,11 +10,11 @@ use crate::real::lanes::Lanes;
 /// A model on which something acts from outside: inputs, or forces along constraints, or both.
 ///
 /// The state is `[q; qd]`. [`MOST`] constraints are passed everywhere, of which only the first are used. A model that
-/// has some implements all methods; without any, [`eval`](Self::eval) is enough.
+/// has some implements all methods: the defaults panic where there are any. Without, [`eval`](Self::eval) is enough.
 #[diagnostic::on_unimplemented(
     message = "nothing acts on `{Self}` from outside, or it cannot be told what",
     note = "`mechanism!` implements `Plant` for scenes with inputs, dry friction, stops or walls where `generate` has \
-            `rhs`; other models are a `System`"
+            `rhs`; a model by hand implements it itself, and is a `System` if nothing acts on it"
 )]
 pub trait Plant<T: Real, const N: usize> {
     /// What acts: the inputs of a [`Controlled`](crate::Controlled) model, the forces along the constraints of a
@@ -41,14 +41,23 @@ pub trait Plant<T: Real, const N: usize> {
     /// The value and the rate of each constraint.
     #[inline]
     fn measures(&self, _t: T, _x: &SVector<T, N>) -> [[T; 2]; MOST] {
+        require_none(self.constraints(), "Plant::measures");
         [[T::default(); 2]; MOST]
     }
 
     /// [`eval`](Self::eval), and what more force along the constraints would change.
     #[inline]
     fn response(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> Response<T, N> {
+        require_none(self.constraints(), "Plant::response");
         Response::new(self.eval(t, x, given))
     }
+}
+
+/// A default is for models without constraints.
+#[inline(always)]
+#[track_caller]
+fn require_none(constraints: &[Constraint], method: &str) {
+    assert!(constraints.is_empty(), "a model with constraints implements `{method}`");
 }
 
 /// A [`Plant`] that knows its derivatives, what acts held fixed.
@@ -79,6 +88,7 @@ pub trait PlantJacobian<T: Real, const N: usize>: Plant<T, N> {
     where
         T: Lanes,
     {
+        require_none(self.constraints(), "PlantJacobian::response_derivative");
         let zero = T::default();
         ResponseDerivative {
             response: self.response(t, x, given),
@@ -92,6 +102,7 @@ pub trait PlantJacobian<T: Real, const N: usize>: Plant<T, N> {
     /// The derivatives of [`Plant::measures`].
     #[inline]
     fn measure_derivatives(&self, _t: T, _x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
+        require_none(self.constraints(), "PlantJacobian::measure_derivatives");
         let zero = T::default();
         MeasureDerivatives {
             by_state: [[SVector::from([zero; N]); 2]; MOST],
@@ -135,29 +146,29 @@ pub struct Acting<U, T> {
 }
 
 /// What acts on a plant with the inputs `U`: these alone, or [`Acting`].
-pub trait Given<U, T> {
+pub trait ActsWith<U, T> {
     /// From the inputs, and the forces along its constraints.
-    fn new(inputs: U, forces: &[T; MOST]) -> Self;
+    fn with(inputs: U, forces: &[T; MOST]) -> Self;
 
-    /// The inputs.
-    fn inputs(&self) -> &U;
+    /// The inputs of what acts.
+    fn inputs_of(given: &Self) -> &U;
 }
 
-impl<U, T> Given<U, T> for U {
+impl<U, T> ActsWith<U, T> for U {
     #[inline(always)]
-    fn new(inputs: U, _forces: &[T; MOST]) -> U {
+    fn with(inputs: U, _forces: &[T; MOST]) -> U {
         inputs
     }
 
     #[inline(always)]
-    fn inputs(&self) -> &U {
-        self
+    fn inputs_of(given: &Self) -> &U {
+        given
     }
 }
 
-impl<U, T: Copy> Given<U, T> for Acting<U, T> {
+impl<U, T: Copy> ActsWith<U, T> for Acting<U, T> {
     #[inline(always)]
-    fn new(inputs: U, forces: &[T; MOST]) -> Self {
+    fn with(inputs: U, forces: &[T; MOST]) -> Self {
         Self {
             inputs,
             forces: *forces,
@@ -165,8 +176,8 @@ impl<U, T: Copy> Given<U, T> for Acting<U, T> {
     }
 
     #[inline(always)]
-    fn inputs(&self) -> &U {
-        &self.inputs
+    fn inputs_of(given: &Self) -> &U {
+        &given.inputs
     }
 }
 

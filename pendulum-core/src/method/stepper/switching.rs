@@ -6,7 +6,7 @@ use super::Stepper;
 use crate::control::Tolerance;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, Ambiguity, Fired, InMode, Modes, Settled};
+use crate::hybrid::{self, ABOUT_THE_END, Ambiguity, Hybrid, InMode, Modes, Settled, Witnesses};
 use crate::method::scheme::Scheme;
 use crate::method::smooth::Steps;
 use crate::real::Float;
@@ -24,10 +24,11 @@ const HURRIED_OF_REST: f64 = 1e-13;
 const HURRIED_ULPS: f64 = 4.0;
 /// Do not retake a step to the end of a mode that would be shorter than this many ulps of the time.
 const SHORTEST_ULPS: f64 = 64.0;
-/// Retake a step once more if its mode ends further than this fraction of the step before its end,
-const FAR_FROM_THE_END: f64 = 1e-3;
-/// at most this many times: where modes end so close together that each step shows another one first.
+/// Retake a step to the end of its mode at most this many times: where modes end so close together that each step shows
+/// another one first.
 const MOST_RETAKEN: usize = 16;
+/// A step is not cut off before this fraction of it where its polynomial shows the end of a mode and its end does not.
+const LEAST_PART: f64 = 0.01;
 /// Report an order of impacts if it changes the state by more than this many tolerances.
 const LEAST_AMBIGUITY: f64 = 10.0;
 
@@ -44,29 +45,52 @@ where
             return Ok(());
         };
         (self.modes.cut, self.modes.is_dense) = (T::from_f64(1.0), false);
-        let (dense, modes, work) = self.dense_and_mode();
-        let found = modes.watch.look((hybrid, &modes.mode, &modes.hold), &dense, work)?;
-        let Some((mut cut, mut fired)) = found else {
-            return Ok(());
-        };
-        let mut t = dense.time(cut);
-        // The ends of steps are more exact than what is between them: a step that ends there shows where it is.
-        let mut retaken = 0;
-        let mut x = loop {
-            let is_exact = self.retake(t);
+        let mut disproved = Witnesses::default();
+        loop {
             let (dense, modes, work) = self.dense_and_mode();
-            if !is_exact {
-                break dense.at_fraction(cut);
-            }
             let scene = (hybrid, &modes.mode, &modes.hold);
-            let Some((by, first)) = modes.watch.locate(scene, &dense, fired, work) else {
-                // and that there is none
-                self.smooth.go_to(t);
+            let Some((cut, fired)) = modes.watch.look(scene, &dense, disproved, work)? else {
                 return Ok(());
             };
-            (t, cut, fired) = (dense.step().t1 + by * dense.step().h, T::from_f64(1.0) + by, first);
+            if self.cut_off(hybrid, cut, fired) {
+                return Ok(());
+            }
+            disproved = disproved.or(fired);
+        }
+    }
+
+    /// Cuts the last step off where its polynomial shows that witnesses end the mode, or about there: the ends of steps
+    /// are more exact than what is between them, so it is taken again to there. False if that shows, right after the
+    /// start, that the witnesses stay positive: then the step is as it was.
+    fn cut_off(&mut self, hybrid: &dyn Hybrid<T, N>, mut cut: T, mut fired: Witnesses) -> bool {
+        let (whole, scheme) = (self.smooth.last, self.smooth.scheme.clone());
+        let (one, about_the_end) = (T::from_f64(1.0), T::from_f64(ABOUT_THE_END));
+        let mut t = Dense::new(whole, &[]).time(cut);
+        let mut retaken = 0;
+        let mut x = loop {
+            if !self.retake(&whole, t) {
+                (self.smooth.last, self.smooth.scheme) = (whole, scheme);
+                cut = (t - whole.t0) / whole.h;
+                break self.dense_and_mode().0.at_fraction(cut);
+            }
             retaken += 1;
-            if by > T::from_f64(-FAR_FROM_THE_END) || retaken == MOST_RETAKEN {
+            let (dense, modes, work) = self.dense_and_mode();
+            let time = |by: T| dense.step().t1 + by * dense.step().h;
+            let scene = (hybrid, &modes.mode, &modes.hold);
+            let is_in_reach = |by: T| by <= about_the_end || time(by) < whole.t1 && retaken < MOST_RETAKEN;
+            let found = modes.watch.locate(scene, &dense, fired, work);
+            let Some((by, first)) = found.filter(|&(by, _)| is_in_reach(by)) else {
+                let is_at_the_start = time(T::default()) - whole.t0 < T::from_f64(LEAST_PART) * whole.h;
+                if is_at_the_start && modes.watch.outlast(scene, &Dense::new(whole, &[]), fired, work) {
+                    (self.smooth.last, self.smooth.scheme) = (whole, scheme);
+                    return false;
+                }
+                let t = dense.step().t1;
+                self.smooth.go_to(t);
+                return true;
+            };
+            (t, cut, fired) = (time(by), one + by, first);
+            if by.abs() <= about_the_end || retaken == MOST_RETAKEN {
                 break dense.about_end(by);
             }
         };
@@ -77,7 +101,7 @@ where
             hybrid::project(hybrid, &modes.hold, &fired.touching(&modes.mode), t, &mut x);
         }
         self.smooth.last = Step::new((self.smooth.last.t0, self.smooth.last.x0), (t, x));
-        Ok(())
+        true
     }
 
     /// The states within the last step, before it is cut off.
@@ -98,32 +122,23 @@ where
         )
     }
 
-    /// Takes the last step again, to the time `t` within it; whether that was possible. If not, it stays as it was.
-    fn retake(&mut self, t: T) -> bool {
-        let whole = self.smooth.last;
-        if t == whole.t1 {
+    /// Takes a step again, to the time `t` within it; whether that was possible.
+    fn retake(&mut self, whole: &Step<T, N>, t: T) -> bool {
+        if t == self.smooth.last.t1 {
             return true;
         }
         if (t - whole.t0).abs() <= T::from_f64(SHORTEST_ULPS) * T::EPSILON * t.abs().max(whole.h.abs()) {
             return false;
         }
-        let scheme = self.smooth.scheme.clone();
+        self.modes.is_dense = false;
         self.smooth.last = Step::at_rest(whole.t0, whole.x0);
         self.smooth.scheme.go_back();
-        let begun = self.begin().is_ok();
-        let model = (self.system, &self.modes);
-        if begun
-            && self
-                .smooth
-                .attempt(model, t)
-                .and_then(|_| self.smooth.advance(model, t))
-                .is_ok()
-        {
-            self.modes.is_dense = false;
-            return true;
+        if self.begin().is_err() {
+            return false;
         }
-        (self.smooth.last, self.smooth.scheme) = (whole, scheme);
-        false
+        let model = (self.system, &self.modes);
+        let attempt = self.smooth.attempt(model, t);
+        attempt.and_then(|_| self.smooth.advance(model, t)).is_ok()
     }
 
     /// Goes to the mode after the one that has ended.
@@ -187,7 +202,7 @@ where
         } = settled;
         (self.modes.mode, self.modes.hold, self.modes.from) = (mode, hold, (t + delay).min(self.smooth.t1));
         (self.modes.impulses, self.modes.ambiguity) = (impulses, ambiguity);
-        self.modes.fired = Fired::default();
+        self.modes.fired = Witnesses::default();
         self.modes.watch.restart(&mode, gains, sizes);
         self.smooth.last = Step::at_rest(t, x);
     }

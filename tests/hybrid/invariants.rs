@@ -1,0 +1,198 @@
+//! What a mode promises holds at every place of its steps, from random states: what slips does so in its direction,
+//! what is held stands still, and nothing is beyond its limits.
+
+use nalgebra::SVector;
+use pendulum_core::hybrid::{Constraint, Hybrid, MOST, Status};
+use pendulum_core::prelude::*;
+use pendulum_core::{Method, Plant, Reason};
+use testbed::random::{Random, share};
+
+mechanism! {
+    /// Two rods with dry axles, of which the lower one cannot fold.
+    pub Rods {
+        params { mu1: N m, mu2: N m, l: m, at_rest: 1, e: 1 }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, taylor],
+        body upper on ground {
+            solids: [rod(1, [0, 0, 0], [0, -l, 0])],
+            joint: revolute(z), coordinate: a, dry_friction: mu1, static_friction: at_rest*mu1,
+        }
+        body lower on upper {
+            solids: [rod(1, [0, 0, 0], [0, -1, 0])],
+            joint: revolute(z) at [0, -l, 0], coordinate: b, dry_friction: mu2, stop: [-1.5, 1] restitution(e),
+        }
+    }
+}
+
+const LIMITS: [f64; 2] = [-1.5, 1.0];
+
+fn from_a_random_state(random: &mut Random) -> (Rods, SVector<f64, 4>) {
+    let mut number = |low, high| random.between(low, high);
+    let params = RodsParams {
+        mu1: number(0.1, 1.0),
+        mu2: number(0.05, 0.6),
+        l: number(0.5, 1.5),
+        at_rest: number(1.0, 1.5),
+        e: number(0.0, 0.9),
+    };
+    let start = [
+        number(-3.0, 3.0),
+        number(-1.5, 1.0),
+        number(-4.0, 4.0),
+        number(-4.0, 4.0),
+    ];
+    (Rods::new(params).expect("physical"), SVector::from(start))
+}
+
+/// The first promise that is broken by more than `noise` on the way to `t1`, if one is.
+fn broken<M>(model: &Rods, method: &M, t1: f64, start: SVector<f64, 4>, noise: f64) -> Result<Option<String>, Reason>
+where
+    M: Method<Rods, f64, 4>,
+{
+    let mut stepper = method.stepper(model, 0.0, t1, start)?;
+    while let Some(step) = stepper.step()? {
+        let (_, mode) = stepper.mode().expect("hybrid");
+        let dense = stepper.dense();
+        for theta in [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0] {
+            let h = step.t1 - step.t0;
+            let t = step.t0 + theta * h;
+            let x = if theta == 0.0 { step.x0 } else { dense.at(t) };
+            for n in 0..2 {
+                let (value, rate) = (x[n], x[n + 2]);
+                let goes = match mode.0[n] {
+                    Status::Forward => rate >= -noise,
+                    Status::Backward => rate <= noise,
+                    Status::Free => true,
+                    _ => rate == 0.0,
+                };
+                let is_within = n == 0 || LIMITS[0] - noise <= value && value <= LIMITS[1] + noise;
+                if !goes || !is_within {
+                    let status = mode.0[n];
+                    return Ok(Some(format!("{status:?} at {t}, {theta} of {h:e}: {value}, {rate:e}")));
+                }
+            }
+        }
+    }
+    Ok(None)
+}
+
+fn check<M: Method<Rods, f64, 4>>(what: &str, method: &M, noise: f64) {
+    let mut random = Random::new(38);
+    for nth in 0..share(400) {
+        let (model, start) = from_a_random_state(&mut random);
+        let found = broken(&model, method, 6.0, start, noise);
+        assert_eq!(found, Ok(None), "{what}, start {nth}");
+    }
+}
+
+#[test]
+fn modes_keep_their_promises() {
+    macro_rules! check {
+        ($($method:ident $tolerance:literal within $noise:expr),*) => { $(
+            let method = $method::new().rtol($tolerance).atol($tolerance);
+            check(concat!(stringify!($method), " ", $tolerance), &method, $noise);
+        )* };
+    }
+    check!(
+        Tsit5 1e-3 within 1e-12, Tsit5 1e-4 within 1e-12, Vern9 1e-10 within 1e-12, Taylor 1e-6 within 1e-12,
+        // their polynomials do not start with the slope of the motion
+        Rodas5P 1e-3 within 1e-3, Rodas5P 1e-7 within 1e-7, Radau5 1e-3 within 1e-3, Auto 1e-3 within 1e-3
+    );
+}
+
+/// Rodas5P at 1e-3 took a million steps from some of these: each step to where its polynomial touched a limit fell short.
+#[test]
+fn steps_do_not_creep_towards_the_end_of_a_mode() {
+    fn steps<M: Method<Rods, f64, 4>>(method: &M) -> usize {
+        let mut random = Random::new(38);
+        let steps = (0..300).map(|_| {
+            let (model, start) = from_a_random_state(&mut random);
+            let mut stepper = method.stepper(&model, 0.0, 6.0, start).expect("regular");
+            stepper.run().expect("regular");
+            stepper.statistics().accepted
+        });
+        steps.max().expect("some")
+    }
+    let tolerance = 1e-3;
+    let stiff = steps(&Rodas5P::new().rtol(tolerance).atol(tolerance));
+    let other = steps(&Tsit5::new().rtol(tolerance).atol(tolerance));
+    assert!(stiff < 2 * other, "{stiff} {other}");
+}
+
+mechanism! {
+    /// A block that a force pushes to a stop, which is no number for 2 ms.
+    pub Numberless {
+        params { c: N/s = 1, middle: s = 0.31, half: s = 1e-3 }
+        generate: [rhs, jacobian],
+        body block on ground {
+            mass: 1, joint: prismatic(x), coordinate: x,
+            torque: -c*sqrt((t - middle)^2 - half^2), dry_friction: 0.1, stop: [0, 1] restitution(0.5),
+        }
+    }
+}
+
+#[test]
+fn a_force_that_is_no_number_ends_a_search() {
+    let mut random = Random::new(7);
+    for _ in 0..share(400) {
+        let params = NumberlessParams {
+            middle: random.between(0.1, 1.0),
+            half: random.between(1e-7, 1e-2),
+            ..NumberlessParams::default()
+        };
+        let model = Numberless::new(params).expect("physical");
+        let start = [random.between(0.0, 1.0), random.between(-2.0, 2.0)];
+        macro_rules! each {
+            ($($method:ident),*) => { $(
+                // steps may pass over the 2 ms
+                match $method::new().rtol(1e-4).atol(1e-4).stepper(&model, 0.0, 2.0, start).map(|mut way| way.run()) {
+                    Ok(Ok(end)) => assert!(end.iter().all(|x| x.is_finite())),
+                    Ok(Err(reason)) | Err(reason) => assert!(reason.to_string().contains("finite"), "{reason}"),
+                }
+            )* };
+        }
+        each!(Tsit5, Vern9, Rodas5P, Auto);
+    }
+}
+
+/// A ball by hand that does not say what forces at its floor do.
+struct Unanswered;
+
+impl System<f64, 2> for Unanswered {
+    fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        self.eval(t, x, &[0.0; MOST])
+    }
+
+    fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
+        Some(self)
+    }
+}
+
+impl Plant<f64, 2> for Unanswered {
+    type Given = [f64; MOST];
+
+    fn eval(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        SVector::from([x[1], forces[0] - 9.81])
+    }
+
+    fn constraints(&self) -> &'static [Constraint] {
+        const {
+            &[Constraint {
+                name: "floor",
+                rate: &[(1, 1)],
+            }]
+        }
+    }
+
+    fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
+        let mut measures = [[0.0; 2]; MOST];
+        measures[0] = [x[0], x[1]];
+        measures
+    }
+}
+
+#[test]
+#[should_panic(expected = "a model with constraints implements `Plant::response`")]
+fn a_model_with_constraints_says_what_forces_along_them_do() {
+    let _ = Tsit5::new().solve(&Unanswered, 0.0, 1.0, [1.0, 0.0]);
+}
