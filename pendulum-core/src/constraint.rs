@@ -9,13 +9,13 @@ pub const MOST: usize = 8;
 
 /// Something that may hinder a motion: see [`hybrid`](crate::hybrid).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Constraint {
+pub struct Constraint<'a> {
     /// What it is called, in messages.
-    pub name: &'static str,
+    pub name: &'a str,
     /// For a rate that is a sum of components of the state, each with the sign 1 or -1: their places and signs. Such a
     /// rate is exactly zero while it is held: its last component is computed from the others, and so must not occur in
     /// the constraints before. Empty for any other rate.
-    pub rate: &'static [(usize, i8)],
+    pub rate: &'a [(usize, i8)],
 }
 
 /// The numbers of a [`Constraint`], forces in N or N m, rates in m/s or rad/s.

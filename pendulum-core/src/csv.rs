@@ -34,7 +34,7 @@ impl<T: Float, const N: usize> Solution<T, N> {
     ///
     /// # Errors
     /// Those of `writer`, and [`WrongLength`] as [`io::ErrorKind::InvalidInput`] if `layout` is not that of the state.
-    pub fn write_csv(&self, writer: impl io::Write, layout: &StateLayout) -> io::Result<()> {
+    pub fn write_csv(&self, writer: impl io::Write, layout: &StateLayout<'_>) -> io::Result<()> {
         write(writer, layout, self.points().map(|(t, x)| Ok((t, *x))))
     }
 
@@ -46,7 +46,7 @@ impl<T: Float, const N: usize> Solution<T, N> {
     pub fn write_csv_at(
         &self,
         writer: impl io::Write,
-        layout: &StateLayout,
+        layout: &StateLayout<'_>,
         times: impl IntoIterator<Item = T>,
     ) -> io::Result<()> {
         let point = |t| self.at(t).map(|x| (t, x)).map_err(invalid);
@@ -56,7 +56,7 @@ impl<T: Float, const N: usize> Solution<T, N> {
 
 fn write<T: Float, const N: usize>(
     mut writer: impl io::Write,
-    layout: &StateLayout,
+    layout: &StateLayout<'_>,
     points: impl Iterator<Item = io::Result<(T, SVector<T, N>)>>,
 ) -> io::Result<()> {
     let names = layout.components();

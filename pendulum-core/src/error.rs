@@ -1,12 +1,14 @@
 //! Errors as types. Each message states the fact and what to do; `Debug` prints the same, so that a `main` which
 //! returns the error reads well.
 
+mod name;
 #[cfg(feature = "std")]
 mod solve;
 
 use core::error::Error;
 use core::fmt;
 
+pub use name::Name;
 #[cfg(feature = "std")]
 pub use solve::SolveError;
 
@@ -34,7 +36,7 @@ debug_as_display! {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoopGap {
     /// The two bodies that close it.
-    pub bodies: [&'static str; 2],
+    pub bodies: [Name; 2],
     /// The distance between its ends, or the angle by which one is turned against the other.
     pub by: f64,
     /// The unit of that, `m` or `rad`.
@@ -155,7 +157,7 @@ pub enum Reason {
     /// A closed loop cannot close in the state to start from, or to go on from after a reset.
     CannotClose {
         /// The two bodies that close it.
-        bodies: [&'static str; 2],
+        bodies: [Name; 2],
     },
     /// A closed loop is open in the state to start from, or to go on from after a reset: see
     /// [`System::gaps`](crate::System::gaps).
@@ -164,7 +166,7 @@ pub enum Reason {
     /// may.
     Toggle {
         /// The two bodies that close it.
-        bodies: [&'static str; 2],
+        bodies: [Name; 2],
         /// How far it is from its toggle still, as `margin` in the declaration.
         margin: f64,
     },
@@ -172,7 +174,7 @@ pub enum Reason {
     /// force takes its turns, which do not follow from the state.
     HalfTurn {
         /// The name of the angle.
-        coordinate: &'static str,
+        coordinate: Name,
     },
     /// The tolerance requires a step shorter than the minimum, or shorter than the resolution of the time.
     StepUnderflow {
@@ -216,7 +218,7 @@ pub enum Reason {
     /// A constraint of a [hybrid](crate::hybrid) system starts beyond its limit.
     BeyondLimit {
         /// The name of the constraint.
-        constraint: &'static str,
+        constraint: Name,
         /// Its value.
         value: f64,
         /// The limit.
@@ -225,14 +227,14 @@ pub enum Reason {
     /// The value, the rate or the force of a constraint is infinite or NaN.
     ConstraintNotFinite {
         /// The name of the constraint.
-        constraint: &'static str,
+        constraint: Name,
         /// The time at which it is.
         t: f64,
     },
     /// The modes of a hybrid system change without time advancing, or almost.
     ModesAccumulate {
         /// The name of a constraint that changes.
-        constraint: &'static str,
+        constraint: Name,
     },
     /// The end was not reached within the number of steps allowed, rejected ones included.
     TooManySteps {
@@ -335,7 +337,7 @@ impl fmt::Display for Reason {
     }
 }
 
-fn write_toggle(f: &mut fmt::Formatter<'_>, [a, b]: [&str; 2], margin: f64) -> fmt::Result {
+fn write_toggle(f: &mut fmt::Formatter<'_>, [a, b]: [Name; 2], margin: f64) -> fmt::Result {
     if margin < AT_TOGGLE {
         write!(
             f,

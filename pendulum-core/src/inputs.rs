@@ -47,7 +47,7 @@ pub trait Controlled<T: Real, const N: usize, const M: usize>:
 
     /// The components of the state, as [`System::layout`](crate::System::layout).
     #[inline]
-    fn layout(&self) -> Option<&'static StateLayout> {
+    fn layout(&self) -> Option<StateLayout<'_>> {
         None
     }
 
@@ -58,11 +58,11 @@ pub trait Controlled<T: Real, const N: usize, const M: usize>:
 
     /// Tells how far each closed loop is from its toggle, as [`System::margins`](crate::System::margins).
     #[inline(always)]
-    fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {}
+    fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 2])) {}
 
     /// Reports the gap of each closed loop, as [`System::gaps`](crate::System::gaps).
     #[inline]
-    fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {}
+    fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 3])) {}
 }
 
 /// A model with `M` inputs that can be converted to any number type; what [`Cast`](crate::Cast) is for models without.

@@ -25,9 +25,9 @@ pub use names::WrongLength;
 ///         SVector::from([x[1], -9.81 * x[0].sin()])
 ///     }
 ///
-///     fn layout(&self) -> Option<&'static StateLayout> {
-///         const LAYOUT: StateLayout = StateLayout::new(&[Slot::angle("theta", 0, 1).periodic()]).autonomous();
-///         Some(&LAYOUT)
+///     fn layout(&self) -> Option<StateLayout<'_>> {
+///         const LAYOUT: StateLayout<'_> = StateLayout::new(&[Slot::angle("theta", 0, 1).periodic()]).autonomous();
+///         Some(LAYOUT)
 ///     }
 /// }
 ///
@@ -37,17 +37,17 @@ pub use names::WrongLength;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub struct StateLayout {
+pub struct StateLayout<'a> {
     /// The coordinates with their rates. All positions precede all rates in the state.
-    pub slots: &'static [Slot],
+    pub slots: &'a [Slot<'a>],
     /// Whether the right-hand side is known not to depend on time.
     pub autonomous: bool,
 }
 
-impl StateLayout {
+impl<'a> StateLayout<'a> {
     /// The layout of a state in these coordinates. The right-hand side may depend on time.
     #[must_use]
-    pub const fn new(slots: &'static [Slot]) -> Self {
+    pub const fn new(slots: &'a [Slot<'a>]) -> Self {
         Self {
             slots,
             autonomous: false,
@@ -63,18 +63,18 @@ impl StateLayout {
 
     /// The number of components that are positions; the rates follow them.
     #[must_use]
-    pub fn positions(&self) -> usize {
+    pub fn positions(self) -> usize {
         self.slots.iter().map(|slot| slot.positions.len()).sum()
     }
 
     /// The components of the state that are a quaternion, for each.
-    pub fn quaternions(&self) -> impl Iterator<Item = Range<usize>> {
+    pub fn quaternions(self) -> impl Iterator<Item = Range<usize>> {
         let slots = self.slots.iter().filter(|slot| slot.kind == SlotKind::Quaternion);
         slots.map(|slot| slot.positions.clone())
     }
 
     /// The components of the state that are angles with the period 2 pi, as [`Slot::periodic`] defines it.
-    pub fn angles(&self) -> impl Iterator<Item = usize> {
+    pub fn angles(self) -> impl Iterator<Item = usize> {
         self.slots
             .iter()
             .filter(|slot| slot.periodic)
@@ -85,9 +85,9 @@ impl StateLayout {
 /// A coordinate: its place in the state, and its symmetries.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub struct Slot {
+pub struct Slot<'a> {
     /// The name of the coordinate.
-    pub name: &'static str,
+    pub name: &'a str,
     /// What it measures.
     pub kind: SlotKind,
     /// The components of the state that hold its position.
@@ -105,10 +105,10 @@ pub struct Slot {
     pub cyclic: bool,
 }
 
-impl Slot {
+impl<'a> Slot<'a> {
     /// A coordinate at the components `positions` of the state, with its rate at `rates`. No symmetry is assumed.
     #[must_use]
-    pub const fn new(name: &'static str, kind: SlotKind, positions: Range<usize>, rates: Range<usize>) -> Self {
+    pub const fn new(name: &'a str, kind: SlotKind, positions: Range<usize>, rates: Range<usize>) -> Self {
         Self {
             name,
             kind,
@@ -122,13 +122,13 @@ impl Slot {
     /// An angle at the component `position` of the state, with its rate at `rate`. Not every angle is
     /// [`periodic`](Self::periodic).
     #[must_use]
-    pub const fn angle(name: &'static str, position: usize, rate: usize) -> Self {
+    pub const fn angle(name: &'a str, position: usize, rate: usize) -> Self {
         Self::new(name, SlotKind::Angle, position..position + 1, rate..rate + 1)
     }
 
     /// A length at the component `position` of the state, with its rate at `rate`.
     #[must_use]
-    pub const fn length(name: &'static str, position: usize, rate: usize) -> Self {
+    pub const fn length(name: &'a str, position: usize, rate: usize) -> Self {
         Self::new(name, SlotKind::Length, position..position + 1, rate..rate + 1)
     }
 

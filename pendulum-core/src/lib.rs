@@ -95,7 +95,7 @@ pub use dense::{Dense, Step};
 pub use ensemble::{Ensemble, EnsembleError, ObservedEnsemble};
 #[cfg(feature = "std")]
 pub use error::SolveError;
-pub use error::{LoopGap, NotAssembled, ParameterError, Reason};
+pub use error::{LoopGap, Name, NotAssembled, ParameterError, Reason};
 #[cfg(feature = "std")]
 pub use event::{Direction, Event, Missed, Occurrence};
 pub use inputs::{CastControlled, Controlled, InputLaw, WithInputs};

@@ -31,14 +31,14 @@ use nalgebra::{Point3, SVector};
 pub trait Shapes<const N: usize> {
     /// What there is to see at the time `t` in the state `x`, in the order of the declaration: the solids of the bodies, then
     /// their joints, then springs and dampers, then points.
-    fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape>;
+    fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape<'_>>;
 }
 
 /// Something to see.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shape {
+pub struct Shape<'a> {
     /// The body that it belongs to, or the point that it is; for springs and dampers the body of their first end.
-    pub name: &'static str,
+    pub name: &'a str,
     /// What it is.
     pub kind: ShapeKind,
     /// Its points in the ground frame, in m; the kind says which.
@@ -83,8 +83,8 @@ pub use std::vec::Vec;
 /// A shape before it is placed: a row of what the generated code knows.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
-pub struct Outline {
-    pub name: &'static str,
+pub struct Outline<'a> {
+    pub name: &'a str,
     pub kind: ShapeKind,
     /// The number of points, whose coordinates are listed one after the other.
     pub points: usize,
@@ -94,10 +94,10 @@ pub struct Outline {
 
 /// The shapes of outlines, from the values that generated code computes for them.
 #[doc(hidden)]
-pub fn placed(outlines: &[Outline], values: &[f64]) -> Vec<Shape> {
+pub fn placed<'a>(outlines: &[Outline<'a>], values: &[f64]) -> Vec<Shape<'a>> {
     let mut rest = values.iter().copied();
     let mut next = || rest.next().unwrap_or(f64::NAN);
-    let shape = |outline: &Outline| {
+    let shape = |outline: &Outline<'a>| {
         let points: Vec<Point3<f64>> = (0..outline.points)
             .map(|_| Point3::new(next(), next(), next()))
             .collect();

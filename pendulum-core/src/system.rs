@@ -41,7 +41,7 @@ pub trait System<T: Real, const N: usize> {
 
     /// What each component of the state is, and whether time occurs; `None` where that is not known, as by default.
     #[inline]
-    fn layout(&self) -> Option<&'static StateLayout> {
+    fn layout(&self) -> Option<StateLayout<'_>> {
         None
     }
 
@@ -88,7 +88,7 @@ pub trait System<T: Real, const N: usize> {
     /// a force takes, has a margin as well, with its name and an empty one:
     /// [`Reason::HalfTurn`](crate::Reason::HalfTurn).
     #[inline(always)]
-    fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {}
+    fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 2])) {}
 
     /// Reports the gap of each closed loop that [`project`](Self::project) closes, with the names of the two bodies
     /// that close it: the distance between its ends in m, the angle between their orientations, or their axes, in rad,
@@ -98,7 +98,7 @@ pub trait System<T: Real, const N: usize> {
     /// units of rounding of the size, or the angle as many of 1 rad: 9e-13 in `f64`, 5e-4 in `f32`; and 4 more for each
     /// radian of the largest angle of the state, which is rounded itself. Steps do not call it.
     #[inline]
-    fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {}
+    fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 3])) {}
 
     /// What switches between the modes of a [hybrid](crate::hybrid) system; `None`, as by default, where the equations
     /// are always the same.
@@ -263,11 +263,11 @@ macro_rules! forward_system {
     ($self:ident => $wrapped:expr) => {
         $crate::system::forward! { $self => $wrapped;
             rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
-            layout() -> Option<&'static StateLayout>;
+            layout() -> Option<StateLayout<'_>>;
             is_autonomous() -> Option<bool>;
             project(t: T, x: &mut SVector<T, N>);
-            margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2]));
-            gaps(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3]));
+            margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 2]));
+            gaps(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3]));
             hybrid() -> Option<&dyn Hybrid<T, N>>;
         }
     };

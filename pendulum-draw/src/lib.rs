@@ -154,8 +154,8 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
     /// What is seen at a time.
     fn frame(&self, t: f64) -> Result<Frame, Box<dyn Error>> {
         let x = self.solution.at(t)?;
-        let part = |shape: Shape| Part {
-            name: shape.name,
+        let part = |shape: Shape<'_>| Part {
+            name: shape.name.to_owned(),
             kind: shape.kind,
             points: shape
                 .points

@@ -25,7 +25,7 @@ pub(crate) struct Frame {
 /// A shape in the plane of the picture, in m.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
-    pub(crate) name: &'static str,
+    pub(crate) name: String,
     pub(crate) kind: ShapeKind,
     pub(crate) points: Vec<[f64; 2]>,
     pub(crate) radius: f64,
@@ -67,17 +67,17 @@ pub(crate) struct Still<'a> {
     /// In the order of time; all but the last are shadows.
     bodies: Vec<Frame>,
     /// The bodies that have colours of their own.
-    names: Vec<&'static str>,
+    names: Vec<String>,
     bounds: Bounds,
 }
 
 impl<'a> Still<'a> {
     pub(crate) fn new(trails: &'a [Frame], bodies: Vec<Frame>, bounds: Bounds) -> Self {
         let solids = bodies.iter().take(1).flat_map(|frame| &frame.parts);
-        let mut names: Vec<&'static str> = Vec::new();
+        let mut names: Vec<String> = Vec::new();
         for part in solids.filter(|part| is_solid(part.kind)) {
             if !names.contains(&part.name) {
-                names.push(part.name);
+                names.push(part.name.clone());
             }
         }
         Self {
@@ -158,7 +158,7 @@ impl<'a> Still<'a> {
     where
         B::ErrorType: 'static,
     {
-        let color = self.color(part.name).mix(0.85 * strength);
+        let color = self.color(&part.name).mix(0.85 * strength);
         let grey = GREY.mix(strength);
         let places = self.places(&part.points);
         let line = |places: Vec<(i32, i32)>, thick: f64, color: RGBAColor| {

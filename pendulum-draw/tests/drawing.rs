@@ -165,7 +165,8 @@ mechanism! {
 fn what_moves_freely_has_no_pivot() -> Result<(), Box<dyn Error>> {
     let mut x = SVector::from([0.0; 20]);
     (x[Loose::A], x[Loose::B], x[Loose::P_X]) = (1.0, 1.0, 2.0);
-    let shapes = Loose::new(LooseParams {})?.shapes(0.0, &x);
+    let loose = Loose::new(LooseParams {})?;
+    let shapes = loose.shapes(0.0, &x);
     let seen: Vec<_> = shapes.iter().map(|shape| (shape.name, shape.kind)).collect();
     let (sphere, pivot) = (ShapeKind::Sphere, ShapeKind::Pivot);
     assert_eq!(seen, [("arm", sphere), ("stone", sphere), ("arm", pivot)]);

@@ -172,7 +172,7 @@ pub(crate) fn of_first<S: System<f64, N>, const N: usize>(first: Option<(S, SVec
 }
 
 /// The components of a state, by number where their names are not known.
-pub(crate) fn of_state<const N: usize>(layout: Option<&'static StateLayout>) -> Vec<Column> {
+pub(crate) fn of_state<const N: usize>(layout: Option<StateLayout<'_>>) -> Vec<Column> {
     let Some(layout) = layout else {
         return (0..N).map(|n| Column::new(&format!("x{n}"), "1")).collect();
     };

@@ -175,7 +175,7 @@ impl Plant<f64, 2> for Unanswered {
         SVector::from([x[1], forces[0] - 9.81])
     }
 
-    fn constraints(&self) -> &'static [Constraint] {
+    fn constraints(&self) -> &[Constraint<'_>] {
         const {
             &[Constraint {
                 name: "floor",

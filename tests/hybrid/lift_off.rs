@@ -260,7 +260,12 @@ fn rebounds_far_shorter_than_a_fixed_step_are_an_error() {
     let error = Rk4::new(0.01)
         .solve(&floor(1.0), 0.0, 5.0, [0.0, 1e-9])
         .expect_err("no end");
-    assert_eq!(error.reason, Reason::ModesAccumulate { constraint: "floor" });
+    assert_eq!(
+        error.reason,
+        Reason::ModesAccumulate {
+            constraint: "floor".into()
+        }
+    );
     let e = 0.995;
     let solution = Rk4::new(0.01).solve(&floor(e), 0.0, 200.0, [1.0, 0.0]).expect("rests");
     let rests = (2.0 / GRAVITY).sqrt() * (1.0 + 2.0 * e / (1.0 - e));

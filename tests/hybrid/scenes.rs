@@ -4,7 +4,7 @@ use std::array::from_fn;
 
 use nalgebra::SVector;
 use pendulum_core::Slot;
-use pendulum_core::hybrid::{Hold, Hybrid, HybridJacobian, InMode, MOST, Mode, Status};
+use pendulum_core::hybrid::{Constraint, Hold, Hybrid, HybridJacobian, InMode, MOST, Mode, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
 use pendulum_core::stability::equilibrium;
@@ -175,16 +175,17 @@ fn forces_act_as_torques_and_forces_on_points_do() {
 /// The order of the rows, and which sums of rates they are.
 #[test]
 fn constraints_name_their_rates() {
-    let listed = |constraints: &'static [pendulum_core::hybrid::Constraint]| -> Vec<_> {
+    fn listed<'a>(constraints: &[Constraint<'a>]) -> Vec<(&'a str, Vec<(usize, i8)>)> {
         constraints.iter().map(|c| (c.name, c.rate.to_vec())).collect()
-    };
-    let of_dry = Plant::<f64, 4>::constraints(&dry());
+    }
+    let (dry, driven) = (dry(), driven());
+    let of_dry = Plant::<f64, 4>::constraints(&dry);
     assert_eq!(
         listed(of_dry),
         [("a", vec![(2, 1)]), ("b", vec![(3, 1)]), ("side", vec![])]
     );
     // the order of the state is c, b, a, s; a driven joint is below `first`, and `last` turns backwards
-    let of_driven = Plant::<f64, 8>::constraints(&driven());
+    let of_driven = Plant::<f64, 8>::constraints(&driven);
     let expected = [
         ("s", vec![(7, 1)]),
         ("a", vec![]),

@@ -2,7 +2,7 @@
 
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{StabilityError, equilibrium};
-use pendulum_core::{EnsembleError, LoopGap, Reason};
+use pendulum_core::{EnsembleError, LoopGap, Name, Reason};
 
 use crate::coupled_loops::{Bennett, BennettParams};
 
@@ -179,7 +179,7 @@ fn a_weld_keeps_the_declared_orientation() {
         .assemble(0.0, [0.0, 0.8, 0.3, 0.8, 1.0])
         .expect_err("it is a third of a turn off");
     let open = error.open.expect("a gap");
-    assert_eq!((open.bodies, open.unit), (["a", "w"], "rad"));
+    assert_eq!((open.bodies, open.unit), (["a", "w"].map(Name::from), "rad"));
     assert!((open.by - std::f64::consts::TAU / 3.0).abs() < 1e-6, "{error}");
     let reason = Vern9::new()
         .solve(

@@ -220,10 +220,7 @@ fn a_motion_ends_at_a_toggle() {
             .expect_err("it comes to its toggle");
         let told = matches!(
             error.reason,
-            Reason::Toggle {
-                bodies: ["rod", "rocker"],
-                ..
-            }
+            Reason::Toggle { bodies, .. } if bodies == ["rod", "rocker"]
         );
         assert!(told, "{error}");
         let (t, x) = error.solution.last();

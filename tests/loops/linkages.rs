@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::Isa;
 use pendulum_core::stability::equilibrium;
-use pendulum_core::{EnsembleError, Reason, Solution, SolveError};
+use pendulum_core::{EnsembleError, Name, Reason, Solution, SolveError};
 use serde_json::Value;
 use testbed::linkages::{
     Andrews, AndrewsParams, FiveBar, FiveBarParams, FourBar, FourBarParams, Parallelogram, ParallelogramParams,
@@ -247,7 +247,7 @@ fn a_loop_that_cannot_close_is_named() {
     let error = Rk4::new(0.01)
         .solve(&rocking, 0.0, 1.0, [2.5, 0.0])
         .expect_err("it is too far");
-    let bodies = ["coupler", "rocker"];
+    let bodies = ["coupler", "rocker"].map(Name::from);
     assert!(error.reason == Reason::CannotClose { bodies }, "{error}");
     let far = Event::new(|t, _x: &SVector<f64, 2>| t - 0.1).reset(|_t, _x| SVector::from([2.5, 0.0]));
     let error = Vern9::new().solve_with(&rocking, 0.0, 1.0, [0.8, 0.0], &[far]);

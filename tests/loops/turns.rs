@@ -318,9 +318,7 @@ fn turns_that_do_not_follow_from_the_state_end_a_motion() {
     assert!(
         matches!(
             error.reason,
-            Reason::HalfTurn {
-                coordinate: "chi" | "omega"
-            }
+            Reason::HalfTurn { coordinate } if ["chi", "omega"].contains(&&*coordinate)
         ),
         "{error}"
     );

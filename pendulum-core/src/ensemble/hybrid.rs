@@ -100,7 +100,7 @@ where
 
 /// Trajectories leave where a mode may end within a step, and come back once nothing is held.
 pub(super) struct AtModes<V: Lanes, const N: usize> {
-    modes: Vec<Option<Modes<V::Scalar>>>,
+    modes: Vec<Option<Modes<V::Scalar, N>>>,
     /// Those that can go on beside others.
     ready: Vec<(usize, Progress<V::Scalar, N>)>,
     hold: Hold<V>,

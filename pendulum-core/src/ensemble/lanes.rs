@@ -118,7 +118,7 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
         self.0.rhs(t, x)
     }
 
-    fn layout(&self) -> Option<&'static StateLayout> {
+    fn layout(&self) -> Option<StateLayout<'_>> {
         self.0.layout()
     }
 
@@ -132,12 +132,12 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
     }
 
     #[inline(always)]
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 2])) {
         self.0.margins(t, x, tell);
     }
 
     #[inline]
-    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {
+    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3])) {
         self.0.gaps(t, x, tell);
     }
 

@@ -73,7 +73,7 @@ impl<T: Float> Members<T> {
     }
 
     /// How far the trajectory in a lane is, in the state `x`.
-    pub(super) fn progress<const N: usize>(&self, lane: usize, x: SVector<T, N>, modes: Modes<T>) -> Progress<T, N> {
+    pub(super) fn progress<const N: usize>(&self, lane: usize, x: SVector<T, N>, modes: Modes<T, N>) -> Progress<T, N> {
         Progress {
             t: self.t[lane],
             x,

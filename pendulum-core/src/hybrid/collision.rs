@@ -14,7 +14,6 @@ use super::mode::{Status, bits, set_of};
 use super::resolution::{AT_LIMIT, CONSISTENT, ORDER_MATTERS, ulps};
 use super::series::Series;
 use super::settling::Settling;
-use super::sizes::of_kind;
 use super::switch::finish;
 use super::witness::{Witness, Witnesses};
 use super::{MOST, Response};
@@ -197,7 +196,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             most = Some(most.map_or(outcome, |most: SVector<T, N>| most.zip_map(&outcome, T::max)));
         }
         let (least, most) = (least?, most?);
-        let sizes = [self.x, least, most].map(|x| of_kind(self.gains.layout, &x));
+        let sizes = [self.x, least, most].map(|x| self.gains.of_kind(&x));
         let size = |k: usize| sizes.iter().fold(T::default(), |size, sizes| size.max(sizes[k]));
         let differences = most - least;
         let matters = (N / 2..N).any(|k| differences[k] > ulps(ORDER_MATTERS, size(k)));

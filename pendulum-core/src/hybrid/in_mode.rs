@@ -79,7 +79,7 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
     }
 
     #[inline(always)]
-    fn layout(&self) -> Option<&'static StateLayout> {
+    fn layout(&self) -> Option<StateLayout<'_>> {
         self.system.layout()
     }
 
@@ -94,12 +94,12 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
     }
 
     #[inline(always)]
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 2])) {
         self.system.margins(t, x, tell);
     }
 
     #[inline]
-    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {
+    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3])) {
         self.system.gaps(t, x, tell);
     }
 }

@@ -50,7 +50,7 @@
 //!         SVector::from([x[1], forces[0] - 9.81])
 //!     }
 //!
-//!     fn constraints(&self) -> &'static [Constraint] {
+//!     fn constraints(&self) -> &[Constraint<'_>] {
 //!         const { &[Constraint { name: "floor", rate: &[(1, 1)] }] }
 //!     }
 //!

@@ -59,14 +59,14 @@ impl Mode {
     }
 
     /// In words: "upper slips forward, lower sticks".
-    pub fn describe(self, constraints: &'static [Constraint]) -> impl fmt::Display {
+    pub fn describe<'a>(self, constraints: &'a [Constraint<'a>]) -> impl fmt::Display + 'a {
         Described(self, constraints)
     }
 }
 
-struct Described(Mode, &'static [Constraint]);
+struct Described<'a>(Mode, &'a [Constraint<'a>]);
 
-impl fmt::Display for Described {
+impl fmt::Display for Described<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(mode, constraints) = self;
         for (n, (constraint, status)) in constraints.iter().zip(mode.0).enumerate() {

@@ -13,7 +13,7 @@ use crate::system::System;
 
 /// The mode of a hybrid system; of no meaning for others.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Modes<T> {
+pub(crate) struct Modes<T, const N: usize> {
     pub(crate) mode: Mode,
     pub(crate) hold: Hold<T>,
     /// From when on it holds.
@@ -22,7 +22,7 @@ pub(crate) struct Modes<T> {
     pub(crate) impulses: [T; MOST],
     /// The impacts among these whose order is not known.
     pub(crate) ambiguity: Option<Ambiguity<T>>,
-    pub(crate) watch: Watch<T>,
+    pub(crate) watch: Watch<T, N>,
     /// What ended it, where the last step ended.
     pub(crate) fired: Witnesses,
     /// Of the last step, the fraction of what was integrated: less than one where a mode ended.
@@ -33,7 +33,7 @@ pub(crate) struct Modes<T> {
     pub(crate) changes: (usize, T),
 }
 
-impl<T: Float> Modes<T> {
+impl<T: Float, const N: usize> Modes<T, N> {
     /// Before the first mode is known.
     pub(crate) fn none(t: T) -> Self {
         Self {
@@ -52,7 +52,7 @@ impl<T: Float> Modes<T> {
 
     /// Puts a state to where the mode holds it.
     #[inline]
-    pub(crate) fn place<S, const N: usize>(&self, system: &S, t: T, x: &mut SVector<T, N>)
+    pub(crate) fn place<S>(&self, system: &S, t: T, x: &mut SVector<T, N>)
     where
         S: System<T, N> + ?Sized,
     {

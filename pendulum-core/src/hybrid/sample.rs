@@ -14,9 +14,9 @@ const MOST_BEND: f64 = 0.25;
 /// But not in more places of a step.
 const MOST_FORCES: usize = 1 << 10;
 
-impl<T: Float> Watch<T> {
+impl<T: Float, const N: usize> Watch<T, N> {
     /// Where the first of some witnesses of the state ends the mode, up to where others do.
-    pub(super) fn sample_states<const N: usize>(
+    pub(super) fn sample_states(
         &mut self,
         step: &StepInMode<'_, T, N>,
         start: (&Place<T>, bool),
@@ -40,7 +40,7 @@ impl<T: Float> Watch<T> {
     }
 
     /// Looks at one place after the other; gaps bend by `bends` between them, as far as was seen.
-    fn pass<const N: usize>(
+    fn pass(
         &mut self,
         step: &StepInMode<'_, T, N>,
         (start, is_first): (&Place<T>, bool),
@@ -88,7 +88,7 @@ impl<T: Float> Watch<T> {
 
     /// Where the first of the forces of what is held passes its limit, up to where other witnesses end the mode. Each
     /// takes an evaluation.
-    pub(super) fn sample_forces<const N: usize>(
+    pub(super) fn sample_forces(
         &mut self,
         step: &StepInMode<'_, T, N>,
         live: Witnesses,
@@ -120,7 +120,7 @@ impl<T: Float> Watch<T> {
 
     /// In how many places of a step forces are looked at: as many as its polynomial can have extrema, and not much
     /// farther from each other than where they were seen to be close enough. A power of two.
-    fn count_of_forces<const N: usize>(&self, step: &StepInMode<'_, T, N>) -> usize {
+    fn count_of_forces(&self, step: &StepInMode<'_, T, N>) -> usize {
         let least = step.dense.terms().len().div_ceil(2).next_power_of_two();
         let widest = T::from_f64(2.0) * self.width;
         let wanted = libm::ceil((step.dense.step().h.abs() / widest).to_f64()) as usize;
@@ -129,7 +129,7 @@ impl<T: Float> Watch<T> {
 
     /// Looks at forces in equal distances: what ends the mode, and how much at most a force bends between three of
     /// these, relative to its size.
-    fn pass_forces<const N: usize>(
+    fn pass_forces(
         &mut self,
         step: &StepInMode<'_, T, N>,
         (start, count): (&[T; MOST], usize),
@@ -183,7 +183,7 @@ impl<T: Float> Watch<T> {
     }
 
     /// How much the forces of what is held bend between three places in equal distances, relative to their sizes.
-    fn bend<const N: usize>(&self, step: &StepInMode<'_, T, N>, [first, middle, last]: [&[T; MOST]; 3]) -> T {
+    fn bend(&self, step: &StepInMode<'_, T, N>, [first, middle, last]: [&[T; MOST]; 3]) -> T {
         let mut most = T::default();
         for n in bits(step.hold.held) {
             let size = step.laws[n].sticking.max(self.sizes[n]);

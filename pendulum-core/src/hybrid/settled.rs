@@ -19,7 +19,7 @@ pub(crate) struct Settled<T, const N: usize> {
     pub(crate) delay: T,
     /// The impulses along the constraints.
     pub(crate) impulses: [T; MOST],
-    pub(crate) gains: Gains<T>,
+    pub(crate) gains: Gains<T, N>,
     pub(crate) sizes: ForceSizes<T>,
     /// The impacts so far, and the contacts that approach again: theirs follow at once.
     pub(super) series: Series<T, N>,

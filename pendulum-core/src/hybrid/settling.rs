@@ -28,7 +28,7 @@ pub(super) struct Settling<'a, T, const N: usize> {
     pub(super) forced: [Option<Status>; MOST],
     /// The impulses so far.
     pub(super) impulses: [T; MOST],
-    pub(super) gains: Gains<T>,
+    pub(super) gains: Gains<T, N>,
     /// How far each constraint has been from its limits since it was held there.
     pub(super) reach: [T; MOST],
     /// The impacts so far.
@@ -41,7 +41,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
     pub(super) fn new(
         system: &'a dyn Hybrid<T, N>,
         (t, x): (T, &SVector<T, N>),
-        gains: Gains<T>,
+        gains: Gains<T, N>,
         reach: &[T; MOST],
     ) -> Self {
         Self {

@@ -9,11 +9,11 @@ use crate::real::Float;
 /// The largest derivatives of each constraint by lengths and by angles, about the state in which an integration starts.
 /// Only their order of magnitude matters.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Gains<T> {
+pub(crate) struct Gains<T, const N: usize> {
     by_lengths: [T; MOST],
     by_angles: [T; MOST],
-    /// What the components of the state are.
-    pub(super) layout: Option<&'static StateLayout>,
+    /// Which positions are angles.
+    is_angle: [bool; N],
 }
 
 /// Sizes of values and rates at a state.
@@ -25,27 +25,30 @@ pub(super) struct Sizes<T> {
     pub(super) rates: [T; MOST],
 }
 
-impl<T: Float> Gains<T> {
+impl<T: Float, const N: usize> Gains<T, N> {
     /// None at all: before an integration starts.
     pub(super) fn none() -> Self {
         Self {
             by_lengths: [T::default(); MOST],
             by_angles: [T::default(); MOST],
-            layout: None,
+            is_angle: [false; N],
         }
     }
 
-    pub(super) fn near<const N: usize>(
-        (system, layout): (&dyn Hybrid<T, N>, Option<&'static StateLayout>),
+    pub(super) fn near(
+        (system, layout): (&dyn Hybrid<T, N>, Option<StateLayout<'_>>),
         t: T,
         x: &SVector<T, N>,
     ) -> Self {
-        let mut gains = Self { layout, ..Self::none() };
+        let mut gains = Self {
+            is_angle: core::array::from_fn(|k| is_angle(layout, k)),
+            ..Self::none()
+        };
         gains.note(system, t, x);
         // the gap to a floor below a pendulum that hangs has no derivative there
         let mut turned = *x;
         for k in 0..N / 2 {
-            if is_angle(layout, k) {
+            if gains.is_angle[k] {
                 turned[k] += T::from_f64(1.0);
             }
         }
@@ -56,7 +59,7 @@ impl<T: Float> Gains<T> {
     }
 
     /// Notes the derivatives at a state: a rate is linear in the rates of the coordinates.
-    fn note<const N: usize>(&mut self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) {
+    fn note(&mut self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) {
         let by_itself = rates_at_rest(system, t, x);
         for k in N / 2..N {
             let mut moving = *x;
@@ -64,7 +67,7 @@ impl<T: Float> Gains<T> {
                 *rate = T::from_f64(if other == k { 1.0 } else { 0.0 });
             }
             let measures = system.measures(t, &moving);
-            let gains = if is_angle(self.layout, k - N / 2) {
+            let gains = if self.is_angle[k - N / 2] {
                 &mut self.by_angles
             } else {
                 &mut self.by_lengths
@@ -78,10 +81,9 @@ impl<T: Float> Gains<T> {
 
     /// The sizes at a state. An angle counts as 1 rad at least, which is the size of what its sine and cosine are
     /// multiplied by; the place of what moves by itself is as exact as the time is.
-    pub(super) fn sizes<const N: usize>(&self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Sizes<T> {
-        let layout = self.layout;
-        let [length, angle] = largest(layout, x.iter().take(N / 2));
-        let [speed, turning] = largest(layout, x.iter().skip(N / 2));
+    pub(super) fn sizes(&self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Sizes<T> {
+        let [length, angle] = self.largest(x.iter().take(N / 2));
+        let [speed, turning] = self.largest(x.iter().skip(N / 2));
         let angle = angle.max(T::from_f64(1.0));
         let by_itself = rates_at_rest(system, t, x).map(|rate| rate.abs());
         let all = |length: T, angle: T, n: usize| (self.by_lengths[n] * length).max(self.by_angles[n] * angle);
@@ -90,29 +92,29 @@ impl<T: Float> Gains<T> {
             rates: core::array::from_fn(|n| all(speed, turning, n).max(by_itself[n])),
         }
     }
-}
 
-/// The largest of lengths, and the largest of angles, of positions or of their rates.
-fn largest<'a, T: Float>(layout: Option<&'static StateLayout>, of: impl Iterator<Item = &'a T>) -> [T; 2] {
-    let [mut lengths, mut angles] = [T::default(); 2];
-    for (k, value) in of.enumerate() {
-        let largest = if is_angle(layout, k) { &mut angles } else { &mut lengths };
-        *largest = largest.max(value.abs());
+    /// For each rate in a state, the largest one of its kind: of a length, or of an angle.
+    pub(super) fn of_kind(&self, x: &SVector<T, N>) -> SVector<T, N> {
+        let [speed, turning] = self.largest(x.iter().skip(N / 2));
+        SVector::from_fn(|k, _| if self.is_angle[k % (N / 2)] { turning } else { speed })
     }
-    [lengths, angles]
-}
 
-/// For each rate in a state, the largest one of its kind: of a length, or of an angle.
-pub(super) fn of_kind<T: Float, const N: usize>(
-    layout: Option<&'static StateLayout>,
-    x: &SVector<T, N>,
-) -> SVector<T, N> {
-    let [speed, turning] = largest(layout, x.iter().skip(N / 2));
-    SVector::from_fn(|k, _| if is_angle(layout, k % (N / 2)) { turning } else { speed })
+    /// The largest of lengths, and the largest of angles, of positions or of their rates.
+    fn largest<'a>(&self, of: impl Iterator<Item = &'a T>) -> [T; 2]
+    where
+        T: 'a,
+    {
+        let [mut lengths, mut angles] = [T::default(); 2];
+        for (value, is_angle) in of.zip(self.is_angle) {
+            let largest = if is_angle { &mut angles } else { &mut lengths };
+            *largest = largest.max(value.abs());
+        }
+        [lengths, angles]
+    }
 }
 
 /// Whether a position is an angle; without a layout all of them are lengths.
-fn is_angle(layout: Option<&'static StateLayout>, position: usize) -> bool {
+fn is_angle(layout: Option<StateLayout<'_>>, position: usize) -> bool {
     let slots = layout.map_or(&[][..], |layout| layout.slots);
     // a slot has at least one position, so it is at its place or before
     let mut before = slots.iter().take(position + 1).rev();

@@ -123,7 +123,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
     /// A number of a constraint at a place, or the error that it is none.
     pub(super) fn number(&self, theta: T, n: usize, number: T) -> Result<T, Reason> {
         if number.to_f64().is_nan() {
-            let constraint = self.system.constraints()[n].name;
+            let constraint = self.system.constraints()[n].name.into();
             let t = self.dense.time(theta).to_f64();
             return Err(Reason::ConstraintNotFinite { constraint, t });
         }

@@ -21,7 +21,7 @@ use crate::system::System;
 
 /// The mode in which to start from a state.
 pub(crate) fn start<T: Float, const N: usize>(
-    (system, layout): (&dyn Hybrid<T, N>, Option<&'static StateLayout>),
+    (system, layout): (&dyn Hybrid<T, N>, Option<StateLayout<'_>>),
     t: T,
     x: &SVector<T, N>,
 ) -> Result<Settled<T, N>, Reason> {
@@ -36,7 +36,7 @@ pub(crate) fn start<T: Float, const N: usize>(
             let slack = ulps(AT_LIMIT, sizes.values[n].max(limit.abs()));
             if distance.to_f64().is_nan() || distance < -slack {
                 let (value, limit) = (value.to_f64(), limit.to_f64());
-                let constraint = constraint.name;
+                let constraint = constraint.name.into();
                 return Err(Reason::BeyondLimit {
                     constraint,
                     value,
@@ -53,7 +53,7 @@ pub(crate) fn start<T: Float, const N: usize>(
     let settled = finish(system, t, settling.settle(), &zero, &mut |_, _| {});
     match settled.contradiction() {
         Some(n) => Err(Reason::ModesAccumulate {
-            constraint: system.constraints()[n].name,
+            constraint: system.constraints()[n].name.into(),
         }),
         None => Ok(settled),
     }
@@ -78,7 +78,7 @@ pub(crate) fn switch<T: Float, const N: usize>(
     (t, x): (T, &SVector<T, N>),
     (mode, hold): (&Mode, &Hold<T>),
     fired: Witnesses,
-    watch: &Watch<T>,
+    watch: &Watch<T, N>,
     mut pass: impl FnMut(&Passage<T, N>),
 ) -> Settled<T, N> {
     let settling = Settling::new(system, (t, x), watch.gains, &watch.reach);

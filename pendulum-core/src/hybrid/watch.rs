@@ -21,14 +21,14 @@ pub(super) type Ended<T> = (T, Witnesses);
 
 /// What is known of a mode since it began.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Watch<T> {
+pub(crate) struct Watch<T, const N: usize> {
     /// The witnesses that have been positive.
     pub(super) positive: Witnesses,
     /// Whether nothing of the mode has been looked at.
     starts: bool,
     /// How far each constraint has been from its limits since it was held there.
     pub(super) reach: [T; MOST],
-    pub(super) gains: Gains<T>,
+    pub(super) gains: Gains<T, N>,
     /// Where the mode began.
     begun: ForceSizes<T>,
     /// The forces at the end of the last step.
@@ -39,7 +39,7 @@ pub(crate) struct Watch<T> {
     pub(super) sizes: [T; MOST],
 }
 
-impl<T: Float> Watch<T> {
+impl<T: Float, const N: usize> Watch<T, N> {
     pub(crate) fn new() -> Self {
         Self {
             positive: Witnesses::default(),
@@ -54,7 +54,7 @@ impl<T: Float> Watch<T> {
     }
 
     /// Goes on in another mode.
-    pub(crate) fn restart(&mut self, mode: &Mode, gains: Gains<T>, begun: ForceSizes<T>) {
+    pub(crate) fn restart(&mut self, mode: &Mode, gains: Gains<T, N>, begun: ForceSizes<T>) {
         (self.gains, self.begun) = (gains, begun);
         (self.positive, self.starts, self.forces) = (Witnesses::default(), true, None);
         (self.width, self.sizes) = (T::from_f64(f64::INFINITY), [T::default(); MOST]);
@@ -89,7 +89,7 @@ impl<T: Float> Watch<T> {
 
     /// Where the mode ends within a step, but by other witnesses than those that are `disproved`; the work of looking is
     /// counted.
-    pub(crate) fn look<const N: usize>(
+    pub(crate) fn look(
         &mut self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
         dense: &Dense<'_, T, N>,
@@ -103,11 +103,7 @@ impl<T: Float> Watch<T> {
     }
 
     /// Polynomials first, then what is looked at in places up to where these end the mode, then the forces.
-    fn search<const N: usize>(
-        &mut self,
-        step: &StepInMode<'_, T, N>,
-        disproved: Witnesses,
-    ) -> Result<Option<Ended<T>>, Reason> {
+    fn search(&mut self, step: &StepInMode<'_, T, N>, disproved: Witnesses) -> Result<Option<Ended<T>>, Reason> {
         let start = step.place(T::default());
         self.note_reach(step, &start);
         let is_first = core::mem::replace(&mut self.starts, false);
@@ -137,7 +133,7 @@ impl<T: Float> Watch<T> {
 
     /// Where the first of some witnesses of the state ends the mode that are polynomials of the dense output; and those
     /// of which the course is unclear.
-    fn courses<const N: usize>(
+    fn courses(
         &mut self,
         step: &StepInMode<'_, T, N>,
         start: &Place<T>,
@@ -172,12 +168,7 @@ impl<T: Float> Watch<T> {
     }
 
     /// What ends a mode, with all that does so at the same time.
-    fn with_simultaneous<const N: usize>(
-        &self,
-        step: &StepInMode<'_, T, N>,
-        (theta, fired): Ended<T>,
-        live: Witnesses,
-    ) -> Ended<T> {
+    fn with_simultaneous(&self, step: &StepInMode<'_, T, N>, (theta, fired): Ended<T>, live: Witnesses) -> Ended<T> {
         let others = live.and(self.positive).without(fired);
         if others.is_empty() {
             return (theta, fired);
@@ -199,7 +190,7 @@ impl<T: Float> Watch<T> {
     /// by which witnesses: those that fired, or others that pass zero before them, since two that are near to each
     /// other may have come in another order. Farther than [`ABOUT_THE_END`] it is a guess. None where the step shows that
     /// none of those that fired ends it.
-    pub(crate) fn locate<const N: usize>(
+    pub(crate) fn locate(
         &mut self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
         dense: &Dense<'_, T, N>,
@@ -244,7 +235,7 @@ impl<T: Float> Watch<T> {
     }
 
     /// Whether witnesses are positive at the end of a step.
-    pub(crate) fn outlast<const N: usize>(
+    pub(crate) fn outlast(
         &self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
         dense: &Dense<'_, T, N>,
@@ -262,7 +253,7 @@ impl<T: Float> Watch<T> {
     }
 
     /// Within what of its limit the force of what is held may be rounding errors.
-    pub(super) fn noise_of_force<const N: usize>(&self, step: &StepInMode<'_, T, N>, n: usize) -> T {
+    pub(super) fn noise_of_force(&self, step: &StepInMode<'_, T, N>, n: usize) -> T {
         ulps(
             NOISE,
             step.laws[n].sticking.max(self.sizes[n]).max(self.begun.forces[n]),
@@ -270,7 +261,7 @@ impl<T: Float> Watch<T> {
     }
 
     /// Within what of zero some witnesses of the state may be rounding errors; not of what slips for long.
-    fn noise<const N: usize>(&self, step: &StepInMode<'_, T, N>, of: Witnesses) -> Values<T> {
+    fn noise(&self, step: &StepInMode<'_, T, N>, of: Witnesses) -> Values<T> {
         let ends = step.dense.step();
         let mut noise = [[T::default(); 3]; MOST];
         let mut sizes = None;
@@ -295,7 +286,7 @@ impl<T: Float> Watch<T> {
     }
 
     /// Notes how far the constraints are from their limits.
-    pub(super) fn note_reach<const N: usize>(&mut self, step: &StepInMode<'_, T, N>, place: &Place<T>) {
+    pub(super) fn note_reach(&mut self, step: &StepInMode<'_, T, N>, place: &Place<T>) {
         for (n, law) in step.laws.iter().enumerate().take(step.system.constraints().len()) {
             if !step.mode.is_held(n) {
                 note(&mut self.reach[n], nearest(place.value(n), [law.low, law.high]));

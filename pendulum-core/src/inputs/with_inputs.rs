@@ -28,7 +28,7 @@ pub struct WithInputs<S, L, const M: usize> {
 
 #[cfg(feature = "std")]
 impl<S: Shapes<N>, L, const N: usize, const M: usize> Shapes<N> for WithInputs<S, L, M> {
-    fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape> {
+    fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape<'_>> {
         self.system.shapes(t, x)
     }
 }
@@ -122,7 +122,7 @@ where
     }
 
     #[inline(always)]
-    fn layout(&self) -> Option<&'static StateLayout> {
+    fn layout(&self) -> Option<StateLayout<'_>> {
         self.system.layout()
     }
 
@@ -138,12 +138,12 @@ where
     }
 
     #[inline(always)]
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 2])) {
         self.system.margins(t, x, tell);
     }
 
     #[inline]
-    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {
+    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3])) {
         self.system.gaps(t, x, tell);
     }
 
@@ -198,7 +198,7 @@ where
     }
 
     #[inline(always)]
-    fn constraints(&self) -> &'static [Constraint] {
+    fn constraints(&self) -> &[Constraint<'_>] {
         self.system.constraints()
     }
 

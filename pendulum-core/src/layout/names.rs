@@ -8,7 +8,7 @@ use nalgebra::{SVector, Scalar};
 
 use super::{Slot, StateLayout};
 
-impl StateLayout {
+impl StateLayout<'_> {
     /// The names of the components of the state: `theta` is a coordinate, `dot(theta)` its rate, and `o.w`, .. `o.z`
     /// are a quaternion.
     #[must_use]
@@ -41,7 +41,7 @@ impl StateLayout {
     }
 }
 
-impl Slot {
+impl Slot<'_> {
     /// The names of its components with their places in the state.
     fn components(&self) -> impl Iterator<Item = (usize, String)> {
         let name = |stem: String, range: &Range<usize>| {

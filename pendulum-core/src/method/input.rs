@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::error::Reason;
+use crate::error::{Name, Reason};
 use crate::layout::StateLayout;
 use crate::real::Float;
 use crate::system::{System, close, open};
@@ -102,7 +102,9 @@ where
     let mut wrong = open(system, t, x).map(Reason::Open);
     system.margins(t, x, &mut |bodies, [margin, _]| {
         if !margin.is_finite() {
-            wrong = Some(Reason::CannotClose { bodies });
+            wrong = Some(Reason::CannotClose {
+                bodies: bodies.map(Name::from),
+            });
         }
     });
     wrong.map_or(Ok(()), Err)

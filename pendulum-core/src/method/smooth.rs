@@ -101,7 +101,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
 
     /// Takes one step.
     #[inline]
-    pub(super) fn step<S>(&mut self, system: &S, modes: &Modes<T>) -> Result<(), Reason>
+    pub(super) fn step<S>(&mut self, system: &S, modes: &Modes<T, N>) -> Result<(), Reason>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
@@ -119,7 +119,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
     }
 
     #[inline]
-    fn step_on_grid<S>(&mut self, model: (&S, &Modes<T>), mut grid: Grid<T>) -> Result<(), Reason>
+    fn step_on_grid<S>(&mut self, model: (&S, &Modes<T, N>), mut grid: Grid<T>) -> Result<(), Reason>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
@@ -140,7 +140,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
     #[inline]
     fn step_within_tolerance<S>(
         &mut self,
-        model: (&S, &Modes<T>),
+        model: (&S, &Modes<T, N>),
         control: &StepControl<T>,
         mut pace: Pace<T>,
     ) -> Result<(), Reason>
@@ -179,7 +179,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
 
     /// Tries a step to `t_new`, where it arrives at finite numbers: the mean square of its error.
     #[inline]
-    pub(super) fn attempt<S>(&mut self, (system, modes): (&S, &Modes<T>), t_new: T) -> Result<T, Failure>
+    pub(super) fn attempt<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<T, Failure>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
@@ -199,7 +199,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
 
     /// Makes an attempt the last step.
     #[inline]
-    pub(super) fn advance<S>(&mut self, (system, modes): (&S, &Modes<T>), t_new: T) -> Result<(), Failure>
+    pub(super) fn advance<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<(), Failure>
     where
         C: Scheme<S, T, N>,
         S: ?Sized,

@@ -41,7 +41,7 @@ use crate::system::System;
 pub struct Stepper<'s, C, S: ?Sized, T, const N: usize> {
     system: &'s S,
     smooth: Smooth<C, T, N>,
-    modes: Modes<T>,
+    modes: Modes<T, N>,
 }
 
 /// A trajectory within a tolerance, between two steps.
@@ -53,7 +53,7 @@ pub(crate) struct Progress<T, const N: usize> {
     pub(crate) pace: Pace<T>,
     /// The steps so far, rejected ones included.
     pub(crate) steps: usize,
-    pub(crate) modes: Modes<T>,
+    pub(crate) modes: Modes<T, N>,
 }
 
 impl<'s, C, S, T, const N: usize> Stepper<'s, C, S, T, N>

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::error::{AT_TOGGLE, Reason};
+use crate::error::{AT_TOGGLE, Name, Reason};
 use crate::method::scheme::Failure;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
@@ -69,8 +69,13 @@ where
         let may_come = margin + REACH * change < 0.0 || room_to_turn(margin, change) < 0.0;
         if margin < least && (margin < AT_TOGGLE || may_come) {
             let reason = match bodies {
-                [coordinate, ""] => Reason::HalfTurn { coordinate },
-                _ => Reason::Toggle { bodies, margin },
+                [coordinate, ""] => Reason::HalfTurn {
+                    coordinate: coordinate.into(),
+                },
+                _ => Reason::Toggle {
+                    bodies: bodies.map(Name::from),
+                    margin,
+                },
             };
             (found, least) = (reason, margin);
         }

@@ -21,7 +21,7 @@ const MOST: usize = 200;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibria<const N: usize> {
     found: Vec<Equilibrium<N>>,
-    unsearched: Vec<&'static str>,
+    unsearched: Vec<String>,
 }
 
 impl<const N: usize> Equilibria<N> {
@@ -32,7 +32,7 @@ impl<const N: usize> Equilibria<N> {
     /// orientations. Where equilibria are not isolated all are listed but periodic angles: the search ends after 200.
     /// Without a layout the list is empty, and nothing was searched but from the seeds.
     #[must_use]
-    pub fn unsearched(&self) -> &[&'static str] {
+    pub fn unsearched(&self) -> &[String] {
         &self.unsearched
     }
 }
@@ -111,24 +111,24 @@ where
     }
     Ok(Equilibria {
         found,
-        unsearched: beside.unsearched,
+        unsearched: beside.unsearched.into_iter().map(String::from).collect(),
     })
 }
 
 /// Where to search beside equilibria.
-struct Beside<const N: usize> {
-    slots: Vec<&'static Slot>,
+struct Beside<'a, const N: usize> {
+    slots: Vec<&'a Slot<'a>>,
     /// Where the search began.
     from: Vec<SVector<f64, N>>,
     /// The largest length of the first equilibrium, or 1 m.
     length: Option<f64>,
     /// The number of equilibria so far.
     found: usize,
-    unsearched: Vec<&'static str>,
+    unsearched: Vec<&'a str>,
 }
 
-impl<const N: usize> Beside<N> {
-    fn new(system: &(impl System<f64, N> + ?Sized), seeds: &[SVector<f64, N>]) -> Self {
+impl<'a, const N: usize> Beside<'a, N> {
+    fn new(system: &'a (impl System<f64, N> + ?Sized), seeds: &[SVector<f64, N>]) -> Self {
         let slots = system.layout().map_or(&[][..], |layout| layout.slots).iter();
         // what follows from closed loops moves with the rest
         let slots = slots.filter(|slot| !slot.cyclic && !slot.rates.is_empty());

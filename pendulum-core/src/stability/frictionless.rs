@@ -14,14 +14,14 @@ use crate::system::{Jacobian, System};
 /// back to it, so that this is zero only at rest on the limits.
 pub(super) struct Frictionless<'a, const N: usize> {
     system: &'a dyn HybridJacobian<f64, N>,
-    layout: Option<&'static StateLayout>,
+    layout: Option<StateLayout<'a>>,
     mode: Mode,
     hold: Hold<f64>,
 }
 
 impl<'a, const N: usize> Frictionless<'a, N> {
     /// With nothing held; `layout` is that of the system.
-    pub(super) fn new(system: &'a dyn HybridJacobian<f64, N>, layout: Option<&'static StateLayout>) -> Self {
+    pub(super) fn new(system: &'a dyn HybridJacobian<f64, N>, layout: Option<StateLayout<'a>>) -> Self {
         let (mode, hold) = (Mode::default(), Hold::default());
         Self {
             system,
@@ -97,7 +97,7 @@ impl<const N: usize> System<f64, N> for Frictionless<'_, N> {
             .fold(rates, |rates, (_, apart, column)| rates - column * apart)
     }
 
-    fn layout(&self) -> Option<&'static StateLayout> {
+    fn layout(&self) -> Option<StateLayout<'_>> {
         self.layout
     }
 }

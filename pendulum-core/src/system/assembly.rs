@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::error::{LoopGap, NotAssembled};
+use crate::error::{LoopGap, Name, NotAssembled};
 use crate::layout::{SlotKind, StateLayout};
 use crate::real::Float;
 use crate::system::System;
@@ -23,13 +23,13 @@ const TURNED: f64 = 4.0;
 const AGAIN: usize = 2;
 
 /// Reports the gaps of loops as [`System::gaps`] does.
-type Tell<'a, T> = dyn FnMut([&'static str; 2], [T; 3]) + 'a;
+type Tell<'a, T> = dyn FnMut([&str; 2], [T; 3]) + 'a;
 
 /// The state near `x` whose loops are closed, by Newton's method: `corrections` belong to the components at `places`,
 /// and `gaps` reports the gaps that are left.
 pub fn assemble<T: Float, const N: usize, const M: usize>(
     mut x: SVector<T, N>,
-    layout: &StateLayout,
+    layout: StateLayout<'_>,
     places: [usize; M],
     corrections: impl Fn(&SVector<T, N>) -> SVector<T, M>,
     gaps: impl Fn(&SVector<T, N>, &mut Tell<'_, T>),
@@ -87,7 +87,7 @@ where
 }
 
 fn worst<T: Float, const N: usize>(
-    layout: Option<&StateLayout>,
+    layout: Option<StateLayout<'_>>,
     x: &SVector<T, N>,
     gaps: impl FnOnce(&mut Tell<'_, T>),
 ) -> Option<LoopGap> {
@@ -108,7 +108,14 @@ fn worst<T: Float, const N: usize>(
         if let Some((by, allowed, unit)) = open
             && by > most * allowed
         {
-            (found, most) = (Some(LoopGap { bodies, by, unit }), by / allowed);
+            (found, most) = (
+                Some(LoopGap {
+                    bodies: bodies.map(Name::from),
+                    by,
+                    unit,
+                }),
+                by / allowed,
+            );
         }
     });
     found

@@ -28,7 +28,7 @@ pub trait Plant<T: Real, const N: usize> {
 
     /// The constraints of the motion, [`MOST`] of them at most: none by default.
     #[inline(always)]
-    fn constraints(&self) -> &'static [Constraint] {
+    fn constraints(&self) -> &[Constraint<'_>] {
         &[]
     }
 

@@ -471,9 +471,9 @@ impl System<f64, 2> for Spring {
         SVector::from([x[1], force * self.unit - 0.1 * x[1]])
     }
 
-    fn layout(&self) -> Option<&'static StateLayout> {
-        const LAYOUT: StateLayout = StateLayout::new(&[Slot::new("x", SlotKind::Length, 0..1, 1..2)]);
-        Some(&LAYOUT)
+    fn layout(&self) -> Option<StateLayout<'_>> {
+        const LAYOUT: StateLayout<'_> = StateLayout::new(&[Slot::new("x", SlotKind::Length, 0..1, 1..2)]);
+        Some(LAYOUT)
     }
 }
 

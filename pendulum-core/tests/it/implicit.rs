@@ -351,9 +351,9 @@ impl System<f64, 1> for Decay {
         -x
     }
 
-    fn layout(&self) -> Option<&'static StateLayout> {
-        const LAYOUT: StateLayout = StateLayout::new(&[]).autonomous();
-        Some(&LAYOUT)
+    fn layout(&self) -> Option<StateLayout<'_>> {
+        const LAYOUT: StateLayout<'_> = StateLayout::new(&[]).autonomous();
+        Some(LAYOUT)
     }
 }
 

@@ -27,9 +27,9 @@ impl System<f64, 2> for Pendulum {
         SVector::from([x[1], -x[0].sin()])
     }
 
-    fn layout(&self) -> Option<&'static StateLayout> {
-        const LAYOUT: StateLayout = StateLayout::new(&[Slot::angle("q", 0, 1).periodic()]).autonomous();
-        Some(&LAYOUT)
+    fn layout(&self) -> Option<StateLayout<'_>> {
+        const LAYOUT: StateLayout<'_> = StateLayout::new(&[Slot::angle("q", 0, 1).periodic()]).autonomous();
+        Some(LAYOUT)
     }
 }
 

@@ -238,7 +238,7 @@ t29 = t27 + t26 - t27
             ],
         );
         /// What each part of the state is.
-        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+        pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
                         "a",
@@ -397,10 +397,8 @@ t29 = t27 + t26 - t27
             ])
         }
         #[inline]
-        fn layout(
-            &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<BallPendulum>::LAYOUT)
+        fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
+            Some(<BallPendulum>::LAYOUT)
         }
         #[inline]
         fn project(&self, t: T, x: &mut ::pendulum_core::nalgebra::SVector<T, 14>) {
@@ -2015,7 +2013,7 @@ t29 = t27 + t26 - t27
             &self,
             t: f64,
             x: &::pendulum_core::nalgebra::SVector<f64, 14>,
-        ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape> {
+        ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape<'_>> {
             use ::pendulum_core::real::Real as _;
             type T = f64;
             ::pendulum_core::shapes::placed(

@@ -600,7 +600,7 @@ k43 = b*w^2*ny^2*(m1 + m2)
             ],
         );
         /// What each part of the state is.
-        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+        pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
             &[
                 ::pendulum_core::Slot::new(
                         "theta1",
@@ -674,10 +674,8 @@ k43 = b*w^2*ny^2*(m1 + m2)
             ])
         }
         #[inline]
-        fn layout(
-            &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<DrivenPivot>::LAYOUT)
+        fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
+            Some(<DrivenPivot>::LAYOUT)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -925,7 +923,7 @@ k43 = b*w^2*ny^2*(m1 + m2)
             &self,
             t: f64,
             x: &::pendulum_core::nalgebra::SVector<f64, 4>,
-        ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape> {
+        ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape<'_>> {
             use ::pendulum_core::real::Real as _;
             type T = f64;
             ::pendulum_core::shapes::placed(

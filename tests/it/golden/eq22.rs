@@ -476,7 +476,7 @@ k11 = -m*c*d/(inertia + m*c^2)
             ],
         );
         /// What each part of the state is.
-        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+        pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
                             "theta1",
@@ -535,10 +535,8 @@ k11 = -m*c*d/(inertia + m*c^2)
             ])
         }
         #[inline]
-        fn layout(
-            &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<DoublePendulum>::LAYOUT)
+        fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
+            Some(<DoublePendulum>::LAYOUT)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -723,7 +723,7 @@ k36 = -1
             ],
         );
         /// What each part of the state is.
-        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+        pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
                             "theta",
@@ -816,10 +816,8 @@ k36 = -1
             ])
         }
         #[inline]
-        fn layout(
-            &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<FourBar>::LAYOUT)
+        fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
+            Some(<FourBar>::LAYOUT)
         }
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
@@ -827,7 +825,7 @@ k36 = -1
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            tell: &mut dyn FnMut([&'static str; 2], [T; 2]),
+            tell: &mut dyn FnMut([&str; 2], [T; 2]),
         ) {
             let (margins, rates) = self.loop_margins(t, x);
             tell(["coupler", "rocker"], [margins[0], rates[0]]);
@@ -1647,7 +1645,7 @@ k36 = -1
             &self,
             t: f64,
             x: &::pendulum_core::nalgebra::SVector<f64, 2>,
-        ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape> {
+        ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape<'_>> {
             use ::pendulum_core::real::Real as _;
             type T = f64;
             ::pendulum_core::shapes::placed(

@@ -416,7 +416,7 @@ k4 = 1/m
             ],
         );
         /// What each part of the state is.
-        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+        pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
                         "s",
@@ -448,7 +448,7 @@ k4 = 1/m
             ::pendulum_core::nalgebra::SVector::from([qd_s, k4 * (k2 + f0)])
         }
         #[inline]
-        fn constraints(&self) -> &'static [::pendulum_core::hybrid::Constraint] {
+        fn constraints(&self) -> &[::pendulum_core::hybrid::Constraint<'_>] {
             const {
                 &[
                     ::pendulum_core::hybrid::Constraint {
@@ -642,10 +642,8 @@ k4 = 1/m
             )
         }
         #[inline]
-        fn layout(
-            &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<Block>::LAYOUT)
+        fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
+            Some(<Block>::LAYOUT)
         }
         #[inline]
         fn hybrid(

@@ -381,7 +381,7 @@ k8 = -0.5/(1/3*l)
             ],
         );
         /// What each part of the state is.
-        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+        pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
             &[
                 ::pendulum_core::Slot::new(
                     "s",
@@ -533,10 +533,8 @@ k8 = -0.5/(1/3*l)
             ])
         }
         #[inline]
-        fn layout(
-            &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<CartPole>::LAYOUT)
+        fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
+            Some(<CartPole>::LAYOUT)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -562,7 +562,7 @@ k57 = 77343750000000/1998607065841*l^2*k
             ],
         );
         /// What each part of the state is.
-        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+        pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
                             "theta1",
@@ -663,10 +663,8 @@ k57 = 77343750000000/1998607065841*l^2*k
             ])
         }
         #[inline]
-        fn layout(
-            &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<Magnets>::LAYOUT)
+        fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
+            Some(<Magnets>::LAYOUT)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -949,7 +947,7 @@ k57 = 77343750000000/1998607065841*l^2*k
             &self,
             t: f64,
             x: &::pendulum_core::nalgebra::SVector<f64, 4>,
-        ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape> {
+        ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape<'_>> {
             use ::pendulum_core::real::Real as _;
             type T = f64;
             ::pendulum_core::shapes::placed(

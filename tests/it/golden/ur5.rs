@@ -478,7 +478,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             ],
         );
         /// What each part of the state is.
-        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+        pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
                             "q1",
@@ -715,10 +715,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             ])
         }
         #[inline]
-        fn layout(
-            &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<Ur5>::LAYOUT)
+        fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
+            Some(<Ur5>::LAYOUT)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

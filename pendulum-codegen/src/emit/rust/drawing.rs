@@ -24,7 +24,7 @@ impl Items<'_> {
             ::pendulum_core::with_std! {
                 #allowed
                 impl #core::Shapes<#length> for #name {
-                    fn shapes(&self, t: f64, x: &::pendulum_core::nalgebra::SVector<f64, #length>) -> #core::Vec<#core::Shape> {
+                    fn shapes(&self, t: f64, x: &::pendulum_core::nalgebra::SVector<f64, #length>) -> #core::Vec<#core::Shape<'_>> {
                         use ::pendulum_core::real::Real as _;
                         type T = f64;
                         #core::placed(&[#(#outlines),*], &#block)

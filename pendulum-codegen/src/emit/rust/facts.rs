@@ -60,7 +60,7 @@ impl Items<'_> {
                 /// Counted operations of each generated function, in the form that it has and in others.
                 pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(&[#(#costs),*]);
                 /// What each part of the state is.
-                pub const LAYOUT: ::pendulum_core::StateLayout = #layout;
+                pub const LAYOUT: ::pendulum_core::StateLayout<'static> = #layout;
                 /// The equations of motion as text.
                 pub const EQUATIONS: &'static str = #equations;
                 #outputs

@@ -94,7 +94,7 @@ impl Items<'_> {
         let response = self.of_response(response, |values| self.response(values));
         Some(quote! {
             #[inline]
-            fn constraints(&self) -> &'static [#core::Constraint] {
+            fn constraints(&self) -> &[#core::Constraint<'_>] {
                 const { &[#constraints] }
             }
             #[inline]

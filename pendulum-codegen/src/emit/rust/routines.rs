@@ -110,8 +110,8 @@ impl Items<'_> {
         let name = &self.head.name;
         quote! {
             #[inline]
-            fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-                Some(&<#name>::LAYOUT)
+            fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
+                Some(<#name>::LAYOUT)
             }
         }
     }
@@ -140,7 +140,7 @@ impl Items<'_> {
         });
         Some(quote! {
             #inline
-            fn margins(&self, t: T, x: &#vector, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
+            fn margins(&self, t: T, x: &#vector, tell: &mut dyn FnMut([&str; 2], [T; 2])) {
                 let (margins, rates) = self.loop_margins(t, x);
                 #(tell(#loops, [margins[#number], rates[#number]]);)*
                 #of_turns
@@ -157,7 +157,7 @@ impl Items<'_> {
         let number = (0..self.program.open_loops.len()).map(count);
         Some(quote! {
             #[inline]
-            fn gaps(&self, t: T, x: &#vector, tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {
+            fn gaps(&self, t: T, x: &#vector, tell: &mut dyn FnMut([&str; 2], [T; 3])) {
                 let (distances, angles, sizes) = self.loop_gaps(t, x);
                 #(tell(#open, [distances[#number], angles[#number], sizes[#number]]);)*
             }
@@ -318,7 +318,7 @@ impl Items<'_> {
             {
                 ::pendulum_core::system::assemble(
                     near.into_state(),
-                    &<#name>::LAYOUT,
+                    <#name>::LAYOUT,
                     [#(#places),*],
                     |x| self.loop_corrections(t, x),
                     |x, tell| <Self as #of_trait>::gaps(self, t, x, tell),

@@ -153,7 +153,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
                 fn eval(&self, _: T, x: &#vector, _: &[T; #core::MOST]) -> #vector {
                     *x
                 }
-                fn constraints(&self) -> &'static [#core::Constraint] {
+                fn constraints(&self) -> &[#core::Constraint<'_>] {
                     &[]
                 }
                 fn laws(&self) -> [#core::Law<T>; #core::MOST] {
@@ -206,7 +206,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             pub const DOF: usize = #dof;
             pub const COORDINATES: [&'static str; #dof] = [""; #dof];
             pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(&[]);
-            pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(&[]);
+            pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(&[]);
             pub const EQUATIONS: &'static str = "";
             pub const OUTPUTS: [&'static str; 0] = [];
             pub const EVENTS: [&'static str; 0] = [];
@@ -229,12 +229,12 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
                 Ok(Self(::core::marker::PhantomData, params))
             }
-            pub fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            pub fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
                 None
             }
             pub fn project<const N: usize>(&self, _: T, _: &mut #vector) {}
-            pub fn margins<const N: usize>(&self, _: T, _: &#vector, _: &mut dyn FnMut([&'static str; 2], [T; 2])) {}
-            pub fn gaps<const N: usize>(&self, _: T, _: &#vector, _: &mut dyn FnMut([&'static str; 2], [T; 3])) {}
+            pub fn margins<const N: usize>(&self, _: T, _: &#vector, _: &mut dyn FnMut([&str; 2], [T; 2])) {}
+            pub fn gaps<const N: usize>(&self, _: T, _: &#vector, _: &mut dyn FnMut([&str; 2], [T; 3])) {}
             pub fn with_derivative<K #any_length, const M: usize>(self, _: K) -> Self
             where
                 K: ::core::ops::Fn(T, &::pendulum_core::nalgebra::SVector<T, #length>) -> #matrix<T, M, #length>,
@@ -281,7 +281,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
                     &self,
                     _: f64,
                     _: &::pendulum_core::nalgebra::SVector<f64, N>,
-                ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape> {
+                ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape<'_>> {
                     ::core::default::Default::default()
                 }
             }

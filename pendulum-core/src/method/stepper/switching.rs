@@ -105,7 +105,7 @@ where
     }
 
     /// The states within the last step, before it is cut off.
-    fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T>, &mut Statistics) {
+    fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T, N>, &mut Statistics) {
         let coefficients = if self.modes.is_dense {
             self.smooth.scheme.coefficients()
         } else {
@@ -159,7 +159,7 @@ where
         let settled = hybrid::switch(hybrid, (t, &x), (&mode, &hold), fired, &watch, pass);
         self.smooth.statistics.evaluations += 1;
         if let Some(n) = settled.contradiction() {
-            let constraint = hybrid.constraints()[n].name;
+            let constraint = hybrid.constraints()[n].name.into();
             return Err(Reason::ModesAccumulate { constraint });
         }
         let changes = if count < MANY_CHANGES {
@@ -174,7 +174,7 @@ where
             };
             let resolved = T::from_f64(HURRIED_ULPS) * T::EPSILON * t.abs().max(self.smooth.last.h.abs());
             if t - since <= T::from_f64(MANY_CHANGES as f64) * shortest.max(resolved) {
-                let constraint = hybrid.constraints()[fired.first()].name;
+                let constraint = hybrid.constraints()[fired.first()].name.into();
                 return Err(Reason::ModesAccumulate { constraint });
             }
         }
