@@ -589,8 +589,8 @@ pub(crate) enum Operator {
 impl Items {
     /// Whether something may hold the motion: dry friction, a stop, or a wall.
     pub(crate) fn is_hybrid(&self) -> bool {
-        let hinders = |body: &Body| body.fields.dry_friction.is_some() || body.fields.stop.is_some();
-        !self.walls.is_empty() || self.bodies.iter().any(hinders)
+        let is_constrained = |body: &Body| body.fields.dry_friction.is_some() || body.fields.stop.is_some();
+        !self.walls.is_empty() || self.bodies.iter().any(is_constrained)
     }
 
     /// Whether the joint of a body has a motion in which the time stands.

@@ -5,9 +5,9 @@ use nalgebra::{SMatrix, SVector};
 use crate::real::Real;
 
 /// The most constraints of a system.
-pub const MOST: usize = 8;
+pub const MAX_CONSTRAINTS: usize = 8;
 
-/// Something that may hinder a motion: see [`hybrid`](crate::hybrid).
+/// A constraint of a motion, by friction or limits: see [`hybrid`](crate::hybrid).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Constraint<'a> {
     /// What it is called, in messages.
@@ -40,7 +40,7 @@ pub struct Law<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hold<T> {
     /// The forces along the constraints that slip, or that rest only with others; 0 along the rest.
-    pub forces: [T; MOST],
+    pub forces: [T; MAX_CONSTRAINTS],
     /// The constraints whose rates are held at zero, as bits.
     pub held: u8,
     /// Those of them whose forces are solved for. Where these stand still, so do the others of `held`, which depend on
@@ -54,11 +54,11 @@ pub struct Response<T, const N: usize> {
     /// The right-hand side under the forces given.
     pub rates: SVector<T, N>,
     /// The second derivatives of the constraints by the time, under these forces.
-    pub accelerations: [T; MOST],
+    pub accelerations: [T; MAX_CONSTRAINTS],
     /// What a unit of further force along each constraint adds to the right-hand side.
-    pub columns: [SVector<T, N>; MOST],
+    pub columns: [SVector<T, N>; MAX_CONSTRAINTS],
     /// What it adds to the second derivatives: entry `[i][j]` to that of `i` by a force along `j`; symmetric.
-    pub matrix: [[T; MOST]; MOST],
+    pub matrix: [[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
 }
 
 impl<T: Real, const N: usize> Response<T, N> {
@@ -68,9 +68,9 @@ impl<T: Real, const N: usize> Response<T, N> {
         let zero = T::default();
         Self {
             rates,
-            accelerations: [zero; MOST],
-            columns: [SVector::from([zero; N]); MOST],
-            matrix: [[zero; MOST]; MOST],
+            accelerations: [zero; MAX_CONSTRAINTS],
+            columns: [SVector::from([zero; N]); MAX_CONSTRAINTS],
+            matrix: [[zero; MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
         }
     }
 }
@@ -79,9 +79,9 @@ impl<T: Real, const N: usize> Response<T, N> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasureDerivatives<T, const N: usize> {
     /// With respect to the state.
-    pub by_state: [[SVector<T, N>; 2]; MOST],
+    pub by_state: [[SVector<T, N>; 2]; MAX_CONSTRAINTS],
     /// With respect to the time.
-    pub by_time: [[T; 2]; MOST],
+    pub by_time: [[T; 2]; MAX_CONSTRAINTS],
 }
 
 /// A [`Response`] with its derivatives.
@@ -92,9 +92,9 @@ pub struct ResponseDerivative<T, const N: usize> {
     /// The derivative of the right-hand side with respect to the state.
     pub rates: SMatrix<T, N, N>,
     /// Those of the second derivatives of the constraints: a gradient for each.
-    pub accelerations: [SVector<T, N>; MOST],
+    pub accelerations: [SVector<T, N>; MAX_CONSTRAINTS],
     /// The derivative of the right-hand side with respect to the time.
     pub rates_by_time: SVector<T, N>,
     /// Those of the second derivatives of the constraints.
-    pub accelerations_by_time: [T; MOST],
+    pub accelerations_by_time: [T; MAX_CONSTRAINTS],
 }

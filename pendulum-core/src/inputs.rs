@@ -19,7 +19,7 @@ mod with_inputs;
 
 use nalgebra::{SMatrix, SVector};
 
-pub use law::{Generic, InputLaw, Law, LawJacobian};
+pub use law::{ControlLaw, Generic, InputLaw, LawJacobian};
 pub use with_inputs::WithInputs;
 
 use crate::layout::StateLayout;

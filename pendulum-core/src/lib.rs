@@ -83,11 +83,11 @@ pub mod tableau;
 pub mod taylor;
 
 mod constraint;
-mod control;
 #[cfg(feature = "std")]
 mod csv;
 mod linear;
 mod statistics;
+mod step_size;
 
 pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::{Dense, Step};

@@ -5,12 +5,12 @@ use std::fmt;
 
 use nalgebra::SVector;
 
-use crate::control::Tolerance;
 use crate::dense::{Dense, polynomial};
 use crate::error::debug_as_display;
 use crate::event::{Missed, Occurrence};
 use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::real::Float;
+use crate::step_size::Tolerance;
 
 mod below;
 

@@ -22,7 +22,7 @@ pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::constraint::MOST;
+use crate::constraint::MAX_CONSTRAINTS;
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
@@ -219,7 +219,7 @@ pub trait Canonical<T: Real, const N: usize>: System<T, N> {
     /// The same of a [hybrid](crate::hybrid) system, given the forces along its constraints: required of these; `None`,
     /// as by default, for others.
     #[inline(always)]
-    fn hybrid_canonical(&self) -> Option<&dyn PlantCanonical<T, N, Given = [T; MOST]>> {
+    fn hybrid_canonical(&self) -> Option<&dyn PlantCanonical<T, N, Given = [T; MAX_CONSTRAINTS]>> {
         None
     }
 }
@@ -291,7 +291,7 @@ impl<T: Real, S: Canonical<T, N> + ?Sized, const N: usize> Canonical<T, N> for &
     forward! { self => (**self);
         canonical(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
         canonical_jacobian(t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
-        hybrid_canonical() -> Option<&dyn PlantCanonical<T, N, Given = [T; MOST]>>;
+        hybrid_canonical() -> Option<&dyn PlantCanonical<T, N, Given = [T; MAX_CONSTRAINTS]>>;
     }
 }
 

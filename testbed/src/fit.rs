@@ -1,7 +1,7 @@
 //! A trajectory as a sum of the modes of its linearisation.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
-use pendulum_core::stability::{Complex, Mode, Spectrum, StabilityError};
+use pendulum_core::stability::{Complex, Eigenmode, Spectrum, StabilityError};
 
 /// Times with the states there.
 pub type Samples = [(f64, SVector<f64, 4>)];
@@ -10,7 +10,7 @@ pub type Samples = [(f64, SVector<f64, 4>)];
 #[derive(Clone, Debug)]
 pub struct ModalFit {
     /// The modes, one of each complex pair, by rising frequency.
-    pub modes: Vec<Mode<4>>,
+    pub modes: Vec<Eigenmode<4>>,
     /// How much there is of each.
     pub amplitudes: Vec<Complex<f64>>,
 }
@@ -82,7 +82,7 @@ pub fn eigenvalues_of(samples: &Samples) -> Result<Vec<Complex<f64>>, StabilityE
 }
 
 /// One mode of each complex pair, by rising frequency.
-fn swinging(spectrum: &Spectrum<4>) -> Vec<Mode<4>> {
+fn swinging(spectrum: &Spectrum<4>) -> Vec<Eigenmode<4>> {
     let modes = spectrum.modes().iter().copied();
     let mut modes: Vec<_> = modes.filter(|mode| mode.eigenvalue.im > 0.0).collect();
     modes.sort_by(|a, b| {

@@ -2,7 +2,7 @@
 //! what is held stands still, and nothing is beyond its limits.
 
 use nalgebra::SVector;
-use pendulum_core::hybrid::{Constraint, Hybrid, MOST, Status};
+use pendulum_core::hybrid::{Constraint, Hybrid, MAX_CONSTRAINTS, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::{Method, Plant, Reason};
 use testbed::random::{Random, share};
@@ -160,7 +160,7 @@ struct Unanswered;
 
 impl System<f64, 2> for Unanswered {
     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-        self.eval(t, x, &[0.0; MOST])
+        self.eval(t, x, &[0.0; MAX_CONSTRAINTS])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
@@ -169,9 +169,9 @@ impl System<f64, 2> for Unanswered {
 }
 
 impl Plant<f64, 2> for Unanswered {
-    type Given = [f64; MOST];
+    type Given = [f64; MAX_CONSTRAINTS];
 
-    fn eval(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+    fn eval(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> SVector<f64, 2> {
         SVector::from([x[1], forces[0] - 9.81])
     }
 
@@ -184,8 +184,8 @@ impl Plant<f64, 2> for Unanswered {
         }
     }
 
-    fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
-        let mut measures = [[0.0; 2]; MOST];
+    fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MAX_CONSTRAINTS] {
+        let mut measures = [[0.0; 2]; MAX_CONSTRAINTS];
         measures[0] = [x[0], x[1]];
         measures
     }

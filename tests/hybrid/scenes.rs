@@ -4,7 +4,7 @@ use std::array::from_fn;
 
 use nalgebra::SVector;
 use pendulum_core::Slot;
-use pendulum_core::hybrid::{Constraint, Hold, Hybrid, HybridJacobian, InMode, MOST, Mode, Status};
+use pendulum_core::hybrid::{Constraint, Hold, Hybrid, HybridJacobian, InMode, MAX_CONSTRAINTS, Mode, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
 use pendulum_core::stability::equilibrium;
@@ -35,7 +35,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same without what hinders it, and with the same forces from outside.
+    /// The same without constraints, and with the same forces from outside.
     pub Smooth {
         params { m: kg = 0.7, l: m = 0.8 }
         input on_a: N m,
@@ -76,7 +76,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same without what hinders it.
+    /// The same without constraints.
     pub DrivenSmooth {
         params { w: rad/s = 3 }
         input on_s: N,
@@ -113,7 +113,7 @@ fn driven() -> Driven {
 }
 
 /// A time, a state, and forces on some constraints.
-fn places<const N: usize>(count: usize) -> impl Iterator<Item = (f64, SVector<f64, N>, [f64; MOST])> {
+fn places<const N: usize>(count: usize) -> impl Iterator<Item = (f64, SVector<f64, N>, [f64; MAX_CONSTRAINTS])> {
     let mut random = Random::new(5);
     (0..40).map(move |_| {
         let x = SVector::from_fn(|_, _| random.between(-1.5, 1.5));
@@ -270,7 +270,7 @@ where
     S: HybridJacobian<f64, N>,
     D: System<Dual, N> + Hybrid<Dual, N>,
 {
-    let lift = |forces: &[f64; MOST]| forces.map(Dual::from_f64);
+    let lift = |forces: &[f64; MAX_CONSTRAINTS]| forces.map(Dual::from_f64);
     for (t, x, forces) in places(count) {
         let response = model.response(t, &x, &forces);
         assert_all_near(&response.rates, &model.eval(t, &x, &forces), "rates");
@@ -278,14 +278,14 @@ where
         // measures along the motion: rates, and second derivatives
         let moved = along(&x, &response.rates);
         let along_motion = dual.measures(Dual::new(t, 1.0), &moved);
-        for n in 0..MOST {
+        for n in 0..MAX_CONSTRAINTS {
             assert_near(measures[n][1], along_motion[n][0].slope, "rate");
             assert_near(response.accelerations[n], along_motion[n][1].slope, "second derivative");
             let mut more = forces;
             more[n] += 1.0;
             let pushed = model.response(t, &x, &more);
             assert_all_near(&response.columns[n], &(pushed.rates - response.rates), "column");
-            for m in 0..MOST {
+            for m in 0..MAX_CONSTRAINTS {
                 assert_near(
                     response.matrix[m][n],
                     pushed.accelerations[m] - response.accelerations[m],
@@ -298,7 +298,7 @@ where
         }
         let derivative = model.response_derivative(t, &x, &forces);
         assert_all_near(&derivative.response.rates, &response.rates, "rates beside derivatives");
-        for n in 0..MOST {
+        for n in 0..MAX_CONSTRAINTS {
             assert_near(
                 derivative.response.accelerations[n],
                 response.accelerations[n],
@@ -309,7 +309,7 @@ where
                 &response.columns[n],
                 "beside derivatives",
             );
-            for m in 0..MOST {
+            for m in 0..MAX_CONSTRAINTS {
                 assert_near(
                     derivative.response.matrix[n][m],
                     response.matrix[n][m],
@@ -333,7 +333,7 @@ where
                     "derivative of the rates",
                 );
             }
-            for n in 0..MOST {
+            for n in 0..MAX_CONSTRAINTS {
                 near(
                     derivative.accelerations[n][component],
                     theirs.accelerations[n].slope,
@@ -345,7 +345,7 @@ where
         for n in 0..N {
             near(derivative.rates_by_time[n], theirs.rates[n].slope, "by time");
         }
-        for n in 0..MOST {
+        for n in 0..MAX_CONSTRAINTS {
             near(
                 derivative.accelerations_by_time[n],
                 theirs.accelerations[n].slope,
@@ -666,16 +666,14 @@ fn a_friction_of_zero_leaves_no_trace() {
 }
 
 #[test]
-fn equations_say_what_hinders_the_motion() {
+fn equations_list_the_constraints() {
     let lines: Vec<&str> = Dry::EQUATIONS.lines().collect();
     assert!(
         lines.iter().any(|line| line.starts_with("Q[a] = force(a)")),
         "{}",
         Dry::EQUATIONS
     );
-    let at = lines
-        .iter()
-        .position(|line| *line == "and along what hinders the motion");
+    let at = lines.iter().position(|line| *line == "and along the constraints");
     let expected = [
         "force(a): dry friction of mu, at rest up to mu + more",
         "force(b): dry friction of 0.2; stops at -2 and 2.5, restitution 0.3 from a rate of 0.01",

@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use pendulum_codegen::Sources;
 use pendulum_codegen::program::Program;
 use pendulum_core::ParameterError;
-use pendulum_core::hybrid::{Hold, MOST, Response};
+use pendulum_core::hybrid::{Hold, MAX_CONSTRAINTS, Response};
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, Controlled, TaylorSeries};
 use testbed::mechanisms::{Furuta, FurutaParams};
@@ -80,7 +80,7 @@ mechanism! {
 
 mechanism! {
     /// Dry friction and a stop, and a wall that moves.
-    pub Hindered {
+    pub Constrained {
         params { mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
         generate: [rhs, jacobian, energy, canonical, taylor],
@@ -347,11 +347,11 @@ fn coupled_loops_are_the_same() {
 }
 
 #[test]
-fn what_hinders_a_motion_is_the_same() {
-    let model = Hindered::new(HinderedParams::default()).expect("physical");
-    same(OWN, "Hindered", 0.0, |t, x, forces| {
+fn constraints_are_the_same() {
+    let model = Constrained::new(ConstrainedParams::default()).expect("physical");
+    same(OWN, "Constrained", 0.0, |t, x, forces| {
         let x = SVector::<f64, 4>::from_column_slice(x);
-        let forces: [f64; MOST] = from_fn(|n| forces.get(n).copied().unwrap_or(0.0));
+        let forces: [f64; MAX_CONSTRAINTS] = from_fn(|n| forces.get(n).copied().unwrap_or(0.0));
         let mut all = model.eval(t, &x, &forces).as_slice().to_vec();
         let measures = model.measures(t, &x);
         all.extend(

@@ -209,7 +209,7 @@ fn steps_that_are_far_too_long_do_not_converge() {
     assert!(matches!(error.reason, Reason::NoConvergence { .. }), "{error}");
 }
 
-// Scenes in which something hinders the motion
+// Scenes with constraints
 
 mechanism! {
     /// A double pendulum whose joints rebound from stops, and whose tip does from a wall.

@@ -4,7 +4,7 @@
 //! how many agree. `PENDULUM_SEED` is the first seed.
 
 use nalgebra::{DMatrix, DVector, SVector};
-use pendulum_core::hybrid::{Hybrid, MOST};
+use pendulum_core::hybrid::{Hybrid, MAX_CONSTRAINTS};
 use pendulum_core::prelude::*;
 use pendulum_core::stability::transition;
 use pendulum_core::{Canonical, Solution, SolveError, TaylorSeries};
@@ -154,8 +154,10 @@ where
         let [low, high] = [laws[n].low, laws[n].high].map(|limit| limit.map(|limit| (measures[n][0] - limit).abs()));
         low.into_iter().chain(high).fold(f64::INFINITY, f64::min)
     };
-    let closed: Vec<usize> = (0..MOST).filter(|&n| orders.contains(&n) || apart(n) < 1e-12).collect();
-    let response = model.response(impact.t, &impact.before, &[0.0; MOST]);
+    let closed: Vec<usize> = (0..MAX_CONSTRAINTS)
+        .filter(|&n| orders.contains(&n) || apart(n) < 1e-12)
+        .collect();
+    let response = model.response(impact.t, &impact.before, &[0.0; MAX_CONSTRAINTS]);
     let matrix = DMatrix::from_fn(closed.len(), closed.len(), |i, j| response.matrix[closed[i]][closed[j]]);
     let ends = orders.map(|open| {
         let away = if laws[open].low.is_some() { LATER } else { -LATER };

@@ -7,7 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use nalgebra::SVector;
-use pendulum_core::hybrid::{Hybrid, Law, MOST, Mode, Status};
+use pendulum_core::hybrid::{Hybrid, Law, MAX_CONSTRAINTS, Mode, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, TaylorSeries};
 use testbed::random::{Random, each_seed, number};
@@ -123,17 +123,17 @@ pub(crate) fn gap<S: Hybrid<f64, N>, const N: usize>(model: &S, t: f64, x: &SVec
 fn holding<S: Hybrid<f64, N>, const N: usize>(
     model: &S,
     mode: &Mode,
-    laws: &[Law<f64>; MOST],
+    laws: &[Law<f64>; MAX_CONSTRAINTS],
     t: f64,
     x: &SVector<f64, N>,
-) -> Option<[f64; MOST]> {
+) -> Option<[f64; MAX_CONSTRAINTS]> {
     let slipping = std::array::from_fn(|n| match mode.0[n] {
         Status::Forward => -laws[n].slipping,
         Status::Backward => laws[n].slipping,
         _ => 0.0,
     });
     let response = model.response(t, x, &slipping);
-    let held: Vec<usize> = (0..MOST).filter(|&n| mode.is_held(n)).collect();
+    let held: Vec<usize> = (0..MAX_CONSTRAINTS).filter(|&n| mode.is_held(n)).collect();
     let mut rows: Vec<Vec<f64>> = held
         .iter()
         .map(|&n| {
@@ -153,7 +153,7 @@ fn holding<S: Hybrid<f64, N>, const N: usize>(
                 .for_each(|(entry, pivot)| *entry -= factor * pivot);
         }
     }
-    let mut forces = [0.0; MOST];
+    let mut forces = [0.0; MAX_CONSTRAINTS];
     for (n, row) in rows.iter().enumerate() {
         forces[held[n]] = row[held.len()] / row[n];
     }

@@ -44,7 +44,7 @@ pub enum SymbolKind {
     Acceleration(usize),
     /// A value given at each evaluation.
     Input(usize),
-    /// The force along what hinders the motion.
+    /// The force along a constraint.
     Force(usize),
     /// Time.
     Time,

@@ -42,7 +42,7 @@ pub(crate) struct Symbols<'g> {
     pub time: Expr<'g>,
     /// The coefficients of the coordinates, then of their rates.
     pub state: Vec<Expr<'g>>,
-    /// The coefficients of the forces along what hinders the motion.
+    /// The coefficients of the forces along the constraints.
     pub forces: Vec<Expr<'g>>,
     /// The sums of the slots.
     pub sums: Vec<Expr<'g>>,

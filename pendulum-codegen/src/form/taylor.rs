@@ -26,7 +26,7 @@ pub(crate) struct Taylor<'g> {
     /// Of order 0: the right-hand side, then what [`Symbols::kept`] stands for.
     pub start: Vec<Expr<'g>>,
     /// Of order `k`: the right-hand side, then the left sides of all products, then their right sides; after them the
-    /// second derivatives of what hinders the motion, without its forces of this order.
+    /// second derivatives of the constraints, without the forces of this order.
     pub order: Vec<Expr<'g>>,
     /// Operations of one order `k`, without the sums of the products.
     pub operations: Operations,
@@ -43,7 +43,7 @@ impl<'g> Forms<'g> {
     /// The shortest code for the coefficients of the motion.
     pub(crate) fn taylor(&self, model: &Model<'g>) -> Taylor<'g> {
         let mut symbols = Symbols::new(model);
-        let rows = hindered(model);
+        let rows = constraint_accelerations(model);
         let unknowns: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
         let in_flight = model.written_out(&of_coordinates(&self.floating, unknowns.clone()));
         let forms = self.forms.iter().map(|written| (written, &unknowns));
@@ -109,8 +109,8 @@ impl<'g> Unknown<'g> {
     }
 }
 
-/// The second derivatives of what hinders the motion, for the accelerations as symbols.
-fn hindered<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
+/// The second derivatives of the constraints, for the accelerations as symbols.
+fn constraint_accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
     let accelerations: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
     if model.is_hybrid() {
         model.written_out(&Rows::new(model).accelerations(&accelerations))

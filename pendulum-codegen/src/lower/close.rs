@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use proc_macro2::Span;
 
 use super::Lower;
-use super::constraint::hindering;
+use super::constraint::constraints_of;
 use super::expr::Place;
 use super::joint::rotation;
 use super::joint_units::JointUnits;
@@ -123,7 +123,7 @@ impl<'g> Lower<'g> {
             let help = "leave out `canonical`, or let other coordinates depend; explicit methods, `Rodas5P` and `Taylor` keep the loops closed";
             self.errors.at(word.span(), fact, help);
         }
-        if let Some(first) = hindering(items).first() {
+        if let Some(first) = constraints_of(items).first() {
             let fact = "dry friction, stops and walls are not supported in a scene with loops that have no closed form";
             let help = "let other coordinates depend, so that the loops are triangles, or write smooth laws: viscous friction, and a `potential` \
                         in the place of a stop or a wall";

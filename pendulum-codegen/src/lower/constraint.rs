@@ -1,4 +1,4 @@
-//! What hinders the motion: dry friction, stops and walls.
+//! Constraints: dry friction, stops and walls.
 
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
@@ -15,7 +15,7 @@ use crate::error::Reported;
 use crate::expr::{Expr, Level, Printer, SymbolKind};
 use crate::model::{Action, BodyId, Combination, Constraint, Law, Model, Requirement, Rule};
 
-/// How many joints and walls of a scene may hinder its motion: the core keeps a bit for each.
+/// The most constraints of a scene: the core keeps a bit for each.
 const MOST: usize = 8;
 
 /// A wall, before the coordinates of points are known.
@@ -26,8 +26,8 @@ pub(super) struct Wall<'g> {
     law: Law<'g>,
 }
 
-/// What hinders the motion of a scene, as it is written: joints, then walls.
-pub(super) fn hindering(items: &ast::Items) -> Vec<TokenStream> {
+/// The constraints of a scene, as they are written: joints, then walls.
+pub(super) fn constraints_of(items: &ast::Items) -> Vec<TokenStream> {
     // of joints that turn freely it has been refused
     let bodies = items.bodies.iter().filter(|body| freedom(body).is_none());
     let of_joints = bodies.filter_map(|body| {
@@ -39,28 +39,28 @@ pub(super) fn hindering(items: &ast::Items) -> Vec<TokenStream> {
 }
 
 impl<'g> Lower<'g> {
-    /// Refuses more joints and walls that hinder the motion than the core takes, and any in a scene with orientations.
+    /// Refuses more constraints than the core takes, and any in a scene with orientations.
     pub(super) fn check_conditions(&mut self, items: &ast::Items, has_orientations: bool) {
-        let hindering = hindering(items);
-        if let (Some(first), true) = (hindering.first(), has_orientations) {
+        let constraints = constraints_of(items);
+        if let (Some(first), true) = (constraints.first(), has_orientations) {
             let fact = "dry friction, stops and walls are not supported in a scene with ball or free joints";
             let help = "write smooth laws: viscous friction, and a `potential` in the place of a stop or a wall";
             let help = self.left_out(first, help);
             self.errors.on(first, fact, help);
         }
-        if let Some(ninth) = hindering.get(MOST) {
+        if let Some(ninth) = constraints.get(MOST) {
             let fact = format_args!(
-                "{} joints with dry friction or a stop and walls hinder the motion: at most {MOST} in all are possible",
-                hindering.len()
+                "{} joints with dry friction or a stop and walls are declared: at most {MOST} in all are possible",
+                constraints.len()
             );
             let help = self.left_out(ninth, "leave some out, or write smooth laws");
             self.errors.on(ninth, fact, help);
         }
     }
 
-    /// What to do about what hinders the motion; where a file says so, it can be left out as a whole.
-    pub(super) fn left_out(&self, hinders: &TokenStream, help: &str) -> String {
-        if self.errors.is_from_file(hinders) {
+    /// What to do about a constraint; where a file declares it, all can be left out.
+    pub(super) fn left_out(&self, constraint: &TokenStream, help: &str) -> String {
+        if self.errors.is_from_file(constraint) {
             let words = "leave out `limits` behind the path of the robot, or write `without dry_friction` there";
             return format!("{words}; or else {help}");
         }
@@ -78,8 +78,8 @@ impl<'g> Lower<'g> {
         };
         friction?;
         stop?;
-        let hinders = !law.sticking.is_zero() || law.low.is_some();
-        Ok(hinders.then_some(law))
+        let is_constrained = !law.sticking.is_zero() || law.low.is_some();
+        Ok(is_constrained.then_some(law))
     }
 
     fn dry_friction(&mut self, body: &ast::Body, units: JointUnits, law: &mut Law<'g>) -> Result<(), Reported> {
@@ -269,9 +269,9 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// Puts what hinders the motion into a model, with forces that act on it: joints in the order of their bodies, then
+/// Puts constraints into a model, with forces that act on it: joints in the order of their bodies, then
 /// walls.
-pub(super) fn hinder<'g>(model: &mut Model<'g>, walls: Vec<Wall<'g>>) {
+pub(super) fn constrain<'g>(model: &mut Model<'g>, walls: Vec<Wall<'g>>) {
     let graph = model.graph;
     let mut constraints: Vec<Constraint<'g>> = Vec::new();
     let force = |n: usize, name: &str| {

@@ -40,7 +40,7 @@ use crate::expr::{Derivative, Expr, Graph, SymbolKind};
 use crate::model::{BodyId, Coordinate, Dependence, Figure, Model, Poses, Rule, along_motion};
 use crate::screw::Vec3;
 use components::Components;
-use constraint::hinder;
+use constraint::constrain;
 use expr::Place;
 use generate::Has;
 use motion::Motion;
@@ -214,7 +214,7 @@ impl<'g> Lower<'g> {
         self.close(items, &mut model, dependents);
         model.outputs = self.outputs(items, &Poses::new(&model));
         model.events = self.events(&items.events);
-        hinder(&mut model, walls);
+        constrain(&mut model, walls);
         self.require_motion(scene, &model.coordinates);
         self.report_refused_defaults(&items.params, &model.parameters);
         self.report_unused(items);

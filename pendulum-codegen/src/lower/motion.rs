@@ -124,15 +124,16 @@ impl<'g> Lower<'g> {
     ) -> Result<Motion<'g>, Reported> {
         let fields = &body.fields;
         let frictions = [&fields.dry_friction, &fields.static_friction].into_iter().flatten();
-        let mut hindered = frictions
+        let mut constrained = frictions
             .filter(|friction| !is_zero(friction))
             .map(|friction| &friction.tokens);
-        if let Some(hindered) = hindered.next().or(fields.stop.as_ref().map(|stop| &stop.tokens)) {
+        if let Some(constrained) = constrained.next().or(fields.stop.as_ref().map(|stop| &stop.tokens)) {
             let fact = format_args!(
                 "the joint of `{}` follows others, so it has neither dry friction nor stops",
                 body.name
             );
-            self.errors.on(hindered, fact, "give them to a joint that it follows");
+            self.errors
+                .on(constrained, fact, "give them to a joint that it follows");
         }
         let mut sum = Combination::default();
         for &(k, position) in coordinates {

@@ -1,11 +1,11 @@
-//! What hinders the motion: dry friction and stops of joints, and walls.
+//! Constraints: dry friction and stops of joints, and walls.
 
 use num_traits::ToPrimitive;
 
 use super::{Combination, CoordinateId, Model};
 use crate::expr::{Expr, Rational, Unary};
 
-/// Something that hinders the motion: a value that the state determines, with friction against its rate, or limits.
+/// A constraint of the motion: a value that the state determines, with friction against its rate, or limits.
 #[derive(Clone, Debug)]
 pub(crate) struct Constraint<'g> {
     /// The coordinate of a joint, or the name of a wall.
@@ -68,7 +68,7 @@ impl<'g> Constraint<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// Whether anything hinders the motion.
+    /// Whether there are constraints.
     pub(crate) fn is_hybrid(&self) -> bool {
         !self.constraints.is_empty()
     }

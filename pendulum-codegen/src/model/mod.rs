@@ -85,7 +85,7 @@ pub(crate) struct Model<'g> {
     pub points: Vec<Point<'g>>,
     /// What acts on the scene beside its joints.
     pub actions: Vec<Action<'g>>,
-    /// What hinders the motion: joints in the order of their bodies, then walls.
+    /// The constraints: joints in the order of their bodies, then walls.
     pub constraints: Vec<Constraint<'g>>,
     /// Quantities to evaluate.
     pub outputs: Vec<Output<'g>>,

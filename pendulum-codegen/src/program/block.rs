@@ -77,7 +77,7 @@ pub enum Variable {
     Time,
     /// An input.
     Input(usize),
-    /// A force along what hinders the motion.
+    /// A force along a constraint.
     Force(usize),
     /// A constant of the model.
     Constant(usize),
@@ -102,7 +102,7 @@ pub enum Coefficient {
     Sum(usize),
     /// What order 0 has left for all others.
     Kept(usize),
-    /// The coefficient of a force along what hinders the motion.
+    /// The coefficient of a force along a constraint.
     Force(usize),
 }
 

@@ -17,7 +17,7 @@ use rustc_hash::FxHashMap;
 pub use block::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
 pub use drawing::{Drawing, Outline};
-pub use equations::{Equations, Hindrance, Listing, Row, RowKind};
+pub use equations::{ConstraintForce, Equations, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout};
 pub(crate) use output::{functions_of_event, functions_of_output, is_function};
 pub use routine::{Argument, Cost, Routine, Shape};
@@ -72,7 +72,7 @@ pub struct Program {
     pub uncounted: Vec<String>,
     /// The bodies whose joints are driven.
     pub drives: Vec<String>,
-    /// What hinders the motion.
+    /// The constraints.
     pub constraints: Vec<Constraint>,
     /// Of each constraint the friction that slips and that sticks, the restitution and the rate below which there is
     /// none, then the limits that it has.
@@ -98,7 +98,7 @@ pub struct Quantity {
     pub default: Option<f64>,
 }
 
-/// Something that hinders the motion: dry friction and stops of a joint, or a wall.
+/// A constraint: dry friction and stops of a joint, or a wall.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Constraint {
     /// The coordinate of the joint, or the name of the wall.

@@ -57,7 +57,7 @@ pub enum Argument {
     Inputs,
     /// The accelerations of the coordinates.
     Accelerations,
-    /// The forces along what hinders the motion, in a scene where something does.
+    /// The forces along the constraints, in a scene that has some.
     Forces,
 }
 
@@ -87,7 +87,7 @@ pub(crate) enum Length {
     Parameters,
     /// The joints that are driven.
     Drives,
-    /// What hinders the motion.
+    /// The constraints.
     Constraints,
     /// The closed loops.
     Loops,
@@ -111,7 +111,7 @@ pub(super) struct Head {
 }
 
 impl Row {
-    /// Whether it speaks of what hinders the motion.
+    /// Whether it is about constraints.
     pub(super) fn is_of_constraints(&self) -> bool {
         self.shapes.contains(&Vector(Constraints))
     }
@@ -331,7 +331,7 @@ pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "rhs",
         name: "measures",
-        doc: "The values of what hinders the motion, and their rates.",
+        doc: "The values of the constraints, and their rates.",
         arguments: &[],
         shapes: &[Vector(Constraints), Vector(Constraints)],
         wanted: |scene, _| scene.rhs() && scene.model.is_hybrid(),
@@ -340,7 +340,7 @@ pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "rhs",
         name: "response",
-        doc: "The time derivative of the state, the second derivatives of what hinders the motion, \
+        doc: "The time derivative of the state, the second derivatives of the constraints, \
               and what a unit of each force along it adds to the first and to the second.",
         arguments: &[Inputs, Forces],
         shapes: RESPONSE,
@@ -396,7 +396,7 @@ pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "jacobian",
         name: "measure_derivatives",
-        doc: "The derivatives of the values of what hinders the motion, and of their rates, by the state, \
+        doc: "The derivatives of the values of the constraints, and of their rates, by the state, \
               a column for each, and by the time.",
         arguments: &[],
         shapes: &[

@@ -19,8 +19,8 @@ pub struct Series {
     pub kept: usize,
     /// Of order 0: the right-hand side, then what is kept.
     pub start: Block,
-    /// Of order `k`, before the forces along what hinders the motion are known: its second derivatives without those of
-    /// this order, then what `order` reads beside.
+    /// Of order `k`, before the forces along the constraints are known: the second derivatives of the constraints
+    /// without those of this order, then what `order` reads beside.
     pub before: Block,
     /// Of order `k`: the right-hand side, then the left sides of all products, then their right sides.
     pub order: Block,

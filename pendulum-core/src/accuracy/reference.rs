@@ -14,14 +14,14 @@ use crate::system::{IntoState, System};
 ///
 /// It is a function, a computed solution, or some points; [`with_points`](Self::with_points) adds points that are better known.
 pub struct Reference<'a, const N: usize> {
-    curve: Option<Curve<'a, N>>,
+    curve: Option<ReferenceCurve<'a, N>>,
     /// Where the state is known better than by the curve.
     points: Vec<(f64, SVector<f64, N>)>,
     uncertainty: Uncertainty,
 }
 
 /// What is known between points.
-enum Curve<'a, const N: usize> {
+enum ReferenceCurve<'a, const N: usize> {
     Function(Box<dyn Fn(f64) -> SVector<f64, N> + 'a>),
     Solution(Box<Solution<f64, N>>),
 }
@@ -36,7 +36,7 @@ struct Uncertainty {
 impl<'a, const N: usize> Reference<'a, N> {
     /// An exact solution as a function of time. Its uncertainty is taken as 0, though the function rounds.
     pub fn exact(function: impl Fn(f64) -> SVector<f64, N> + 'a) -> Self {
-        Self::along(Curve::Function(Box::new(function)), 0.0)
+        Self::along(ReferenceCurve::Function(Box::new(function)), 0.0)
     }
 
     /// States at some times, for example published ones, with the largest error that their components may have. Nothing is known
@@ -65,7 +65,7 @@ impl<'a, const N: usize> Reference<'a, N> {
         for (t, x) in other.points() {
             uncertainty = uncertainty.max(distance(&best.at(t)?, x));
         }
-        Ok(Self::along(Curve::Solution(Box::new(best)), uncertainty))
+        Ok(Self::along(ReferenceCurve::Solution(Box::new(best)), uncertainty))
     }
 
     /// The solution of [`Vern7`] from the state `x0` at `t0` to `t1` with tolerances of 1e-14, trusted as far as [`Vern9`] agrees.
@@ -99,8 +99,8 @@ impl<'a, const N: usize> Reference<'a, N> {
     #[must_use]
     pub fn at(&self, t: f64) -> Option<SVector<f64, N>> {
         self.point(t).copied().or_else(|| match &self.curve {
-            Some(Curve::Function(function)) => Some(function(t)),
-            Some(Curve::Solution(solution)) => solution.at(t).ok(),
+            Some(ReferenceCurve::Function(function)) => Some(function(t)),
+            Some(ReferenceCurve::Solution(solution)) => solution.at(t).ok(),
             None => None,
         })
     }
@@ -126,7 +126,7 @@ impl<'a, const N: usize> Reference<'a, N> {
         self.curve.is_some()
     }
 
-    fn along(curve: Curve<'a, N>, uncertainty: f64) -> Self {
+    fn along(curve: ReferenceCurve<'a, N>, uncertainty: f64) -> Self {
         Self {
             curve: Some(curve),
             points: Vec::new(),

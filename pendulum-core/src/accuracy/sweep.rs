@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use nalgebra::SVector;
 
-use crate::accuracy::timing::{Work, in_turns};
+use crate::accuracy::timing::{Timer, in_turns};
 use crate::accuracy::{Errors, Failure, Measured, MethodRuns, Problem, Report, Run};
 use crate::ensemble::{Ensemble, EnsembleError};
 use crate::method::Method;
@@ -134,7 +134,7 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
         for (name, trials) in &self.methods {
             let runs = trials.iter().map(|trial| {
                 let outcome = (trial.judge)(problem);
-                (trial, outcome.map(|found| (found, Work::new(|| (trial.run)(problem)))))
+                (trial, outcome.map(|found| (found, Timer::new(|| (trial.run)(problem)))))
             });
             methods.push((name, runs.collect::<Vec<_>>()));
         }
@@ -197,7 +197,7 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
 }
 
 /// What [`Trial::judge`] finds, and the timed work.
-type Timed<'w> = ((Errors, Option<Statistics>), Work<'w>);
+type Timed<'w> = ((Errors, Option<Statistics>), Timer<'w>);
 
 fn finish<S, const N: usize>(trial: &Trial<'_, S, N>, outcome: Result<Timed<'_>, Failure>) -> Run {
     let measured = outcome.map(|((errors, work), mut timed)| {

@@ -6,7 +6,7 @@ use std::time::Instant;
 const LEAST: f64 = 50e-6;
 
 /// Something to time.
-pub(super) struct Work<'a> {
+pub(super) struct Timer<'a> {
     run: Box<dyn Fn() + 'a>,
     /// How often it is run in one measurement.
     repeats: u32,
@@ -14,7 +14,7 @@ pub(super) struct Work<'a> {
     times: Vec<f64>,
 }
 
-impl<'a> Work<'a> {
+impl<'a> Timer<'a> {
     /// Runs it once, so that all is warm, and to see how long it takes.
     pub(super) fn new(run: impl Fn() + 'a) -> Self {
         let start = Instant::now();
@@ -43,7 +43,7 @@ impl<'a> Work<'a> {
 }
 
 /// Times all in turns, so that what disturbs the machine for a while hits all alike.
-pub(super) fn in_turns<'a, 'w: 'a>(works: impl IntoIterator<Item = &'a mut Work<'w>>, rounds: usize) {
+pub(super) fn in_turns<'a, 'w: 'a>(works: impl IntoIterator<Item = &'a mut Timer<'w>>, rounds: usize) {
     let mut works: Vec<_> = works.into_iter().collect();
     for _ in 0..rounds {
         for work in &mut works {

@@ -5,12 +5,12 @@ use nalgebra::SVector;
 
 use super::check::{in_lane, set_lane};
 use super::leave::Leave;
-use super::march::{March, Steps};
+use super::march::{March, Pacing};
 use super::members::Members;
 use super::watch::Watch;
 use super::{InLanes, Stopped, model_of};
 use crate::dense::Step;
-use crate::hybrid::{Hold, Hybrid, Law, MOST, Modes, Status, room};
+use crate::hybrid::{Hold, Hybrid, Law, MAX_CONSTRAINTS, Modes, Status, room};
 use crate::method::{Adaptive, Estimates, Method, OneStep, Progress, StepControl, Stepper};
 use crate::real::lanes::{LaneElement, Lanes};
 use crate::system::{Cast, Plant, System};
@@ -22,7 +22,7 @@ where
     T: LaneElement,
     W: Watch<T, N>,
 {
-    /// Whether all rates that may be hindered are sums of components of the state, so that lanes can tell where they
+    /// Whether the rates of all constraints are sums of components of the state, so that lanes can tell where they
     /// stay away from zero.
     pub(super) fn has_plain_rates(&self) -> bool {
         let model = self.models.first().map(Cast::cast::<T>);
@@ -104,7 +104,7 @@ pub(super) struct AtModes<V: Lanes, const N: usize> {
     /// Those that can go on beside others.
     ready: Vec<(usize, Progress<V::Scalar, N>)>,
     hold: Hold<V>,
-    laws: [Law<V>; MOST],
+    laws: [Law<V>; MAX_CONSTRAINTS],
 }
 
 impl<F, M, V, W, const N: usize> Leave<Adaptive<F>, M, V, W, N> for AtModes<V, N>
@@ -122,7 +122,7 @@ where
             modes: vec![None; V::LANES],
             ready: Vec::new(),
             hold: Hold::default(),
-            laws: [Law::default(); MOST],
+            laws: [Law::default(); MAX_CONSTRAINTS],
         }
     }
 
@@ -132,7 +132,7 @@ where
         march: &mut March<'_, Adaptive<F>, M, V::Scalar, W, N>,
         members: &mut Members<V::Scalar>,
         x: &mut SVector<V, N>,
-        _steps: (&mut Steps<V::Scalar>, &Steps<V::Scalar>),
+        _steps: (&mut Pacing<V::Scalar>, &Pacing<V::Scalar>),
     ) -> bool {
         let mut someone_enters = false;
         for (lane, modes) in self.modes.iter_mut().enumerate() {
@@ -171,10 +171,10 @@ where
         &mut self,
         march: &mut March<'_, Adaptive<F>, M, V::Scalar, W, N>,
         members: &mut Members<V::Scalar>,
-        steps: &Steps<V::Scalar>,
+        steps: &Pacing<V::Scalar>,
         (hybrid, step, terms): (&dyn Hybrid<V, N>, &Step<V, N>, &[SVector<V, N>]),
     ) {
-        let Steps::Controlled(control) = steps else { return };
+        let Pacing::Controlled(control) = steps else { return };
         let zero = V::Scalar::default();
         let (constraints, measures) = (hybrid.constraints(), hybrid.measures(step.t0, &step.x0));
         let room = room((constraints, &self.laws), &measures, terms);

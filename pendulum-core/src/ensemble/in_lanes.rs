@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::check::{first_not_finite, in_lane, set_lane, sum};
 use super::hybrid::AtModes;
 use super::leave::Leave;
-use super::march::{March, Paced, Steps};
+use super::march::{March, Paced, Pacing};
 use super::members::Members;
 use super::watch::{Watch, show_lane};
 use super::{InLanes, MOST_LANES, Stopped, model_of};
@@ -13,8 +13,8 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, InMode};
 use crate::method::{
-    Adaptive, Estimates, Failure, Method, NonFinite, Pace, Scheme, Stalled, StepControl, is_within_tolerance, place,
-    toggle,
+    Adaptive, Estimates, Method, NonFinite, Pace, Scheme, Stalled, StepControl, StepFailure, is_within_tolerance,
+    place, toggle,
 };
 use crate::real::lanes::{Kernel, LaneElement, Lanes};
 use crate::statistics::Statistics;
@@ -44,7 +44,7 @@ where
         march: &mut March<'_, A, M, V::Scalar, W, N>,
         members: &mut Members<V::Scalar>,
         x: &mut SVector<V, N>,
-        steps: (&mut Steps<V::Scalar>, &Steps<V::Scalar>),
+        steps: (&mut Pacing<V::Scalar>, &Pacing<V::Scalar>),
     ) -> bool {
         march.enter(members, x, steps)
     }
@@ -183,7 +183,7 @@ where
         (system, hold): (&F::System<V>, &Hold<V>),
         scheme: &mut F::Stages<V>,
         members: &mut Members<T>,
-        (steps, x): (&Steps<T>, &SVector<V, N>),
+        (steps, x): (&Pacing<T>, &SVector<V, N>),
     ) {
         let (t, work) = (V::from_fn(|lane| members.t[lane]), &mut Statistics::default());
         let enters = |members: &Members<T>, lane: usize| members.steps[lane] == 0;
@@ -264,13 +264,13 @@ where
     fn plan<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,
-        steps: &mut Steps<T>,
+        steps: &mut Pacing<T>,
         x: &SVector<V, N>,
         proposed: Option<V>,
     ) {
         match steps {
-            Steps::Controlled(control) => self.plan_controlled(members, control, x, proposed),
-            Steps::Equal(grid) => members.go_to(grid.next()),
+            Pacing::Controlled(control) => self.plan_controlled(members, control, x, proposed),
+            Pacing::Equal(grid) => members.go_to(grid.next()),
         }
     }
 
@@ -299,16 +299,16 @@ where
     fn judge<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,
-        steps: &Steps<T>,
+        steps: &Pacing<T>,
         x: &SVector<V, N>,
         attempt: Result<V, Stalled>,
         ends: (&SVector<V, N>, Option<&SVector<V, N>>),
     ) {
-        if let Steps::Controlled(control) = steps {
+        if let Pacing::Controlled(control) = steps {
             return self.judge_controlled(members, control, x, attempt, ends);
         }
         for (lane, index) in members.busy(V::LANES) {
-            let outcome = attempt.map_err(Failure::from);
+            let outcome = attempt.map_err(StepFailure::from);
             if let Err(failure) = outcome.and_then(|error| outcome_of(ends, error.lane(lane), lane)) {
                 let h = members.t_new[lane] - members.t[lane];
                 self.stop(members, (lane, index), in_lane(x, lane), failure.reason(h.to_f64()));
@@ -328,7 +328,7 @@ where
     ) {
         let sum = sum(x_new, slope);
         let outcome = |lane| match attempt {
-            Err(stalled) => Err(Failure::from(stalled)),
+            Err(stalled) => Err(StepFailure::from(stalled)),
             Ok(mean_square) if sum.lane(lane).is_finite() => Ok(mean_square.lane(lane)),
             Ok(mean_square) => outcome_of((x_new, slope), mean_square.lane(lane), lane),
         };
@@ -376,12 +376,12 @@ where
         &mut self,
         members: &mut Members<T>,
         x: &mut SVector<V, N>,
-        (steps, start): (&mut Steps<T>, &Steps<T>),
+        (steps, start): (&mut Pacing<T>, &Pacing<T>),
     ) -> bool {
         let pace = match start {
-            Steps::Controlled(control) => control.start(),
-            Steps::Equal(_) if members.busy(V::LANES).next().is_some() => return false,
-            Steps::Equal(grid) => Pace::of_length(grid.h()),
+            Pacing::Controlled(control) => control.start(),
+            Pacing::Equal(_) if members.busy(V::LANES).next().is_some() => return false,
+            Pacing::Equal(grid) => Pace::of_length(grid.h()),
         };
         *steps = *start;
         let mut someone_enters = false;
@@ -422,7 +422,7 @@ where
     /// Begins a trajectory with the derivative at its start: finds a first step, where the method does not propose it.
     fn begin(
         &mut self,
-        steps: &Steps<T>,
+        steps: &Pacing<T>,
         members: &mut Members<T>,
         (lane, index): (usize, usize),
         slope: &SVector<T, N>,
@@ -436,8 +436,8 @@ where
             return members.leave(lane);
         }
         let control = match steps {
-            Steps::Controlled(control) => Some(control),
-            Steps::Equal(_) => None,
+            Pacing::Controlled(control) => Some(control),
+            Pacing::Equal(_) => None,
         };
         if let Some(control) = control
             && const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES }
@@ -488,7 +488,7 @@ fn outcome_of<V: Lanes, const N: usize>(
     (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
     mean_square: V::Scalar,
     lane: usize,
-) -> Result<V::Scalar, Failure> {
+) -> Result<V::Scalar, StepFailure> {
     if mean_square < V::Scalar::default() {
         return Err(Stalled.into());
     }

@@ -2,7 +2,6 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::control::Tolerance;
 use crate::error::Reason;
 use crate::hybrid::Hybrid;
 use crate::layout::StateLayout;
@@ -13,6 +12,7 @@ use crate::method::{
 };
 use crate::real::Real;
 use crate::real::lanes::{LaneElement, Lanes};
+use crate::step_size::Tolerance;
 use crate::system::{Cast, CastJacobian, Jacobian, System};
 use crate::tableau::{RosenbrockMethod, Tableau};
 use crate::taylor::{CastTaylor, HybridSeries, TaylorSeries};

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::march::{March, Steps};
+use super::march::{March, Pacing};
 use super::members::Members;
 use crate::dense::Step;
 use crate::hybrid::{Hold, Hybrid};
@@ -23,7 +23,7 @@ pub(super) trait Leave<A, M, V: Lanes, W, const N: usize> {
         march: &mut March<'_, A, M, V::Scalar, W, N>,
         members: &mut Members<V::Scalar>,
         x: &mut SVector<V, N>,
-        steps: (&mut Steps<V::Scalar>, &Steps<V::Scalar>),
+        steps: (&mut Pacing<V::Scalar>, &Pacing<V::Scalar>),
     ) -> bool;
 
     /// Goes on with those that have entered.
@@ -37,7 +37,7 @@ pub(super) trait Leave<A, M, V: Lanes, W, const N: usize> {
         &mut self,
         _march: &mut March<'_, A, M, V::Scalar, W, N>,
         _members: &mut Members<V::Scalar>,
-        _steps: &Steps<V::Scalar>,
+        _steps: &Pacing<V::Scalar>,
         _step: (&dyn Hybrid<V, N>, &Step<V, N>, &[SVector<V, N>]),
     ) {
     }

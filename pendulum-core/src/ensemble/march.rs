@@ -9,11 +9,11 @@ use nalgebra::SVector;
 use super::together::Together;
 use super::watch::Watch;
 use super::{Stopped, alone};
-use crate::control::Tolerance;
 use crate::error::Reason;
 use crate::method::{Adaptive, Estimates, Fixed, Grid, Method, StepControl};
 use crate::real::Float;
 use crate::real::lanes::{Isa, LaneElement};
+use crate::step_size::Tolerance;
 use crate::system::Cast;
 
 /// Trajectories on their way from the states `x`, which are replaced, by the method `A`.
@@ -72,7 +72,7 @@ impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
 
 /// How long the steps of trajectories are.
 #[derive(Clone, Copy)]
-pub(super) enum Steps<T> {
+pub(super) enum Pacing<T> {
     /// As long as the tolerance of each allows.
     Controlled(StepControl<T>),
     /// From one time of a grid to the next, for all of them.
@@ -103,7 +103,7 @@ pub trait Paced<T: Float> {
     ///
     /// # Errors
     /// As for [`within`](Self::within).
-    fn steps(&self, error_order: usize, span: (T, T)) -> Result<Steps<T>, Reason>;
+    fn steps(&self, error_order: usize, span: (T, T)) -> Result<Pacing<T>, Reason>;
 }
 
 impl<F: Estimates, T: Float> Paced<T> for Adaptive<F> {
@@ -121,9 +121,9 @@ impl<F: Estimates, T: Float> Paced<T> for Adaptive<F> {
         Ok(None)
     }
 
-    fn steps(&self, error_order: usize, span: (T, T)) -> Result<Steps<T>, Reason> {
+    fn steps(&self, error_order: usize, span: (T, T)) -> Result<Pacing<T>, Reason> {
         let control = self.control(self.tolerance()?, error_order, span)?;
-        Ok(Steps::Controlled(control))
+        Ok(Pacing::Controlled(control))
     }
 }
 
@@ -142,8 +142,8 @@ impl<F, T: Float> Paced<T> for Fixed<F> {
         Grid::new(self.h, t0, t1).map(Some)
     }
 
-    fn steps(&self, _error_order: usize, (t0, t1): (T, T)) -> Result<Steps<T>, Reason> {
-        Grid::new(self.h, t0, t1).map(Steps::Equal)
+    fn steps(&self, _error_order: usize, (t0, t1): (T, T)) -> Result<Pacing<T>, Reason> {
+        Grid::new(self.h, t0, t1).map(Pacing::Equal)
     }
 }
 

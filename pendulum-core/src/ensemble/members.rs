@@ -3,11 +3,11 @@
 use nalgebra::SVector;
 
 use super::MOST_LANES;
-use crate::control::PiController;
 use crate::hybrid::Modes;
 use crate::method::{Accepted, Pace, Progress, StepControl};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
+use crate::step_size::PiController;
 
 /// The trajectories in the lanes, each with a time and steps of its own.
 pub(super) struct Members<T> {

@@ -3,7 +3,6 @@
 use nalgebra::SVector;
 
 use super::check::in_lane;
-use crate::control::Tolerance;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::event::Event;
@@ -12,6 +11,7 @@ use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::solution::Observer;
 use crate::statistics::Statistics;
+use crate::step_size::Tolerance;
 use crate::system::System;
 
 /// Who watches the trajectories of an ensemble, each known by its index.

@@ -16,7 +16,7 @@ use super::series::Series;
 use super::settling::Settling;
 use super::switch::finish;
 use super::witness::{Witness, Witnesses};
-use super::{MOST, Response};
+use super::{MAX_CONSTRAINTS, Response};
 use crate::real::Float;
 
 /// Contacts where some of them approach.
@@ -24,9 +24,9 @@ struct Approach<T, const N: usize> {
     /// The approaching ones.
     set: u8,
     /// The rates of all away from their limits, zero where they rest.
-    rates: [T; MOST],
+    rates: [T; MAX_CONSTRAINTS],
     /// The changes of these rates by unit impulses away from the limits.
-    matrix: [[T; MOST]; MOST],
+    matrix: [[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
     response: Response<T, N>,
 }
 
@@ -37,28 +37,28 @@ struct Blow<T> {
     /// Those of them that push.
     pushing: u8,
     /// The impulses away from the limits, and the rates at which those that push leave.
-    impulses: [T; MOST],
-    leaving: [T; MOST],
+    impulses: [T; MAX_CONSTRAINTS],
+    leaving: [T; MAX_CONSTRAINTS],
     /// The fastest rate in the group of each before.
-    fastest: [T; MOST],
+    fastest: [T; MAX_CONSTRAINTS],
 }
 
 impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// The rate of each constraint away from the limit that it touches.
-    fn rates_away(&self) -> [T; MOST] {
+    fn rates_away(&self) -> [T; MAX_CONSTRAINTS] {
         let measures = self.system.measures(self.t, &self.x);
         core::array::from_fn(|n| self.away(n) * measures[n][1])
     }
 
     /// [`rates_away`](Self::rates_away), zero where a constraint rests.
-    fn leaving(&self) -> [T; MOST] {
+    fn leaving(&self) -> [T; MAX_CONSTRAINTS] {
         let mut rates = self.rates_away();
         bits(self.resting).for_each(|n| rates[n] = T::default());
         rates
     }
 
     /// Up to which rates those of contacts may be rounding errors, of their own and of the impacts before.
-    fn noise(&self, response: &Response<T, N>) -> [T; MOST] {
+    fn noise(&self, response: &Response<T, N>) -> [T; MAX_CONSTRAINTS] {
         let sizes = self.sizes();
         let of_first = |n: usize| (self.series.largest * response.matrix[n][n]).sqrt();
         core::array::from_fn(|n| ulps(AT_LIMIT, sizes.rates[n].max(of_first(n))))
@@ -70,7 +70,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         if self.series.is_empty() {
             return next;
         }
-        let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
+        let response = self.system.response(self.t, &self.x, &[T::default(); MAX_CONSTRAINTS]);
         let (leaving, noise) = (self.leaving(), self.noise(&response));
         let touched = self.touched();
         for n in bits(touched).filter(|&n| leaving[n] < -noise[n]) {
@@ -90,7 +90,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         if rates.iter().all(|&rate| rate >= zero) {
             return None;
         }
-        let response = self.system.response(self.t, &self.x, &[zero; MOST]);
+        let response = self.system.response(self.t, &self.x, &[zero; MAX_CONSTRAINTS]);
         let noise = self.noise(&response);
         let set = set_of(bits(self.touched()).filter(|&n| rates[n] < -noise[n]));
         let entry = |n: usize, m: usize| self.away(n) * self.away(m) * response.matrix[n][m];
@@ -140,7 +140,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     }
 
     /// Impulses away from limits as those along the constraints.
-    fn forward(&self, away: &[T; MOST]) -> [T; MOST] {
+    fn forward(&self, away: &[T; MAX_CONSTRAINTS]) -> [T; MAX_CONSTRAINTS] {
         core::array::from_fn(|n| self.away(n) * away[n])
     }
 
@@ -211,7 +211,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     }
 
     /// Changes the rates by impulses along some constraints.
-    pub(super) fn push(&mut self, response: &Response<T, N>, along: u8, impulses: &[T; MOST]) {
+    pub(super) fn push(&mut self, response: &Response<T, N>, along: u8, impulses: &[T; MAX_CONSTRAINTS]) {
         super::held::add(&mut self.x, response, along, impulses);
         for n in bits(along) {
             self.impulses[n] += impulses[n];
@@ -221,7 +221,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
 
 impl<T: Float> Blow<T> {
     fn none() -> Self {
-        let none = [T::default(); MOST];
+        let none = [T::default(); MAX_CONSTRAINTS];
         Self {
             members: 0,
             pushing: 0,

@@ -1,6 +1,6 @@
 //! Small symmetric systems, of which some rows and columns are chosen.
 
-use super::MOST;
+use super::MAX_CONSTRAINTS;
 use super::mode::{bits, set_of};
 use super::resolution::{LAWFUL, UNCOUPLED, ulps};
 use crate::real::{Float, Real};
@@ -12,13 +12,13 @@ const INDEPENDENT: f64 = 1e-10;
 pub(super) struct Factored<T> {
     chosen: u8,
     /// `L` below the diagonal, `1/D` on it.
-    entries: [[T; MOST]; MOST],
+    entries: [[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
 }
 
 impl<T: Real> Factored<T> {
     /// The factors of the chosen rows and columns, which are independent.
     #[inline(always)]
-    pub(super) fn of(matrix: &[[T; MOST]; MOST], chosen: u8) -> Self {
+    pub(super) fn of(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], chosen: u8) -> Self {
         let mut factored = Self::none();
         for row in bits(chosen) {
             factored.push(matrix, row);
@@ -30,13 +30,13 @@ impl<T: Real> Factored<T> {
     pub(super) fn none() -> Self {
         Self {
             chosen: 0,
-            entries: [[T::default(); MOST]; MOST],
+            entries: [[T::default(); MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
         }
     }
 
     /// Adds a row and column, after those before; returns its pivot.
     #[inline(always)]
-    fn push(&mut self, matrix: &[[T; MOST]; MOST], row: usize) -> T {
+    fn push(&mut self, matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], row: usize) -> T {
         let mut pivot = matrix[row][row];
         // u = D l, for each row before
         for j in bits(self.chosen) {
@@ -59,8 +59,8 @@ impl<T: Real> Factored<T> {
 
     /// `-A^-1 b` for the chosen rows, 0 for the others.
     #[inline(always)]
-    pub(super) fn solve_negated(&self, b: &[T; MOST]) -> [T; MOST] {
-        let mut x = [T::default(); MOST];
+    pub(super) fn solve_negated(&self, b: &[T; MAX_CONSTRAINTS]) -> [T; MAX_CONSTRAINTS] {
+        let mut x = [T::default(); MAX_CONSTRAINTS];
         for i in bits(self.chosen) {
             let mut sum = -b[i];
             for k in bits(self.chosen & before(i)) {
@@ -84,10 +84,14 @@ impl<T: Real> Factored<T> {
 
 /// [`Factored::solve_negated`] of a matrix that nothing else is solved with.
 #[inline(always)]
-pub(super) fn solve_negated<T: Real>(matrix: &[[T; MOST]; MOST], chosen: u8, b: &[T; MOST]) -> [T; MOST] {
+pub(super) fn solve_negated<T: Real>(
+    matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
+    chosen: u8,
+    b: &[T; MAX_CONSTRAINTS],
+) -> [T; MAX_CONSTRAINTS] {
     if chosen.is_power_of_two() {
         let row = chosen.trailing_zeros() as usize;
-        let mut x = [T::default(); MOST];
+        let mut x = [T::default(); MAX_CONSTRAINTS];
         x[row] = -b[row] * (T::from_f64(1.0) / matrix[row][row]);
         return x;
     }
@@ -101,7 +105,7 @@ fn before(place: usize) -> u8 {
 }
 
 /// Those of the chosen rows that are independent of the ones before them.
-pub(crate) fn independent<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8) -> u8 {
+pub(crate) fn independent<T: Float>(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], chosen: u8) -> u8 {
     if chosen == 0 {
         return chosen;
     }
@@ -116,12 +120,12 @@ pub(crate) fn independent<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8) -> u
 }
 
 /// Whether a row depends on others, which are independent.
-pub(super) fn depends<T: Float>(matrix: &[[T; MOST]; MOST], row: usize, others: u8) -> bool {
+pub(super) fn depends<T: Float>(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], row: usize, others: u8) -> bool {
     independent(matrix, others | 1 << row).count_ones() == others.count_ones()
 }
 
 /// The parts of a set whose rows have nothing to do with each other, to rounding.
-pub(super) fn groups<T: Float>(matrix: &[[T; MOST]; MOST], set: u8) -> impl Iterator<Item = u8> {
+pub(super) fn groups<T: Float>(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], set: u8) -> impl Iterator<Item = u8> {
     let acts_on = |n: usize, m: usize| {
         let least = ulps(UNCOUPLED, T::from_f64(1.0));
         matrix[n][m] * matrix[n][m] > least * least * matrix[n][n] * matrix[m][m]
@@ -144,11 +148,16 @@ pub(super) fn groups<T: Float>(matrix: &[[T; MOST]; MOST], set: u8) -> impl Iter
 
 /// The impulses `p >= 0` by which rates `w` become `w + A p >= -e w`, each with one of the two equal: those of Newton's
 /// law with one restitution `e`. Rows are those chosen; `A` is symmetric and not negative.
-pub(super) fn impulses<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8, w: &[T; MOST], e: T) -> [T; MOST] {
+pub(super) fn impulses<T: Float>(
+    matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
+    chosen: u8,
+    w: &[T; MAX_CONSTRAINTS],
+    e: T,
+) -> [T; MAX_CONSTRAINTS] {
     let (zero, one) = (T::default(), T::from_f64(1.0));
-    let target: [T; MOST] = core::array::from_fn(|n| (one + e) * w[n]);
+    let target: [T; MAX_CONSTRAINTS] = core::array::from_fn(|n| (one + e) * w[n]);
     let size = bits(chosen).fold(zero, |size: T, n| size.max(w[n].abs()));
-    let mut best = ([zero; MOST], T::from_f64(f64::INFINITY));
+    let mut best = ([zero; MAX_CONSTRAINTS], T::from_f64(f64::INFINITY));
     // all pushing first: mostly it is one
     for set in subsets(chosen) {
         let p = solve_negated(matrix, independent(matrix, set), &target);

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::{Factored, solve_negated};
 use super::mode::bits;
-use super::{Hold, Hybrid, HybridJacobian, MOST, Response};
+use super::{Hold, Hybrid, HybridJacobian, MAX_CONSTRAINTS, Response};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 
@@ -73,7 +73,12 @@ pub(crate) fn time_derivative<T: Lanes, const N: usize>(
 
 /// The right-hand side with what is held, and all forces along the constraints.
 #[inline(always)]
-fn held<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, [T; MOST])
+fn held<S, T, const N: usize>(
+    system: &S,
+    hold: &Hold<T>,
+    t: T,
+    x: &SVector<T, N>,
+) -> (SVector<T, N>, [T; MAX_CONSTRAINTS])
 where
     S: Hybrid<T, N> + ?Sized,
     T: Real,
@@ -88,7 +93,7 @@ where
 
 /// All forces along the constraints, from those that were solved for.
 #[inline(always)]
-fn with_solved<T: Real>(hold: &Hold<T>, forces: &[T; MOST]) -> [T; MOST] {
+fn with_solved<T: Real>(hold: &Hold<T>, forces: &[T; MAX_CONSTRAINTS]) -> [T; MAX_CONSTRAINTS] {
     let mut all = hold.forces;
     for n in bits(hold.solved) {
         all[n] = forces[n];
@@ -102,7 +107,7 @@ fn with_solved<T: Real>(hold: &Hold<T>, forces: &[T; MOST]) -> [T; MOST] {
 /// themselves add at the start: so from what these are without them follows what makes them vanish.
 pub struct HeldSeries<T> {
     /// The forces at the start.
-    pub forces: [T; MOST],
+    pub forces: [T; MAX_CONSTRAINTS],
     held: u8,
     factored: Factored<T>,
 }
@@ -133,7 +138,7 @@ impl<T: Real> HeldSeries<T> {
 
     /// The coefficients of the next order, from those of the constraints' second derivatives without them.
     #[inline(always)]
-    pub fn next(&self, accelerations: &[T; MOST]) -> [T; MOST] {
+    pub fn next(&self, accelerations: &[T; MAX_CONSTRAINTS]) -> [T; MAX_CONSTRAINTS] {
         self.factored.solve_negated(accelerations)
     }
 
@@ -149,7 +154,7 @@ impl<T: Real> HeldSeries<T> {
 
 /// The forces along the constraints in a mode, those of what is held included.
 #[inline(always)]
-pub(crate) fn forces<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> [T; MOST]
+pub(crate) fn forces<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> [T; MAX_CONSTRAINTS]
 where
     S: Hybrid<T, N> + ?Sized,
     T: Real,
@@ -172,7 +177,7 @@ pub(crate) fn pressing<T, const N: usize>(
     hold: &Hold<T>,
     t: T,
     x: &SVector<T, N>,
-) -> [T; MOST]
+) -> [T; MAX_CONSTRAINTS]
 where
     T: Real,
 {
@@ -229,7 +234,7 @@ pub(super) fn add<T: Real, const N: usize>(
     rates: &mut SVector<T, N>,
     response: &Response<T, N>,
     along: u8,
-    forces: &[T; MOST],
+    forces: &[T; MAX_CONSTRAINTS],
 ) {
     for n in bits(along) {
         for component in 0..N {

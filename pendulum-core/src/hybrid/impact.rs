@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::MOST;
+use super::MAX_CONSTRAINTS;
 use crate::real::Float;
 
 /// An impact of a [hybrid](crate::hybrid) system: the rates change at once, at one limit or at several.
@@ -20,7 +20,7 @@ pub struct Impact<T, const N: usize> {
     pub t: T,
     /// The integral of the force along each constraint, positive forward: in N s, for rates in rad/s in N m s. It is 0
     /// along those that take no part.
-    pub impulses: [T; MOST],
+    pub impulses: [T; MAX_CONSTRAINTS],
     /// The state before.
     pub before: SVector<T, N>,
     /// The state after. What has hit a limit is moved to it, so positions may change in their last digits.

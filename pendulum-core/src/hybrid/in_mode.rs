@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::held::{self, pin, pressing, reduced};
 use super::mode::Mode;
 use super::witness::Witnesses;
-use super::{Hold, MOST};
+use super::{Hold, MAX_CONSTRAINTS};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
@@ -54,14 +54,14 @@ impl<S: ?Sized, T: Real> InMode<'_, S, T> {
     not(feature = "std"),
     expect(dead_code, reason = "analyses, which need std, read it")
 )]
-pub struct Passage<T, const N: usize> {
+pub struct ModeSwitch<T, const N: usize> {
     pub(crate) t: T,
     /// The state before, and the mode that ended.
     pub(crate) before: (SVector<T, N>, Mode, Hold<T>),
     /// What ended it.
     pub(crate) fired: Witnesses,
     /// The impulses along the constraints.
-    pub(crate) impulses: [T; MOST],
+    pub(crate) impulses: [T; MAX_CONSTRAINTS],
     /// The state after, and what is held there.
     pub(crate) after: (SVector<T, N>, Hold<T>),
 }

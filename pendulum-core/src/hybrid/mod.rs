@@ -1,10 +1,10 @@
 //! Hybrid systems: dry friction that sticks, stops, and walls.
 //!
-//! What hinders a motion is a [`Constraint`]: a number that the state determines, such as the coordinate of a joint or
-//! the gap to a wall, whose rate may be braked by friction, and which may have limits. In each [`Mode`] (what slips,
-//! what sticks, what touches) the equations are smooth, and methods integrate them as they do others. A mode ends
-//! where a friction force reaches its limit, a rate or a gap passes zero, or a contact would have to pull: that is
-//! found on the dense output, the step ends there, and the next one starts in another mode.
+//! A [`Constraint`] is a number that the state determines, such as the coordinate of a joint or the gap to a wall,
+//! whose rate may be braked by friction, and which may have limits. In each [`Mode`] (what slips, what sticks, what
+//! touches) the equations are smooth, and methods integrate them as they do others. A mode ends where a friction force
+//! reaches its limit, a rate or a gap passes zero, or a contact would have to pull: that is found on the dense output,
+//! the step ends there, and the next one starts in another mode.
 //!
 //! - A rate that reaches zero stays there, exactly, as long as friction can hold it. Which constraints hold and which
 //!   slip is decided for all of them together, so that all forces are within their limits, and what slips does so
@@ -27,7 +27,7 @@
 //!
 //! ```
 //! use pendulum_core::Plant;
-//! use pendulum_core::hybrid::{Constraint, Hybrid, Law, MOST, Response};
+//! use pendulum_core::hybrid::{Constraint, Hybrid, Law, MAX_CONSTRAINTS, Response};
 //! use pendulum_core::prelude::*;
 //!
 //! /// A ball of 1 kg above a floor; the state is the height and its rate.
@@ -35,7 +35,7 @@
 //!
 //! impl System<f64, 2> for Ball {
 //!     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-//!         self.eval(t, x, &[0.0; MOST])
+//!         self.eval(t, x, &[0.0; MAX_CONSTRAINTS])
 //!     }
 //!
 //!     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
@@ -44,9 +44,9 @@
 //! }
 //!
 //! impl Plant<f64, 2> for Ball {
-//!     type Given = [f64; MOST];
+//!     type Given = [f64; MAX_CONSTRAINTS];
 //!
-//!     fn eval(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+//!     fn eval(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> SVector<f64, 2> {
 //!         SVector::from([x[1], forces[0] - 9.81])
 //!     }
 //!
@@ -54,19 +54,19 @@
 //!         const { &[Constraint { name: "floor", rate: &[(1, 1)] }] }
 //!     }
 //!
-//!     fn laws(&self) -> [Law<f64>; MOST] {
-//!         let mut laws = [Law::default(); MOST];
+//!     fn laws(&self) -> [Law<f64>; MAX_CONSTRAINTS] {
+//!         let mut laws = [Law::default(); MAX_CONSTRAINTS];
 //!         laws[0] = Law { low: Some(0.0), restitution: 0.8, ..Law::default() };
 //!         laws
 //!     }
 //!
-//!     fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
-//!         let mut measures = [[0.0; 2]; MOST];
+//!     fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MAX_CONSTRAINTS] {
+//!         let mut measures = [[0.0; 2]; MAX_CONSTRAINTS];
 //!         measures[0] = [x[0], x[1]];
 //!         measures
 //!     }
 //!
-//!     fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
+//!     fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> Response<f64, 2> {
 //!         let mut response = Response::new(self.eval(t, x, forces));
 //!         response.accelerations[0] = response.rates[1];
 //!         response.columns[0] = SVector::from([0.0, 1.0]);
@@ -109,7 +109,7 @@ mod switch;
 mod watch;
 mod witness;
 
-pub use crate::constraint::{Constraint, Hold, Law, MOST, MeasureDerivatives, Response, ResponseDerivative};
+pub use crate::constraint::{Constraint, Hold, Law, MAX_CONSTRAINTS, MeasureDerivatives, Response, ResponseDerivative};
 pub use crate::system::{Hybrid, HybridJacobian, by_sign};
 pub use ambiguity::Ambiguity;
 #[cfg(feature = "std")]
@@ -118,7 +118,7 @@ pub use held::HeldSeries;
 #[cfg(feature = "std")]
 pub(crate) use held::{forces, rhs, rhs_and_jacobian};
 pub use impact::Impact;
-pub use in_mode::{InMode, Passage};
+pub use in_mode::{InMode, ModeSwitch};
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;
 pub use mode::{Mode, Status};

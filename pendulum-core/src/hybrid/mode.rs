@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{Constraint, MOST};
+use super::{Constraint, MAX_CONSTRAINTS};
 
 /// What a constraint does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -49,7 +49,7 @@ impl Status {
 /// What all constraints of a system do, in the order of their declaration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Mode(pub [Status; MOST]);
+pub struct Mode(pub [Status; MAX_CONSTRAINTS]);
 
 impl Mode {
     /// Whether a constraint is held.
@@ -98,6 +98,6 @@ pub(super) fn bits(mut set: u8) -> impl Iterator<Item = usize> + Clone {
     core::iter::from_fn(move || {
         let place = set.trailing_zeros() as usize;
         set &= set.wrapping_sub(1);
-        (place < MOST).then_some(place)
+        (place < MAX_CONSTRAINTS).then_some(place)
     })
 }

@@ -5,9 +5,9 @@ use nalgebra::SVector;
 use super::ambiguity::Ambiguity;
 use super::mode::Mode;
 use super::project::project;
-use super::watch::Watch;
+use super::watch::ModeWatch;
 use super::witness::Witnesses;
-use super::{Hold, MOST};
+use super::{Hold, MAX_CONSTRAINTS};
 use crate::real::Float;
 use crate::system::System;
 
@@ -19,10 +19,10 @@ pub(crate) struct Modes<T, const N: usize> {
     /// From when on it holds.
     pub(crate) from: T,
     /// The impulses along the constraints with which it began.
-    pub(crate) impulses: [T; MOST],
+    pub(crate) impulses: [T; MAX_CONSTRAINTS],
     /// The impacts among these whose order is not known.
     pub(crate) ambiguity: Option<Ambiguity<T>>,
-    pub(crate) watch: Watch<T, N>,
+    pub(crate) watch: ModeWatch<T, N>,
     /// What ended it, where the last step ended.
     pub(crate) fired: Witnesses,
     /// Of the last step, the fraction of what was integrated: less than one where a mode ended.
@@ -40,9 +40,9 @@ impl<T: Float, const N: usize> Modes<T, N> {
             mode: Mode::default(),
             hold: Hold::default(),
             from: t,
-            impulses: [T::default(); MOST],
+            impulses: [T::default(); MAX_CONSTRAINTS],
             ambiguity: None,
-            watch: Watch::new(),
+            watch: ModeWatch::new(),
             fired: Witnesses::default(),
             cut: T::from_f64(1.0),
             is_dense: false,

@@ -5,7 +5,7 @@ use super::mode::{Mode, Status, bits, set_of};
 use super::resolution::{CONSISTENT, ulps};
 use super::settling::Settling;
 use super::sizes::ForceSizes;
-use super::{Hold, MOST, Response};
+use super::{Hold, MAX_CONSTRAINTS, Response};
 use crate::real::Float;
 
 /// What gave way is pushed on by this part of what acts on it: shortly after, it is.
@@ -17,16 +17,16 @@ pub(super) struct Next<T> {
     pub(super) mode: Mode,
     pub(super) hold: Hold<T>,
     /// The accelerations of the constraints.
-    pub(super) accelerations: [T; MOST],
+    pub(super) accelerations: [T; MAX_CONSTRAINTS],
     pub(super) sizes: ForceSizes<T>,
 }
 
 impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// The mode that the rates and accelerations ask for.
     pub(super) fn next_mode(&self) -> Next<T> {
-        let choice = Choice::of(self);
+        let choice = ModeChoice::of(self);
         let consistent = ulps(CONSISTENT, T::from_f64(1.0));
-        let gave_way = set_of((0..MOST).filter(|&n| self.forced[n].is_some()));
+        let gave_way = set_of((0..MAX_CONSTRAINTS).filter(|&n| self.forced[n].is_some()));
         let nothing_held = (choice.mode, choice.holding_nothing());
         let mut best = (T::from_f64(f64::INFINITY), nothing_held, choice.response.accelerations);
         'all: for held in subsets(choice.candidates & !gave_way) {
@@ -75,7 +75,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     }
 
     /// The sizes of the terms that the accelerations of the constraints are sums of.
-    pub(super) fn sizes_of_accelerations(&self, response: &Response<T, N>) -> [T; MOST] {
+    pub(super) fn sizes_of_accelerations(&self, response: &Response<T, N>) -> [T; MAX_CONSTRAINTS] {
         let mut of_accelerations = self.x;
         for k in N / 2..N {
             of_accelerations[k] = response.rates[k];
@@ -85,24 +85,24 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
 }
 
 /// The choice of the next mode.
-struct Choice<'a, 'b, T, const N: usize> {
+struct ModeChoice<'a, 'b, T, const N: usize> {
     of: &'a Settling<'b, T, N>,
     /// The constraints that rest: each may be held, or be about to go.
     candidates: u8,
     /// The statuses of all others, with their forces.
     mode: Mode,
-    forces: [T; MOST],
+    forces: [T; MAX_CONSTRAINTS],
     /// Under these forces.
     response: Response<T, N>,
     /// The sizes of the terms that its accelerations are sums of.
-    sizes: [T; MOST],
+    sizes: [T; MAX_CONSTRAINTS],
 }
 
-impl<'a, 'b, T: Float, const N: usize> Choice<'a, 'b, T, N> {
+impl<'a, 'b, T: Float, const N: usize> ModeChoice<'a, 'b, T, N> {
     fn of(of: &'a Settling<'b, T, N>) -> Self {
         let zero = T::default();
         let measures = of.system.measures(of.t, &of.x);
-        let (mut mode, mut candidates, mut forces) = (Mode::default(), 0, [zero; MOST]);
+        let (mut mode, mut candidates, mut forces) = (Mode::default(), 0, [zero; MAX_CONSTRAINTS]);
         for n in 0..of.system.constraints().len() {
             let rate = measures[n][1];
             let rests = of.resting & 1 << n != 0 || rate == zero;
@@ -156,11 +156,11 @@ impl<'a, 'b, T: Float, const N: usize> Choice<'a, 'b, T, N> {
     }
 
     /// How far a mode is from being consistent, relative to the forces and accelerations at hand; the accelerations.
-    fn violation(&self, mode: &Mode, hold: &Hold<T>) -> (T, [T; MOST]) {
+    fn violation(&self, mode: &Mode, hold: &Hold<T>) -> (T, [T; MAX_CONSTRAINTS]) {
         let zero = T::default();
         let (of, matrix) = (self.of, &self.response.matrix);
         let (mut accelerations, mut sizes) = (self.response.accelerations, self.sizes);
-        let mut under = |accelerations: &mut [T; MOST], forces: &dyn Fn(usize) -> T| {
+        let mut under = |accelerations: &mut [T; MAX_CONSTRAINTS], forces: &dyn Fn(usize) -> T| {
             for n in 0..of.system.constraints().len() {
                 for m in bits(self.candidates) {
                     let change = matrix[n][m] * forces(m);

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::Constraint;
 use super::witness::Witness;
 #[cfg(feature = "std")]
-use super::{Law, MOST};
+use super::{Law, MAX_CONSTRAINTS};
 use crate::method::{MAX_DEGREE, root};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
@@ -26,12 +26,12 @@ const MANY: usize = MAX_ORDER + 1;
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(crate) fn room<V: Lanes, const N: usize>(
-    (constraints, laws): (&[Constraint], &[Law<V>; MOST]),
-    measures: &[[V; 2]; MOST],
+    (constraints, laws): (&[Constraint], &[Law<V>; MAX_CONSTRAINTS]),
+    measures: &[[V; 2]; MAX_CONSTRAINTS],
     terms: &[SVector<V, N>],
-) -> [[V; 2]; MOST] {
+) -> [[V; 2]; MAX_CONSTRAINTS] {
     let one = V::from_f64(1.0);
-    let mut room = [[one; 2]; MOST];
+    let mut room = [[one; 2]; MAX_CONSTRAINTS];
     for (n, constraint) in constraints.iter().enumerate() {
         let [value, rate] = measures[n];
         // no closures, which need not be inlined

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::complementarity::{independent, solve_negated};
 use super::held::pin;
 use super::mode::{Status, bits, set_of};
-use super::{Hold, Hybrid, Law, MOST, Response};
+use super::{Hold, Hybrid, Law, MAX_CONSTRAINTS, Response};
 use crate::real::Float;
 
 /// Moves a state to where it is held: each rate to zero, and to its limit the position of whatever is `touching` one, be
@@ -13,7 +13,7 @@ use crate::real::Float;
 pub(crate) fn project<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     hold: &Hold<T>,
-    touching: &[Status; MOST],
+    touching: &[Status; MAX_CONSTRAINTS],
     t: T,
     x: &mut SVector<T, N>,
 ) {
@@ -24,7 +24,7 @@ pub(crate) fn project<T: Float, const N: usize>(
     }
     let laws = system.laws();
     let response = system.response(t, x, &hold.forces);
-    let touched = set_of((0..MOST).filter(|&n| touching[n].touches()));
+    let touched = set_of((0..MAX_CONSTRAINTS).filter(|&n| touching[n].touches()));
     let placed = if touched & !hold.held == 0 {
         hold.solved
     } else {
@@ -42,10 +42,10 @@ pub(crate) fn project<T: Float, const N: usize>(
 
 /// How far from its limit each constraint is that touches one.
 pub(crate) fn apart<T: Float>(
-    laws: &[Law<T>; MOST],
-    touching: &[Status; MOST],
-    measures: &[[T; 2]; MOST],
-) -> [T; MOST] {
+    laws: &[Law<T>; MAX_CONSTRAINTS],
+    touching: &[Status; MAX_CONSTRAINTS],
+    measures: &[[T; 2]; MAX_CONSTRAINTS],
+) -> [T; MAX_CONSTRAINTS] {
     core::array::from_fn(|n| {
         let limit = match touching[n] {
             Status::Low => laws[n].low,
@@ -59,7 +59,7 @@ pub(crate) fn apart<T: Float>(
 /// Moves coordinates to the limits that they touch, to the last bit.
 pub(crate) fn place_coordinates<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
-    touching: &[Status; MOST],
+    touching: &[Status; MAX_CONSTRAINTS],
     t: T,
     x: &mut SVector<T, N>,
 ) {
@@ -78,7 +78,7 @@ pub(super) fn shift<T: Float, const N: usize>(
     before: usize,
     response: &Response<T, N>,
     solved: u8,
-    surplus: &[T; MOST],
+    surplus: &[T; MAX_CONSTRAINTS],
 ) {
     let moves = solve_negated(&response.matrix, solved, surplus);
     for n in bits(solved) {

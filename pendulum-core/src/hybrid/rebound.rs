@@ -1,6 +1,6 @@
 //! Rebounds that are too low to be followed: they end at once, after the time for which they would last.
 
-use super::MOST;
+use super::MAX_CONSTRAINTS;
 use super::complementarity::{independent, solve_negated};
 use super::held::rhs;
 use super::mode::{Status, bits, set_of};
@@ -58,7 +58,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// Stops some constraints that touch their limits, together with all that rests there.
     pub(super) fn halt(&mut self, low: u8) {
         self.resting |= low;
-        let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
+        let response = self.system.response(self.t, &self.x, &[T::default(); MAX_CONSTRAINTS]);
         let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
         let solved = independent(&response.matrix, self.resting & self.touched());
         let impulses = solve_negated(&response.matrix, solved, &rates);
@@ -66,9 +66,13 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     }
 
     /// How those of some constraints rebound that fall back.
-    fn rebounds(&self, of: u8, accelerations: &[T; MOST]) -> impl Iterator<Item = Rebound<T>> + Clone + use<T, N> {
+    fn rebounds(
+        &self,
+        of: u8,
+        accelerations: &[T; MAX_CONSTRAINTS],
+    ) -> impl Iterator<Item = Rebound<T>> + Clone + use<T, N> {
         let measures = self.system.measures(self.t, &self.x);
-        let motions: [_; MOST] =
+        let motions: [_; MAX_CONSTRAINTS] =
             core::array::from_fn(|n| (self.away(n) * measures[n][1], -self.away(n) * accelerations[n]));
         bits(of).filter_map(move |n| {
             let (rate, fall) = motions[n];
@@ -77,7 +81,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     }
 
     /// The constraints that leave their limits in rebounds too low to be followed.
-    pub(super) fn low_rebounds(&self, accelerations: &[T; MOST]) -> u8 {
+    pub(super) fn low_rebounds(&self, accelerations: &[T; MAX_CONSTRAINTS]) -> u8 {
         let leaving = self.touched() & !self.resting;
         if leaving == 0 {
             return 0;
@@ -133,7 +137,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     fn stops(&self, next: &Next<T>) -> impl Iterator<Item = (T, End)> {
         let measures = self.system.measures(self.t, &self.x);
         let slips = |status: Status| matches!(status, Status::Forward | Status::Backward);
-        let slipping = (0..MOST).filter(move |&n| slips(next.mode.0[n]));
+        let slipping = (0..MAX_CONSTRAINTS).filter(move |&n| slips(next.mode.0[n]));
         slipping.filter_map(move |n| {
             let time = -measures[n][1] / next.accelerations[n];
             (time > T::default()).then_some((time, End::Stop(n)))
@@ -161,7 +165,7 @@ struct Flight<'a, T, const N: usize> {
     next: Next<T>,
     /// The constraints that are above their limits, and how far.
     flying: u8,
-    heights: [T; MOST],
+    heights: [T; MAX_CONSTRAINTS],
     lasted: T,
 }
 
@@ -174,7 +178,7 @@ impl<'a, T: Float, const N: usize> Flight<'a, T, N> {
             now,
             next,
             flying,
-            heights: [T::default(); MOST],
+            heights: [T::default(); MAX_CONSTRAINTS],
             lasted: T::default(),
         }
     }

@@ -7,7 +7,7 @@ use super::held::{forces, pin, rhs};
 use super::mode::{Mode, bits, set_of};
 use super::resolution::{CONSISTENT, ulps};
 use super::witness::{Witness, Witnesses};
-use super::{Hold, HybridJacobian, MOST, Passage};
+use super::{Hold, HybridJacobian, MAX_CONSTRAINTS, ModeSwitch};
 use crate::linear::image;
 use crate::real::Float;
 
@@ -19,9 +19,9 @@ use crate::real::Float;
 /// of the first.
 pub(crate) fn saltation<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
-    passage: &Passage<T, N>,
+    passage: &ModeSwitch<T, N>,
 ) -> SMatrix<T, N, N> {
-    let Passage {
+    let ModeSwitch {
         t,
         before: (x, mode, hold),
         fired,
@@ -68,8 +68,8 @@ pub(crate) fn hold_tangents<T: Float, const N: usize>(
     let measures = system.measure_derivatives(t, x);
     let response = system.response(t, x, &hold.forces);
     let factored = Factored::of(&response.matrix, hold.solved);
-    let take_off = |tangent: &mut SVector<T, N>, which: usize, held: u8, along: &[SVector<T, N>; MOST]| {
-        let mut moving = [T::default(); MOST];
+    let take_off = |tangent: &mut SVector<T, N>, which: usize, held: u8, along: &[SVector<T, N>; MAX_CONSTRAINTS]| {
+        let mut moving = [T::default(); MAX_CONSTRAINTS];
         for n in bits(held) {
             let slope = &measures.by_state[n][which];
             moving[n] = (0..N).fold(T::default(), |sum, i| sum + slope[i] * tangent[i]);
@@ -83,7 +83,7 @@ pub(crate) fn hold_tangents<T: Float, const N: usize>(
     };
     // places first: rates depend on them
     if pressed != 0 {
-        let free = system.response_derivative(t, x, &[T::default(); MOST]);
+        let free = system.response_derivative(t, x, &[T::default(); MAX_CONSTRAINTS]);
         let mut brackets = response.columns;
         for n in bits(hold.solved) {
             let unit = core::array::from_fn(|m| T::from_f64(f64::from(u8::from(m == n))));
@@ -108,20 +108,20 @@ const AT_REST: f64 = 1e-10;
 /// The derivatives of the state after a jump with respect to that before, and to the time.
 fn jump<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
-    passage: &Passage<T, N>,
+    passage: &ModeSwitch<T, N>,
 ) -> (SMatrix<T, N, N>, SVector<T, N>) {
     let zero = T::default();
     let (t, x, impulses) = (passage.t, &passage.before.0, &passage.impulses);
     let mut by_state = SMatrix::from_fn(|i, j| T::from_f64(f64::from(u8::from(i == j))));
     let mut by_time = SVector::from_element(zero);
-    let hit = set_of((0..MOST).filter(|&n| impulses[n] != zero));
+    let hit = set_of((0..MAX_CONSTRAINTS).filter(|&n| impulses[n] != zero));
     if hit == 0 {
         return (by_state, by_time);
     }
     // what impulses do is linear in them: as forces they show how it depends on the state
     let (under, free) = (
         system.response_derivative(t, x, impulses),
-        system.response_derivative(t, x, &[zero; MOST]),
+        system.response_derivative(t, x, &[zero; MAX_CONSTRAINTS]),
     );
     let measures = system.measure_derivatives(t, x);
     let (rates, after) = (system.measures(t, x), system.measures(t, &passage.after.0));
@@ -136,7 +136,7 @@ fn jump<T: Float, const N: usize>(
     };
     let factored = Factored::of(&under.response.matrix, hit);
     let column = |of_matrix: SVector<T, N>, of_rates: &dyn Fn(usize) -> T, of_accelerations: &dyn Fn(usize) -> T| {
-        let asked: [T; MOST] = core::array::from_fn(|n| taken(n) * of_rates(n) + of_accelerations(n));
+        let asked: [T; MAX_CONSTRAINTS] = core::array::from_fn(|n| taken(n) * of_rates(n) + of_accelerations(n));
         let changes = factored.solve_negated(&asked);
         bits(hit).fold(of_matrix, |sum, n| sum + under.response.columns[n] * changes[n])
     };
@@ -168,7 +168,7 @@ fn first<T: Float, const N: usize>(
     if mode.is_held(n) {
         let derivative = system.response_derivative(t, x, &forces(system, hold, t, x));
         let factored = Factored::of(&derivative.response.matrix, hold.solved);
-        let of = |slopes: &[T; MOST]| factored.solve_negated(slopes)[n];
+        let of = |slopes: &[T; MAX_CONSTRAINTS]| factored.solve_negated(slopes)[n];
         let gradient = SVector::from_fn(|j, _| of(&derivative.accelerations.map(|gradient| gradient[j])));
         return (gradient, of(&derivative.accelerations_by_time));
     }

@@ -1,9 +1,9 @@
 //! The search for witnesses in places of a step: those that are not polynomials of the dense output, or start at zero.
 
-use super::MOST;
+use super::MAX_CONSTRAINTS;
 use super::mode::bits;
 use super::step::{Place, StepInMode};
-use super::watch::{Ended, Watch, sooner};
+use super::watch::{Ended, ModeWatch, sooner};
 use super::witness::{Values, Witness, Witnesses};
 use crate::error::Reason;
 use crate::method::{dip, first_zero, places, root, unseen_bend};
@@ -14,7 +14,7 @@ const MOST_BEND: f64 = 0.25;
 /// But not in more places of a step.
 const MOST_FORCES: usize = 1 << 10;
 
-impl<T: Float, const N: usize> Watch<T, N> {
+impl<T: Float, const N: usize> ModeWatch<T, N> {
     /// Where the first of some witnesses of the state ends the mode, up to where others do.
     pub(super) fn sample_states(
         &mut self,
@@ -27,7 +27,7 @@ impl<T: Float, const N: usize> Watch<T, N> {
             return Ok(ended);
         }
         let positive = self.positive;
-        let mut bends = [T::default(); MOST];
+        let mut bends = [T::default(); MAX_CONSTRAINTS];
         let found = self.pass(step, start, (live, noise), &mut bends, ended)?;
         // what moves by itself may do so faster than could be seen up to there
         if let Some((_, fired)) = found
@@ -45,7 +45,7 @@ impl<T: Float, const N: usize> Watch<T, N> {
         step: &StepInMode<'_, T, N>,
         (start, is_first): (&Place<T>, bool),
         (live, noise): (Witnesses, &Values<T>),
-        bends: &mut [T; MOST],
+        bends: &mut [T; MAX_CONSTRAINTS],
         ended: Option<Ended<T>>,
     ) -> Result<Option<Ended<T>>, Reason> {
         let to = ended.map_or(T::from_f64(1.0), |(theta, _)| theta);
@@ -132,13 +132,13 @@ impl<T: Float, const N: usize> Watch<T, N> {
     fn pass_forces(
         &mut self,
         step: &StepInMode<'_, T, N>,
-        (start, count): (&[T; MOST], usize),
+        (start, count): (&[T; MAX_CONSTRAINTS], usize),
         live: Witnesses,
         ended: Option<Ended<T>>,
     ) -> Result<(Option<Ended<T>>, T), Reason> {
         let to = ended.map_or(T::from_f64(1.0), |(theta, _)| theta);
-        let (mut earlier, mut last): (Option<(T, [T; MOST])>, _) = (None, (T::default(), *start));
-        let mut noise = [T::default(); MOST];
+        let (mut earlier, mut last): (Option<(T, [T; MAX_CONSTRAINTS])>, _) = (None, (T::default(), *start));
+        let mut noise = [T::default(); MAX_CONSTRAINTS];
         bits(step.hold.held).for_each(|n| noise[n] = self.noise_of_force(step, n));
         let mut bend = T::default();
         for nth in 1..=count {
@@ -157,7 +157,7 @@ impl<T: Float, const N: usize> Watch<T, N> {
             for (n, witness) in live.pairs() {
                 let noise = noise[n];
                 let margin = |theta| step.margin(&step.forces(theta), (n, witness));
-                let at = |(theta, forces): &(T, [T; MOST])| (*theta, step.margin(forces, (n, witness)));
+                let at = |(theta, forces): &(T, [T; MAX_CONSTRAINTS])| (*theta, step.margin(forces, (n, witness)));
                 let (before, after) = (at(&last), at(&here));
                 step.number(theta, n, after.1)?;
                 let place = if self.positive.has(n, witness) {
@@ -183,7 +183,7 @@ impl<T: Float, const N: usize> Watch<T, N> {
     }
 
     /// How much the forces of what is held bend between three places in equal distances, relative to their sizes.
-    fn bend(&self, step: &StepInMode<'_, T, N>, [first, middle, last]: [&[T; MOST]; 3]) -> T {
+    fn bend(&self, step: &StepInMode<'_, T, N>, [first, middle, last]: [&[T; MAX_CONSTRAINTS]; 3]) -> T {
         let mut most = T::default();
         for n in bits(step.hold.held) {
             let size = step.laws[n].sticking.max(self.sizes[n]);
@@ -202,7 +202,7 @@ fn look_ahead<T: Float, const N: usize>(
     step: &StepInMode<'_, T, N>,
     start: &Place<T>,
     (fired, noise): (Witnesses, &Values<T>),
-    bends: &mut [T; MOST],
+    bends: &mut [T; MAX_CONSTRAINTS],
 ) -> bool {
     let moves = |&(n, witness): &(usize, Witness)| witness.is_gap() && step.moves_by_itself(n);
     let mut finds = false;

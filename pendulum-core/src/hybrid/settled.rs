@@ -6,7 +6,7 @@ use super::mode::Mode;
 use super::series::Series;
 use super::sizes::{ForceSizes, Gains};
 use super::witness::Witnesses;
-use super::{Hold, MOST};
+use super::{Hold, MAX_CONSTRAINTS};
 use crate::real::Float;
 
 /// The state and the mode from which to go on.
@@ -18,7 +18,7 @@ pub(crate) struct Settled<T, const N: usize> {
     /// Duration of the rebounds that are not followed.
     pub(crate) delay: T,
     /// The impulses along the constraints.
-    pub(crate) impulses: [T; MOST],
+    pub(crate) impulses: [T; MAX_CONSTRAINTS],
     pub(crate) gains: Gains<T, N>,
     pub(crate) sizes: ForceSizes<T>,
     /// The impacts so far, and the contacts that approach again: theirs follow at once.

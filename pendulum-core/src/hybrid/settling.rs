@@ -10,27 +10,27 @@ use super::resolution::{AT_LIMIT, ulps};
 use super::series::Series;
 use super::settled::Settled;
 use super::sizes::{Gains, Sizes};
-use super::{Hybrid, Law, MOST};
+use super::{Hybrid, Law, MAX_CONSTRAINTS};
 use crate::real::Float;
 
 /// A state on its way to the next mode.
 #[derive(Clone, Copy)]
 pub(super) struct Settling<'a, T, const N: usize> {
     pub(super) system: &'a dyn Hybrid<T, N>,
-    pub(super) laws: [Law<T>; MOST],
+    pub(super) laws: [Law<T>; MAX_CONSTRAINTS],
     pub(super) t: T,
     pub(super) x: SVector<T, N>,
     /// The limits that constraints touch: `Low`, `High`, or else `Free`.
-    pub(super) touching: [Status; MOST],
+    pub(super) touching: [Status; MAX_CONSTRAINTS],
     /// The constraints whose rates are zero.
     pub(super) resting: u8,
     /// What those must do that gave way.
-    pub(super) forced: [Option<Status>; MOST],
+    pub(super) forced: [Option<Status>; MAX_CONSTRAINTS],
     /// The impulses so far.
-    pub(super) impulses: [T; MOST],
+    pub(super) impulses: [T; MAX_CONSTRAINTS],
     pub(super) gains: Gains<T, N>,
     /// How far each constraint has been from its limits since it was held there.
-    pub(super) reach: [T; MOST],
+    pub(super) reach: [T; MAX_CONSTRAINTS],
     /// The impacts so far.
     pub(super) series: Series<T, N>,
     /// The contacts that may collide first, where their order is given.
@@ -42,17 +42,17 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         system: &'a dyn Hybrid<T, N>,
         (t, x): (T, &SVector<T, N>),
         gains: Gains<T, N>,
-        reach: &[T; MOST],
+        reach: &[T; MAX_CONSTRAINTS],
     ) -> Self {
         Self {
             system,
             laws: system.laws(),
             t,
             x: *x,
-            touching: [Status::Free; MOST],
+            touching: [Status::Free; MAX_CONSTRAINTS],
             resting: 0,
-            forced: [None; MOST],
-            impulses: [T::default(); MOST],
+            forced: [None; MAX_CONSTRAINTS],
+            impulses: [T::default(); MAX_CONSTRAINTS],
             gains,
             reach: *reach,
             series: Series::none(),
@@ -61,7 +61,12 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
     }
 
     /// After impacts that others follow at once.
-    pub(super) fn after(system: &'a dyn Hybrid<T, N>, t: T, settled: &Settled<T, N>, reach: &[T; MOST]) -> Self {
+    pub(super) fn after(
+        system: &'a dyn Hybrid<T, N>,
+        t: T,
+        settled: &Settled<T, N>,
+        reach: &[T; MAX_CONSTRAINTS],
+    ) -> Self {
         Self {
             series: settled.series,
             ..Self::new(system, (t, &settled.x), settled.gains, reach)
@@ -81,7 +86,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
     pub(super) fn distances(
         &self,
         n: usize,
-        measures: &[[T; 2]; MOST],
+        measures: &[[T; 2]; MAX_CONSTRAINTS],
     ) -> impl Iterator<Item = (T, T, Status)> + use<T, N> {
         let (law, value) = (&self.laws[n], measures[n][0]);
         let low = law.low.map(|low| (value - low, low, Status::Low));
@@ -136,14 +141,14 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
 
     /// The constraints that touch a limit.
     pub(super) fn touched(&self) -> u8 {
-        set_of((0..MOST).filter(|&n| self.touching[n].touches()))
+        set_of((0..MAX_CONSTRAINTS).filter(|&n| self.touching[n].touches()))
     }
 
     /// Moves what touches a limit to it, coordinates to the last bit; what rests stays.
     fn place_at_limits(&mut self) {
         let constraints = self.system.constraints();
         if bits(self.touched()).any(|n| constraints[n].rate.is_empty()) {
-            let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
+            let response = self.system.response(self.t, &self.x, &[T::default(); MAX_CONSTRAINTS]);
             let solved = independent(&response.matrix, self.touched() | self.resting);
             let apart = apart(&self.laws, &self.touching, &self.system.measures(self.t, &self.x));
             shift(&mut self.x, N / 2, &response, solved, &apart);
@@ -159,7 +164,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         }
         let sizes = self.sizes();
         pin(self.system, self.resting, &mut self.x);
-        let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
+        let response = self.system.response(self.t, &self.x, &[T::default(); MAX_CONSTRAINTS]);
         let solved = independent(&response.matrix, self.resting);
         let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
         shift(&mut self.x, 0, &response, solved, &rates);

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::{Hybrid, MOST};
+use super::{Hybrid, MAX_CONSTRAINTS};
 use crate::layout::{SlotKind, StateLayout};
 use crate::real::Float;
 
@@ -10,8 +10,8 @@ use crate::real::Float;
 /// Only their order of magnitude matters.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gains<T, const N: usize> {
-    by_lengths: [T; MOST],
-    by_angles: [T; MOST],
+    by_lengths: [T; MAX_CONSTRAINTS],
+    by_angles: [T; MAX_CONSTRAINTS],
     /// Which positions are angles.
     is_angle: [bool; N],
 }
@@ -20,17 +20,17 @@ pub(crate) struct Gains<T, const N: usize> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sizes<T> {
     /// Of the terms that a value is a sum of.
-    pub(super) values: [T; MOST],
+    pub(super) values: [T; MAX_CONSTRAINTS],
     /// Of the terms that a rate is a sum of.
-    pub(super) rates: [T; MOST],
+    pub(super) rates: [T; MAX_CONSTRAINTS],
 }
 
 impl<T: Float, const N: usize> Gains<T, N> {
     /// None at all: before an integration starts.
     pub(super) fn none() -> Self {
         Self {
-            by_lengths: [T::default(); MOST],
-            by_angles: [T::default(); MOST],
+            by_lengths: [T::default(); MAX_CONSTRAINTS],
+            by_angles: [T::default(); MAX_CONSTRAINTS],
             is_angle: [false; N],
         }
     }
@@ -123,13 +123,17 @@ fn is_angle(layout: Option<StateLayout<'_>>, position: usize) -> bool {
 }
 
 /// The rate of each constraint while nothing but what is driven moves.
-pub(super) fn rates_at_rest<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> [T; MOST] {
+pub(super) fn rates_at_rest<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    t: T,
+    x: &SVector<T, N>,
+) -> [T; MAX_CONSTRAINTS] {
     if system
         .constraints()
         .iter()
         .all(|constraint| !constraint.rate.is_empty())
     {
-        return [T::default(); MOST];
+        return [T::default(); MAX_CONSTRAINTS];
     }
     let mut at_rest = *x;
     at_rest.iter_mut().skip(N / 2).for_each(|rate| *rate = T::default());
@@ -140,15 +144,15 @@ pub(super) fn rates_at_rest<T: Float, const N: usize>(system: &dyn Hybrid<T, N>,
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ForceSizes<T> {
     /// Of the terms that the acceleration of each constraint is a sum of.
-    pub(super) accelerations: [T; MOST],
+    pub(super) accelerations: [T; MAX_CONSTRAINTS],
     /// Of the forces along each that take such accelerations.
-    pub(super) forces: [T; MOST],
+    pub(super) forces: [T; MAX_CONSTRAINTS],
 }
 
 impl<T: Float> ForceSizes<T> {
     /// None at all: before an integration starts.
     pub(super) fn none() -> Self {
-        let none = [T::default(); MOST];
+        let none = [T::default(); MAX_CONSTRAINTS];
         Self {
             accelerations: none,
             forces: none,

@@ -10,7 +10,7 @@ use super::polynomial::{Course, course, stays_positive};
 use super::resolution::{SHORTEST_MODE, SIMULTANEOUS, ulps};
 use super::sizes::rates_at_rest;
 use super::witness::Witness;
-use super::{Hold, Hybrid, Law, MOST};
+use super::{Hold, Hybrid, Law, MAX_CONSTRAINTS};
 use crate::dense::Dense;
 use crate::error::Reason;
 use crate::method::{Known, root, root_of_line};
@@ -29,7 +29,7 @@ const BACK: [f64; 5] = [0.1, 0.5, 0.9, 0.99, 1.0];
 #[derive(Clone, Copy)]
 pub(super) struct Place<T> {
     pub(super) theta: T,
-    measures: [[T; 2]; MOST],
+    measures: [[T; 2]; MAX_CONSTRAINTS],
 }
 
 impl<T: Copy> Place<T> {
@@ -44,7 +44,7 @@ pub(super) struct StepInMode<'a, T, const N: usize> {
     pub(super) system: &'a dyn Hybrid<T, N>,
     pub(super) mode: &'a Mode,
     pub(super) hold: &'a Hold<T>,
-    pub(super) laws: [Law<T>; MOST],
+    pub(super) laws: [Law<T>; MAX_CONSTRAINTS],
     pub(super) dense: &'a Dense<'a, T, N>,
     /// How often the equations of motion were evaluated.
     pub(super) evaluations: Cell<usize>,
@@ -85,12 +85,12 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
     }
 
     /// The forces along the constraints at a place, where something is held.
-    pub(super) fn forces(&self, theta: T) -> [T; MOST] {
+    pub(super) fn forces(&self, theta: T) -> [T; MAX_CONSTRAINTS] {
         let (t, x) = self.at(theta);
         self.forces_at(t, &x)
     }
 
-    fn forces_at(&self, t: T, x: &SVector<T, N>) -> [T; MOST] {
+    fn forces_at(&self, t: T, x: &SVector<T, N>) -> [T; MAX_CONSTRAINTS] {
         self.evaluations.set(self.evaluations.get() + 1);
         forces(self.system, self.hold, t, x)
     }
@@ -131,7 +131,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
     }
 
     /// A witness of the forces along the constraints.
-    pub(super) fn margin(&self, forces: &[T; MOST], (n, witness): (usize, Witness)) -> T {
+    pub(super) fn margin(&self, forces: &[T; MAX_CONSTRAINTS], (n, witness): (usize, Witness)) -> T {
         let sticking = self.laws[n].sticking;
         // a push forward that is too large lets it slip backward
         if witness == Witness::Backward {

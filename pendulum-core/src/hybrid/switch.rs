@@ -4,15 +4,15 @@ use nalgebra::SVector;
 
 #[cfg(feature = "std")]
 use super::in_mode::InMode;
-use super::in_mode::Passage;
+use super::in_mode::ModeSwitch;
 use super::mode::{Mode, Status, bits, set_of};
 use super::resolution::{AT_LIMIT, CONSISTENT, ulps};
 use super::settled::Settled;
 use super::settling::Settling;
 use super::sizes::Gains;
-use super::watch::Watch;
+use super::watch::ModeWatch;
 use super::witness::{Witness, Witnesses};
-use super::{Hold, Hybrid, MOST};
+use super::{Hold, Hybrid, MAX_CONSTRAINTS};
 use crate::error::Reason;
 use crate::layout::StateLayout;
 use crate::real::Float;
@@ -25,7 +25,7 @@ pub(crate) fn start<T: Float, const N: usize>(
     t: T,
     x: &SVector<T, N>,
 ) -> Result<Settled<T, N>, Reason> {
-    let zero = [T::default(); MOST];
+    let zero = [T::default(); MAX_CONSTRAINTS];
     let mut settling = Settling::new(system, (t, x), Gains::near((system, layout), t, x), &zero);
     let sizes = settling.sizes();
     let measures = system.measures(t, x);
@@ -78,12 +78,12 @@ pub(crate) fn switch<T: Float, const N: usize>(
     (t, x): (T, &SVector<T, N>),
     (mode, hold): (&Mode, &Hold<T>),
     fired: Witnesses,
-    watch: &Watch<T, N>,
-    mut pass: impl FnMut(&Passage<T, N>),
+    watch: &ModeWatch<T, N>,
+    mut pass: impl FnMut(&ModeSwitch<T, N>),
 ) -> Settled<T, N> {
     let settling = Settling::new(system, (t, x), watch.gains, &watch.reach);
     let settled = settling.at_the_end_of(mode, fired).settle();
-    pass(&Passage {
+    pass(&ModeSwitch {
         t,
         before: (*x, *mode, *hold),
         fired,
@@ -91,7 +91,7 @@ pub(crate) fn switch<T: Float, const N: usize>(
         after: (settled.x, settled.hold),
     });
     finish(system, t, settled, &watch.reach, &mut |before, after| {
-        pass(&Passage {
+        pass(&ModeSwitch {
             t,
             before: (before.x, before.mode, before.hold),
             fired: before.next,
@@ -106,7 +106,7 @@ pub(super) fn finish<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     t: T,
     mut settled: Settled<T, N>,
-    reach: &[T; MOST],
+    reach: &[T; MAX_CONSTRAINTS],
     pass: &mut dyn FnMut(&Settled<T, N>, &Settled<T, N>),
 ) -> Settled<T, N> {
     while !settled.next.is_empty() && !settled.series.is_too_long() {

@@ -8,7 +8,7 @@ use super::resolution::{NOISE, ulps};
 use super::sizes::{ForceSizes, Gains};
 use super::step::{ABOUT_THE_END, Place, StepInMode, resolution};
 use super::witness::{Values, Witness, Witnesses};
-use super::{Hold, Hybrid, MOST};
+use super::{Hold, Hybrid, MAX_CONSTRAINTS};
 use crate::dense::Dense;
 use crate::error::Reason;
 use crate::real::Float;
@@ -21,35 +21,35 @@ pub(super) type Ended<T> = (T, Witnesses);
 
 /// What is known of a mode since it began.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Watch<T, const N: usize> {
+pub(crate) struct ModeWatch<T, const N: usize> {
     /// The witnesses that have been positive.
     pub(super) positive: Witnesses,
     /// Whether nothing of the mode has been looked at.
     starts: bool,
     /// How far each constraint has been from its limits since it was held there.
-    pub(super) reach: [T; MOST],
+    pub(super) reach: [T; MAX_CONSTRAINTS],
     pub(super) gains: Gains<T, N>,
     /// Where the mode began.
     begun: ForceSizes<T>,
     /// The forces at the end of the last step.
-    pub(super) forces: Option<[T; MOST]>,
+    pub(super) forces: Option<[T; MAX_CONSTRAINTS]>,
     /// How far from each other the places were where forces were seen to be close enough.
     pub(super) width: T,
     /// The largest of the forces of what is held that were seen in the mode.
-    pub(super) sizes: [T; MOST],
+    pub(super) sizes: [T; MAX_CONSTRAINTS],
 }
 
-impl<T: Float, const N: usize> Watch<T, N> {
+impl<T: Float, const N: usize> ModeWatch<T, N> {
     pub(crate) fn new() -> Self {
         Self {
             positive: Witnesses::default(),
             starts: true,
-            reach: [T::default(); MOST],
+            reach: [T::default(); MAX_CONSTRAINTS],
             gains: Gains::none(),
             begun: ForceSizes::none(),
             forces: None,
             width: T::from_f64(f64::INFINITY),
-            sizes: [T::default(); MOST],
+            sizes: [T::default(); MAX_CONSTRAINTS],
         }
     }
 
@@ -57,7 +57,7 @@ impl<T: Float, const N: usize> Watch<T, N> {
     pub(crate) fn restart(&mut self, mode: &Mode, gains: Gains<T, N>, begun: ForceSizes<T>) {
         (self.gains, self.begun) = (gains, begun);
         (self.positive, self.starts, self.forces) = (Witnesses::default(), true, None);
-        (self.width, self.sizes) = (T::from_f64(f64::INFINITY), [T::default(); MOST]);
+        (self.width, self.sizes) = (T::from_f64(f64::INFINITY), [T::default(); MAX_CONSTRAINTS]);
         for (reach, status) in self.reach.iter_mut().zip(mode.0) {
             if status.touches() {
                 *reach = T::default();
@@ -68,17 +68,17 @@ impl<T: Float, const N: usize> Watch<T, N> {
     /// Whether all witnesses of a mode in which nothing is held have been positive: from then on a mode ends only where
     /// one of them reaches zero.
     #[cfg(feature = "std")]
-    pub(crate) fn is_settled(&self, laws: &[Law<T>; MOST], mode: &Mode) -> bool {
+    pub(crate) fn is_settled(&self, laws: &[Law<T>; MAX_CONSTRAINTS], mode: &Mode) -> bool {
         let is_positive = |n, &witness: &Witness| !witness.exists(&laws[n]) || self.positive.has(n, witness);
-        (0..MOST).all(|n| Witness::of(mode.0[n]).iter().all(|witness| is_positive(n, witness)))
+        (0..MAX_CONSTRAINTS).all(|n| Witness::of(mode.0[n]).iter().all(|witness| is_positive(n, witness)))
     }
 
     /// Notes how far the constraints of a lane are from their limits, as [`look`](Self::look) does.
     #[cfg(feature = "std")]
     pub(crate) fn note_lane<V: Lanes<Scalar = T>>(
         &mut self,
-        laws: &[Law<V>; MOST],
-        measures: &[[V; 2]; MOST],
+        laws: &[Law<V>; MAX_CONSTRAINTS],
+        measures: &[[V; 2]; MAX_CONSTRAINTS],
         lane: usize,
     ) {
         for (reach, (law, [value, _])) in self.reach.iter_mut().zip(laws.iter().zip(measures)) {
@@ -263,7 +263,7 @@ impl<T: Float, const N: usize> Watch<T, N> {
     /// Within what of zero some witnesses of the state may be rounding errors; not of what slips for long.
     fn noise(&self, step: &StepInMode<'_, T, N>, of: Witnesses) -> Values<T> {
         let ends = step.dense.step();
-        let mut noise = [[T::default(); 3]; MOST];
+        let mut noise = [[T::default(); 3]; MAX_CONSTRAINTS];
         let mut sizes = None;
         for (n, witness) in of.pairs() {
             if witness == Witness::Slip && self.positive.has(n, witness) {

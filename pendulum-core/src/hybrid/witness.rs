@@ -1,7 +1,7 @@
 //! The functions whose zeros end a mode.
 
 use super::mode::{Mode, Status};
-use super::{Law, MOST};
+use super::{Law, MAX_CONSTRAINTS};
 
 /// A function of a constraint that is positive as long as a mode lasts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,7 +62,7 @@ impl Witness {
 }
 
 /// A number for each witness, in the [slots](Witness::slot) of its constraint.
-pub(super) type Values<T> = [[T; 3]; MOST];
+pub(super) type Values<T> = [[T; 3]; MAX_CONSTRAINTS];
 
 /// A set of witnesses, each of a constraint.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -70,7 +70,7 @@ pub(crate) struct Witnesses(u64);
 
 impl Witnesses {
     /// Bits of a constraint.
-    const PLACES: usize = u64::BITS as usize / MOST;
+    const PLACES: usize = u64::BITS as usize / MAX_CONSTRAINTS;
 
     fn bit(constraint: usize, witness: Witness) -> u64 {
         const { assert!(Witness::ALL.len() <= Self::PLACES) };
@@ -119,7 +119,7 @@ impl Witnesses {
     }
 
     /// The constraints at a limit where these end a mode: those held there, and those whose gaps close.
-    pub(crate) fn touching(self, mode: &Mode) -> [Status; MOST] {
+    pub(crate) fn touching(self, mode: &Mode) -> [Status; MAX_CONSTRAINTS] {
         let mut touching = mode.0;
         for (n, witness) in self.pairs() {
             match witness {

@@ -12,18 +12,18 @@ use crate::system::{Differences, WithJacobian, by_number, by_state};
     message = "`{Self}` is not a law for {M} inputs of a state of {N} components",
     note = "a law is a closure `|t, x| NameInputs {{ .. }}` of the time and the state"
 )]
-pub trait Law<T: Real, const N: usize, const M: usize> {
+pub trait ControlLaw<T: Real, const N: usize, const M: usize> {
     /// The inputs, in the order of their declaration.
     fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M];
 }
 
-/// A [`Law`] that knows its derivatives, so that the closed loop has a [`Jacobian`](crate::Jacobian).
+/// A [`ControlLaw`] that knows its derivatives, so that the closed loop has a [`Jacobian`](crate::Jacobian).
 #[diagnostic::on_unimplemented(
     message = "the law of these inputs has no derivative, so the closed loop has no Jacobian",
     note = "`model.with_inputs(law).with_derivative(|t, x| ..)` states it, `model.with_law(law)` finds it for \
             a law that is generic over `Real`, and `model.with_inputs(law).by_differences()` approximates it"
 )]
-pub trait LawJacobian<T: Real, const N: usize, const M: usize>: Law<T, N, M> {
+pub trait LawJacobian<T: Real, const N: usize, const M: usize>: ControlLaw<T, N, M> {
     /// The inputs, and their derivative with respect to the state: a row for each input.
     fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>);
 
@@ -91,11 +91,11 @@ pub trait InputLaw<const N: usize, const M: usize>: Clone + PartialEq {
     fn inputs<T: Real>(&self, t: T, x: &SVector<T, N>) -> [T; M];
 }
 
-/// An [`InputLaw`] as a [`Law`] in each number type.
+/// An [`InputLaw`] as a [`ControlLaw`] in each number type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Generic<L>(pub(super) L);
 
-impl<F, T, U, const N: usize, const M: usize> Law<T, N, M> for F
+impl<F, T, U, const N: usize, const M: usize> ControlLaw<T, N, M> for F
 where
     T: Real,
     F: Fn(T, &SVector<T, N>) -> U,
@@ -107,7 +107,7 @@ where
     }
 }
 
-impl<T: Real, F: Law<T, N, M>, K, const N: usize, const M: usize> Law<T, N, M> for WithJacobian<F, K> {
+impl<T: Real, F: ControlLaw<T, N, M>, K, const N: usize, const M: usize> ControlLaw<T, N, M> for WithJacobian<F, K> {
     #[inline]
     fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M] {
         self.function.inputs(t, x)
@@ -117,7 +117,7 @@ impl<T: Real, F: Law<T, N, M>, K, const N: usize, const M: usize> Law<T, N, M> f
 impl<T, F, K, const N: usize, const M: usize> LawJacobian<T, N, M> for WithJacobian<F, K>
 where
     T: Real,
-    F: Law<T, N, M>,
+    F: ControlLaw<T, N, M>,
     K: Fn(T, &SVector<T, N>) -> SMatrix<T, M, N>,
 {
     #[inline]
@@ -126,21 +126,21 @@ where
     }
 }
 
-impl<T: Real, F: Law<T, N, M>, const N: usize, const M: usize> Law<T, N, M> for Differences<F> {
+impl<T: Real, F: ControlLaw<T, N, M>, const N: usize, const M: usize> ControlLaw<T, N, M> for Differences<F> {
     #[inline]
     fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M] {
         self.0.inputs(t, x)
     }
 }
 
-impl<T: Lanes, F: Law<T, N, M>, const N: usize, const M: usize> LawJacobian<T, N, M> for Differences<F> {
+impl<T: Lanes, F: ControlLaw<T, N, M>, const N: usize, const M: usize> LawJacobian<T, N, M> for Differences<F> {
     #[inline]
     fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>) {
         (self.inputs(t, x), by_state(x, |x| self.inputs(t, x).into()))
     }
 }
 
-impl<T: Real, L: InputLaw<N, M>, const N: usize, const M: usize> Law<T, N, M> for Generic<L> {
+impl<T: Real, L: InputLaw<N, M>, const N: usize, const M: usize> ControlLaw<T, N, M> for Generic<L> {
     #[inline(always)]
     fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M] {
         self.0.inputs(t, x)

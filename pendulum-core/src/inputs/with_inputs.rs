@@ -4,8 +4,8 @@ use core::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{CastControlled, Controlled, Generic, InputLaw, Law, LawJacobian};
-use crate::hybrid::{Constraint, Law as ConstraintLaw, MOST, MeasureDerivatives, Response, ResponseDerivative};
+use super::{CastControlled, ControlLaw, Controlled, Generic, InputLaw, LawJacobian};
+use crate::hybrid::{Constraint, Law, MAX_CONSTRAINTS, MeasureDerivatives, Response, ResponseDerivative};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
@@ -16,7 +16,7 @@ use crate::system::{
     WithJacobian, by_sign,
 };
 
-/// A [`Controlled`] model whose `M` inputs follow the [`Law`] `L`: a [`System`] that can be integrated.
+/// A [`Controlled`] model whose `M` inputs follow the [`ControlLaw`] `L`: a [`System`] that can be integrated.
 ///
 /// Its Jacobian is that of the model plus `input_jacobian * K`, with the derivative `K` of the law: see
 /// [`inputs`](crate::inputs) for the ways to have one.
@@ -114,7 +114,7 @@ impl<T, S, L, const N: usize, const M: usize> System<T, N> for WithInputs<S, L, 
 where
     T: Real,
     S: Controlled<T, N, M>,
-    L: Law<T, N, M>,
+    L: ControlLaw<T, N, M>,
 {
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
@@ -187,12 +187,12 @@ impl<T, S, L, const N: usize, const M: usize> Plant<T, N> for WithInputs<S, L, M
 where
     T: Real,
     S: Controlled<T, N, M>,
-    L: Law<T, N, M>,
+    L: ControlLaw<T, N, M>,
 {
-    type Given = [T; MOST];
+    type Given = [T; MAX_CONSTRAINTS];
 
     #[inline(always)]
-    fn eval(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
+    fn eval(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> SVector<T, N> {
         self.system
             .eval(t, x, &S::Given::with(self.law.inputs(t, x).into(), forces))
     }
@@ -203,17 +203,17 @@ where
     }
 
     #[inline]
-    fn laws(&self) -> [ConstraintLaw<T>; MOST] {
+    fn laws(&self) -> [Law<T>; MAX_CONSTRAINTS] {
         self.system.laws()
     }
 
     #[inline]
-    fn measures(&self, t: T, x: &SVector<T, N>) -> [[T; 2]; MOST] {
+    fn measures(&self, t: T, x: &SVector<T, N>) -> [[T; 2]; MAX_CONSTRAINTS] {
         self.system.measures(t, x)
     }
 
     #[inline]
-    fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> Response<T, N> {
+    fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> Response<T, N> {
         let given = S::Given::with(self.law.inputs(t, x).into(), forces);
         self.system.response(t, x, &given)
     }
@@ -227,7 +227,12 @@ where
     L: LawJacobian<T, N, M>,
 {
     #[inline(always)]
-    fn eval_with_jacobian(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>) {
+    fn eval_with_jacobian(
+        &self,
+        t: T,
+        x: &SVector<T, N>,
+        forces: &[T; MAX_CONSTRAINTS],
+    ) -> (SVector<T, N>, SMatrix<T, N, N>) {
         let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
         let given = S::Given::with(inputs.into(), forces);
         let (rhs, mut jacobian) = self.system.eval_with_jacobian(t, x, &given);
@@ -237,7 +242,7 @@ where
     }
 
     #[inline(always)]
-    fn eval_time_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>
+    fn eval_time_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> SVector<T, N>
     where
         T: Lanes,
     {
@@ -249,7 +254,7 @@ where
     }
 
     #[inline]
-    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>
+    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> ResponseDerivative<T, N>
     where
         T: Lanes,
     {

@@ -1,6 +1,5 @@
 //! Steps whose length a tolerance determines.
 
-use crate::control::{Estimates, Tolerance};
 use crate::error::Reason;
 use crate::method::input::{check_start, require};
 use crate::method::scheme::{OneStep, Scheme};
@@ -8,6 +7,7 @@ use crate::method::smooth::Steps;
 use crate::method::step_control::StepControl;
 use crate::method::{Method, Stepper};
 use crate::real::Float;
+use crate::step_size::{Estimates, Tolerance};
 use crate::system::{IntoState, System};
 
 /// A method that adapts the length of its steps to a tolerance, such as [`Rk45`](crate::Rk45). `F` is the kind of step.

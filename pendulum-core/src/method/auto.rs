@@ -2,7 +2,6 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::control::{Estimates, Tolerance};
 use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
@@ -15,6 +14,7 @@ use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, Explicit, Rosenbrock};
 use crate::real::Float;
 use crate::statistics::Statistics;
+use crate::step_size::{Estimates, Tolerance};
 use crate::system::{Jacobian, System};
 use crate::tableau::{self, Tableau, Tsitouras5, Verner7, Verner9};
 

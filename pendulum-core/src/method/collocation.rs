@@ -6,15 +6,15 @@ use crate::cost::Operations;
 use crate::linear::{Complex, Field, Lu, Singular, factoring, solving};
 use crate::method::operations as count;
 use crate::real::Float;
-use crate::tableau::{Mode, Modes};
+use crate::tableau::{Eigenpair, Eigenpairs};
 
 /// The matrix of the iteration, `G d_i - h sum_j a_ij F d_j`, factored: the stages come apart along the eigenvectors of
 /// `a_ij`, and a real and a complex matrix of the size of the state remain (E. Hairer, G. Wanner, "Solving Ordinary
 /// Differential Equations II", IV.8).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pencil<T, const STAGES: usize, const N: usize> {
-    real: Option<(Mode<f64, STAGES>, Lu<T, N>)>,
-    pair: (Mode<nalgebra::Complex<f64>, STAGES>, Lu<Complex<T>, N>),
+    real: Option<(Eigenpair<f64, STAGES>, Lu<T, N>)>,
+    pair: (Eigenpair<nalgebra::Complex<f64>, STAGES>, Lu<Complex<T>, N>),
 }
 
 impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
@@ -22,7 +22,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
     /// rates.
     #[inline]
     pub(super) fn new(
-        modes: &Modes<STAGES>,
+        modes: &Eigenpairs<STAGES>,
         h: T,
         g: &SMatrix<T, N, N>,
         f: &SMatrix<T, N, N>,
@@ -93,7 +93,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
 }
 
 /// The operations of [`Pencil::new`] for `n` state components.
-pub(super) const fn pencil<const STAGES: usize>(modes: &Modes<STAGES>, n: usize) -> Operations {
+pub(super) const fn pencil<const STAGES: usize>(modes: &Eigenpairs<STAGES>, n: usize) -> Operations {
     let of_pair = Operations::new(2 * n * n, 2 * n * n + 2, 0, 0, 0, 3);
     let of_pair = of_pair.and(factoring::<Complex<f64>>(n));
     if modes.real.is_none() {
@@ -104,7 +104,7 @@ pub(super) const fn pencil<const STAGES: usize>(modes: &Modes<STAGES>, n: usize)
 }
 
 /// Those of [`Pencil::solve`].
-pub(super) const fn changes<const STAGES: usize>(modes: &Modes<STAGES>, n: usize) -> Operations {
+pub(super) const fn changes<const STAGES: usize>(modes: &Eigenpairs<STAGES>, n: usize) -> Operations {
     let terms = STAGES * n;
     // along the eigenvector, and back to the stages
     let there = Operations::new(2 * terms, 2 * terms, 0, 0, 0, STAGES + 1);

@@ -4,7 +4,6 @@ use core::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use crate::control::{Estimates, Tolerance};
 use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
@@ -18,6 +17,7 @@ use crate::method::{Adaptive, Fixed};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
+use crate::step_size::{Estimates, Tolerance};
 use crate::system::System;
 use crate::tableau::{Tableau, difference};
 

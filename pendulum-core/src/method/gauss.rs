@@ -2,7 +2,6 @@
 
 use nalgebra::SVector;
 
-use crate::control::Tolerance;
 use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
@@ -16,6 +15,7 @@ use crate::method::toggle::stop_at_toggles;
 use crate::method::{Fixed, hermite};
 use crate::real::Float;
 use crate::statistics::Statistics;
+use crate::step_size::Tolerance;
 use crate::system::{Canonical, System};
 use crate::tableau::{GaussLegendre, GaussTableau, HasTableau};
 

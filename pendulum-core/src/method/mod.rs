@@ -56,7 +56,7 @@ pub(crate) use {
     grid::Grid,
     input::{check_span, place},
     rosenbrock::RosenbrockStages,
-    scheme::{Failure, NonFinite},
+    scheme::{NonFinite, StepFailure},
     search::Search,
     stages::SHORT,
     step_control::{Pace, is_within_tolerance},
@@ -65,7 +65,7 @@ pub(crate) use {
     watch::{Early, follow, see},
 };
 
-pub use crate::control::{Estimates, Tolerance};
+pub use crate::step_size::{Estimates, Tolerance};
 pub use adaptive::Adaptive;
 pub use auto::{Auto, Switching};
 #[cfg(feature = "std")]

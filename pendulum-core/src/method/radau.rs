@@ -2,7 +2,6 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::control::{Estimates, Tolerance, exp2, log2};
 use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
@@ -16,6 +15,7 @@ use crate::method::stages::SHORT;
 use crate::method::toggle::end_step;
 use crate::real::Float;
 use crate::statistics::Statistics;
+use crate::step_size::{Estimates, Tolerance, exp2, log2};
 use crate::system::{Jacobian, System};
 use crate::tableau::radau_iia5::{A, C, MODES, MU, POWERS, STAGES};
 

@@ -4,7 +4,6 @@ use core::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::control::{Estimates, Tolerance};
 use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
@@ -18,6 +17,7 @@ use crate::method::toggle::end_step;
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
+use crate::step_size::{Estimates, Tolerance};
 use crate::system::{Jacobian, System};
 use crate::tableau::{RosenbrockMethod, RosenbrockTableau, difference};
 

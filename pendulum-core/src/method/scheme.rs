@@ -3,13 +3,13 @@
 
 use nalgebra::SVector;
 
-use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::hybrid::{InMode, Passage};
+use crate::hybrid::{InMode, ModeSwitch};
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
+use crate::step_size::Tolerance;
 
 /// A kind of one-step method, which [`Fixed`](crate::method::Fixed) and [`Adaptive`](crate::method::Adaptive) give the
 /// lengths of its steps.
@@ -91,7 +91,7 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
     fn go_back(&mut self) {}
 
     /// Passes from one mode of a hybrid system to the next: what a scheme carries along with the state.
-    fn pass(&mut self, _system: &S, _passage: &Passage<T, N>) {}
+    fn pass(&mut self, _system: &S, _passage: &ModeSwitch<T, N>) {}
 
     /// What [`dense`](Self::dense) found for the last step.
     fn coefficients(&self) -> &[SVector<T, N>];
@@ -185,24 +185,24 @@ impl NonFinite {
 
 /// Why an attempt was not a step.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Failure {
+pub(crate) enum StepFailure {
     Stalled,
     NonFinite(NonFinite),
 }
 
-impl From<Stalled> for Failure {
+impl From<Stalled> for StepFailure {
     fn from(Stalled: Stalled) -> Self {
         Self::Stalled
     }
 }
 
-impl From<NonFinite> for Failure {
+impl From<NonFinite> for StepFailure {
     fn from(component: NonFinite) -> Self {
         Self::NonFinite(component)
     }
 }
 
-impl Failure {
+impl StepFailure {
     /// The reason to give up, after a step of length `h`.
     pub(crate) fn reason(self, h: f64) -> Reason {
         match self {

@@ -6,7 +6,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, InMode, Modes};
 use crate::method::grid::Grid;
-use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Accepted, NonFinite, Scheme, Stalled, StepFailure};
 use crate::method::step_control::{Pace, StepControl, is_within_tolerance};
 use crate::method::toggle;
 use crate::real::Float;
@@ -179,7 +179,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
 
     /// Tries a step to `t_new`, where it arrives at finite numbers: the mean square of its error.
     #[inline]
-    pub(super) fn attempt<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<T, Failure>
+    pub(super) fn attempt<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<T, StepFailure>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
@@ -199,7 +199,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
 
     /// Makes an attempt the last step.
     #[inline]
-    pub(super) fn advance<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<(), Failure>
+    pub(super) fn advance<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<(), StepFailure>
     where
         C: Scheme<S, T, N>,
         S: ?Sized,

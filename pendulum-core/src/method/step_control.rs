@@ -2,10 +2,10 @@
 
 use nalgebra::SVector;
 
-use crate::control::{PiController, Tolerance};
 use crate::error::Reason;
-use crate::method::scheme::Failure;
+use crate::method::scheme::StepFailure;
 use crate::real::Float;
+use crate::step_size::{PiController, Tolerance};
 use crate::system::System;
 
 /// The settings of an [`Adaptive`](crate::method::Adaptive) method for an integration, with the defaults where none are
@@ -147,7 +147,7 @@ impl<T: Float> StepControl<T> {
         &self,
         pace: &mut Pace<T>,
         (t, t_new): (T, T),
-        outcome: Result<T, Failure>,
+        outcome: Result<T, StepFailure>,
         method_proposes: bool,
     ) -> Result<bool, Reason> {
         let mean_square = outcome.unwrap_or(T::from_f64(f64::NAN));
@@ -186,7 +186,7 @@ impl<T: Float> StepControl<T> {
 
     /// The reason to give up after an attempt from `t` to `t_new`, since the next one would be as short as `h`.
     #[cold]
-    pub(crate) fn hopeless(&self, outcome: Result<T, Failure>, (t, t_new): (T, T), h: T) -> Reason {
+    pub(crate) fn hopeless(&self, outcome: Result<T, StepFailure>, (t, t_new): (T, T), h: T) -> Reason {
         match outcome {
             Ok(_) => underflow(h, self.least(t)),
             Err(failure) => failure.reason((t_new - t).to_f64()),
@@ -233,9 +233,9 @@ mod tests {
     use nalgebra::SVector;
 
     use super::{StepControl, is_within_tolerance};
-    use crate::control::Tolerance;
     use crate::error::Reason;
     use crate::method::scheme::Stalled;
+    use crate::step_size::Tolerance;
     use crate::system::FnSystem;
 
     const CONTROL: StepControl<f64> = StepControl {

@@ -8,7 +8,7 @@ use nalgebra::SVector;
 
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, Ambiguity, InMode, MOST, Mode, Modes};
+use crate::hybrid::{self, Ambiguity, InMode, MAX_CONSTRAINTS, Mode, Modes};
 use crate::method::input::{place, require};
 use crate::method::scheme::Scheme;
 use crate::method::smooth::{Smooth, Steps};
@@ -125,7 +125,7 @@ where
     /// The impulses along the constraints of a [hybrid](crate::hybrid) system with which its mode began, in N s or
     /// N m s; `None` where it began without an impact, and for other systems.
     #[must_use]
-    pub fn impulses(&self) -> Option<[T; MOST]> {
+    pub fn impulses(&self) -> Option<[T; MAX_CONSTRAINTS]> {
         let impulses = self.system.hybrid().map(|_| self.modes.impulses);
         impulses.filter(|impulses| impulses.iter().any(|&impulse| impulse != T::default()))
     }

@@ -2,10 +2,9 @@
 
 use nalgebra::SVector;
 
-use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::hybrid::{InMode, Passage, hold_tangents, saltation};
+use crate::hybrid::{InMode, ModeSwitch, hold_tangents, saltation};
 use crate::linear::{image, square};
 use crate::method::explicit::{Explicit, ExplicitStages};
 use crate::method::input::require;
@@ -14,6 +13,7 @@ use crate::method::stages::{shifted, weighted_sum};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
+use crate::step_size::{Estimates, Tolerance};
 use crate::system::Jacobian;
 use crate::tableau::Tableau;
 
@@ -196,7 +196,7 @@ where
         self.state.dense(system, step, work)
     }
 
-    fn pass(&mut self, system: &S, passage: &Passage<T, N>) {
+    fn pass(&mut self, system: &S, passage: &ModeSwitch<T, N>) {
         let Some(hybrid) = system.hybrid_jacobian() else { return };
         let matrix = saltation(hybrid, passage);
         for tangent in &mut self.tangents {

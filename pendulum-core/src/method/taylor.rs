@@ -2,7 +2,6 @@
 
 use nalgebra::SVector;
 
-use crate::control::{Estimates, Tolerance, exp2, log2};
 use crate::cost::Operations;
 use crate::dense::{Step, polynomial};
 use crate::error::Reason;
@@ -14,6 +13,7 @@ use crate::method::{Adaptive, require};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
+use crate::step_size::{Estimates, Tolerance, exp2, log2};
 use crate::taylor::{MAX_ORDER, TaylorSeries};
 
 /// The Taylor method of an order that follows from the tolerance; see [`Adaptive`] for its settings.

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::error::{AT_TOGGLE, Name, Reason};
-use crate::method::scheme::Failure;
+use crate::method::scheme::StepFailure;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::system::System;
@@ -95,7 +95,7 @@ pub(crate) fn creeps<T: Float>(h: T, t: T) -> bool {
 /// The toggle that is behind it, if there is one.
 #[cold]
 pub(crate) fn reached<S, T, const N: usize>(
-    failure: Failure,
+    failure: StepFailure,
     system: &S,
     (t, t_new): (T, T),
     x: &SVector<T, N>,

@@ -2,7 +2,6 @@
 
 use nalgebra::SVector;
 
-use crate::control::Tolerance;
 use crate::dense::{Dense, Step};
 use crate::error::{Reason, SolveError};
 use crate::event::{Event, Occurrence};
@@ -13,6 +12,7 @@ use crate::method::scheme::Scheme;
 use crate::method::search::{Found, Search, What};
 use crate::real::Float;
 use crate::solution::{Observer, Solution};
+use crate::step_size::Tolerance;
 use crate::system::System;
 
 /// Events within this many ulps of the time are simultaneous, and one that acts twice within them never ends.

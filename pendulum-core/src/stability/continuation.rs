@@ -7,9 +7,9 @@ use nalgebra::{Complex, DVector, SVector};
 use super::branch::{Bifurcation, BifurcationKind, Branch};
 use super::curve::correct;
 use super::equilibrium::angles;
-use super::families::{EquilibriumCurve, Family, OrbitCurve, Period, Sizes};
+use super::families::{EquilibriumCurve, Family, OrbitCurve, Period, Scales};
 use super::trace::Tracer;
-use super::{Equilibrium, Mode, PeriodicOrbit, Shooting, StabilityError, equilibrium};
+use super::{Eigenmode, Equilibrium, PeriodicOrbit, Shooting, StabilityError, equilibrium};
 use crate::error::{ParameterError, Reason};
 use crate::method::require;
 use crate::system::{IntoState, Jacobian};
@@ -143,7 +143,7 @@ where
         let curve = EquilibriumCurve {
             family: self.family(),
             angles: angles(&system),
-            sizes: Sizes::of(&system, self.length, 1.0),
+            sizes: Scales::of(&system, self.length, 1.0),
         };
         let unknowns = self.unknowns(&curve.sizes.scaled(&x), None, p0);
         self.tracer(&curve).branch(unknowns)
@@ -226,7 +226,7 @@ where
         let system = (self.family)(hopf.parameter)?;
         let period = TAU / angular_frequency;
         let curve = self.orbits(&system, Period::<&fn(f64) -> f64>::Free(period), period);
-        let off = |mode: &&Mode<N>| (mode.eigenvalue - Complex::I * angular_frequency).norm();
+        let off = |mode: &&Eigenmode<N>| (mode.eigenvalue - Complex::I * angular_frequency).norm();
         let modes = hopf.solution.spectrum.modes().iter();
         let Some(mode) = modes.min_by(|a, b| off(a).total_cmp(&off(b))) else {
             return Err(StabilityError::AtRest);
@@ -293,7 +293,7 @@ where
             period,
             tolerance: self.tolerance,
             angles: angles(system),
-            sizes: Sizes::of(system, self.length, first / TAU),
+            sizes: Scales::of(system, self.length, first / TAU),
         }
     }
 

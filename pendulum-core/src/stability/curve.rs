@@ -103,7 +103,7 @@ impl Test {
 
 /// A point of a curve with all that is known there.
 #[derive(Clone, Debug)]
-pub(super) struct Place<P> {
+pub(super) struct CurvePoint<P> {
     pub(super) u: DVector<f64>,
     /// The direction of the curve, of length 1.
     pub(super) tangent: DVector<f64>,
@@ -122,7 +122,7 @@ pub(super) struct Place<P> {
     pub(super) iterations: usize,
 }
 
-impl<P> Place<P> {
+impl<P> CurvePoint<P> {
     /// The curve in the other direction.
     pub(super) fn reverse(mut self) -> Self {
         self.tangent.neg_mut();
@@ -147,7 +147,7 @@ pub(super) fn correct<C: Curve<N>, const N: usize>(
     guess: DVector<f64>,
     (normal, target): (&DVector<f64>, f64),
     before: &DVector<f64>,
-) -> Result<Place<C::Solution>, StabilityError> {
+) -> Result<CurvePoint<C::Solution>, StabilityError> {
     let mut u = guess;
     let mut linear = curve.linearize(&u)?;
     let mut iterations = 0;
@@ -174,7 +174,7 @@ pub(super) fn correct<C: Curve<N>, const N: usize>(
     let reach = curve.reach();
     let by_parameter = reach * reach * linear.derivative.column(rows).norm();
     let solution = curve.solution(&u)?;
-    Ok(Place {
+    Ok(CurvePoint {
         blur: blur(&matrix, rounding * (1.0 + u.norm())),
         crossing: Test::singular(matrix, rounding + by_parameter),
         turning: Test::singular(linear.derivative.columns(0, rows).into_owned(), rounding),

@@ -6,7 +6,7 @@ use super::curve::{Curve, Growth, Linear, ROUNDING, Test};
 use super::equilibrium::{require_as_many_rates, within_a_turn};
 use super::orbit::NOISE;
 use super::shooting::{Lap, after, check_period, direction, resolution};
-use super::{BifurcationKind, Equilibrium, Mode, Multiplier, PeriodicOrbit, StabilityError};
+use super::{BifurcationKind, Eigenmode, Equilibrium, Multiplier, PeriodicOrbit, StabilityError};
 use crate::error::ParameterError;
 use crate::layout::SlotKind;
 use crate::system::{Jacobian, System};
@@ -52,7 +52,7 @@ where
 pub(super) struct EquilibriumCurve<'f, F, const N: usize> {
     pub(super) family: Family<'f, F>,
     pub(super) angles: Vec<usize>,
-    pub(super) sizes: Sizes<N>,
+    pub(super) sizes: Scales<N>,
 }
 
 impl<F, S, const N: usize> Curve<N> for EquilibriumCurve<'_, F, N>
@@ -84,7 +84,7 @@ where
     }
 
     fn growths(&self, solution: &Equilibrium<N>) -> Vec<Growth> {
-        let growth = |mode: &Mode<N>| Growth {
+        let growth = |mode: &Eigenmode<N>| Growth {
             excess: mode.growth_rate(),
             uncertainty: mode.uncertainty,
             rounding: mode.uncertainty,
@@ -137,7 +137,7 @@ pub(super) struct OrbitCurve<'f, F, P, const N: usize> {
     pub(super) period: Period<&'f P>,
     pub(super) tolerance: f64,
     pub(super) angles: Vec<usize>,
-    pub(super) sizes: Sizes<N>,
+    pub(super) sizes: Scales<N>,
 }
 
 /// The period of the orbits of a family.
@@ -296,9 +296,9 @@ where
 
 /// The sizes of the components of a state, in which steps along a branch are measured.
 #[derive(Clone, Copy)]
-pub(super) struct Sizes<const N: usize>(SVector<f64, N>);
+pub(super) struct Scales<const N: usize>(SVector<f64, N>);
 
-impl<const N: usize> Sizes<N> {
+impl<const N: usize> Scales<N> {
     /// Those of a scene with lengths of the size given: angles have the size 1 rad, and rates as much in a time; 1
     /// without a layout.
     pub(super) fn of(system: &(impl System<f64, N> + ?Sized), length: f64, time: f64) -> Self {

@@ -3,7 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::hybrid::{
-    self, Hold, HybridJacobian, MOST, Mode, Status, apart, forces, independent, place_coordinates, project, set_of,
+    self, Hold, HybridJacobian, MAX_CONSTRAINTS, Mode, Status, apart, forces, independent, place_coordinates, project,
+    set_of,
 };
 use crate::layout::StateLayout;
 use crate::system::{Jacobian, System};
@@ -34,9 +35,9 @@ impl<'a, const N: usize> Frictionless<'a, N> {
     /// With what touches a limit in a mode held there, about the state `x`.
     pub(super) fn at_limits(self, mode: Mode, x: &SVector<f64, N>) -> Self {
         let system = self.system;
-        let held = set_of((0..MOST).filter(|&n| mode.0[n].touches()));
-        let solved = independent(&system.response(0.0, x, &[0.0; MOST]).matrix, held);
-        let forces = [0.0; MOST];
+        let held = set_of((0..MAX_CONSTRAINTS).filter(|&n| mode.0[n].touches()));
+        let solved = independent(&system.response(0.0, x, &[0.0; MAX_CONSTRAINTS]).matrix, held);
+        let forces = [0.0; MAX_CONSTRAINTS];
         let hold = Hold { forces, held, solved };
         Self { mode, hold, ..self }
     }
@@ -52,11 +53,13 @@ impl<'a, const N: usize> Frictionless<'a, N> {
     /// The constraint that is farthest beyond a limit, and what it is there.
     pub(super) fn beyond(&self, x: &SVector<f64, N>) -> Option<(usize, Status)> {
         let (laws, measures) = (self.system.laws(), self.system.measures(0.0, x));
-        let beyond = (0..MOST).filter(|&n| !self.mode.0[n].touches()).flat_map(|n| {
-            let value = measures[n][0];
-            let low = laws[n].low.map(|low| (low - value, n, Status::Low));
-            [low, laws[n].high.map(|high| (value - high, n, Status::High))]
-        });
+        let beyond = (0..MAX_CONSTRAINTS)
+            .filter(|&n| !self.mode.0[n].touches())
+            .flat_map(|n| {
+                let value = measures[n][0];
+                let low = laws[n].low.map(|low| (low - value, n, Status::Low));
+                [low, laws[n].high.map(|high| (value - high, n, Status::High))]
+            });
         let beyond = beyond.flatten().filter(|&(by, ..)| by > 0.0);
         let farthest = beyond.max_by(|(a, ..), (b, ..)| a.total_cmp(b));
         farthest.map(|(_, n, status)| (n, status))
@@ -67,9 +70,9 @@ impl<'a, const N: usize> Frictionless<'a, N> {
     pub(super) fn pulled(&self, x: &SVector<f64, N>, slack: f64) -> Option<usize> {
         let (forces, response) = (
             forces(self.system, &self.hold, 0.0, x),
-            self.system.response(0.0, x, &[0.0; MOST]),
+            self.system.response(0.0, x, &[0.0; MAX_CONSTRAINTS]),
         );
-        let pulls = (0..MOST).map(|n| match self.mode.0[n] {
+        let pulls = (0..MAX_CONSTRAINTS).map(|n| match self.mode.0[n] {
             Status::Low => (-forces[n] * response.matrix[n][n], n),
             Status::High => (forces[n] * response.matrix[n][n], n),
             _ => (0.0, n),
@@ -81,10 +84,15 @@ impl<'a, const N: usize> Frictionless<'a, N> {
     /// For each constraint that is held by a force, how far it is from its limit, and what a force along it does.
     fn apart(&self, x: &SVector<f64, N>) -> impl Iterator<Item = (usize, f64, SVector<f64, N>)> {
         let (laws, mode, solved) = (self.system.laws(), self.mode, self.hold.solved);
-        let at = (solved != 0).then(|| (self.system.measures(0.0, x), self.system.response(0.0, x, &[0.0; MOST])));
+        let at = (solved != 0).then(|| {
+            (
+                self.system.measures(0.0, x),
+                self.system.response(0.0, x, &[0.0; MAX_CONSTRAINTS]),
+            )
+        });
         at.into_iter().flat_map(move |(measures, response)| {
             let apart = apart(&laws, &mode.0, &measures);
-            let held = (0..MOST).filter(move |n| solved & 1 << n != 0);
+            let held = (0..MAX_CONSTRAINTS).filter(move |n| solved & 1 << n != 0);
             held.map(move |n| (n, apart[n], response.columns[n]))
         })
     }

@@ -31,7 +31,7 @@ pub fn imaginary_limit<M: StabilityFunction + ?Sized>(method: &M) -> f64 {
 ///
 /// It is the least `r / |lambda|` over the eigenvalues `lambda` of the Jacobian, where `r` is how far `|R|` stays at 1 or below, on the
 /// ray from 0 in the direction of `lambda`; for what counts as 1 see [`imaginary_limit`]. Eigenvalues with positive real parts are passed over: there the
-/// motion itself grows, and the method is right to follow. Those whose real part is no larger than its [uncertainty](super::Mode::uncertainty) count as
+/// motion itself grows, and the method is right to follow. Those whose real part is no larger than its [uncertainty](super::Eigenmode::uncertainty) count as
 /// imaginary, and those of which both parts are so small as 0, which limits nothing.
 ///
 /// The limit holds for small motions where the Jacobian is that of an equilibrium; elsewhere it is a good guess over times in which the

@@ -144,7 +144,7 @@ impl Lyapunov {
         stepper.restart(t, x)?;
         keep_to_directions(system, (t, &x), &mut stepper.scheme_mut().tangents);
         orthonormalize(&mut stepper.scheme_mut().tangents);
-        let mut growth = Growth::new(self.transient, self.end());
+        let mut growth = TangentGrowth::new(self.transient, self.end());
         while let Some(step) = stepper.step()? {
             keep_to_directions(system, (step.t1, &step.x1), &mut stepper.scheme_mut().tangents);
             let lengths = orthonormalize(&mut stepper.scheme_mut().tangents);
@@ -185,7 +185,7 @@ impl Lyapunov {
 
 /// How much tangents grew in each part of the time.
 #[derive(Clone)]
-struct Growth<const K: usize> {
+struct TangentGrowth<const K: usize> {
     /// Steps from here on are counted; of those that were, where the first began.
     from: f64,
     end: f64,
@@ -195,7 +195,7 @@ struct Growth<const K: usize> {
     seconds: [f64; PARTS],
 }
 
-impl<const K: usize> Growth<K> {
+impl<const K: usize> TangentGrowth<K> {
     fn new(from: f64, end: f64) -> Self {
         Self {
             from,
@@ -329,11 +329,16 @@ fn left_over<const N: usize>(done: &[SVector<f64, N>]) -> SVector<f64, N> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Exponents, Growth, PARTS};
+    use super::{Exponents, PARTS, TangentGrowth};
 
     /// Steps of a length, at rates of growth that depend on where they begin.
-    fn counted(from: f64, end: f64, steps: impl Iterator<Item = (f64, f64)>, rate: impl Fn(f64) -> f64) -> Growth<1> {
-        let mut growth = Growth::new(from, end);
+    fn counted(
+        from: f64,
+        end: f64,
+        steps: impl Iterator<Item = (f64, f64)>,
+        rate: impl Fn(f64) -> f64,
+    ) -> TangentGrowth<1> {
+        let mut growth = TangentGrowth::new(from, end);
         for (t, h) in steps {
             growth.count((t, h), [(rate(t) * h).exp()]);
         }

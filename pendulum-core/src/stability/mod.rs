@@ -69,5 +69,5 @@ pub use orbit::{Multiplier, PeriodicOrbit};
 pub use resting::{Resting, resting};
 pub use section::section;
 pub use shooting::Shooting;
-pub use spectrum::{Mode, Spectrum};
+pub use spectrum::{Eigenmode, Spectrum};
 pub use transition::transition;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, SMatrix, SVector};
 
-use super::{Mode, Spectrum, Stability, StabilityError};
+use super::{Eigenmode, Spectrum, Stability, StabilityError};
 
 /// A motion that repeats itself, with what becomes of small motions about it in one period (Floquet): `monodromy` times
 /// their start.
@@ -106,7 +106,7 @@ impl<const N: usize> PeriodicOrbit<N> {
 /// moved them.
 fn weigh<const N: usize>(spectrum: &Spectrum<N>, monodromy: &SMatrix<f64, N, N>, tolerance: f64) -> Vec<Multiplier> {
     let noise = NOISE * tolerance * monodromy.norm();
-    let weigh = |mode: &Mode<N>| Multiplier {
+    let weigh = |mode: &Eigenmode<N>| Multiplier {
         value: mode.eigenvalue,
         // In proportion to what rounding errors do; a double multiplier moves by the root of the errors.
         uncertainty: (noise * mode.condition).min((noise * monodromy.norm()).sqrt()),

@@ -6,7 +6,7 @@ use super::StabilityError;
 use super::equilibrium::{ITERATIONS, brake, come_to_rest, require_autonomous, resolution};
 use super::frictionless::Frictionless;
 use crate::error::Reason;
-use crate::hybrid::{Hybrid, InMode, MOST, Mode, Settled, Status, forces, rate, start};
+use crate::hybrid::{Hybrid, InMode, MAX_CONSTRAINTS, Mode, Settled, Status, forces, rate, start};
 use crate::method::require;
 use crate::system::{IntoState, Jacobian};
 
@@ -140,7 +140,7 @@ impl<const N: usize> Resting<N> {
 }
 
 /// The least part of what a friction force can take that is left.
-fn margin<const N: usize>(system: &dyn Hybrid<f64, N>, mode: &Mode, forces: &[f64; MOST]) -> f64 {
+fn margin<const N: usize>(system: &dyn Hybrid<f64, N>, mode: &Mode, forces: &[f64; MAX_CONSTRAINTS]) -> f64 {
     let laws = system.laws();
     let stuck = (0..system.constraints().len()).filter(|&n| mode.0[n] == Status::Stuck);
     stuck
@@ -149,6 +149,6 @@ fn margin<const N: usize>(system: &dyn Hybrid<f64, N>, mode: &Mode, forces: &[f6
 }
 
 /// How often what is held at limits may change in a search.
-const CHANGES: usize = 4 * MOST;
+const CHANGES: usize = 4 * MAX_CONSTRAINTS;
 /// The places at which an interval is looked for.
 const STEPS: usize = 256;

@@ -8,12 +8,12 @@ use super::StabilityError;
 /// The eigenvalues of a real matrix, each with its eigenvector: of a Jacobian at an equilibrium, or of a monodromy matrix.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum<const N: usize> {
-    modes: Vec<Mode<N>>,
+    modes: Vec<Eigenmode<N>>,
 }
 
 /// An eigenvalue with its eigenvector. Of a linear system `x' = A x` that is a motion, `x(t) = Re(shape exp(eigenvalue t))`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mode<const N: usize> {
+pub struct Eigenmode<const N: usize> {
     /// The eigenvalue, in 1/s for a Jacobian.
     pub eigenvalue: Complex<f64>,
     /// The eigenvector; its largest component is 1.
@@ -53,7 +53,7 @@ impl<const N: usize> Spectrum<N> {
 
     /// The modes, by falling real part of their eigenvalues; of a complex pair, that with the positive imaginary part comes first.
     #[must_use]
-    pub fn modes(&self) -> &[Mode<N>] {
+    pub fn modes(&self) -> &[Eigenmode<N>] {
         &self.modes
     }
 
@@ -63,7 +63,7 @@ impl<const N: usize> Spectrum<N> {
     }
 }
 
-impl<const N: usize> Mode<N> {
+impl<const N: usize> Eigenmode<N> {
     /// The real part of the eigenvalue, in 1/s for a Jacobian: the mode grows as `exp(growth_rate t)`, or decays where that is negative.
     #[must_use]
     pub fn growth_rate(&self) -> f64 {
@@ -95,10 +95,13 @@ struct Pair {
 
 impl Pair {
     /// The mode whose shape is that of the pair at another place.
-    fn placed<const N: usize>(self, place: impl FnOnce(DVector<Complex<f64>>) -> DVector<Complex<f64>>) -> Mode<N> {
+    fn placed<const N: usize>(
+        self,
+        place: impl FnOnce(DVector<Complex<f64>>) -> DVector<Complex<f64>>,
+    ) -> Eigenmode<N> {
         let shape: SVector<Complex<f64>, N> = SVector::from_column_slice(place(self.shape).as_slice());
         let largest = shape[shape.map(Complex::norm).imax()];
-        Mode {
+        Eigenmode {
             eigenvalue: self.eigenvalue,
             shape: shape.map(|component| component / largest),
             condition: self.condition,

@@ -5,7 +5,7 @@ use std::mem;
 use nalgebra::DVector;
 
 use super::branch::{Bifurcation, Branch, BranchEnd, BranchPoint};
-use super::curve::{Curve, Growth, Place, Test, correct, first_tangent};
+use super::curve::{Curve, CurvePoint, Growth, Test, correct, first_tangent};
 use super::{BifurcationKind, StabilityError};
 
 /// How a curve is followed; lengths and parameters are scaled.
@@ -47,13 +47,13 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             (ahead, BranchEnd::Closed)
         } else {
             let (behind, first) = self.walk(start.clone().reverse());
-            let mut places: Vec<_> = behind.into_iter().rev().map(Place::reverse).collect();
+            let mut places: Vec<_> = behind.into_iter().rev().map(CurvePoint::reverse).collect();
             places.push(start);
             places.append(&mut ahead);
             (places, first)
         };
         let bifurcations = self.bifurcations(&places);
-        let point = |place: Place<C::Solution>| BranchPoint {
+        let point = |place: CurvePoint<C::Solution>| BranchPoint {
             parameter: place.parameter() * self.unit,
             solution: place.solution,
         };
@@ -65,8 +65,8 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
     }
 
     /// The places after `start`, in the direction of its tangent, and why there are no more.
-    fn walk(&self, start: Place<C::Solution>) -> (Vec<Place<C::Solution>>, BranchEnd) {
-        let mut places: Vec<Place<C::Solution>> = Vec::new();
+    fn walk(&self, start: CurvePoint<C::Solution>) -> (Vec<CurvePoint<C::Solution>>, BranchEnd) {
+        let mut places: Vec<CurvePoint<C::Solution>> = Vec::new();
         let mut length = 0.1 * self.step;
         while places.len() < self.points {
             let last = places.last().unwrap_or(&start);
@@ -110,10 +110,10 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
     /// the distance to it.
     fn next(
         &self,
-        last: &Place<C::Solution>,
+        last: &CurvePoint<C::Solution>,
         length: f64,
         (bound, left): (f64, f64),
-    ) -> Result<Place<C::Solution>, StabilityError> {
+    ) -> Result<CurvePoint<C::Solution>, StabilityError> {
         let to_bound = |guess: DVector<f64>| {
             let mut parameter = DVector::zeros(guess.len());
             parameter[guess.len() - 1] = 1.0;
@@ -134,14 +134,19 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
     }
 
     /// The place at the distance `length` from another, along its tangent.
-    fn at(&self, from: &Place<C::Solution>, length: f64) -> Result<Place<C::Solution>, StabilityError> {
+    fn at(&self, from: &CurvePoint<C::Solution>, length: f64) -> Result<CurvePoint<C::Solution>, StabilityError> {
         let target = from.tangent.dot(&from.u) + length;
         let guess = &from.u + &from.tangent * length;
         correct(self.curve, guess, (&from.tangent, target), &from.tangent)
     }
 
     /// Whether the way from `last` to `next` leads through `place`, up to full turns.
-    fn passes(&self, last: &Place<C::Solution>, next: &Place<C::Solution>, place: &Place<C::Solution>) -> bool {
+    fn passes(
+        &self,
+        last: &CurvePoint<C::Solution>,
+        next: &CurvePoint<C::Solution>,
+        place: &CurvePoint<C::Solution>,
+    ) -> bool {
         let way = &next.u - &last.u;
         let to = self.curve.apart(&last.u, &place.u);
         let part = to.dot(&way) / way.norm_squared();
@@ -151,12 +156,12 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
     }
 
     /// The bifurcations along the places of a branch.
-    fn bifurcations(&self, places: &[Place<C::Solution>]) -> Vec<Bifurcation<C::Solution>> {
-        let mut found = Found::default();
+    fn bifurcations(&self, places: &[CurvePoint<C::Solution>]) -> Vec<Bifurcation<C::Solution>> {
+        let mut found = Findings::default();
         for (behind, pair) in places.windows(2).enumerate() {
             self.find(&pair[0], &pair[1], behind, &mut found);
         }
-        let Found {
+        let Findings {
             mut named,
             quiet,
             mut unnamed,
@@ -180,8 +185,14 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
 
     /// Notes what happens between two neighbours. The number of motions that grow changes by one where a real
     /// eigenvalue passes the limit, and by two where a pair does.
-    fn find(&self, a: &Place<C::Solution>, b: &Place<C::Solution>, behind: usize, found: &mut Found<C::Solution>) {
-        let passes = |test: &dyn Fn(&Place<C::Solution>) -> Test| {
+    fn find(
+        &self,
+        a: &CurvePoint<C::Solution>,
+        b: &CurvePoint<C::Solution>,
+        behind: usize,
+        found: &mut Findings<C::Solution>,
+    ) {
+        let passes = |test: &dyn Fn(&CurvePoint<C::Solution>) -> Test| {
             let (a, b) = (test(a), test(b));
             a.is_negative() != b.is_negative() && (a.is_certain() || b.is_certain())
         };
@@ -195,16 +206,16 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         let mut changed: Vec<usize> = (0..a.growths.len().min(b.growths.len()))
             .filter(|&i| passes(&growth(i, a, b)))
             .collect();
-        let slope = |place: &Place<C::Solution>| Test {
+        let slope = |place: &CurvePoint<C::Solution>| Test {
             value: place.slope(),
             noise: 0.0,
         };
-        let doubling = |place: &Place<C::Solution>| place.doubling.unwrap_or(NEVER);
+        let doubling = |place: &CurvePoint<C::Solution>| place.doubling.unwrap_or(NEVER);
         let mut real = Vec::new();
         if passes(&|place| place.crossing) {
             // located by the test that needs no derivatives by the parameter, if that changes its sign as well
             let turns = passes(&|place| place.turning);
-            let test = |place: &Place<C::Solution>| if turns { place.turning } else { place.crossing };
+            let test = |place: &CurvePoint<C::Solution>| if turns { place.turning } else { place.crossing };
             real.push((BifurcationKind::Crossing, C::REAL_LIMIT, self.locate(a, b, test)));
         } else if passes(&slope) {
             real.push((BifurcationKind::Fold, C::REAL_LIMIT, self.locate(a, b, slope)));
@@ -238,9 +249,9 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
     /// as near as the curve is known. Where another curve crosses, Newton's method might leave this one.
     fn locate(
         &self,
-        a: &Place<C::Solution>,
-        b: &Place<C::Solution>,
-        test: impl Fn(&Place<C::Solution>) -> Test,
+        a: &CurvePoint<C::Solution>,
+        b: &CurvePoint<C::Solution>,
+        test: impl Fn(&CurvePoint<C::Solution>) -> Test,
     ) -> Located<C::Solution> {
         let origin = a.tangent.dot(&a.u);
         let mut low = (0.0, test(a), a.clone());
@@ -297,7 +308,12 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
     }
 
     /// The errors that those of the equations cause in the test, where it is zero, and in the parameter.
-    fn errors(&self, u: &DVector<f64>, tangent: &DVector<f64>, test: impl Fn(&Place<C::Solution>) -> Test) -> [f64; 2] {
+    fn errors(
+        &self,
+        u: &DVector<f64>,
+        tangent: &DVector<f64>,
+        test: impl Fn(&CurvePoint<C::Solution>) -> Test,
+    ) -> [f64; 2] {
         let Some(finer) = self.curve.finer() else {
             return [0.0; 2];
         };
@@ -310,7 +326,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
 
 /// How far the `i`-th of the growths is beyond the limit. Where motions neither grow nor decay, as without friction,
 /// growth begins beyond the uncertainty.
-fn growth<P>(i: usize, a: &Place<P>, b: &Place<P>) -> impl Fn(&Place<P>) -> Test + use<P> {
+fn growth<P>(i: usize, a: &CurvePoint<P>, b: &CurvePoint<P>) -> impl Fn(&CurvePoint<P>) -> Test + use<P> {
     let are_certain = a.growths[i].is_certain() && b.growths[i].is_certain();
     let margin = if are_certain { 0.0 } else { 1.0 };
     move |place| {
@@ -337,7 +353,7 @@ fn nearest(changed: &[usize], limit: f64, growths: &[Growth]) -> Option<usize> {
 }
 
 /// Bifurcations along a branch, before changes of stability are matched.
-struct Found<P> {
+struct Findings<P> {
     named: Vec<Bifurcation<P>>,
     /// Behind which places real eigenvalues pass the limit without a change of stability that is certain.
     quiet: Vec<usize>,
@@ -345,7 +361,7 @@ struct Found<P> {
     unnamed: Vec<Bifurcation<P>>,
 }
 
-impl<P> Default for Found<P> {
+impl<P> Default for Findings<P> {
     fn default() -> Self {
         Self {
             named: Vec::new(),
@@ -363,17 +379,17 @@ struct Located<P> {
 }
 
 /// A place on a curve behind its distance along the way, and the value of a test there.
-type Sample<P> = (f64, Test, Place<P>);
+type Sample<P> = (f64, Test, CurvePoint<P>);
 
 /// The point at the part `part` of the way between two places on a curve, from the cubic with the tangents at both; the
 /// numbers are their distances along `normal`.
 fn between<P>(
-    (from, low): (f64, &Place<P>),
-    (to, high): (f64, &Place<P>),
+    (from, low): (f64, &CurvePoint<P>),
+    (to, high): (f64, &CurvePoint<P>),
     part: f64,
     normal: &DVector<f64>,
 ) -> DVector<f64> {
-    let slope = |place: &Place<P>| &place.tangent * ((to - from) / place.tangent.dot(normal));
+    let slope = |place: &CurvePoint<P>| &place.tangent * ((to - from) / place.tangent.dot(normal));
     let rest = 1.0 - part;
     let way = &high.u - &low.u;
     &low.u + &way * part + ((slope(low) - &way) * rest - (slope(high) - &way) * part) * (part * rest)

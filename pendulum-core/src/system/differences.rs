@@ -7,7 +7,7 @@ use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 
-/// A [`System`], or a [law](crate::inputs::Law) for inputs, whose derivatives are central differences: the last resort
+/// A [`System`], or a [law](crate::inputs::ControlLaw) for inputs, whose derivatives are central differences: the last resort
 /// where nobody knows them.
 ///
 /// A Jacobian takes two evaluations for each of the `N` components of the state, and two more for the derivative with

@@ -71,7 +71,7 @@ impl<F> fmt::Debug for FnSystem<F> {
     }
 }
 
-/// A [`System`], or a [law](crate::inputs::Law) for inputs, with its derivative with respect to the state as a function
+/// A [`System`], or a [law](crate::inputs::ControlLaw) for inputs, with its derivative with respect to the state as a function
 /// `jacobian(t, x)`.
 ///
 /// [`FnSystem::with_jacobian`] and [`WithInputs::with_derivative`](crate::WithInputs::with_derivative) make it. The

@@ -3,13 +3,13 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::by_number;
-use crate::constraint::{Constraint, Law, MOST, MeasureDerivatives, Response, ResponseDerivative};
+use crate::constraint::{Constraint, Law, MAX_CONSTRAINTS, MeasureDerivatives, Response, ResponseDerivative};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 
 /// A model on which something acts from outside: inputs, or forces along constraints, or both.
 ///
-/// The state is `[q; qd]`. [`MOST`] constraints are passed everywhere, of which only the first are used. A model that
+/// The state is `[q; qd]`. [`MAX_CONSTRAINTS`] constraints are passed everywhere, of which only the first are used. A model that
 /// has some implements all methods: the defaults panic where there are any. Without, [`eval`](Self::eval) is enough.
 #[diagnostic::on_unimplemented(
     message = "nothing acts on `{Self}` from outside, or it cannot be told what",
@@ -26,7 +26,7 @@ pub trait Plant<T: Real, const N: usize> {
     /// The time derivative of the state.
     fn eval(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> SVector<T, N>;
 
-    /// The constraints of the motion, [`MOST`] of them at most: none by default.
+    /// The constraints of the motion, [`MAX_CONSTRAINTS`] of them at most: none by default.
     #[inline(always)]
     fn constraints(&self) -> &[Constraint<'_>] {
         &[]
@@ -34,15 +34,15 @@ pub trait Plant<T: Real, const N: usize> {
 
     /// Their numbers.
     #[inline]
-    fn laws(&self) -> [Law<T>; MOST] {
-        [Law::default(); MOST]
+    fn laws(&self) -> [Law<T>; MAX_CONSTRAINTS] {
+        [Law::default(); MAX_CONSTRAINTS]
     }
 
     /// The value and the rate of each constraint.
     #[inline]
-    fn measures(&self, _t: T, _x: &SVector<T, N>) -> [[T; 2]; MOST] {
+    fn measures(&self, _t: T, _x: &SVector<T, N>) -> [[T; 2]; MAX_CONSTRAINTS] {
         require_none(self.constraints(), "Plant::measures");
-        [[T::default(); 2]; MOST]
+        [[T::default(); 2]; MAX_CONSTRAINTS]
     }
 
     /// [`eval`](Self::eval), and what more force along the constraints would change.
@@ -93,9 +93,9 @@ pub trait PlantJacobian<T: Real, const N: usize>: Plant<T, N> {
         ResponseDerivative {
             response: self.response(t, x, given),
             rates: self.eval_with_jacobian(t, x, given).1,
-            accelerations: [SVector::from([zero; N]); MOST],
+            accelerations: [SVector::from([zero; N]); MAX_CONSTRAINTS],
             rates_by_time: self.eval_time_derivative(t, x, given),
-            accelerations_by_time: [zero; MOST],
+            accelerations_by_time: [zero; MAX_CONSTRAINTS],
         }
     }
 
@@ -105,8 +105,8 @@ pub trait PlantJacobian<T: Real, const N: usize>: Plant<T, N> {
         require_none(self.constraints(), "PlantJacobian::measure_derivatives");
         let zero = T::default();
         MeasureDerivatives {
-            by_state: [[SVector::from([zero; N]); 2]; MOST],
-            by_time: [[zero; 2]; MOST],
+            by_state: [[SVector::from([zero; N]); 2]; MAX_CONSTRAINTS],
+            by_time: [[zero; 2]; MAX_CONSTRAINTS],
         }
     }
 }
@@ -127,14 +127,17 @@ pub trait PlantCanonical<T: Real, const N: usize>: Plant<T, N> {
 
 /// A [`Plant`] on which nothing but the forces along its constraints acts: a system in any number of modes, see
 /// [`hybrid`](crate::hybrid).
-pub trait Hybrid<T: Real, const N: usize>: Plant<T, N, Given = [T; MOST]> {}
+pub trait Hybrid<T: Real, const N: usize>: Plant<T, N, Given = [T; MAX_CONSTRAINTS]> {}
 
-impl<T: Real, S: Plant<T, N, Given = [T; MOST]> + ?Sized, const N: usize> Hybrid<T, N> for S {}
+impl<T: Real, S: Plant<T, N, Given = [T; MAX_CONSTRAINTS]> + ?Sized, const N: usize> Hybrid<T, N> for S {}
 
 /// A [`Hybrid`] that knows its derivatives.
 pub trait HybridJacobian<T: Real, const N: usize>: Hybrid<T, N> + PlantJacobian<T, N> {}
 
-impl<T: Real, S: PlantJacobian<T, N, Given = [T; MOST]> + ?Sized, const N: usize> HybridJacobian<T, N> for S {}
+impl<T: Real, S: PlantJacobian<T, N, Given = [T; MAX_CONSTRAINTS]> + ?Sized, const N: usize> HybridJacobian<T, N>
+    for S
+{
+}
 
 /// Inputs, and forces along constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,13 +145,13 @@ pub struct Acting<U, T> {
     /// The inputs.
     pub inputs: U,
     /// The forces, in N or N m.
-    pub forces: [T; MOST],
+    pub forces: [T; MAX_CONSTRAINTS],
 }
 
 /// What acts on a plant with the inputs `U`: these alone, or [`Acting`].
 pub trait ActsWith<U, T> {
     /// From the inputs, and the forces along its constraints.
-    fn with(inputs: U, forces: &[T; MOST]) -> Self;
+    fn with(inputs: U, forces: &[T; MAX_CONSTRAINTS]) -> Self;
 
     /// The inputs of what acts.
     fn inputs_of(given: &Self) -> &U;
@@ -156,7 +159,7 @@ pub trait ActsWith<U, T> {
 
 impl<U, T> ActsWith<U, T> for U {
     #[inline(always)]
-    fn with(inputs: U, _forces: &[T; MOST]) -> U {
+    fn with(inputs: U, _forces: &[T; MAX_CONSTRAINTS]) -> U {
         inputs
     }
 
@@ -168,7 +171,7 @@ impl<U, T> ActsWith<U, T> for U {
 
 impl<U, T: Copy> ActsWith<U, T> for Acting<U, T> {
     #[inline(always)]
-    fn with(inputs: U, forces: &[T; MOST]) -> Self {
+    fn with(inputs: U, forces: &[T; MAX_CONSTRAINTS]) -> Self {
         Self {
             inputs,
             forces: *forces,
@@ -184,8 +187,12 @@ impl<U, T: Copy> ActsWith<U, T> for Acting<U, T> {
 /// The forces along the constraints where friction acts by the sign of each rate, and nothing else does: those of a
 /// right-hand side by itself.
 #[inline(always)]
-pub fn by_sign<T: Real, const N: usize>(plant: &(impl Plant<T, N> + ?Sized), t: T, x: &SVector<T, N>) -> [T; MOST] {
-    let mut forces = [T::default(); MOST];
+pub fn by_sign<T: Real, const N: usize>(
+    plant: &(impl Plant<T, N> + ?Sized),
+    t: T,
+    x: &SVector<T, N>,
+) -> [T; MAX_CONSTRAINTS] {
+    let mut forces = [T::default(); MAX_CONSTRAINTS];
     if plant.constraints().is_empty() {
         return forces;
     }

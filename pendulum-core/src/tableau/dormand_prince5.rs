@@ -2,7 +2,7 @@
 
 use super::hermite::hermite;
 use super::{ButcherTableau, Tableau};
-use crate::control::Estimates;
+use crate::step_size::Estimates;
 
 /// The pair of orders 5 and 4 with dense output of order 4.
 ///

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::modes::{Mode, Modes};
+use super::eigenpairs::{Eigenpair, Eigenpairs};
 use crate::real::Real;
 
 /// The coefficients of a method.
@@ -17,7 +17,7 @@ pub struct GaussTableau<const STAGES: usize> {
     /// The weights of the step.
     pub(crate) b: [f64; STAGES],
     pub(crate) w: [[f64; STAGES]; STAGES],
-    pub(crate) modes: Modes<STAGES>,
+    pub(crate) modes: Eigenpairs<STAGES>,
     /// One over the products of the differences between start, nodes and end of a step.
     over: [f64; MOST_POINTS],
 }
@@ -26,7 +26,7 @@ pub struct GaussTableau<const STAGES: usize> {
 const MOST_POINTS: usize = 5;
 
 impl<const STAGES: usize> GaussTableau<STAGES> {
-    const fn new(c: [f64; STAGES], b: [f64; STAGES], w: [[f64; STAGES]; STAGES], modes: Modes<STAGES>) -> Self {
+    const fn new(c: [f64; STAGES], b: [f64; STAGES], w: [[f64; STAGES]; STAGES], modes: Eigenpairs<STAGES>) -> Self {
         let mut over = [1.0; MOST_POINTS];
         let mut j = 0;
         while j < STAGES + 2 {
@@ -89,9 +89,9 @@ impl HasTableau<2> for GaussLegendre {
             [0.5 - 0.5 * W, 0.5 + 0.5 * W],
             [0.5; 2],
             [[0.0, -W], [W, 0.0]],
-            Modes {
+            Eigenpairs {
                 real: None,
-                pair: Mode {
+                pair: Eigenpair {
                     value: Complex::new(0.25, 0.25 * W),
                     left: [Complex::new(0.5, 0.0), Complex::new(0.0, 0.133_974_596_215_561_35)],
                     right: [Complex::new(1.0, 0.0), Complex::new(0.0, -3.732_050_807_568_877)],
@@ -111,8 +111,8 @@ impl HasTableau<3> for GaussLegendre {
             [0.5 - 0.5 * ROOT, 0.5, 0.5 + 0.5 * ROOT],
             [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0],
             [[0.0, -W, -FAR], [W, 0.0, -W], [FAR, W, 0.0]],
-            Modes {
-                real: Some(Mode {
+            Eigenpairs {
+                real: Some(Eigenpair {
                     value: 0.215_314_423_116_112_18,
                     left: [
                         0.432_312_113_783_858_36,
@@ -121,7 +121,7 @@ impl HasTableau<3> for GaussLegendre {
                     ],
                     right: [1.0, 1.646_978_911_232_442, 13.859_658_089_371_628],
                 }),
-                pair: Mode {
+                pair: Eigenpair {
                     value: Complex::new(0.142_342_788_441_943_92, 0.135_799_925_708_153_8),
                     left: [
                         Complex::new(0.283_843_943_108_070_8, 0.128_867_600_636_716_23),

@@ -14,11 +14,11 @@
 //! dense output of order 3, and [`Steinebach5`] of order 5(4) in 8, with dense output of order 4.
 
 mod dormand_prince5;
+mod eigenpairs;
 mod gauss_legendre;
 mod hairer_wanner4;
 mod hermite;
 mod kutta4;
-mod modes;
 pub(crate) mod radau_iia5;
 mod rosenbrock;
 mod steinebach5;
@@ -35,8 +35,8 @@ pub use tsitouras5::Tsitouras5;
 pub use verner7::Verner7;
 pub use verner9::Verner9;
 
+pub(crate) use eigenpairs::{Eigenpair, Eigenpairs};
 pub(crate) use gauss_legendre::{GaussLegendre, GaussTableau, HasTableau};
-pub(crate) use modes::{Mode, Modes};
 
 /// The coefficients of an explicit Runge-Kutta method with `S` stages.
 ///

@@ -4,7 +4,7 @@
 
 use nalgebra::Complex;
 
-use super::modes::{Mode, Modes};
+use super::eigenpairs::{Eigenpair, Eigenpairs};
 
 /// The number of stages.
 pub(crate) const STAGES: usize = 3;
@@ -27,13 +27,13 @@ pub(crate) const A: [[f64; STAGES]; STAGES] = [
 /// The real eigenvalue of `A`.
 pub(crate) const MU: f64 = 0.274_888_829_595_677_34;
 /// The eigenvectors of `A`.
-pub(crate) const MODES: Modes<STAGES> = Modes {
-    real: Some(Mode {
+pub(crate) const MODES: Eigenpairs<STAGES> = Eigenpairs {
+    real: Some(Eigenpair {
         value: MU,
         left: [4.178_718_591_551_905, 0.327_682_820_761_062_37, 0.523_376_445_499_449_5],
         right: [0.094_438_762_488_975_24, 0.250_213_122_965_333_3, 1.0],
     }),
-    pair: Mode {
+    pair: Eigenpair {
         value: Complex::new(0.162_555_585_202_161_32, 0.184_949_324_407_140_8),
         left: [
             Complex::new(-2.089_359_295_775_952_6, 0.251_436_317_472_893_4),

@@ -1,7 +1,7 @@
 //! The pair of Tsitouras.
 
 use super::{ButcherTableau, Tableau, rows};
-use crate::control::Estimates;
+use crate::step_size::Estimates;
 
 /// The pair of orders 5 and 4 with dense output of order 4 that takes no further stage.
 ///

@@ -1,7 +1,7 @@
 //! The pair of Verner of orders 7 and 6.
 
 use super::{ButcherTableau, ExtraStage, Tableau, rows};
-use crate::control::Estimates;
+use crate::step_size::Estimates;
 
 /// The pair of orders 7 and 6 with dense output of order 7, in 10 stages and the derivative at the end of the step.
 ///

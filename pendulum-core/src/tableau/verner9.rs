@@ -1,7 +1,7 @@
 //! The pair of Verner of orders 9 and 8.
 
 use super::{ButcherTableau, ExtraStage, Tableau, rows};
-use crate::control::Estimates;
+use crate::step_size::Estimates;
 
 /// The pair of orders 9 and 8 with dense output of order 9, in 16 stages and the derivative at the end of the step.
 ///

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::hybrid::{
-    Constraint, Hybrid, HybridJacobian, Law, MOST, MeasureDerivatives, Response, ResponseDerivative, Status,
+    Constraint, Hybrid, HybridJacobian, Law, MAX_CONSTRAINTS, MeasureDerivatives, Response, ResponseDerivative, Status,
 };
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{Lyapunov, transition};
@@ -20,7 +20,7 @@ const GRAVITY: f64 = 9.81;
 
 impl System<f64, 2> for Ball {
     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-        self.eval(t, x, &[0.0; MOST])
+        self.eval(t, x, &[0.0; MAX_CONSTRAINTS])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
@@ -29,9 +29,9 @@ impl System<f64, 2> for Ball {
 }
 
 impl Plant<f64, 2> for Ball {
-    type Given = [f64; MOST];
+    type Given = [f64; MAX_CONSTRAINTS];
 
-    fn eval(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+    fn eval(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> SVector<f64, 2> {
         SVector::from([x[1], forces[0] - GRAVITY])
     }
 
@@ -44,8 +44,8 @@ impl Plant<f64, 2> for Ball {
         }
     }
 
-    fn laws(&self) -> [Law<f64>; MOST] {
-        let mut laws = [Law::default(); MOST];
+    fn laws(&self) -> [Law<f64>; MAX_CONSTRAINTS] {
+        let mut laws = [Law::default(); MAX_CONSTRAINTS];
         laws[0] = Law {
             low: Some(0.0),
             restitution: self.restitution,
@@ -55,13 +55,13 @@ impl Plant<f64, 2> for Ball {
         laws
     }
 
-    fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
-        let mut measures = [[0.0; 2]; MOST];
+    fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MAX_CONSTRAINTS] {
+        let mut measures = [[0.0; 2]; MAX_CONSTRAINTS];
         measures[0] = [x[0], x[1]];
         measures
     }
 
-    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
+    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> Response<f64, 2> {
         let mut response = Response::new(self.eval(t, x, forces));
         response.accelerations[0] = response.rates[1];
         response.columns[0] = SVector::from([0.0, 1.0]);
@@ -145,7 +145,7 @@ struct Failing {
 
 impl System<f64, 2> for Failing {
     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-        self.eval(t, x, &[0.0; MOST])
+        self.eval(t, x, &[0.0; MAX_CONSTRAINTS])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
@@ -154,9 +154,9 @@ impl System<f64, 2> for Failing {
 }
 
 impl Plant<f64, 2> for Failing {
-    type Given = [f64; MOST];
+    type Given = [f64; MAX_CONSTRAINTS];
 
-    fn eval(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+    fn eval(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> SVector<f64, 2> {
         self.evaluations.set(self.evaluations.get() + 1);
         let is_bad = self.evaluations.get() > self.good;
         self.ball.eval(t, x, forces) * if is_bad { f64::NAN } else { 1.0 }
@@ -166,15 +166,15 @@ impl Plant<f64, 2> for Failing {
         self.ball.constraints()
     }
 
-    fn laws(&self) -> [Law<f64>; MOST] {
+    fn laws(&self) -> [Law<f64>; MAX_CONSTRAINTS] {
         self.ball.laws()
     }
 
-    fn measures(&self, t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
+    fn measures(&self, t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MAX_CONSTRAINTS] {
         self.ball.measures(t, x)
     }
 
-    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
+    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> Response<f64, 2> {
         self.ball.response(t, x, forces)
     }
 }
@@ -204,8 +204,8 @@ fn a_good_step_that_cannot_be_taken_again_is_kept() {
 /// The derivatives of the state itself.
 fn identity() -> MeasureDerivatives<f64, 2> {
     let mut derivatives = MeasureDerivatives {
-        by_state: [[SVector::zeros(); 2]; MOST],
-        by_time: [[0.0; 2]; MOST],
+        by_state: [[SVector::zeros(); 2]; MAX_CONSTRAINTS],
+        by_time: [[0.0; 2]; MAX_CONSTRAINTS],
     };
     derivatives.by_state[0] = [SVector::from([1.0, 0.0]), SVector::from([0.0, 1.0])];
     derivatives
@@ -222,7 +222,7 @@ struct Belt {
 
 impl System<f64, 2> for Belt {
     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-        self.eval(t, x, &[0.0; MOST])
+        self.eval(t, x, &[0.0; MAX_CONSTRAINTS])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
@@ -232,7 +232,7 @@ impl System<f64, 2> for Belt {
 
 impl Jacobian<f64, 2> for Belt {
     fn jacobian(&self, t: f64, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
-        self.eval_with_jacobian(t, x, &[0.0; MOST]).1
+        self.eval_with_jacobian(t, x, &[0.0; MAX_CONSTRAINTS]).1
     }
 
     fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<f64, 2>> {
@@ -241,9 +241,9 @@ impl Jacobian<f64, 2> for Belt {
 }
 
 impl Plant<f64, 2> for Belt {
-    type Given = [f64; MOST];
+    type Given = [f64; MAX_CONSTRAINTS];
 
-    fn eval(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+    fn eval(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> SVector<f64, 2> {
         SVector::from([x[1], (forces[0] - self.stiffness * (x[0] + t)) / self.mass])
     }
 
@@ -256,8 +256,8 @@ impl Plant<f64, 2> for Belt {
         }
     }
 
-    fn laws(&self) -> [Law<f64>; MOST] {
-        let mut laws = [Law::default(); MOST];
+    fn laws(&self) -> [Law<f64>; MAX_CONSTRAINTS] {
+        let mut laws = [Law::default(); MAX_CONSTRAINTS];
         laws[0] = Law {
             slipping: self.slipping,
             sticking: self.sticking,
@@ -266,13 +266,13 @@ impl Plant<f64, 2> for Belt {
         laws
     }
 
-    fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
-        let mut measures = [[0.0; 2]; MOST];
+    fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MAX_CONSTRAINTS] {
+        let mut measures = [[0.0; 2]; MAX_CONSTRAINTS];
         measures[0] = [x[0], x[1]];
         measures
     }
 
-    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
+    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> Response<f64, 2> {
         let mut response = Response::new(self.eval(t, x, forces));
         response.accelerations[0] = response.rates[1];
         response.columns[0] = SVector::from([0.0, 1.0 / self.mass]);
@@ -286,7 +286,7 @@ impl PlantJacobian<f64, 2> for Belt {
         &self,
         t: f64,
         x: &SVector<f64, 2>,
-        forces: &[f64; MOST],
+        forces: &[f64; MAX_CONSTRAINTS],
     ) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
         (
             self.eval(t, x, forces),
@@ -294,14 +294,19 @@ impl PlantJacobian<f64, 2> for Belt {
         )
     }
 
-    fn response_derivative(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> ResponseDerivative<f64, 2> {
+    fn response_derivative(
+        &self,
+        t: f64,
+        x: &SVector<f64, 2>,
+        forces: &[f64; MAX_CONSTRAINTS],
+    ) -> ResponseDerivative<f64, 2> {
         let slope = -self.stiffness / self.mass;
         let mut derivative = ResponseDerivative {
             response: self.response(t, x, forces),
             rates: self.eval_with_jacobian(t, x, forces).1,
-            accelerations: [SVector::zeros(); MOST],
+            accelerations: [SVector::zeros(); MAX_CONSTRAINTS],
             rates_by_time: SVector::from([0.0, slope]),
-            accelerations_by_time: [0.0; MOST],
+            accelerations_by_time: [0.0; MAX_CONSTRAINTS],
         };
         derivative.accelerations[0][0] = slope;
         derivative.accelerations_by_time[0] = slope;
@@ -375,18 +380,23 @@ impl PlantJacobian<f64, 2> for Ball {
         &self,
         t: f64,
         x: &SVector<f64, 2>,
-        forces: &[f64; MOST],
+        forces: &[f64; MAX_CONSTRAINTS],
     ) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
         (self.eval(t, x, forces), self.jacobian(t, x))
     }
 
-    fn response_derivative(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> ResponseDerivative<f64, 2> {
+    fn response_derivative(
+        &self,
+        t: f64,
+        x: &SVector<f64, 2>,
+        forces: &[f64; MAX_CONSTRAINTS],
+    ) -> ResponseDerivative<f64, 2> {
         ResponseDerivative {
             response: self.response(t, x, forces),
             rates: self.jacobian(t, x),
-            accelerations: [SVector::zeros(); MOST],
+            accelerations: [SVector::zeros(); MAX_CONSTRAINTS],
             rates_by_time: SVector::zeros(),
-            accelerations_by_time: [0.0; MOST],
+            accelerations_by_time: [0.0; MAX_CONSTRAINTS],
         }
     }
 
@@ -478,7 +488,7 @@ const CLOSE: f64 = 0.5;
 
 impl System<f64, 4> for Carts {
     fn rhs(&self, t: f64, x: &SVector<f64, 4>) -> SVector<f64, 4> {
-        self.eval(t, x, &[0.0; MOST])
+        self.eval(t, x, &[0.0; MAX_CONSTRAINTS])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 4>> {
@@ -487,9 +497,9 @@ impl System<f64, 4> for Carts {
 }
 
 impl Plant<f64, 4> for Carts {
-    type Given = [f64; MOST];
+    type Given = [f64; MAX_CONSTRAINTS];
 
-    fn eval(&self, _t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> SVector<f64, 4> {
+    fn eval(&self, _t: f64, x: &SVector<f64, 4>, forces: &[f64; MAX_CONSTRAINTS]) -> SVector<f64, 4> {
         let [to_ground, between] = [self.stiffness[0] * x[0], self.stiffness[1] * (x[1] - x[0] - 1.0)];
         let first = forces[0] - forces[2] - to_ground + between;
         let second = forces[1] + forces[2] - between;
@@ -515,8 +525,8 @@ impl Plant<f64, 4> for Carts {
         }
     }
 
-    fn laws(&self) -> [Law<f64>; MOST] {
-        let mut laws = [Law::default(); MOST];
+    fn laws(&self) -> [Law<f64>; MAX_CONSTRAINTS] {
+        let mut laws = [Law::default(); MAX_CONSTRAINTS];
         for (law, friction) in laws.iter_mut().zip(self.friction) {
             (law.slipping, law.sticking) = (friction, 1.2 * friction);
         }
@@ -528,13 +538,13 @@ impl Plant<f64, 4> for Carts {
         laws
     }
 
-    fn measures(&self, _t: f64, x: &SVector<f64, 4>) -> [[f64; 2]; MOST] {
-        let mut measures = [[0.0; 2]; MOST];
+    fn measures(&self, _t: f64, x: &SVector<f64, 4>) -> [[f64; 2]; MAX_CONSTRAINTS] {
+        let mut measures = [[0.0; 2]; MAX_CONSTRAINTS];
         measures[..3].copy_from_slice(&[[x[0], x[2]], [x[1], x[3]], [x[1] - x[0], x[3] - x[2]]]);
         measures
     }
 
-    fn response(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> Response<f64, 4> {
+    fn response(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MAX_CONSTRAINTS]) -> Response<f64, 4> {
         let mut response = Response::new(self.eval(t, x, forces));
         let [a, b] = self.masses.map(|mass| 1.0 / mass);
         let rates = response.rates;
@@ -614,7 +624,7 @@ struct Mirrored(Carts);
 
 impl System<f64, 4> for Mirrored {
     fn rhs(&self, t: f64, x: &SVector<f64, 4>) -> SVector<f64, 4> {
-        self.eval(t, x, &[0.0; MOST])
+        self.eval(t, x, &[0.0; MAX_CONSTRAINTS])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 4>> {
@@ -623,9 +633,9 @@ impl System<f64, 4> for Mirrored {
 }
 
 impl Plant<f64, 4> for Mirrored {
-    type Given = [f64; MOST];
+    type Given = [f64; MAX_CONSTRAINTS];
 
-    fn eval(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> SVector<f64, 4> {
+    fn eval(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MAX_CONSTRAINTS]) -> SVector<f64, 4> {
         -self.0.eval(t, &-x, forces)
     }
 
@@ -648,15 +658,15 @@ impl Plant<f64, 4> for Mirrored {
         }
     }
 
-    fn laws(&self) -> [Law<f64>; MOST] {
+    fn laws(&self) -> [Law<f64>; MAX_CONSTRAINTS] {
         self.0.laws()
     }
 
-    fn measures(&self, t: f64, x: &SVector<f64, 4>) -> [[f64; 2]; MOST] {
+    fn measures(&self, t: f64, x: &SVector<f64, 4>) -> [[f64; 2]; MAX_CONSTRAINTS] {
         self.0.measures(t, &-x)
     }
 
-    fn response(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> Response<f64, 4> {
+    fn response(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MAX_CONSTRAINTS]) -> Response<f64, 4> {
         let response = self.0.response(t, &-x, forces);
         Response {
             rates: -response.rates,
@@ -704,9 +714,9 @@ impl System<f64, 2> for Wrong {
 }
 
 impl Plant<f64, 2> for Wrong {
-    type Given = [f64; MOST];
+    type Given = [f64; MAX_CONSTRAINTS];
 
-    fn eval(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+    fn eval(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> SVector<f64, 2> {
         self.ball.eval(t, x, forces)
     }
 
@@ -720,17 +730,17 @@ impl Plant<f64, 2> for Wrong {
         }
     }
 
-    fn laws(&self) -> [Law<f64>; MOST] {
+    fn laws(&self) -> [Law<f64>; MAX_CONSTRAINTS] {
         self.ball.laws()
     }
 
-    fn measures(&self, t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
+    fn measures(&self, t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MAX_CONSTRAINTS] {
         let mut measures = self.ball.measures(t, x);
         measures[0][0] = (self.value)(measures[0][0]);
         measures
     }
 
-    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
+    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MAX_CONSTRAINTS]) -> Response<f64, 2> {
         let mut response = self.ball.response(t, x, forces);
         response.columns[0] *= self.moves;
         response

@@ -95,7 +95,7 @@ fn near_and_distant_eigenvalues_have_vectors_of_their_own() {
         let [upper, lower] = spectrum.modes() else {
             panic!("two modes")
         };
-        let slope = |mode: &pendulum_core::stability::Mode<2>| mode.shape[1] / mode.shape[0];
+        let slope = |mode: &pendulum_core::stability::Eigenmode<2>| mode.shape[1] / mode.shape[0];
         assert!(
             (slope(upper) - d).norm() < 1e-12 && slope(lower).norm() < 1e-12,
             "{spectrum:?}"

@@ -52,7 +52,7 @@ A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the f
 A[s, s] = m
 Q[s] = force(s) + pull
 
-and along what hinders the motion
+and along the constraints
 force(s): dry friction of mu, at rest up to at_rest; stops at -10 and 1, restitution 0.5
 ```
 
@@ -428,18 +428,18 @@ k4 = 1/m
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[s, s] = m\nQ[s] = force(s) + pull\n\nand along what hinders the motion\nforce(s): dry friction of mu, at rest up to at_rest; stops at -10 and 1, restitution 0.5\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[s, s] = m\nQ[s] = force(s) + pull\n\nand along the constraints\nforce(s): dry friction of mu, at rest up to at_rest; stops at -10 and 1, restitution 0.5\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Plant<T, 2> for Block<T> {
-        type Given = [T; ::pendulum_core::hybrid::MOST];
+        type Given = [T; ::pendulum_core::hybrid::MAX_CONSTRAINTS];
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn eval(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            forces: &[T; ::pendulum_core::hybrid::MOST],
+            forces: &[T; ::pendulum_core::hybrid::MAX_CONSTRAINTS],
         ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
             let [_, qd_s] = x.data.0[0];
             let f0 = forces[0];
@@ -461,10 +461,12 @@ k4 = 1/m
         #[inline]
         fn laws(
             &self,
-        ) -> [::pendulum_core::hybrid::Law<T>; ::pendulum_core::hybrid::MOST] {
+        ) -> [::pendulum_core::hybrid::Law<
+            T,
+        >; ::pendulum_core::hybrid::MAX_CONSTRAINTS] {
             let k0 = self.constants[0];
             let k1 = self.constants[1];
-            let mut laws = [::pendulum_core::hybrid::Law::default(); ::pendulum_core::hybrid::MOST];
+            let mut laws = [::pendulum_core::hybrid::Law::default(); ::pendulum_core::hybrid::MAX_CONSTRAINTS];
             laws[0] = ::pendulum_core::hybrid::Law {
                 slipping: k0,
                 sticking: k1,
@@ -480,9 +482,11 @@ k4 = 1/m
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> [[T; 2]; ::pendulum_core::hybrid::MOST] {
+        ) -> [[T; 2]; ::pendulum_core::hybrid::MAX_CONSTRAINTS] {
             let [q_s, qd_s] = x.data.0[0];
-            let mut measures = [[T::from_f64(0.0); 2]; ::pendulum_core::hybrid::MOST];
+            let mut measures = [[T::from_f64(
+                0.0,
+            ); 2]; ::pendulum_core::hybrid::MAX_CONSTRAINTS];
             measures[0] = [q_s, qd_s];
             measures
         }
@@ -491,7 +495,7 @@ k4 = 1/m
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            forces: &[T; ::pendulum_core::hybrid::MOST],
+            forces: &[T; ::pendulum_core::hybrid::MAX_CONSTRAINTS],
         ) -> ::pendulum_core::hybrid::Response<T, 2> {
             let [_, qd_s] = x.data.0[0];
             let f0 = forces[0];
@@ -519,7 +523,7 @@ k4 = 1/m
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            forces: &[T; ::pendulum_core::hybrid::MOST],
+            forces: &[T; ::pendulum_core::hybrid::MAX_CONSTRAINTS],
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 2>,
             ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
@@ -542,7 +546,7 @@ k4 = 1/m
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            forces: &[T; ::pendulum_core::hybrid::MOST],
+            forces: &[T; ::pendulum_core::hybrid::MAX_CONSTRAINTS],
         ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
@@ -554,7 +558,7 @@ k4 = 1/m
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            forces: &[T; ::pendulum_core::hybrid::MOST],
+            forces: &[T; ::pendulum_core::hybrid::MAX_CONSTRAINTS],
         ) -> ::pendulum_core::hybrid::ResponseDerivative<T, 2> {
             let [_, qd_s] = x.data.0[0];
             let f0 = forces[0];
@@ -576,12 +580,12 @@ k4 = 1/m
             let zero = T::from_f64(0.0);
             let mut accelerations = [::pendulum_core::nalgebra::SVector::from(
                 [zero; 2],
-            ); ::pendulum_core::hybrid::MOST];
+            ); ::pendulum_core::hybrid::MAX_CONSTRAINTS];
             accelerations[0] = ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),
             ]);
-            let mut accelerations_by_time = [zero; ::pendulum_core::hybrid::MOST];
+            let mut accelerations_by_time = [zero; ::pendulum_core::hybrid::MAX_CONSTRAINTS];
             accelerations_by_time[0] = T::from_f64(0.0);
             ::pendulum_core::hybrid::ResponseDerivative {
                 response,
@@ -608,8 +612,8 @@ k4 = 1/m
             let mut derivatives = ::pendulum_core::hybrid::MeasureDerivatives {
                 by_state: [[::pendulum_core::nalgebra::SVector::from(
                     [zero; 2],
-                ); 2]; ::pendulum_core::hybrid::MOST],
-                by_time: [[zero; 2]; ::pendulum_core::hybrid::MOST],
+                ); 2]; ::pendulum_core::hybrid::MAX_CONSTRAINTS],
+                by_time: [[zero; 2]; ::pendulum_core::hybrid::MAX_CONSTRAINTS],
             };
             derivatives.by_state[0] = [
                 ::pendulum_core::nalgebra::SVector::from([

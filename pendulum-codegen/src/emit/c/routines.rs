@@ -116,7 +116,7 @@ impl Scene<'_> {
         self.fill(&prototype, &[]).trim_end().to_owned()
     }
 
-    /// The argument for the forces along what hinders the motion; nothing where there are none.
+    /// The argument for the forces along the constraints; nothing where there are none.
     pub(super) fn forces(&self) -> String {
         match self.program.constraints.len() {
             0 => String::new(),
@@ -129,7 +129,7 @@ impl Scene<'_> {
         let (rates, kept) = results.split_at(self.program.layout.len());
         let rates = statements(rates, |n| format!("series[1][{n}]"));
         let start = start + &rates + &statements(kept, |n| format!("kept[{n}]"));
-        // forces along what hinders the motion are constant, so there is nothing to wait for
+        // forces along the constraints are constant, so there is nothing to wait for
         let mut order = series.before.clone();
         order.lets.extend(series.order.lets.iter().cloned());
         order.names.clone_from(&series.order.names);

@@ -1,4 +1,4 @@
-//! Models whose motion something hinders.
+//! Models with constraints: dry friction, stops and walls.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -86,7 +86,7 @@ impl Items<'_> {
         Some(quote!(#system #jacobian))
     }
 
-    /// What hinders the motion, and what forces along it do: methods of `Plant`.
+    /// The constraints, and what forces along them do: methods of `Plant`.
     fn modes(&self, response: &Routine) -> Option<TokenStream> {
         let core = quote!(::pendulum_core::hybrid);
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
@@ -98,9 +98,9 @@ impl Items<'_> {
                 const { &[#constraints] }
             }
             #[inline]
-            fn laws(&self) -> [#core::Law<T>; #core::MOST] #laws
+            fn laws(&self) -> [#core::Law<T>; #core::MAX_CONSTRAINTS] #laws
             #[inline]
-            fn measures(&self, t: T, x: &#vector) -> [[T; 2]; #core::MOST] #measures
+            fn measures(&self, t: T, x: &#vector) -> [[T; 2]; #core::MAX_CONSTRAINTS] #measures
             #[inline]
             #response
         })
@@ -196,7 +196,7 @@ impl Items<'_> {
             });
             let laws: TokenStream = laws.collect();
             quote! {
-                let mut laws = [::pendulum_core::hybrid::Law::default(); ::pendulum_core::hybrid::MOST];
+                let mut laws = [::pendulum_core::hybrid::Law::default(); ::pendulum_core::hybrid::MAX_CONSTRAINTS];
                 #laws
                 laws
             }
@@ -210,7 +210,7 @@ impl Items<'_> {
             let (values, rates) = values.split_at(self.program.constraints.len());
             let number = (0..values.len()).map(count);
             quote! {
-                let mut measures = [[T::from_f64(0.0); 2]; ::pendulum_core::hybrid::MOST];
+                let mut measures = [[T::from_f64(0.0); 2]; ::pendulum_core::hybrid::MAX_CONSTRAINTS];
                 #(measures[#number] = [#values, #rates];)*
                 measures
             }
@@ -238,8 +238,8 @@ impl Items<'_> {
                 let zero = T::from_f64(0.0);
                 let mut derivatives = ::pendulum_core::hybrid::MeasureDerivatives {
                     by_state: [[::pendulum_core::nalgebra::SVector::from([zero; #length]); 2];
-                        ::pendulum_core::hybrid::MOST],
-                    by_time: [[zero; 2]; ::pendulum_core::hybrid::MOST],
+                        ::pendulum_core::hybrid::MAX_CONSTRAINTS],
+                    by_time: [[zero; 2]; ::pendulum_core::hybrid::MAX_CONSTRAINTS],
                 };
                 #rows
                 derivatives
@@ -306,9 +306,9 @@ impl Items<'_> {
             let response = { #response };
             let zero = T::from_f64(0.0);
             let mut accelerations =
-                [::pendulum_core::nalgebra::SVector::from([zero; #length]); ::pendulum_core::hybrid::MOST];
+                [::pendulum_core::nalgebra::SVector::from([zero; #length]); ::pendulum_core::hybrid::MAX_CONSTRAINTS];
             #(accelerations[#number] = #gradients;)*
-            let mut accelerations_by_time = [zero; ::pendulum_core::hybrid::MOST];
+            let mut accelerations_by_time = [zero; ::pendulum_core::hybrid::MAX_CONSTRAINTS];
             #(accelerations_by_time[#number] = #of_rows;)*
             ::pendulum_core::hybrid::ResponseDerivative {
                 response,

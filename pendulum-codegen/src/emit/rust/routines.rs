@@ -384,7 +384,7 @@ impl Items<'_> {
         let (given, name) = match (self.program.inputs.is_empty(), self.program.constraints.is_empty()) {
             (true, true) => return None,
             (false, true) => (inputs, "u"),
-            (true, false) => (quote!([T; ::pendulum_core::hybrid::MOST]), "forces"),
+            (true, false) => (quote!([T; ::pendulum_core::hybrid::MAX_CONSTRAINTS]), "forces"),
             (false, false) => (quote!(::pendulum_core::Acting<#inputs, T>), "given"),
         };
         Some((given, format_ident!("{name}")))

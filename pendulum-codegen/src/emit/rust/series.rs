@@ -152,8 +152,8 @@ impl Items<'_> {
         }
     }
 
-    /// A statement for the coefficients of the forces along what hinders the motion, from those of its second
-    /// derivatives without them.
+    /// A statement for the coefficients of the forces along the constraints, from those of the second
+    /// derivatives of the constraints without them.
     fn next_forces(&self, values: &[Piece]) -> TokenStream {
         let constraints = self.program.constraints.len();
         if constraints == 0 {
@@ -163,7 +163,7 @@ impl Items<'_> {
         let forces = self.all(constraints, Coefficient::Force);
         let number = (0..constraints).map(count);
         quote! {
-            let mut accelerations = [T::from_f64(0.0); ::pendulum_core::hybrid::MOST];
+            let mut accelerations = [T::from_f64(0.0); ::pendulum_core::hybrid::MAX_CONSTRAINTS];
             #(accelerations[#number] = #accelerations;)*
             let [#(#forces,)* ..] = held.next(&accelerations);
         }

@@ -104,7 +104,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         }
     });
     let own = own.chain(assemble).chain([outputs::functions(items, &inputs)]);
-    // either trait has what hinders the motion, and a name must not be found in both; the model itself has the others
+    // either trait has the constraints, and a name must not be found in both; the model itself has the others
     let is_hybrid = items.is_hybrid() && items.inputs.is_empty();
     let controlled = (!is_hybrid).then(|| {
         quote! {
@@ -149,20 +149,20 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         quote! {
             #allowed
             impl<T: #real #any_length> ::pendulum_core::Plant<T, #length> for #name<T> {
-                type Given = [T; #core::MOST];
-                fn eval(&self, _: T, x: &#vector, _: &[T; #core::MOST]) -> #vector {
+                type Given = [T; #core::MAX_CONSTRAINTS];
+                fn eval(&self, _: T, x: &#vector, _: &[T; #core::MAX_CONSTRAINTS]) -> #vector {
                     *x
                 }
                 fn constraints(&self) -> &[#core::Constraint<'_>] {
                     &[]
                 }
-                fn laws(&self) -> [#core::Law<T>; #core::MOST] {
+                fn laws(&self) -> [#core::Law<T>; #core::MAX_CONSTRAINTS] {
                     ::core::default::Default::default()
                 }
-                fn measures(&self, _: T, _: &#vector) -> [[T; 2]; #core::MOST] {
+                fn measures(&self, _: T, _: &#vector) -> [[T; 2]; #core::MAX_CONSTRAINTS] {
                     ::core::default::Default::default()
                 }
-                fn response(&self, _: T, x: &#vector, _: &[T; #core::MOST]) -> #core::Response<T, #length> {
+                fn response(&self, _: T, x: &#vector, _: &[T; #core::MAX_CONSTRAINTS]) -> #core::Response<T, #length> {
                     #core::Response::new(*x)
                 }
             }

@@ -8,7 +8,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::names::name_parts;
 use super::torques::Torques;
-use super::{Equations, Hindrance, Listing, Row, RowKind};
+use super::{ConstraintForce, Equations, Listing, Row, RowKind};
 use crate::dynamics::Dynamics;
 use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand};
 use crate::form::expanded;
@@ -48,7 +48,7 @@ pub(crate) fn equations<'g>(
         composer.closed = composer.expanded(&composer.recursion.clone(), Preference::Expanded);
     }
     Equations {
-        hindrances: composer.hindrances(),
+        constraint_forces: composer.constraint_forces(),
         closings: composer.closings(),
         coordinates: model.coordinate_names().into_iter().map(str::to_owned).collect(),
         driven: !model.drives.is_empty(),
@@ -111,12 +111,12 @@ impl<'g> Composer<'_, 'g> {
         rows.into_iter().map(|row| printer.short(row.id())).collect()
     }
 
-    /// What hinders the motion, and how.
-    fn hindrances(&mut self) -> Vec<Hindrance> {
+    /// The forces along the constraints, and their laws.
+    fn constraint_forces(&mut self) -> Vec<ConstraintForce> {
         let values = self.shorter(&self.model.with_drives(&self.model.constraint_values()));
         let printer = Printer::that_computes(self.model.graph);
         let formula = |x: Expr<'g>| printer.short(x.id());
-        let hindrance = |(constraint, value): (&Constraint<'g>, Expr<'g>)| {
+        let constraint_force = |(constraint, value): (&Constraint<'g>, Expr<'g>)| {
             let Law {
                 slipping,
                 sticking,
@@ -144,12 +144,17 @@ impl<'g> Composer<'_, 'g> {
                 law.push((", restitution", formula(restitution)));
                 law.extend((!slow.is_zero()).then(|| (" from a rate of", formula(slow))));
             }
-            Hindrance {
+            ConstraintForce {
                 force: formula(constraint.force),
                 law,
             }
         };
-        self.model.constraints.iter().zip(values).map(hindrance).collect()
+        self.model
+            .constraints
+            .iter()
+            .zip(values)
+            .map(constraint_force)
+            .collect()
     }
 
     /// Forces written out, unless that is too long.

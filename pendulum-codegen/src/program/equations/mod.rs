@@ -31,13 +31,13 @@ pub struct Equations {
     pub full: Listing,
     /// What vanishes where loops are closed that have no closed form.
     pub closings: Vec<Formula>,
-    /// What hinders the motion.
-    pub hindrances: Vec<Hindrance>,
+    /// The constraints.
+    pub constraint_forces: Vec<ConstraintForce>,
 }
 
-/// Something that hinders the motion.
+/// A force along a constraint, and its law.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Hindrance {
+pub struct ConstraintForce {
     /// The force along it, as it stands in the equations.
     pub force: Formula,
     /// What it does: words, each with the formula after them.
@@ -121,10 +121,10 @@ impl Display for Equations {
         for closing in &self.closings {
             writeln!(f, "{}", wrapped(&format!("0 = {closing}")))?;
         }
-        if !self.hindrances.is_empty() {
-            f.write_str("\nand along what hinders the motion\n")?;
+        if !self.constraint_forces.is_empty() {
+            f.write_str("\nand along the constraints\n")?;
         }
-        for Hindrance { force, law } in &self.hindrances {
+        for ConstraintForce { force, law } in &self.constraint_forces {
             let law = law.iter().map(|(words, formula)| format!("{words} {formula}"));
             writeln!(f, "{}", wrapped(&format!("{force}: {}", law.collect::<String>())))?;
         }
@@ -169,7 +169,7 @@ impl Equations {
         for closing in &self.closings {
             text.push_str(&closing.latex_equation(&Formula::sum(Vec::new())));
         }
-        for Hindrance { force, law } in &self.hindrances {
+        for ConstraintForce { force, law } in &self.constraint_forces {
             let law = law
                 .iter()
                 .map(|(words, formula)| format!("{words} ${}$", formula.latex()));

@@ -5,7 +5,6 @@ use std::marker::PhantomData;
 use nalgebra::SVector;
 
 use super::{Bounded, Stiffness, Switch, Switching, fastest_rate};
-use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::ensemble::{MOST_LANES, in_lane, set_lane};
 use crate::error::Reason;
@@ -18,6 +17,7 @@ use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
+use crate::step_size::{Estimates, Tolerance};
 use crate::system::{Jacobian, System};
 use crate::tableau::Steinebach5;
 

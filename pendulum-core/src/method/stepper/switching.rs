@@ -3,7 +3,6 @@
 use nalgebra::SVector;
 
 use super::Stepper;
-use crate::control::Tolerance;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::hybrid::{self, ABOUT_THE_END, Ambiguity, Hybrid, InMode, Modes, Settled, Witnesses};
@@ -11,6 +10,7 @@ use crate::method::scheme::Scheme;
 use crate::method::smooth::Steps;
 use crate::real::Float;
 use crate::statistics::Statistics;
+use crate::step_size::Tolerance;
 use crate::system::System;
 
 /// Give up after this many changes of modes that are, on average, closer to each other than the times below. The

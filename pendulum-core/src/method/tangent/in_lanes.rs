@@ -3,7 +3,6 @@
 use nalgebra::SVector;
 
 use super::{Bundle, Tangent, larger};
-use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::ensemble::{MOST_LANES, in_lane, set_lane};
 use crate::error::Reason;
@@ -13,6 +12,7 @@ use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled, stall};
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
+use crate::step_size::{Estimates, Tolerance};
 use crate::system::Jacobian;
 use crate::tableau::Tableau;
 

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use nalgebra::SVector;
 
-use super::{Exponents, Growth, Lyapunov, oblique, orthonormalize};
+use super::{Exponents, Lyapunov, TangentGrowth, oblique, orthonormalize};
 use crate::ensemble::{Ensemble, EnsembleError, check_models};
 use crate::method::{Carried, Carry, Tangent};
 use crate::real::lanes::{Isa, Kernel, Lanes};
@@ -89,7 +89,7 @@ impl Lyapunov {
             };
             return Ok(starts.iter().enumerate().map(alone).collect());
         }
-        let growths = vec![Growth::new(self.transient, self.end()); starts.len()];
+        let growths = vec![TangentGrowth::new(self.transient, self.end()); starts.len()];
         let growths = RefCell::new(growths);
         let carried = Carried::<_, Verner9, 17, K>::new(Tangent::default(), Growing(&growths));
         let (x, stopped) = match flow.by(carried).ensemble_on(isa, models, 0.0, self.end(), starts) {
@@ -108,7 +108,7 @@ impl Lyapunov {
 
 /// Makes tangents orthonormal after each step, and counts how much they grew.
 #[derive(Clone, Copy)]
-struct Growing<'g, const K: usize>(&'g RefCell<Vec<Growth<K>>>);
+struct Growing<'g, const K: usize>(&'g RefCell<Vec<TangentGrowth<K>>>);
 
 impl<const K: usize, const N: usize> Carry<f64, K, N> for Growing<'_, K> {
     fn start(self) -> [SVector<f64, N>; K] {

@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 /// An eigenvalue of the matrix `a_ij` of a method with its eigenvectors, of which `left . right` is 1.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Mode<F, const STAGES: usize> {
+pub(crate) struct Eigenpair<F, const STAGES: usize> {
     pub(crate) value: F,
     pub(crate) left: [F; STAGES],
     pub(crate) right: [F; STAGES],
@@ -12,25 +12,25 @@ pub(crate) struct Mode<F, const STAGES: usize> {
 
 /// The eigenvalues of a method with two or three stages: a complex pair, and a real one where there is a third stage.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Modes<const STAGES: usize> {
-    pub(crate) real: Option<Mode<f64, STAGES>>,
+pub(crate) struct Eigenpairs<const STAGES: usize> {
+    pub(crate) real: Option<Eigenpair<f64, STAGES>>,
     /// The one whose imaginary part is positive.
-    pub(crate) pair: Mode<Complex<f64>, STAGES>,
+    pub(crate) pair: Eigenpair<Complex<f64>, STAGES>,
 }
 
 #[cfg(test)]
-impl<const STAGES: usize> Modes<STAGES> {
+impl<const STAGES: usize> Eigenpairs<STAGES> {
     /// The largest residual of the equations that define the eigenvectors of `a`.
     pub(super) fn residual(&self, a: &[[f64; STAGES]; STAGES]) -> f64 {
         let complex = |x: f64| Complex::new(x, 0.0);
-        let real = self.real.map(|Mode { value, left, right }| Mode {
+        let real = self.real.map(|Eigenpair { value, left, right }| Eigenpair {
             value: complex(value),
             left: left.map(complex),
             right: right.map(complex),
         });
         let sum = |terms: &dyn Fn(usize) -> Complex<f64>| (0..STAGES).map(terms).sum::<Complex<f64>>();
         let mut residuals = Vec::new();
-        for Mode { value, left, right } in [Some(self.pair), real].into_iter().flatten() {
+        for Eigenpair { value, left, right } in [Some(self.pair), real].into_iter().flatten() {
             residuals.push(sum(&|j| left[j] * right[j]) - 1.0);
             for i in 0..STAGES {
                 residuals.push(sum(&|j| left[j] * a[j][i]) - value * left[i]);
