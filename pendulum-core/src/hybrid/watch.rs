@@ -82,8 +82,10 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         lane: usize,
     ) {
         for (reach, (law, [value, _])) in self.reach.iter_mut().zip(laws.iter().zip(measures)) {
-            let limits = [law.low, law.high].map(|limit| limit.map(|limit| limit.lane(lane)));
-            note(reach, nearest(value.lane(lane), limits));
+            if law.low.is_some() || law.high.is_some() {
+                let limits = [law.low, law.high].map(|limit| limit.map(|limit| limit.lane(lane)));
+                note(reach, nearest(value.lane(lane), limits));
+            }
         }
     }
 
