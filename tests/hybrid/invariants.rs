@@ -44,8 +44,14 @@ fn from_a_random_state(random: &mut Random) -> (Rods, SVector<f64, 4>) {
     (Rods::new(params).expect("physical"), SVector::from(start))
 }
 
-/// The first promise that is broken by more than `noise` on the way to `t1`, if one is.
-fn broken<M>(model: &Rods, method: &M, t1: f64, start: SVector<f64, 4>, noise: f64) -> Result<Option<String>, Reason>
+/// The first promise that is broken on the way to `t1`, if one is: by rates more than `noise`, by gaps more than `within`.
+fn broken<M>(
+    model: &Rods,
+    method: &M,
+    t1: f64,
+    start: SVector<f64, 4>,
+    (noise, within): (f64, f64),
+) -> Result<Option<String>, Reason>
 where
     M: Method<Rods, f64, 4>,
 {
@@ -65,7 +71,7 @@ where
                     Status::Free => true,
                     _ => rate == 0.0,
                 };
-                let is_within = n == 0 || LIMITS[0] - noise <= value && value <= LIMITS[1] + noise;
+                let is_within = n == 0 || LIMITS[0] - within <= value && value <= LIMITS[1] + within;
                 if !goes || !is_within {
                     let status = mode.0[n];
                     return Ok(Some(format!("{status:?} at {t}, {theta} of {h:e}: {value}, {rate:e}")));
@@ -76,11 +82,11 @@ where
     Ok(None)
 }
 
-fn check<M: Method<Rods, f64, 4>>(what: &str, method: &M, noise: f64) {
+fn check<M: Method<Rods, f64, 4>>(what: &str, method: &M, allowed: (f64, f64)) {
     let mut random = Random::new(38);
     for nth in 0..share(400) {
         let (model, start) = from_a_random_state(&mut random);
-        let found = broken(&model, method, 6.0, start, noise);
+        let found = broken(&model, method, 6.0, start, allowed);
         assert_eq!(found, Ok(None), "{what}, start {nth}");
     }
 }
@@ -90,7 +96,8 @@ fn modes_keep_their_promises() {
     macro_rules! check {
         ($($method:ident $tolerance:literal within $noise:expr),*) => { $(
             let method = $method::new().rtol($tolerance).atol($tolerance);
-            check(concat!(stringify!($method), " ", $tolerance), &method, $noise);
+            // right after an impact a gap is as exact as the polynomial
+            check(concat!(stringify!($method), " ", $tolerance), &method, ($noise, 0.1 * $tolerance));
         )* };
     }
     check!(

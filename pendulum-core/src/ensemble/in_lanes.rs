@@ -8,7 +8,7 @@ use super::leave::Leave;
 use super::march::{March, Paced, Pacing};
 use super::members::Members;
 use super::watch::{Watch, show_lane};
-use super::{InLanes, MOST_LANES, Stopped, model_of};
+use super::{Expanded, InLanes, MOST_LANES, Stopped, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, InMode};
@@ -96,7 +96,7 @@ where
         if self.models.is_empty() {
             return Ok(());
         }
-        let mut system = F::gather::<V>(|_| &self.models[0]);
+        let mut system = Expanded::<M, V, N>::gather(|_| &self.models[0]);
         let (family, tolerance) = (self.method.family(), self.method.within()?);
         let mut scheme = family.stages::<V>(&system, tolerance, W::WATCHES || L::ASKS)?;
         let start = self.method.steps(scheme.error_order(), self.span)?;
@@ -115,7 +115,8 @@ where
                 }
                 if someone_enters {
                     if self.models.len() > 1 {
-                        system = F::gather::<V>(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
+                        system =
+                            Expanded::<M, V, N>::gather(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
                     }
                     leave.begin(&system);
                     if const { L::ASKS } {
@@ -180,7 +181,7 @@ where
     #[inline(always)]
     fn begin_all<V: Lanes<Scalar = T>>(
         &mut self,
-        (system, hold): (&F::System<V>, &Hold<V>),
+        (system, hold): (&Expanded<M, V, N>, &Hold<V>),
         scheme: &mut F::Stages<V>,
         members: &mut Members<T>,
         (steps, x): (&Pacing<T>, &SVector<V, N>),
@@ -230,7 +231,7 @@ where
         &mut self,
         members: &mut Members<T>,
         scheme: &mut F::Stages<V>,
-        system: &InMode<'_, F::System<V>, V>,
+        system: &InMode<'_, Expanded<M, V, N>, V>,
         step: &Step<V, N>,
         within: &mut Vec<SVector<T, N>>,
     ) {

@@ -25,16 +25,8 @@ pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>,
     /// Whether lanes also go through the modes of hybrid systems, while nothing is held.
     const IN_MODES: bool = true;
 
-    /// Models in lanes.
-    type System<V: Lanes<Scalar = T>>: System<V, N>;
-
     /// What a step in lanes works with.
-    type Stages<V: Lanes<Scalar = T>>: Scheme<Self::System<V>, V, N>;
-
-    /// The model of each lane.
-    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Self::System<V>
-    where
-        M: 'm;
+    type Stages<V: Lanes<Scalar = T>>: Scheme<Expanded<M, V, N>, V, N>;
 
     /// [`OneStep::scheme`] in lanes; `is_dense` says whether dense output will be asked for.
     ///
@@ -42,7 +34,7 @@ pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>,
     /// Those of [`OneStep::scheme`].
     fn stages<V: Lanes<Scalar = T>>(
         &self,
-        system: &Self::System<V>,
+        system: &Expanded<M, V, N>,
         tolerance: Option<Tolerance<T>>,
         is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason>;
@@ -55,25 +47,16 @@ where
     T: LaneElement,
 {
     const NARROW: bool = N > SHORT;
-    type System<V: Lanes<Scalar = T>> = M::In<V>;
-    type Stages<V: Lanes<Scalar = T>> = <Self as OneStep<M::In<V>, V, N>>::Scheme;
-
-    #[inline(always)]
-    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> M::In<V>
-    where
-        M: 'm,
-    {
-        M::gather(models)
-    }
+    type Stages<V: Lanes<Scalar = T>> = <Self as OneStep<Expanded<M, V, N>, V, N>>::Scheme;
 
     #[inline(always)]
     fn stages<V: Lanes<Scalar = T>>(
         &self,
-        system: &M::In<V>,
+        system: &Expanded<M, V, N>,
         tolerance: Option<Tolerance<T>>,
         is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason> {
-        let mut stages = OneStep::<M::In<V>, V, N>::scheme(self, system, tolerance)?;
+        let mut stages = OneStep::<Expanded<M, V, N>, V, N>::scheme(self, system, tolerance)?;
         stages.keep_stages(is_dense);
         Ok(stages)
     }
@@ -86,16 +69,7 @@ where
     T: LaneElement,
 {
     const NARROW: bool = true;
-    type System<V: Lanes<Scalar = T>> = Expanded<M, V, N>;
     type Stages<V: Lanes<Scalar = T>> = <Self as OneStep<Expanded<M, V, N>, V, N>>::Scheme;
-
-    #[inline(always)]
-    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Expanded<M, V, N>
-    where
-        M: 'm,
-    {
-        Expanded(M::gather(models))
-    }
 
     #[inline(always)]
     fn stages<V: Lanes<Scalar = T>>(
@@ -111,6 +85,17 @@ where
 /// A model in the number type `T`: that it has its [`TaylorSeries`], or its [`Jacobian`], in all types is known of `M`
 /// alone.
 pub struct Expanded<M: Cast<N>, T: Real, const N: usize>(M::In<T>);
+
+impl<M: Cast<N>, V: Lanes, const N: usize> Expanded<M, V, N> {
+    /// The model of each lane.
+    #[inline(always)]
+    pub(super) fn gather<'m>(models: impl Fn(usize) -> &'m M) -> Self
+    where
+        M: 'm,
+    {
+        Self(M::gather(models))
+    }
+}
 
 impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
     #[inline(always)]
@@ -176,16 +161,7 @@ where
     const NARROW: bool = true;
     // the derivatives in modes are functions that are never inlined
     const IN_MODES: bool = false;
-    type System<V: Lanes<Scalar = T>> = Expanded<M, V, N>;
     type Stages<V: Lanes<Scalar = T>> = RosenbrockStages<B, V, STAGES, N, PerLane<V, N>>;
-
-    #[inline(always)]
-    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Expanded<M, V, N>
-    where
-        M: 'm,
-    {
-        Expanded(M::gather(models))
-    }
 
     #[inline(always)]
     fn stages<V: Lanes<Scalar = T>>(
@@ -228,16 +204,7 @@ where
 {
     const NARROW: bool = true;
     const IN_MODES: bool = false;
-    type System<V: Lanes<Scalar = T>> = Expanded<M, V, N>;
     type Stages<V: Lanes<Scalar = T>> = SwitchInLanes<B, V, STAGES, N>;
-
-    #[inline(always)]
-    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Expanded<M, V, N>
-    where
-        M: 'm,
-    {
-        Expanded(M::gather(models))
-    }
 
     #[inline(always)]
     fn stages<V: Lanes<Scalar = T>>(
@@ -260,16 +227,7 @@ where
 {
     const NARROW: bool = true;
     const IN_MODES: bool = false;
-    type System<V: Lanes<Scalar = T>> = Expanded<M, V, N>;
     type Stages<V: Lanes<Scalar = T>> = CarriedStages<C, B, V, STAGES, K, N>;
-
-    #[inline(always)]
-    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Expanded<M, V, N>
-    where
-        M: 'm,
-    {
-        Expanded(M::gather(models))
-    }
 
     #[inline(always)]
     fn stages<V: Lanes<Scalar = T>>(

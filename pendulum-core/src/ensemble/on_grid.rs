@@ -6,7 +6,7 @@ use super::check::{first_not_finite, in_lane, sum};
 use super::in_lanes::Never;
 use super::march::March;
 use super::watch::Watch;
-use super::{InLanes, model_of};
+use super::{Expanded, InLanes, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, InMode};
@@ -69,7 +69,7 @@ where
             }
             let refused = before..failed.len();
             let member = |lane: usize| lane.min(states.len() - 1);
-            let system = F::gather::<V>(|lane| model_of(self.models, first + member(lane)));
+            let system = Expanded::<M, V, N>::gather(|lane| model_of(self.models, first + member(lane)));
             let scheme = self.method.family.stages::<V>(&system, None, false)?;
             let x = SVector::from_fn(|k, _| V::from_fn(|lane| states[member(lane)][k]));
             let ends = march(&system, scheme, x, grid);

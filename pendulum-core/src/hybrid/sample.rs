@@ -23,7 +23,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         (live, noise): (Witnesses, &Values<T>),
         ended: Option<Ended<T>>,
     ) -> Result<Option<Ended<T>>, Reason> {
-        if live.is_empty() {
+        if live.is_empty() || ended.is_some_and(|(theta, _)| theta <= start.0.theta) {
             return Ok(ended);
         }
         let positive = self.positive;
@@ -51,7 +51,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         let to = ended.map_or(T::from_f64(1.0), |(theta, _)| theta);
         let (mut earlier, mut last) = (None, *start);
         // what begins may end at once
-        for theta in places::<T>(is_first) {
+        for theta in places::<T>(is_first).filter(|&theta| theta > start.theta) {
             let here = step.place(theta.min(to));
             self.note_reach(step, &here);
             let mut first = None;
@@ -209,7 +209,7 @@ fn look_ahead<T: Float, const N: usize>(
     for (n, gap) in fired.pairs().filter(moves) {
         let known = bends[n];
         let (mut earlier, mut last) = (None, step.known(start, (n, gap)));
-        for theta in places(false) {
+        for theta in places(false).filter(|&theta| theta > start.theta) {
             let here = step.known(&step.place(theta), (n, gap));
             if let Some(earlier) = earlier {
                 bends[n] = bends[n].max(unseen_bend([earlier, last, here], noise[n][gap.slot()]));

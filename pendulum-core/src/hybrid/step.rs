@@ -19,6 +19,9 @@ use crate::real::Float;
 /// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
 const LEAST_ACCELERATION: f64 = 1e-6;
 
+/// A polynomial that is wrong where a step starts is right again from one of these places on.
+pub(super) const RIGHT_AGAIN: [f64; 2] = [0.01, 0.125];
+
 /// So far about the end of a step, in fractions of it, its polynomial is as exact as the end.
 pub(crate) const ABOUT_THE_END: f64 = 1e-3;
 /// A step that was taken to the end of a mode is searched so far about its end, and farther on back from it.
@@ -227,7 +230,8 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
             true => -self.known(&self.about_end(place), witness).1[1],
             false => value - function(place + one),
         };
-        (falls > zero).then(|| place + value / falls)
+        // not about the end, where it is known to be positive
+        (falls > zero).then(|| place + (value / falls).max(T::from_f64(2.0 * ABOUT_THE_END)))
     }
 
     /// Whether a constraint moves where the state does not.

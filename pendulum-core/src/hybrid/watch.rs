@@ -6,7 +6,7 @@ use super::mode::Mode;
 use super::polynomial::Course;
 use super::resolution::{NOISE, ulps};
 use super::sizes::{ForceSizes, Gains};
-use super::step::{ABOUT_THE_END, Place, StepInMode, resolution};
+use super::step::{ABOUT_THE_END, Place, RIGHT_AGAIN, StepInMode, resolution};
 use super::witness::{Values, Witness, Witnesses};
 use super::{Hold, Hybrid, MAX_CONSTRAINTS};
 use crate::dense::Dense;
@@ -89,8 +89,8 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         }
     }
 
-    /// Where the mode ends within a step, but by other witnesses than those that are `disproved`; the work of looking is
-    /// counted.
+    /// Where the mode ends within a step; the work of looking is counted. Where the step starts, those that are
+    /// [`disproved`](Self::disproves) do not end it.
     pub(crate) fn look(
         &mut self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
@@ -112,7 +112,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         let mut live = Witnesses::default();
         for (n, witness) in step.witnesses() {
             let is_positive = || self.positive.has(n, witness) && step.stays_positive(&start, (n, witness));
-            if !disproved.has(n, witness) && !is_positive() {
+            if disproved.has(n, witness) || !is_positive() {
                 live.insert(n, witness);
             }
         }
@@ -120,12 +120,18 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
             return Ok(None);
         }
         let of_forces = live.filter(|(_, witness)| witness.is_force());
-        let of_states = live.without(of_forces);
+        let of_states = live.without(of_forces).without(disproved);
         let mut ended = None;
         if !of_states.is_empty() {
             let noise = self.noise(step, of_states);
             let (first, unclear) = self.courses(step, &start, (of_states, &noise));
             ended = self.sample_states(step, (&start, is_first), (unclear, &noise), first)?;
+        }
+        if !disproved.is_empty() {
+            let (noise, from) = (self.noise(step, disproved), right_again(step, disproved));
+            let from = step.place(from.unwrap_or_default());
+            self.positive = self.positive.or(disproved);
+            ended = self.sample_states(step, (&from, false), (disproved, &noise), ended)?;
         }
         if !of_forces.is_empty() {
             ended = self.sample_forces(step, of_forces, ended)?;
@@ -236,22 +242,16 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         first
     }
 
-    /// Whether witnesses are positive at the end of a step.
-    pub(crate) fn outlast(
+    /// Whether a step shows that witnesses end no mode where it starts, though its polynomial says so: they are positive
+    /// later on.
+    pub(crate) fn disproves(
         &self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
         dense: &Dense<'_, T, N>,
-        of: Witnesses,
-        work: &mut Statistics,
+        fired: Witnesses,
     ) -> bool {
-        let step = StepInMode::new(system, dense);
-        let (end, zero) = (T::from_f64(1.0), T::default());
-        let stays = of.pairs().all(|(n, witness)| match witness.is_force() {
-            true => step.margin(&step.forces(end), (n, witness)) > zero,
-            false => step.value(&step.place(end), (n, witness)) > zero,
-        });
-        work.evaluations += step.evaluations.get();
-        stays
+        let is_of_states = fired.pairs().all(|(_, witness)| !witness.is_force());
+        is_of_states && right_again(&StepInMode::new(system, dense), fired).is_some()
     }
 
     /// Within what of its limit the force of what is held may be rounding errors.
@@ -295,6 +295,13 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
             }
         }
     }
+}
+
+/// From where on the polynomial of a step may be right about witnesses again: where they are positive.
+fn right_again<T: Float, const N: usize>(step: &StepInMode<'_, T, N>, of: Witnesses) -> Option<T> {
+    let places = RIGHT_AGAIN.map(|theta| step.place(T::from_f64(theta)));
+    let is_right = |place: &&Place<T>| of.pairs().all(|witness| step.value(place, witness) > T::default());
+    places.iter().find(is_right).map(|place| place.theta)
 }
 
 /// The distance from the nearer of two limits; infinite where there is none.

@@ -32,6 +32,16 @@ const LEAST_PART: f64 = 0.01;
 /// Report an order of impacts if it changes the state by more than this many tolerances.
 const LEAST_AMBIGUITY: f64 = 10.0;
 
+/// What came of a step that was to be cut off.
+enum Cut {
+    /// It ends where its mode does, or before.
+    Ended,
+    /// It stands as it was: what its polynomial shows at its start is disproved.
+    Stands,
+    /// It is shorter, but goes on beyond where its polynomial showed an end: its mode may end within.
+    Goes,
+}
+
 impl<C, S, T, const N: usize> Stepper<'_, C, S, T, N>
 where
     C: Scheme<S, T, N>,
@@ -46,30 +56,32 @@ where
         };
         (self.modes.cut, self.modes.is_dense) = (T::from_f64(1.0), false);
         let mut disproved = Witnesses::default();
-        loop {
+        for _ in 0..MOST_RETAKEN {
             let (dense, modes, work) = self.dense_and_mode();
             let scene = (hybrid, &modes.mode, &modes.hold);
             let Some((cut, fired)) = modes.watch.look(scene, &dense, disproved, work)? else {
-                return Ok(());
+                break;
             };
-            if self.cut_off(hybrid, cut, fired) {
-                return Ok(());
+            match self.cut_off(hybrid, cut, fired) {
+                Cut::Ended => break,
+                Cut::Stands => disproved = disproved.or(fired),
+                Cut::Goes => {}
             }
-            disproved = disproved.or(fired);
         }
+        Ok(())
     }
 
     /// Cuts the last step off where its polynomial shows that witnesses end the mode, or about there: the ends of steps
-    /// are more exact than what is between them, so it is taken again to there. False if that shows, right after the
-    /// start, that the witnesses stay positive: then the step is as it was.
-    fn cut_off(&mut self, hybrid: &dyn Hybrid<T, N>, mut cut: T, mut fired: Witnesses) -> bool {
+    /// are more exact than what is between them, so it is taken again to there.
+    fn cut_off(&mut self, hybrid: &dyn Hybrid<T, N>, mut cut: T, mut fired: Witnesses) -> Cut {
         let (whole, scheme) = (self.smooth.last, self.smooth.scheme.clone());
         let (one, about_the_end) = (T::from_f64(1.0), T::from_f64(ABOUT_THE_END));
         let mut t = Dense::new(whole, &[]).time(cut);
-        let mut retaken = 0;
+        let (mut retaken, mut goes_on) = (0, false);
         let mut x = loop {
             if !self.retake(&whole, t) {
                 (self.smooth.last, self.smooth.scheme) = (whole, scheme);
+                self.modes.is_dense = true;
                 cut = (t - whole.t0) / whole.h;
                 break self.dense_and_mode().0.at_fraction(cut);
             }
@@ -80,15 +92,20 @@ where
             let is_in_reach = |by: T| by <= about_the_end || time(by) < whole.t1 && retaken < MOST_RETAKEN;
             let found = modes.watch.locate(scene, &dense, fired, work);
             let Some((by, first)) = found.filter(|&(by, _)| is_in_reach(by)) else {
-                let is_at_the_start = time(T::default()) - whole.t0 < T::from_f64(LEAST_PART) * whole.h;
-                if is_at_the_start && modes.watch.outlast(scene, &Dense::new(whole, &[]), fired, work) {
+                let end = dense.step().t1;
+                if end - whole.t0 < T::from_f64(LEAST_PART) * whole.h {
+                    let short = (self.smooth.last, self.smooth.scheme.clone());
                     (self.smooth.last, self.smooth.scheme) = (whole, scheme);
-                    return false;
+                    let (dense, modes, _) = self.dense_and_mode();
+                    if modes.watch.disproves((hybrid, &modes.mode, &modes.hold), &dense, fired) {
+                        return Cut::Stands;
+                    }
+                    (self.smooth.last, self.smooth.scheme) = short;
                 }
-                let t = dense.step().t1;
-                self.smooth.go_to(t);
-                return true;
+                self.smooth.go_to(end);
+                return if goes_on { Cut::Goes } else { Cut::Ended };
             };
+            goes_on |= by > about_the_end;
             (t, cut, fired) = (time(by), one + by, first);
             if by.abs() <= about_the_end || retaken == MOST_RETAKEN {
                 break dense.about_end(by);
@@ -101,7 +118,7 @@ where
             hybrid::project(hybrid, &modes.hold, &fired.touching(&modes.mode), t, &mut x);
         }
         self.smooth.last = Step::new((self.smooth.last.t0, self.smooth.last.x0), (t, x));
-        true
+        Cut::Ended
     }
 
     /// The states within the last step, before it is cut off.
