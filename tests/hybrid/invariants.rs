@@ -203,3 +203,53 @@ impl Plant<f64, 2> for Unanswered {
 fn a_model_with_constraints_says_what_forces_along_them_do() {
     let _ = Tsit5::new().solve(&Unanswered, 0.0, 1.0, [1.0, 0.0]);
 }
+
+mechanism! {
+    /// A ball in a box whose walls shake.
+    pub Shaker {
+        params { a1: m, a2: m, w1: rad/s, w2: rad/s, e: 1, f: N s/m }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian],
+        point centre on ball at [0, 0, 0],
+        wall left { gap: centre.x + 1 + a1*sin(w1*t), restitution: e }
+        wall right { gap: 1 - centre.x + a2*sin(w2*t) + centre.y/10, restitution: e }
+        wall floor { gap: centre.y + 1 - a2*sin(w1*t) + centre.x^2/20 m, restitution: e }
+        wall top { gap: 1 - centre.y + a1*sin(w2*t), restitution: e }
+        body across on ground { joint: prismatic(x), coordinate: x }
+        body ball on across { mass: 1, joint: prismatic(y), coordinate: y, friction: f }
+    }
+}
+
+/// Implicit methods, whose polynomials touch the floor where a step starts, let it pass by later in the step.
+#[test]
+fn a_wall_is_met_after_a_zero_that_was_disproved() {
+    let params = ShakerParams {
+        a1: 0.16652099885189273,
+        a2: 0.1773622175643687,
+        w1: 22.10200705869909,
+        w2: 11.656806107711441,
+        e: 0.43121764558168835,
+        f: 0.2423172464180806,
+    };
+    let model = Shaker::new(params).expect("physical");
+    let start = [
+        -0.17317462758397206,
+        -0.04431813540504825,
+        -2.6567194224065496,
+        -0.46845387127316407,
+    ];
+    let truth = Vern9::new()
+        .rtol(1e-11)
+        .atol(1e-11)
+        .solve(&model, 0.0, 3.0, start)
+        .expect("regular")
+        .end();
+    macro_rules! near {
+        ($($method:ident),*) => { $(
+            let method = $method::new().rtol(1e-3).atol(1e-3);
+            let found = method.solve(&model, 0.0, 3.0, start).expect("regular").end();
+            assert!((found - truth).amax() < 1e-3, "{}: {found} {truth}", stringify!($method));
+        )* };
+    }
+    near!(Rodas4, Rodas5P, Radau5, Tsit5);
+}

@@ -127,11 +127,13 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
             let (first, unclear) = self.courses(step, &start, (of_states, &noise));
             ended = self.sample_states(step, (&start, is_first), (unclear, &noise), first)?;
         }
-        if !disproved.is_empty() {
-            let (noise, from) = (self.noise(step, disproved), right_again(step, disproved));
-            let from = step.place(from.unwrap_or_default());
-            self.positive = self.positive.or(disproved);
-            ended = self.sample_states(step, (&from, false), (disproved, &noise), ended)?;
+        self.positive = self.positive.or(disproved);
+        for (n, witness) in disproved.pairs() {
+            let only = Witnesses::only(n, witness);
+            if let Some(from) = right_again(step, only) {
+                let noise = self.noise(step, only);
+                ended = self.sample_states(step, (&from, false), (only, &noise), ended)?;
+            }
         }
         if !of_forces.is_empty() {
             ended = self.sample_forces(step, of_forces, ended)?;
@@ -298,10 +300,10 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
 }
 
 /// From where on the polynomial of a step may be right about witnesses again: where they are positive.
-fn right_again<T: Float, const N: usize>(step: &StepInMode<'_, T, N>, of: Witnesses) -> Option<T> {
+fn right_again<T: Float, const N: usize>(step: &StepInMode<'_, T, N>, of: Witnesses) -> Option<Place<T>> {
     let places = RIGHT_AGAIN.map(|theta| step.place(T::from_f64(theta)));
-    let is_right = |place: &&Place<T>| of.pairs().all(|witness| step.value(place, witness) > T::default());
-    places.iter().find(is_right).map(|place| place.theta)
+    let is_right = |place: &Place<T>| of.pairs().all(|witness| step.value(place, witness) > T::default());
+    places.into_iter().find(is_right)
 }
 
 /// The distance from the nearer of two limits; infinite where there is none.

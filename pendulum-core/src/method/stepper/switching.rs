@@ -65,7 +65,7 @@ where
             match self.cut_off(hybrid, cut, fired) {
                 Cut::Ended => break,
                 Cut::Stands => disproved = disproved.or(fired),
-                Cut::Goes => {}
+                Cut::Goes => disproved = Witnesses::default(),
             }
         }
         Ok(())
