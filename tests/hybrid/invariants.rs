@@ -1,4 +1,4 @@
-//! What a mode promises holds at every place of its steps, from random states: what slips does so in its direction,
+//! Modes keep their promises at every place of their steps, from random states: what slips does so in its direction,
 //! what is held stands still, and nothing is beyond its limits.
 
 use nalgebra::SVector;
@@ -26,7 +26,12 @@ mechanism! {
 
 const LIMITS: [f64; 2] = [-1.5, 1.0];
 
-fn from_a_random_state(random: &mut Random) -> (Rods, SVector<f64, 4>) {
+fn random_states(count: usize) -> impl Iterator<Item = (Rods, SVector<f64, 4>)> {
+    let mut random = Random::new(38);
+    (0..count).map(move |_| random_state(&mut random))
+}
+
+fn random_state(random: &mut Random) -> (Rods, SVector<f64, 4>) {
     let mut number = |low, high| random.between(low, high);
     let params = RodsParams {
         mu1: number(0.1, 1.0),
@@ -44,7 +49,8 @@ fn from_a_random_state(random: &mut Random) -> (Rods, SVector<f64, 4>) {
     (Rods::new(params).expect("physical"), SVector::from(start))
 }
 
-/// The first promise that is broken on the way to `t1`, if one is: by rates more than `noise`, by gaps more than `within`.
+/// The first promise that is broken on the way to `t1`, if one is: by rates more than `noise`, by gaps more than
+/// `within`.
 fn broken<M>(
     model: &Rods,
     method: &M,
@@ -83,9 +89,7 @@ where
 }
 
 fn check<M: Method<Rods, f64, 4>>(what: &str, method: &M, allowed: (f64, f64)) {
-    let mut random = Random::new(38);
-    for nth in 0..share(400) {
-        let (model, start) = from_a_random_state(&mut random);
+    for (nth, (model, start)) in random_states(share(400)).enumerate() {
         let found = broken(&model, method, 6.0, start, allowed);
         assert_eq!(found, Ok(None), "{what}, start {nth}");
     }
@@ -107,13 +111,12 @@ fn modes_keep_their_promises() {
     );
 }
 
-/// Rodas5P at 1e-3 took a million steps from some of these: each step to where its polynomial touched a limit fell short.
+/// Rodas5P at 1e-3 took a million steps from some of these: each step to where its polynomial touched a limit fell
+/// short.
 #[test]
 fn steps_do_not_creep_towards_the_end_of_a_mode() {
     fn steps<M: Method<Rods, f64, 4>>(method: &M) -> usize {
-        let mut random = Random::new(38);
-        let steps = (0..300).map(|_| {
-            let (model, start) = from_a_random_state(&mut random);
+        let steps = random_states(300).map(|(model, start)| {
             let mut stepper = method.stepper(&model, 0.0, 6.0, start).expect("regular");
             stepper.run().expect("regular");
             stepper.statistics().accepted
@@ -127,7 +130,7 @@ fn steps_do_not_creep_towards_the_end_of_a_mode() {
 }
 
 mechanism! {
-    /// A block that a force pushes to a stop, which is no number for 2 ms.
+    /// A block that is pushed to a stop by a force which is not a number for 2 ms.
     pub Numberless {
         params { c: N/s = 1, middle: s = 0.31, half: s = 1e-3 }
         generate: [rhs, jacobian],

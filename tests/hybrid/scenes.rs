@@ -35,7 +35,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same without constraints, and with the same forces from outside.
+    /// No constraints, and the same forces from outside.
     pub Smooth {
         params { m: kg = 0.7, l: m = 0.8 }
         input on_a: N m,
@@ -76,7 +76,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same without constraints.
+    /// No constraints.
     pub DrivenSmooth {
         params { w: rad/s = 3 }
         input on_s: N,

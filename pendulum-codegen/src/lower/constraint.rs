@@ -58,7 +58,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// What to do about a constraint; where a file declares it, all can be left out.
+    /// The help for a constraint; where a file declares it, all can be left out.
     pub(super) fn left_out(&self, constraint: &TokenStream, help: &str) -> String {
         if self.errors.is_from_file(constraint) {
             let words = "leave out `limits` behind the path of the robot, or write `without dry_friction` there";

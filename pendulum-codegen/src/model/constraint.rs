@@ -68,7 +68,7 @@ impl<'g> Constraint<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// Whether there are constraints.
+    /// A model has constraints.
     pub(crate) fn is_hybrid(&self) -> bool {
         !self.constraints.is_empty()
     }

@@ -111,7 +111,7 @@ pub(super) struct Head {
 }
 
 impl Row {
-    /// Whether it is about constraints.
+    /// It is about constraints.
     pub(super) fn is_of_constraints(&self) -> bool {
         self.shapes.contains(&Vector(Constraints))
     }

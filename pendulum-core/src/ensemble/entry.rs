@@ -73,11 +73,7 @@ where
 {
     // settings are wrong for all trajectories, or for none
     check_span(span.0, span.1)?;
-    if let Some(grid) = method.grid(span)?
-        && watch.keeps_all()
-    {
-        grid.check_to_keep()?;
-    }
+    method.check(span, watch.keeps_all())?;
     check_models(models, starts)?;
     if let Some(model) = models.first() {
         let scheme = method.family().scheme(&model.cast(), method.within()?)?;

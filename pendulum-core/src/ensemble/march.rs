@@ -93,11 +93,13 @@ pub trait Paced<T: Float> {
     /// [`Reason::InvalidInput`] if a setting is out of its range.
     fn within(&self) -> Result<Option<Tolerance<T>>, Reason>;
 
-    /// The grid of its steps; `None` where a tolerance chooses them.
+    /// Checks settings for which no model is needed, and whether all points can be kept if they are to be.
     ///
     /// # Errors
     /// As for [`within`](Self::within).
-    fn grid(&self, span: (T, T)) -> Result<Option<Grid<T>>, Reason>;
+    fn check(&self, _span: (T, T), _keeps_all: bool) -> Result<(), Reason> {
+        Ok(())
+    }
 
     /// How long its steps are.
     ///
@@ -117,10 +119,6 @@ impl<F: Estimates, T: Float> Paced<T> for Adaptive<F> {
         self.tolerance().map(Some)
     }
 
-    fn grid(&self, _span: (T, T)) -> Result<Option<Grid<T>>, Reason> {
-        Ok(None)
-    }
-
     fn steps(&self, error_order: usize, span: (T, T)) -> Result<Pacing<T>, Reason> {
         let control = self.control(self.tolerance()?, error_order, span)?;
         Ok(Pacing::Controlled(control))
@@ -138,8 +136,9 @@ impl<F, T: Float> Paced<T> for Fixed<F> {
         Ok(None)
     }
 
-    fn grid(&self, (t0, t1): (T, T)) -> Result<Option<Grid<T>>, Reason> {
-        Grid::new(self.h, t0, t1).map(Some)
+    fn check(&self, (t0, t1): (T, T), keeps_all: bool) -> Result<(), Reason> {
+        let grid = Grid::new(self.h, t0, t1)?;
+        if keeps_all { grid.check_to_keep() } else { Ok(()) }
     }
 
     fn steps(&self, _error_order: usize, (t0, t1): (T, T)) -> Result<Pacing<T>, Reason> {

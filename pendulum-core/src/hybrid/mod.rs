@@ -135,4 +135,5 @@ pub(crate) use step::ABOUT_THE_END;
 #[cfg(feature = "std")]
 pub(crate) use switch::rate;
 pub(crate) use switch::{start, switch};
+pub(crate) use watch::disproves;
 pub(crate) use witness::Witnesses;

@@ -19,7 +19,8 @@ use crate::real::Float;
 /// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
 const LEAST_ACCELERATION: f64 = 1e-6;
 
-/// A polynomial that is wrong where a step starts is right again from one of these places on.
+/// A polynomial that is wrong where a step starts, before the first of these places, is right again from one of them
+/// on.
 pub(super) const RIGHT_AGAIN: [f64; 2] = [0.01, 0.125];
 
 /// So far about the end of a step, in fractions of it, its polynomial is as exact as the end.

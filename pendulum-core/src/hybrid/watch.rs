@@ -90,7 +90,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
     }
 
     /// Where the mode ends within a step; the work of looking is counted. Where the step starts, those that are
-    /// [`disproved`](Self::disproves) do not end it.
+    /// [`disproved`](disproves) do not end it.
     pub(crate) fn look(
         &mut self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
@@ -198,8 +198,8 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
 
     /// Where the mode ends about the end of a step that was taken to there, in fractions of the step from its end, and
     /// by which witnesses: those that fired, or others that pass zero before them, since two that are near to each
-    /// other may have come in another order. Farther than [`ABOUT_THE_END`] it is a guess. None where the step shows that
-    /// none of those that fired ends it.
+    /// other may have come in another order. Farther than [`ABOUT_THE_END`] it is a guess. None where the step shows
+    /// that none of those that fired ends it.
     pub(crate) fn locate(
         &mut self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
@@ -244,18 +244,6 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         first
     }
 
-    /// Whether a step shows that witnesses end no mode where it starts, though its polynomial says so: they are positive
-    /// later on.
-    pub(crate) fn disproves(
-        &self,
-        system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
-        dense: &Dense<'_, T, N>,
-        fired: Witnesses,
-    ) -> bool {
-        let is_of_states = fired.pairs().all(|(_, witness)| !witness.is_force());
-        is_of_states && right_again(&StepInMode::new(system, dense), fired).is_some()
-    }
-
     /// Within what of its limit the force of what is held may be rounding errors.
     pub(super) fn noise_of_force(&self, step: &StepInMode<'_, T, N>, n: usize) -> T {
         ulps(
@@ -297,6 +285,18 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
             }
         }
     }
+}
+
+/// A step disproves that witnesses of the state end its mode where it starts, at the time `t`, if its polynomial is
+/// [right again](right_again) later on.
+pub(crate) fn disproves<T: Float, const N: usize>(
+    system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
+    dense: &Dense<'_, T, N>,
+    (t, fired): (T, Witnesses),
+) -> bool {
+    let is_at_the_start = t - dense.step().t0 < T::from_f64(RIGHT_AGAIN[0]) * dense.step().h;
+    let is_of_states = fired.pairs().all(|(_, witness)| !witness.is_force());
+    is_at_the_start && is_of_states && right_again(&StepInMode::new(system, dense), fired).is_some()
 }
 
 /// From where on the polynomial of a step may be right about witnesses again: where they are positive.

@@ -27,12 +27,10 @@ const SHORTEST_ULPS: f64 = 64.0;
 /// Retake a step to the end of its mode at most this many times: where modes end so close together that each step shows
 /// another one first.
 const MOST_RETAKEN: usize = 16;
-/// A step is not cut off before this fraction of it where its polynomial shows the end of a mode and its end does not.
-const LEAST_PART: f64 = 0.01;
 /// Report an order of impacts if it changes the state by more than this many tolerances.
 const LEAST_AMBIGUITY: f64 = 10.0;
 
-/// What came of a step that was to be cut off.
+/// The outcome of cutting a step off.
 enum Cut {
     /// It ends where its mode does, or before.
     Ended,
@@ -93,14 +91,9 @@ where
             let found = modes.watch.locate(scene, &dense, fired, work);
             let Some((by, first)) = found.filter(|&(by, _)| is_in_reach(by)) else {
                 let end = dense.step().t1;
-                if end - whole.t0 < T::from_f64(LEAST_PART) * whole.h {
-                    let short = (self.smooth.last, self.smooth.scheme.clone());
+                if hybrid::disproves(scene, &Dense::new(whole, scheme.coefficients()), (end, fired)) {
                     (self.smooth.last, self.smooth.scheme) = (whole, scheme);
-                    let (dense, modes, _) = self.dense_and_mode();
-                    if modes.watch.disproves((hybrid, &modes.mode, &modes.hold), &dense, fired) {
-                        return Cut::Stands;
-                    }
-                    (self.smooth.last, self.smooth.scheme) = short;
+                    return Cut::Stands;
                 }
                 self.smooth.go_to(end);
                 return if goes_on { Cut::Goes } else { Cut::Ended };
