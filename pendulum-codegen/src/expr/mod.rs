@@ -48,7 +48,7 @@ pub(crate) const MOST_POWER: i64 = 64;
 
 /// The most binary digits, of numerator and denominator together, of numbers that are computed exactly. Operations on
 /// longer ones stay operations, which have a value in double precision, as the sine of a number has.
-pub(crate) const MOST_BITS: u64 = 4096;
+pub(crate) const MOST_BITS: u64 = 2048;
 
 /// Whether a number is short enough to be computed with exactly.
 pub(crate) fn is_short(x: &Rational) -> bool {

@@ -4,7 +4,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 
 use super::formula::Summand;
-use super::{Binary, ExprId, Formula, Graph, Node, Rational, SymbolKind, Unary, ratio};
+use super::{Binary, ExprId, Formula, Graph, Node, Rational, SymbolKind, Unary, multiply, ratio};
 
 /// Writes expressions; some may have been given names.
 #[derive(Debug)]
@@ -200,7 +200,7 @@ impl<'g> Printer<'g> {
             let (Some(number), Some(power)) = (self.graph.as_number(*id), power) else {
                 return true;
             };
-            product *= number.pow(power);
+            product = multiply(&product, &number.pow(power));
             false
         });
         product

@@ -184,10 +184,10 @@ impl<'g> Flat<'g> {
     fn term(&self, id: Expr<'g>, factor: Rational) -> Linear<'g> {
         let (g, mut linear) = (self.g, Linear::new());
         match id.node() {
-            Node::Number(n) => _ = linear.insert(g.one(), n * factor),
+            Node::Number(n) => _ = linear.insert(g.one(), multiply(n, &factor)),
             Node::Unary(Unary::Neg, a) => return self.term(a, -factor),
             Node::Binary(Binary::Mul, a, b) => match a.as_number() {
-                Some(n) => return self.term(b, n * factor),
+                Some(n) => return self.term(b, multiply(n, &factor)),
                 None => _ = linear.insert(id, factor),
             },
             _ => _ = linear.insert(id, factor),

@@ -14,6 +14,8 @@ const MOST_ERROR: f64 = 1.0 / 16.0;
 /// How much a function bends between places counts where they are farther apart than this part of the way from the
 /// start of a step.
 const LEAST_WIDTH: f64 = 1.0 / 4096.0;
+/// A function is looked at in at most so many places between two: one that needs more is noise, or overflows.
+const MOST_PARTS: usize = 1 << 14;
 
 /// The places of a step; more where the integration starts.
 pub(crate) fn places<T: Float>(starts: bool) -> impl Iterator<Item = T> {
@@ -156,9 +158,19 @@ pub(crate) fn unseen_bend<T: Float>([first, middle, last]: [Known<T>; 3], noise:
 /// falls by far more than that. Halves show what is not certain of the whole, and how much it bends.
 pub(crate) fn first_zero<T: Float>(
     f: &impl Fn(T) -> [T; 2],
-    (from, to): (Known<T>, Known<T>),
+    ends: (Known<T>, Known<T>),
     bend: &mut T,
     noise: T,
+) -> Option<T> {
+    let mut left = MOST_PARTS;
+    first_zero_of_parts(f, ends, bend, (noise, &mut left))
+}
+
+fn first_zero_of_parts<T: Float>(
+    f: &impl Fn(T) -> [T; 2],
+    (from, to): (Known<T>, Known<T>),
+    bend: &mut T,
+    (noise, left): (T, &mut usize),
 ) -> Option<T> {
     let at = |place: Known<T>| (place.0, place.1[0]);
     let width = to.0 - from.0;
@@ -188,10 +200,12 @@ pub(crate) fn first_zero<T: Float>(
     let middle = (place, f(place));
     *bend = bend.max(unseen_bend([from, middle, to], noise));
     let is_finite = bend.is_finite() && middle.1.iter().all(|number| number.is_finite());
-    if !is_finite || middle.0 == from.0 {
+    if !is_finite || middle.0 == from.0 || *left == 0 {
         return None;
     }
-    first_zero(f, (from, middle), bend, noise).or_else(|| first_zero(f, (middle, to), bend, noise))
+    *left -= 1;
+    first_zero_of_parts(f, (from, middle), bend, (noise, left))
+        .or_else(|| first_zero_of_parts(f, (middle, to), bend, (noise, left)))
 }
 
 /// The cubic through two places with their derivatives, at a part of the way between them.
@@ -208,7 +222,7 @@ mod tests {
     use std::cell::{Cell, RefCell};
     use std::f64::consts::PI;
 
-    use super::{dip, first_zero, root, root_of_line, unseen_bend};
+    use super::{MOST_PARTS, dip, first_zero, root, root_of_line, unseen_bend};
 
     /// The root of `f` between 0 and 1, or between 1 and 0 in reverse, and the places that were looked at.
     fn search(f: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> (f64, Vec<f64>) {
@@ -577,6 +591,19 @@ mod tests {
                 );
             }
         }
+    }
+
+    /// As a method gives that is far beyond its stability, shortly before its numbers overflow.
+    #[test]
+    fn a_search_among_noise_ends() {
+        let count = Cell::new(0);
+        let noise = |x: f64| {
+            count.set(count.get() + 1);
+            [1.0 + (1e18 * x).sin(), 1e100 * (1e18 * x).cos()]
+        };
+        let ends = [0.25, 1.0].map(|place| (place, noise(place)));
+        first_zero(&noise, ends.into(), &mut 0.0, 1e-15);
+        assert!(count.get() <= MOST_PARTS + 200, "{}", count.get());
     }
 
     #[test]
