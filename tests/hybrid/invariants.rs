@@ -113,6 +113,54 @@ fn modes_keep_their_promises() {
 
 /// Rodas5P at 1e-3 took a million steps from some of these: each step to where its polynomial touched a limit fell
 /// short.
+mechanism! {
+    /// A block that its spring presses against a stop.
+    pub Pressed {
+        params { k: N/m, pull: N, e: 1, high: m }
+        generate: [rhs, jacobian],
+        body block on ground {
+            mass: 1, joint: prismatic(x), coordinate: x, spring: (k, 0), friction: 0.5, torque: pull*cos(0.7 rad/s*t),
+            stop: [-2, high] restitution(e),
+        }
+    }
+}
+
+/// The rebounds of a series are soon lower than the tolerance, and end all the same: a long step does not show them.
+#[test]
+fn rebounds_lower_than_the_tolerance_come_to_rest() {
+    fn steps<M: Method<Pressed, f64, 2>>(method: &M) -> usize {
+        let mut random = Random::new(12);
+        let mut number = |low, high| random.between(low, high);
+        let steps = (0..100).map(|_| {
+            let params = PressedParams {
+                k: number(15.0, 20.0),
+                pull: number(0.5, 1.5),
+                e: number(0.1, 0.5),
+                high: number(-0.2, -0.15),
+            };
+            let start = [params.high - number(0.01, 1.0), number(-1.0, 1.0)];
+            let model = Pressed::new(params).expect("physical");
+            let mut stepper = method
+                .stepper(&model, 0.0, 12.0, SVector::from(start))
+                .expect("regular");
+            stepper.run().expect("regular");
+            let (_, mode) = stepper.mode().expect("hybrid");
+            assert_eq!(mode.0[0], Status::High);
+            stepper.statistics().accepted
+        });
+        steps.max().expect("some")
+    }
+    for tolerance in [1e-3, 1e-5] {
+        let radau = steps(&Radau5::new().rtol(tolerance).atol(tolerance));
+        let rosenbrock = steps(&Rodas5P::new().rtol(tolerance).atol(tolerance));
+        let explicit = steps(&Tsit5::new().rtol(tolerance).atol(tolerance));
+        assert!(
+            radau.max(rosenbrock).max(explicit) < 150,
+            "{radau} {rosenbrock} {explicit}"
+        );
+    }
+}
+
 #[test]
 fn steps_do_not_creep_towards_the_end_of_a_mode() {
     fn steps<M: Method<Rods, f64, 4>>(method: &M) -> usize {
