@@ -111,8 +111,6 @@ fn modes_keep_their_promises() {
     );
 }
 
-/// Rodas5P at 1e-3 took a million steps from some of these: each step to where its polynomial touched a limit fell
-/// short.
 mechanism! {
     /// A block that its spring presses against a stop.
     pub Pressed {
@@ -161,6 +159,8 @@ fn rebounds_lower_than_the_tolerance_come_to_rest() {
     }
 }
 
+/// Rodas5P at 1e-3 took a million steps from some of these: each step to where its polynomial touched a limit fell
+/// short.
 #[test]
 fn steps_do_not_creep_towards_the_end_of_a_mode() {
     fn steps<M: Method<Rods, f64, 4>>(method: &M) -> usize {
