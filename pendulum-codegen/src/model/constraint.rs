@@ -68,7 +68,7 @@ impl<'g> Constraint<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// A model has constraints.
+    /// Whether there are constraints.
     pub(crate) fn is_hybrid(&self) -> bool {
         !self.constraints.is_empty()
     }

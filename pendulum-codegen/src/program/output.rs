@@ -25,7 +25,7 @@ const OTHERS: [&str; 16] = [
     "outputs_and_jacobian",
 ];
 
-/// A model may have a function of this name, whatever else its scene declares; some only where there are
+/// Whether a model may have a function of this name, whatever else its scene declares; some only where there are
 /// constraints.
 pub(crate) fn is_function(name: &str, is_hybrid: bool) -> bool {
     let with = name.strip_suffix("_with").unwrap_or(name);

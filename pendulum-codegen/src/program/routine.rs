@@ -111,7 +111,7 @@ pub(super) struct Head {
 }
 
 impl Row {
-    /// It is about constraints.
+    /// Whether it is about constraints.
     pub(super) fn is_of_constraints(&self) -> bool {
         self.shapes.contains(&Vector(Constraints))
     }

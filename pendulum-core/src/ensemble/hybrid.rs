@@ -22,7 +22,7 @@ where
     T: LaneElement,
     W: Watch<T, N>,
 {
-    /// The rates of all constraints are sums of components of the state, so that lanes can tell where they
+    /// Whether the rates of all constraints are sums of components of the state, so that lanes can tell where they
     /// stay away from zero.
     pub(super) fn has_plain_rates(&self) -> bool {
         let model = self.models.first().map(Cast::cast::<T>);

@@ -25,8 +25,8 @@ pub(super) const RIGHT_AGAIN: [f64; 2] = [0.01, 0.125];
 
 /// So far about the end of a step, in fractions of it, its polynomial is as exact as the end.
 pub(crate) const ABOUT_THE_END: f64 = 1e-3;
-/// A step that was taken to the end of a mode is searched so far about its end, and farther on back from it: to close
-/// behind its start, for a rebound may be as much lower than the longer step could show.
+/// A step that was taken to the end of a mode is searched so far about its end, and farther on back from it, up to
+/// just behind its start: the longer step may not have shown a low rebound there.
 const ABOUT: [f64; 4] = [1e-12, 1e-9, 1e-6, ABOUT_THE_END];
 const BACK: [f64; 9] = [0.1, 0.5, 0.9, 0.99, 0.999, 0.9999, 0.99999, 0.999999, 1.0];
 

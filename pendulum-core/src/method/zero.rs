@@ -14,8 +14,8 @@ const MOST_ERROR: f64 = 1.0 / 16.0;
 /// How much a function bends between places counts where they are farther apart than this part of the way from the
 /// start of a step.
 const LEAST_WIDTH: f64 = 1.0 / 4096.0;
-/// A function is looked at in at most so many places between two: one that needs more is noise, or overflows.
-const MOST_PARTS: usize = 1 << 14;
+/// The most evaluations of a function between two places: one that needs more is noise, or overflows.
+const MOST_EVALUATIONS: usize = 1 << 14;
 
 /// The places of a step; more where the integration starts.
 pub(crate) fn places<T: Float>(starts: bool) -> impl Iterator<Item = T> {
@@ -162,15 +162,17 @@ pub(crate) fn first_zero<T: Float>(
     bend: &mut T,
     noise: T,
 ) -> Option<T> {
-    let mut left = MOST_PARTS;
-    first_zero_of_parts(f, ends, bend, (noise, &mut left))
+    let mut left = MOST_EVALUATIONS;
+    search_halves(f, ends, bend, noise, &mut left)
 }
 
-fn first_zero_of_parts<T: Float>(
+/// [`first_zero`] in as many evaluations as are left.
+fn search_halves<T: Float>(
     f: &impl Fn(T) -> [T; 2],
     (from, to): (Known<T>, Known<T>),
     bend: &mut T,
-    (noise, left): (T, &mut usize),
+    noise: T,
+    left: &mut usize,
 ) -> Option<T> {
     let at = |place: Known<T>| (place.0, place.1[0]);
     let width = to.0 - from.0;
@@ -204,8 +206,7 @@ fn first_zero_of_parts<T: Float>(
         return None;
     }
     *left -= 1;
-    first_zero_of_parts(f, (from, middle), bend, (noise, left))
-        .or_else(|| first_zero_of_parts(f, (middle, to), bend, (noise, left)))
+    search_halves(f, (from, middle), bend, noise, left).or_else(|| search_halves(f, (middle, to), bend, noise, left))
 }
 
 /// The cubic through two places with their derivatives, at a part of the way between them.
@@ -222,7 +223,7 @@ mod tests {
     use std::cell::{Cell, RefCell};
     use std::f64::consts::PI;
 
-    use super::{MOST_PARTS, dip, first_zero, root, root_of_line, unseen_bend};
+    use super::{MOST_EVALUATIONS, dip, first_zero, root, root_of_line, unseen_bend};
 
     /// The root of `f` between 0 and 1, or between 1 and 0 in reverse, and the places that were looked at.
     fn search(f: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> (f64, Vec<f64>) {
@@ -603,7 +604,7 @@ mod tests {
         };
         let ends = [0.25, 1.0].map(|place| (place, noise(place)));
         first_zero(&noise, ends.into(), &mut 0.0, 1e-15);
-        assert!(count.get() <= MOST_PARTS + 200, "{}", count.get());
+        assert!(count.get() <= MOST_EVALUATIONS + 200, "{}", count.get());
     }
 
     #[test]
