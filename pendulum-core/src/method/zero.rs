@@ -175,6 +175,7 @@ fn search_halves<T: Float>(
     left: &mut usize,
 ) -> Option<T> {
     let at = |place: Known<T>| (place.0, place.1[0]);
+    let passed = || root(|place| f(place)[0], at(from), at(to));
     let width = to.0 - from.0;
     let error = if width > T::from_f64(LEAST_WIDTH) * to.0 {
         *bend * width * width
@@ -184,7 +185,7 @@ fn search_halves<T: Float>(
     let is_short = width <= T::EPSILON.sqrt() * to.0;
     if to.1[0] <= T::default() {
         if is_short || error <= T::from_f64(MOST_ERROR) * (from.1[0] - to.1[0]) + noise {
-            return Some(root(|place| f(place)[0], at(from), at(to)));
+            return Some(passed());
         }
     } else {
         let tangents = |part: f64| {
@@ -202,8 +203,11 @@ fn search_halves<T: Float>(
     let middle = (place, f(place));
     *bend = bend.max(unseen_bend([from, middle, to], noise));
     let is_finite = bend.is_finite() && middle.1.iter().all(|number| number.is_finite());
-    if !is_finite || middle.0 == from.0 || *left == 0 {
+    if !is_finite || middle.0 == from.0 {
         return None;
+    }
+    if *left == 0 {
+        return (to.1[0] <= T::default()).then(passed);
     }
     *left -= 1;
     search_halves(f, (from, middle), bend, noise, left).or_else(|| search_halves(f, (middle, to), bend, noise, left))
@@ -600,11 +604,16 @@ mod tests {
         let count = Cell::new(0);
         let noise = |x: f64| {
             count.set(count.get() + 1);
-            [1.0 + (1e18 * x).sin(), 1e100 * (1e18 * x).cos()]
+            let fall = if x == 1.0 { 3.0 } else { 0.0 };
+            [1.01 + (1e18 * x).sin() - fall, 1e100 * (1e18 * x).cos()]
         };
-        let ends = [0.25, 1.0].map(|place| (place, noise(place)));
-        first_zero(&noise, ends.into(), &mut 0.0, 1e-15);
-        assert!(count.get() <= MOST_EVALUATIONS + 200, "{}", count.get());
+        for (end, passes) in [(0.999, false), (1.0, true)] {
+            count.set(0);
+            let ends = [0.25, end].map(|place| (place, noise(place)));
+            let found = first_zero(&noise, ends.into(), &mut 1.0, 1e-15);
+            assert!(count.get() <= MOST_EVALUATIONS + 200, "{}", count.get());
+            assert_eq!(found.is_some(), passes, "{found:?}");
+        }
     }
 
     #[test]

@@ -27,6 +27,8 @@ const SHORTEST_ULPS: f64 = 64.0;
 /// Retake a step to the end of its mode at most this many times: where modes end so close together that each step shows
 /// another one first.
 const MOST_RETAKEN: usize = 16;
+/// A step that was cut off where no mode ended is followed by one that is longer by at most this factor.
+const GROW_AGAIN: f64 = 8.0;
 /// Report an order of impacts if it changes the state by more than this many tolerances.
 const LEAST_AMBIGUITY: f64 = 10.0;
 
@@ -95,7 +97,7 @@ where
                     (self.smooth.last, self.smooth.scheme) = (whole, scheme);
                     return Cut::Stands;
                 }
-                self.smooth.go_to(end);
+                self.go_on_from(end);
                 return if goes_on { Cut::Goes } else { Cut::Ended };
             };
             goes_on |= by > about_the_end;
@@ -112,6 +114,15 @@ where
         }
         self.smooth.last = Step::new((self.smooth.last.t0, self.smooth.last.x0), (t, x));
         Cut::Ended
+    }
+
+    /// Goes on from a time before the end that a step had, after which steps grow again little by little: one as long
+    /// as before would show at its start what the shorter one has just disproved.
+    fn go_on_from(&mut self, end: T) {
+        self.smooth.go_to(end);
+        if let Steps::Controlled { pace, .. } = &mut self.smooth.steps {
+            pace.h = pace.h.min(T::from_f64(GROW_AGAIN) * (end - self.smooth.last.t0).abs());
+        }
     }
 
     /// The states within the last step, before it is cut off.
