@@ -64,7 +64,7 @@ fn expanded(folder: &Path, tokens: TokenStream) -> (Option<Scene>, TokenStream) 
         Ok(program) => rust::items(&scene.head, &program),
         Err(errors) => {
             let mut tokens = errors.to_compile_errors();
-            tokens.extend(rust::stub(&scene));
+            tokens.extend(rust::stand_in(&scene));
             tokens
         }
     };

@@ -25,17 +25,84 @@ fn are_the_expected_ones() {
     assert!(cases.is_empty(), "{} of {count} cases differ: {cases:#?}", cases.len());
 }
 
-/// What the compiler says of a program that depends on `pendulum-core`, without the summary.
+/// The programs of the book, each with a mistake in its declarations, compile with no other error.
+#[test]
+#[cfg_attr(
+    not(feature = "thorough"),
+    ignore = "takes long: it runs with the feature `thorough`"
+)]
+fn of_a_declaration_are_the_only_ones() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let pages = [
+        root.join("docs/src"),
+        root.join("docs/src/recipes"),
+        root.join("pendulum-core/src"),
+    ];
+    let pages = pages.iter().flat_map(|folder| files(folder));
+    let pages = pages.filter(|path| path.extension() == Some(OsStr::new("md")));
+    let case = Path::new(env!("CARGO_TARGET_TMPDIR")).join("mistaken.rs");
+    let (mut count, mut wrong) = (0, Vec::new());
+    for page in pages {
+        let text = fs::read_to_string(&page).expect("a page");
+        for program in text.split("```rust\n").skip(1) {
+            let program = program.split("```").next().unwrap_or_default();
+            let Some(program) = mistaken(program) else { continue };
+            fs::write(&case, program).expect("a file");
+            let messages = compile(&root.join("tests"), &case, &["--error-format=short"]);
+            let errors = messages.lines().filter(|line| line.contains(": error"));
+            wrong.extend(
+                errors
+                    .filter(|error| !error.contains("`oops`"))
+                    .map(|error| format!("{}: {error}", page.display())),
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 20, "{count} programs");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A program with a mistake in each of its declarations; none where it needs other crates or files.
+fn mistaken(program: &str) -> Option<String> {
+    let others = ["plotters", "rayon", "indicatif", "pendulum_draw", "src/arm.urdf"];
+    if !program.contains("fn main") || others.iter().any(|other| program.contains(other)) {
+        return None;
+    }
+    let mut parts = program.split("mechanism! {");
+    let mut mistaken = parts.next()?.to_owned();
+    let mut is_changed = false;
+    for part in parts {
+        let (head, items) = part.split_once('{')?;
+        mistaken += &format!("mechanism! {{{head}{{ oops: 1, {items}");
+        is_changed = true;
+    }
+    // lines that the book hides
+    let shown = mistaken
+        .lines()
+        .map(|line| line.strip_prefix("# ").unwrap_or(line).trim_start_matches("#\n"));
+    is_changed.then(|| shown.collect::<Vec<_>>().join("\n"))
+}
+
+/// What the compiler says of a program, without the summary.
 fn messages(folder: &Path, case: &Path) -> String {
+    let case = case.strip_prefix(folder).expect("a case");
+    let text = compile(folder, case, &["--diagnostic-width=140"]);
+    let is_summary = |part: &&str| {
+        ["error: aborting", "Some errors have", "For more information"]
+            .iter()
+            .any(|start| part.starts_with(start))
+    };
+    let parts: Vec<&str> = text.trim().split("\n\n").filter(|part| !is_summary(part)).collect();
+    parts.join("\n\n").lines().map(without_line_of_core).collect()
+}
+
+/// What the compiler says of a wrong program that depends on `pendulum-core`.
+fn compile(folder: &Path, case: &Path, options: &[&str]) -> String {
     let program = env::current_exe().expect("a program");
     let built = program.parent().expect("the folder of what cargo built");
     let output = Command::new("rustc")
-        .args([
-            "--edition=2024",
-            "--crate-type=bin",
-            "--emit=metadata",
-            "--diagnostic-width=140",
-        ])
+        .args(["--edition=2024", "--crate-type=bin", "--emit=metadata"])
+        .args(options)
         .args(["--out-dir", env!("CARGO_TARGET_TMPDIR")])
         .arg("-L")
         .arg(format!("dependency={}", built.display()))
@@ -44,19 +111,12 @@ fn messages(folder: &Path, case: &Path) -> String {
             "pendulum_core={}",
             newest(built, "libpendulum_core-").display()
         ))
-        .arg(case.strip_prefix(folder).expect("a case"))
+        .arg(case)
         .current_dir(folder)
         .output();
     let output = output.expect("a compiler");
     assert!(!output.status.success(), "{} compiles", case.display());
-    let text = String::from_utf8(output.stderr).expect("text");
-    let is_summary = |part: &&str| {
-        ["error: aborting", "Some errors have", "For more information"]
-            .iter()
-            .any(|start| part.starts_with(start))
-    };
-    let parts: Vec<&str> = text.trim().split("\n\n").filter(|part| !is_summary(part)).collect();
-    parts.join("\n\n").lines().map(without_line_of_core).collect()
+    String::from_utf8(output.stderr).expect("text")
 }
 
 /// A line of a message; where it names a place in the core, without the line there, which other changes move.

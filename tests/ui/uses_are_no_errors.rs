@@ -40,7 +40,33 @@ mechanism! {
     }
 }
 
+mechanism! {
+    pub Crank {
+        body crank on ground { mass: 1, com: [0.1, 0, 0], joint: revolute(z), coordinate: a, friction: 1 kg }
+        body coupler on crank { mass: 1, joint: revolute(z) at [0.2, 0, 0], coordinate: b depends near -1 }
+        body slide on ground { mass: 1, joint: prismatic(x), coordinate: x depends near 0.5 }
+        close coupler at [0.4, 0, 0] to slide: revolute(z),
+    }
+}
+
+mechanism! {
+    pub Bennett {
+        body first on ground { mass: 1, joint: revolute(z), coordinate: u, dry_friction: a }
+        body second on first { mass: 1, joint: revolute([0, 1, 1]) at [0.5, 0, 0], coordinate: v depends near 1 }
+        body third on ground { mass: 1, joint: revolute([0, 1, 2]) at [0.3, 0, 0], coordinate: w depends near 1 }
+        close second at [0.3, 0, 0] to third at [0.5, 0, 0]: ball,
+    }
+}
+
 fn main() {
+    let crank = Crank::new(CrankParams {}).unwrap();
+    let rest = crank.potential(0.0, &SVector::zeros());
+    let moved = Rodas5P::new().solve(&crank, 0.0, 1.0, [rest, 0.0]).unwrap();
+    let torques = crank.inverse_dynamics(0.0, &SVector::zeros(), &SVector::zeros());
+    println!("{torques} {}", moved.end().transpose());
+    let bennett = Bennett::new(BennettParams {}).unwrap();
+    let closed = bennett.assemble(0.0, [0.1, 1.0, 1.0, 0.0]).unwrap();
+    println!("{}", Vern9::new().solve(&bennett, 0.0, 1.0, closed).unwrap().end()[Bennett::W]);
     let top = Top::new(TopParams {}).unwrap();
     let spun = Vern9::new().solve(&top, 0.0, 1.0, [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]).unwrap();
     let arm = Arm::new(ArmParams {}).unwrap();

@@ -13,10 +13,7 @@ use super::written::written;
 use crate::ast::{self, ExprKind};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, Printer, SymbolKind};
-use crate::model::{Action, BodyId, Combination, Constraint, Law, Model, Requirement, Rule};
-
-/// The most constraints of a scene: the core keeps a bit for each.
-const MOST: usize = 8;
+use crate::model::{Action, BodyId, Combination, Constraint, Law, MAX_CONSTRAINTS, Model, Requirement, Rule};
 
 /// A wall, before the coordinates of points are known.
 #[derive(Debug)]
@@ -48,9 +45,9 @@ impl<'g> Lower<'g> {
             let help = self.left_out(first, help);
             self.errors.on(first, fact, help);
         }
-        if let Some(ninth) = constraints.get(MOST) {
+        if let Some(ninth) = constraints.get(MAX_CONSTRAINTS) {
             let fact = format_args!(
-                "{} joints with dry friction or a stop and walls are declared: at most {MOST} in all are possible",
+                "{} joints with dry friction or a stop and walls are declared: at most {MAX_CONSTRAINTS} in all are possible",
                 constraints.len()
             );
             let help = self.left_out(ninth, "leave some out, or write smooth laws");

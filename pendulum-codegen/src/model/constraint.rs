@@ -5,6 +5,9 @@ use num_traits::ToPrimitive;
 use super::{Combination, CoordinateId, Model};
 use crate::expr::{Expr, Rational, Unary};
 
+/// The most constraints of a scene: the core keeps a bit for each.
+pub(crate) const MAX_CONSTRAINTS: usize = 8;
+
 /// A constraint of the motion: a value that the state determines, with friction against its rate, or limits.
 #[derive(Clone, Debug)]
 pub(crate) struct Constraint<'g> {

@@ -22,7 +22,7 @@ pub(crate) use action::{Action, Place, Push};
 pub(crate) use close::{Cause, Closed, Declared, Gap, Open, Orthogonal, Uncounted, close};
 pub(crate) use closure::{Closure, Loop, NoPlane, Row, Tie, parallel};
 pub(crate) use combination::Combination;
-pub(crate) use constraint::{Constraint, Law};
+pub(crate) use constraint::{Constraint, Law, MAX_CONSTRAINTS};
 pub(crate) use dependent::{Dependence, Dependent};
 pub(crate) use drive::Drive;
 pub(crate) use figure::Figure;

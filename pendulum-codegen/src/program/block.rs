@@ -112,6 +112,14 @@ impl Block {
         &self.names[local.0]
     }
 
+    /// A block for this many zeros.
+    pub(super) fn zeros(count: usize) -> Self {
+        Self {
+            results: vec![Term::Number(0.0); count],
+            ..Self::default()
+        }
+    }
+
     /// What can be computed before some variables are known, with the last `count` results, and the rest, which also
     /// reads what was computed before. The results of the first part go on with what the rest reads of it.
     pub(super) fn split(mut self, count: usize, is_late: impl Fn(Variable) -> bool) -> [Self; 2] {

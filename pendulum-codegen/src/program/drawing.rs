@@ -10,7 +10,7 @@ use crate::model::{Action, Body, BodyId, FigureKind, Model, Poses};
 use crate::screw::{Twist, Vec3};
 
 /// What there is to see, and code for where it is.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Drawing {
     /// What there is.
     pub outlines: Vec<Outline>,

@@ -1,5 +1,6 @@
 //! All that a printer needs to know of a scene, in no language.
 
+mod blank;
 mod block;
 mod build;
 mod drawing;
@@ -9,6 +10,7 @@ mod output;
 mod routine;
 mod schedule;
 mod series;
+mod table;
 
 use std::collections::BTreeSet;
 
@@ -21,8 +23,9 @@ pub use equations::{ConstraintForce, Equations, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout};
 pub(crate) use output::{functions_of_event, functions_of_output, is_function};
 pub use routine::{Argument, Cost, Routine, Shape};
-pub(crate) use routine::{Length, ROUTINES, WRENCH, words};
 pub use series::Series;
+pub use table::Role;
+pub(crate) use table::words;
 
 pub use crate::expr::{Binary, Definition, Formula, Summand, Unary};
 pub use crate::model::FigureKind;
@@ -35,7 +38,7 @@ use crate::form::Forms;
 use crate::model::{self, Model, Output, Requirement};
 use build::block;
 use drawing::Sketch;
-use routine::Request;
+use table::{Counts, ROUTINES, Request};
 
 /// A scene, ready to be printed in a language.
 #[derive(Clone, Debug)]
@@ -137,6 +140,9 @@ pub enum Condition {
     NonNegativeWithin(usize),
 }
 
+/// The numbers of a law without limits: the friction that slips and that sticks, the restitution, and the rate below
+/// which there is none.
+pub(crate) const LAW: usize = 4;
 /// What every parameter must be.
 pub(crate) const FINITE_PARAMETER: &str = "a parameter must be finite";
 /// What every constant must be.
@@ -152,19 +158,20 @@ impl Program {
         let g = model.graph;
         let mut forms = Forms::new(model, dynamics);
         let mut request = Request {
-            model,
+            counts: Counts::of(model),
+            words: &model.generate,
             time_occurs: false,
         };
         let mut chosen = Vec::new();
         for row in ROUTINES {
             if (row.wanted)(&request, row.word) {
                 let own = (row.form)(&mut forms, model);
-                request.time_occurs |= row.name == "rhs" && g.reachable(&own.roots).contains(&model.time.id());
-                chosen.push((row.head(model), own));
+                request.time_occurs |= row.role == Role::Rhs && g.reachable(&own.roots).contains(&model.time.id());
+                chosen.push((row.head(&request.counts), own));
             }
         }
         chosen.extend(output::routines(&mut forms, model));
-        let deciding = match chosen.iter().find(|(head, _)| head.name == "rhs") {
+        let deciding = match chosen.iter().find(|(head, _)| head.role == Role::Rhs) {
             Some((_, rhs)) => rhs.roots.clone(),
             None => model.written_out(&forms.closed().unwrap_or(dynamics).balance),
         };
@@ -212,6 +219,11 @@ impl Program {
         })
     }
 
+    /// The routine with a role, other than [`Role::Function`].
+    pub fn with_role(&self, role: Role) -> Option<&Routine> {
+        self.routines.iter().find(|routine| routine.role == role)
+    }
+
     /// A routine by its name.
     pub fn routine(&self, name: &str) -> Option<&Routine> {
         self.routines.iter().find(|routine| routine.name == name)
@@ -226,6 +238,11 @@ impl Constraint {
             low: constraint.law.low.is_some(),
             high: constraint.law.high.is_some(),
         }
+    }
+
+    /// How many numbers its law has.
+    fn numbers(&self) -> usize {
+        LAW + usize::from(self.low) + usize::from(self.high)
     }
 }
 

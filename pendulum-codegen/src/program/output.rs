@@ -1,6 +1,7 @@
 //! Outputs and events as routines.
 
-use super::routine::{Argument, Head, ROUTINES, Shape};
+use super::routine::{Argument, Head, Shape};
+use super::table::{ROUTINES, Role};
 use crate::expr::{Expr, SymbolKind};
 use crate::form::{self, Chosen, Forms};
 use crate::model::{Model, Output, OutputShape};
@@ -48,7 +49,7 @@ pub(crate) fn functions_of_event(name: &impl ToString) -> [String; 2] {
 }
 
 /// Values of one kind: of an output, or of all of them.
-struct Observed<'g> {
+pub(super) struct Observed<'g> {
     /// The names of its three functions.
     names: [String; 3],
     docs: String,
@@ -61,19 +62,42 @@ struct Observed<'g> {
 /// The routines of the outputs and events of a model.
 pub(super) fn routines<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Vec<(Head, Chosen<'g>)> {
     let mut routines = Vec::new();
-    for observed in model.outputs.iter().map(Observed::one).chain(Observed::all(model)) {
-        routines.extend(observed.routines(forms, model));
+    for observed in Observed::each_and_all(&model.outputs) {
+        // accelerations are in the rate of a rate, and what inputs do is in them
+        let takes_inputs = !model.inputs.is_empty() && has_rates(model, &observed.values);
+        let values = observed.values.clone();
+        let chosen = [form::values, form::rates, form::values_and_jacobian].map(|form| form(forms, model, &values));
+        routines.extend(
+            observed
+                .heads(takes_inputs, model.state().len())
+                .into_iter()
+                .zip(chosen),
+        );
     }
     for event in &model.events {
-        let first = format!("What passes zero at event `{}`.", event.name.trim_start_matches("r#"));
-        let docs = [&[first][..], &event.docs].concat().join("\n");
-        let head = head(event.name.clone(), docs, Vec::new(), vec![Shape::Scalar]);
+        let head = Head::of_event(&event.name, &event.docs);
         routines.push((head, form::values(forms, model, &[event.value])));
     }
     routines
 }
 
 impl<'g> Observed<'g> {
+    /// Each output, and all of them together, if there are any.
+    pub(super) fn each_and_all(outputs: &[Output<'g>]) -> Vec<Self> {
+        let mut each: Vec<Self> = outputs.iter().map(Self::one).collect();
+        let values: Vec<Expr<'g>> = outputs.iter().flat_map(|output| output.values.clone()).collect();
+        if !outputs.is_empty() {
+            each.push(Self {
+                names: ["outputs", "output_rates", "outputs_and_jacobian"].map(str::to_owned),
+                docs: "All outputs, in the order of `OUTPUTS`.".to_owned(),
+                of_which: "all outputs".to_owned(),
+                shape: Shape::Vector(each.iter().map(|own| own.shape.len()).sum()),
+                values,
+            });
+        }
+        each
+    }
+
     fn one(output: &Output<'g>) -> Self {
         let of_which = format!("`{}`", output.name.trim_start_matches("r#"));
         let first = format!("Output {of_which}.");
@@ -91,58 +115,45 @@ impl<'g> Observed<'g> {
         }
     }
 
-    /// All outputs together, if there are any.
-    fn all(model: &Model<'g>) -> Option<Self> {
-        let values: Vec<Expr<'g>> = model.outputs.iter().flat_map(|output| output.values.clone()).collect();
-        (!values.is_empty()).then(|| Self {
-            names: ["outputs", "output_rates", "outputs_and_jacobian"].map(str::to_owned),
-            docs: "All outputs, in the order of `OUTPUTS`.".to_owned(),
-            of_which: "all outputs".to_owned(),
-            shape: Shape::Vector(values.len()),
-            values,
-        })
-    }
-
-    /// Values, rates, and values with their derivatives by the state.
-    fn routines(self, forms: &mut Forms<'g>, model: &Model<'g>) -> [(Head, Chosen<'g>); 3] {
+    /// The functions for values, for rates, and for values with their derivatives by the components of the state.
+    pub(super) fn heads(self, takes_inputs: bool, state: usize) -> [Head; 3] {
         let Self {
             names: [own, rate, both],
             docs,
             of_which,
             shape,
-            values,
+            ..
         } = self;
         let of_rate = format!("The rate of {of_which} along the motion.");
         let of_both = format!(
             "The value of {of_which}, and its derivatives by the state: a row for each component, column by column for a matrix."
         );
-        // accelerations are in the rate of a rate, and what inputs do is in them
-        let inputs = !model.inputs.is_empty() && has_rates(model, &values);
-        let inputs = inputs.then_some(Argument::Inputs).into_iter().collect();
-        let jacobian = Shape::Matrix(values.len(), model.state().len());
+        let inputs = takes_inputs.then_some(Argument::Inputs).into_iter().collect();
+        let jacobian = Shape::Matrix(shape.len(), state);
         [
-            (
-                head(own, docs, Vec::new(), vec![shape]),
-                form::values(forms, model, &values),
-            ),
-            (
-                head(rate, of_rate, inputs, vec![shape]),
-                form::rates(forms, model, &values),
-            ),
-            (
-                head(both, of_both, Vec::new(), vec![shape, jacobian]),
-                form::values_and_jacobian(forms, model, &values),
-            ),
+            Head::of_function(own, docs, Vec::new(), vec![shape]),
+            Head::of_function(rate, of_rate, inputs, vec![shape]),
+            Head::of_function(both, of_both, Vec::new(), vec![shape, jacobian]),
         ]
     }
 }
 
-fn head(name: String, doc: String, arguments: Vec<Argument>, shapes: Vec<Shape<usize>>) -> Head {
-    Head {
-        name,
-        doc,
-        arguments,
-        shapes,
+impl Head {
+    /// The function whose zeros are an event.
+    pub(super) fn of_event(name: &str, docs: &[String]) -> Self {
+        let first = format!("What passes zero at event `{}`.", name.trim_start_matches("r#"));
+        let docs = [&[first][..], docs].concat().join("\n");
+        Self::of_function(name.to_owned(), docs, Vec::new(), vec![Shape::Scalar])
+    }
+
+    fn of_function(name: String, doc: String, arguments: Vec<Argument>, shapes: Vec<Shape<usize>>) -> Self {
+        Self {
+            name,
+            role: Role::Function,
+            doc,
+            arguments,
+            shapes,
+        }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::model::Model;
 
 /// Code for the coefficients of a motion in powers of time: order 0 from the state, then each order from those before
 /// it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Series {
     /// The number of products of series.
     pub products: usize,

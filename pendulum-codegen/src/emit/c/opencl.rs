@@ -4,7 +4,7 @@ use super::Scene;
 use super::block::{Calls, statements};
 use super::model::{fields, functions};
 use super::template::lines;
-use crate::program::Program;
+use crate::program::{Program, Role};
 
 /// Prints the right-hand side of a program as OpenCL C, and the constants that it takes.
 ///
@@ -23,7 +23,7 @@ pub fn opencl(program: &Program) -> String {
     let scene = Scene::new(program, "scene".to_owned());
     let mut calls = Calls::new();
     let (code, constants) = scene.code(&program.constants, &mut calls);
-    let rhs = program.routines.iter().filter(|routine| routine.name == "rhs");
+    let rhs = program.with_role(Role::Rhs).into_iter();
     let rhs: String = rhs.map(|routine| scene.routine(routine, &mut calls)).collect();
     let values = [
         ("count", program.parameters.len().to_string()),

@@ -5,7 +5,7 @@ use super::block::{Calls, Piece, statements};
 use super::template::lines;
 use crate::emit::CORRECTIONS;
 use crate::expr::Precedence;
-use crate::program::{Argument, Routine, Series, Shape};
+use crate::program::{Argument, Role, Routine, Series, Shape};
 
 impl Scene<'_> {
     /// The documentation and the prototypes of routines and series.
@@ -42,7 +42,7 @@ impl Scene<'_> {
     /// The function that puts a state back onto its constraints, if there are any, and its documentation: it makes
     /// quaternions of unit length again, and closes loops.
     fn projection(&self) -> Option<[String; 2]> {
-        let closes = self.program.routine("loop_corrections").is_some();
+        let closes = self.program.with_role(Role::LoopCorrections).is_some();
         let turns = self.program.layout.quaternions().next().is_some();
         let docs = match (turns, closes) {
             (false, false) => return None,

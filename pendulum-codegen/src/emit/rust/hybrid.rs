@@ -7,16 +7,16 @@ use super::block::Piece;
 use super::lanes::inlined_into_lanes;
 use super::routines::value;
 use super::{Items, count};
-use crate::program::{Constraint, Routine, Shape};
+use crate::program::{Constraint, LAW, Role, Routine, Shape};
 
 impl Items<'_> {
     /// The motion given what acts on it, of a scene on which something does.
     pub(super) fn plant(&self) -> Option<TokenStream> {
         let (inline, (given, name)) = (inlined_into_lanes(), self.acting()?);
-        let eval = self.function(&format_ident!("eval"), self.program.routine("rhs")?);
+        let eval = self.function(&format_ident!("eval"), self.program.with_role(Role::Rhs)?);
         let modes = self
             .program
-            .routine("response")
+            .with_role(Role::Response)
             .and_then(|response| self.modes(response));
         let functions = quote! {
             type Given = #given;
@@ -25,12 +25,12 @@ impl Items<'_> {
             #modes
         };
         let plant = self.implement(Some(self.named("Plant")), &functions);
-        let jacobian = self.program.routine("jacobian").map(|jacobian| {
+        let jacobian = self.program.with_role(Role::Jacobian).map(|jacobian| {
             let both = self.function(&format_ident!("eval_with_jacobian"), jacobian);
             let vector = self.shape(jacobian.shapes[0]);
             let arguments = quote!(&self, t: T, x: &#vector, #name: &#given);
             let by_time = self.time_derivative("eval_time_derivative", &arguments);
-            let of_modes = self.program.routine("response_derivative");
+            let of_modes = self.program.with_role(Role::ResponseDerivative);
             let of_modes = of_modes.and_then(|derivative| self.derivatives_of_modes(derivative));
             let functions = quote!(#inline #both #inline #by_time #of_modes);
             self.implement(Some(self.named("PlantJacobian")), &functions)
@@ -40,7 +40,7 @@ impl Items<'_> {
 
     /// A system that is given forces along its constraints alone: by itself, friction acts by the sign of each rate.
     pub(super) fn hybrid(&self) -> Option<TokenStream> {
-        self.program.routine("rhs")?;
+        self.program.with_role(Role::Rhs)?;
         let (inline, length, layout) = (inlined_into_lanes(), self.length(), self.layout());
         let (core, assembly) = (quote!(::pendulum_core::hybrid), self.assembly());
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
@@ -57,7 +57,7 @@ impl Items<'_> {
             }
         };
         let system = self.implement(Some(self.named("System")), &system);
-        let jacobian = self.program.routine("jacobian").map(|jacobian| {
+        let jacobian = self.program.with_role(Role::Jacobian).map(|jacobian| {
             let matrix = self.shape(jacobian.shapes[1]);
             let lanes = quote!(::pendulum_core::real::lanes::Lanes);
             let functions = quote! {
@@ -124,9 +124,12 @@ impl Items<'_> {
         let (core, length) = (quote!(::pendulum_core::hybrid), self.length());
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let (given, _) = self.acting()?;
-        let functions = ["canonical", "canonical_jacobian"].map(|name| {
-            let routine = self.program.routine(name)?;
-            let (name, eval) = (format_ident!("{name}"), format_ident!("eval_{name}"));
+        let functions = [Role::Canonical, Role::CanonicalJacobian].map(|role| {
+            let routine = self.program.with_role(role)?;
+            let (name, eval) = (
+                format_ident!("{}", routine.name),
+                format_ident!("eval_{}", routine.name),
+            );
             let [one, other] = [0, 1].map(|n| self.shape(routine.shapes[n]));
             let function = self.function(&eval, routine);
             let by_itself = quote! {
@@ -174,7 +177,7 @@ impl Items<'_> {
                     values = rest;
                     first.to_token_stream()
                 };
-                let [slipping, sticking, restitution, slow] = [(); 4].map(|()| next());
+                let [slipping, sticking, restitution, slow] = [(); LAW].map(|()| next());
                 let [low, high] = [constraint.low, constraint.high].map(|is_limited| match is_limited {
                     true => {
                         let limit = next();
@@ -205,7 +208,7 @@ impl Items<'_> {
     }
 
     fn measures(&self) -> Option<TokenStream> {
-        let routine = self.program.routine("measures")?;
+        let routine = self.program.with_role(Role::Measures)?;
         Some(self.block(&routine.block, |values| {
             let (values, rates) = values.split_at(self.program.constraints.len());
             let number = (0..values.len()).map(count);
@@ -218,7 +221,7 @@ impl Items<'_> {
     }
 
     fn measure_derivatives(&self) -> Option<TokenStream> {
-        let routine = self.program.routine("measure_derivatives")?;
+        let routine = self.program.with_role(Role::MeasureDerivatives)?;
         Some(self.block(&routine.block, |entries| {
             let (length, rows) = (self.program.layout.len(), self.program.constraints.len());
             let (by_state, by_time) = entries.split_at(2 * length * rows);
@@ -251,8 +254,8 @@ impl Items<'_> {
     fn of_response(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
         let (arguments, length) = (self.arguments(routine), self.length());
         let core = quote!(::pendulum_core::hybrid);
-        let output = match routine.name.as_str() {
-            "response" => quote!(#core::Response<T, #length>),
+        let output = match routine.role {
+            Role::Response => quote!(#core::Response<T, #length>),
             _ => quote!(#core::ResponseDerivative<T, #length>),
         };
         let name = format_ident!("{}", routine.name);

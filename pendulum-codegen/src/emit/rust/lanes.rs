@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Items, allowed, count};
+use crate::program::Role;
 
 /// The attributes of a function that must be inlined into code for an instruction set, since it is compiled for all
 /// machines otherwise. Without optimisation it would fill the stack, as no two of its temporaries share a place.
@@ -15,7 +16,7 @@ impl Items<'_> {
     /// `impl Cast<N>`, or `impl CastControlled<N, M>` with inputs, where the model has a right-hand side; `impl
     /// CastJacobian<N>`, where it has a Jacobian without inputs.
     pub(super) fn over_numbers(&self) -> Option<TokenStream> {
-        self.program.routine("rhs")?;
+        self.program.with_role(Role::Rhs)?;
         let (name, length, allowed) = (&self.head.name, self.length(), allowed());
         let of_trait = match self.program.inputs.len() {
             0 => quote!(Cast<#length>),
@@ -34,7 +35,7 @@ impl Items<'_> {
                 const HYBRID: bool = true;
             )
         });
-        let has_jacobian = self.program.inputs.is_empty() && self.program.routine("jacobian").is_some();
+        let has_jacobian = self.program.inputs.is_empty() && self.program.with_role(Role::Jacobian).is_some();
         let jacobian = has_jacobian.then(|| {
             quote! {
                 #allowed

@@ -12,48 +12,69 @@ mod hybrid;
 mod lanes;
 mod routines;
 mod series;
-mod stub;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
-pub(crate) use stub::stub;
-
-use crate::ast::Head;
+use crate::ast::{Head, Scene};
 use crate::program::{Program, Quantity};
 use block::{Names, local};
 
 /// Everything that a declaration stands for.
 pub(crate) fn items(head: &Head, program: &Program) -> TokenStream {
     let items = Items { head, program };
-    let parts = [
-        items.parameters(),
-        items.inputs().unwrap_or_default(),
-        items.model(),
-        items.constructor(),
-        items.facts(),
-        items.routines(),
-        items.series().unwrap_or_default(),
-        items.drawing().unwrap_or_default(),
-        items.over_numbers().unwrap_or_default(),
-    ];
-    let mut names = vec![head.name.clone(), items.parameters_name()];
-    names.extend((!program.inputs.is_empty()).then(|| items.inputs_name()));
-    in_own_module(head, &names, &parts.into_iter().collect())
+    items.in_own_module(items.everything())
 }
 
-/// A private module of `items`, of which `names` are exported.
-fn in_own_module(head: &Head, names: &[Ident], items: &TokenStream) -> TokenStream {
-    let (vis, path) = (&head.vis, format_ident!("__{}", head.name));
-    // A second mechanism of the same name is an error at the name.
-    let module = quote_spanned!(head.name.span()=> mod #path { #items });
-    quote! {
-        #[allow(non_snake_case)]
-        #module
-        #[allow(unreachable_pub, unused_imports)]
-        #vis use #path::{#(#names),*};
+/// Everything that a declaration with errors could stand for, so that uses of its model are no errors of their own.
+///
+/// Where coordinates could not be read, as those of a robot of which the file is missing, the model has the traits over
+/// several lengths of the state.
+pub(crate) fn stand_in(scene: &Scene) -> TokenStream {
+    let (head, inputs) = (&scene.head, &scene.items.inputs);
+    let blank = |unread| Program::blank(scene, inputs, unread);
+    let is_whole = scene.items.robot.as_ref().is_none_or(|robot| robot.unread.is_none());
+    let mut programs = vec![blank(0)];
+    if !is_whole || programs[0].layout.is_empty() {
+        programs.extend((1..=MOST_UNREAD).map(blank));
+        programs.retain(|program| !program.layout.is_empty());
     }
+    let mut all = programs.iter().map(|program| Items { head, program });
+    let items = all.next().expect("a guess");
+    let mut parts = items.everything();
+    parts.extend(all.flat_map(|items| {
+        items
+            .traits()
+            .into_iter()
+            .chain(items.beside())
+            .flatten()
+            .collect::<Vec<_>>()
+    }));
+    let mut words = scene.items.generate.iter().flat_map(|(_, words)| words);
+    if !inputs.is_empty()
+        && items.program.constraints.is_empty()
+        && words.any(|word| CLOSED.iter().any(|closed| word == closed))
+    {
+        let program = &Program::blank(scene, &[], 0);
+        let closed = Items { head, program };
+        parts.extend(
+            [
+                closed.system(),
+                closed.canonical(),
+                closed.series(),
+                closed.over_numbers(),
+            ]
+            .into_iter()
+            .flatten(),
+        );
+    }
+    items.in_own_module(parts)
 }
+
+/// How many coordinates may be unread.
+const MOST_UNREAD: usize = 12;
+/// The words of `generate` for what only scenes without inputs have.
+const CLOSED: [&str; 2] = ["canonical", "taylor"];
 
 /// The lints that say nothing about generated code.
 fn allowed() -> TokenStream {
@@ -66,6 +87,39 @@ struct Items<'p> {
 }
 
 impl Items<'_> {
+    fn everything(&self) -> TokenStream {
+        let own = [
+            Some(self.parameters()),
+            self.inputs(),
+            Some(self.model()),
+            Some(self.constructor()),
+            Some(self.facts()),
+            Some(self.routines()),
+        ];
+        own.into_iter().chain(self.beside()).flatten().collect()
+    }
+
+    /// Traits beside those that routines belong to.
+    fn beside(&self) -> [Option<TokenStream>; 3] {
+        [self.series(), self.drawing(), self.over_numbers()]
+    }
+
+    /// A private module of items, of which the types of the declaration are exported.
+    fn in_own_module(&self, items: TokenStream) -> TokenStream {
+        let head = self.head;
+        let (vis, name, path) = (&head.vis, &head.name, format_ident!("__{}", head.name));
+        let (parameters, inputs) = (self.parameters_name(), self.inputs_name());
+        let inputs = (!self.program.inputs.is_empty()).then(|| quote!(, #inputs));
+        // A second mechanism of the same name is an error at the name.
+        let module = quote_spanned!(name.span()=> mod #path { #items });
+        quote! {
+            #[allow(non_snake_case)]
+            #module
+            #[allow(unreachable_pub, unused_imports)]
+            #vis use #path::{#name, #parameters #inputs};
+        }
+    }
+
     fn names(&self) -> Names<'_> {
         Names(self.program)
     }

@@ -9,30 +9,28 @@ use super::block::{Piece, local, number};
 use super::lanes::inlined_into_lanes;
 use super::{Items, allowed, count};
 use crate::emit::CORRECTIONS;
-use crate::program::{Argument, Block, Routine, Shape, Variable};
-
-/// The traits that have routines as their methods. Every other routine is a method of its own.
-const TRAITS: [(&str, &[&str]); 7] = [
-    ("System", &["rhs"]),
-    ("Jacobian", &["jacobian", "time_derivative"]),
-    ("Controlled", &["rhs", "jacobian", "input_jacobian", "time_derivative"]),
-    ("Canonical", &["canonical", "canonical_jacobian"]),
-    ("Energy", &["kinetic", "potential"]),
-    ("Hybrid", &["measures", "response"]),
-    ("HybridJacobian", &["response_derivative", "measure_derivatives"]),
-];
+use crate::program::{Argument, Block, Role, Routine, Shape, Variable};
 
 /// How short the last correction by Newton's method must be. The next one would be its square.
 const LAST_CORRECTION: f64 = 1e-6;
 
-/// Whether a routine is a method of the type itself.
-pub(super) fn is_inherent(name: &str) -> bool {
-    !TRAITS.iter().any(|(_, methods)| methods.contains(&name))
-}
-
 impl Items<'_> {
     /// The implementations of the traits, and the methods beside them.
     pub(super) fn routines(&self) -> TokenStream {
+        let [motion, closed, canonical, energy] = self.traits();
+        let parts = [
+            motion,
+            closed,
+            self.laws_of_inputs(),
+            canonical,
+            energy,
+            self.inherent(),
+        ];
+        parts.into_iter().flatten().collect()
+    }
+
+    /// The implementations of the traits that routines belong to.
+    pub(super) fn traits(&self) -> [Option<TokenStream>; 4] {
         let [is_plain, is_controlled] = [self.acting().is_none(), !self.program.inputs.is_empty()];
         let motion = if is_plain { self.system() } else { self.plant() };
         let closed = if is_controlled {
@@ -41,15 +39,12 @@ impl Items<'_> {
             (!is_plain).then(|| self.hybrid()).flatten()
         };
         let canonical = if is_plain {
-            self.of_trait("Canonical")
+            self.canonical()
         } else {
             self.hybrid_canonical()
         };
-        let energy = self.of_trait("Energy");
-        [motion, closed, canonical, energy, self.inherent()]
-            .into_iter()
-            .flatten()
-            .collect()
+        let energy = self.of_trait("Energy", &[Role::Kinetic, Role::Potential]);
+        [motion, closed, canonical, energy]
     }
 
     /// `impl Trait<T, N> for Model<T>`, or the inherent `impl Model<T>`.
@@ -69,9 +64,8 @@ impl Items<'_> {
     }
 
     /// A trait all of whose methods are routines of the same names, if the scene has them.
-    fn of_trait(&self, name: &str) -> Option<TokenStream> {
-        let (_, methods) = TRAITS.into_iter().find(|(known, _)| *known == name)?;
-        let routines: Option<Vec<&Routine>> = methods.iter().map(|method| self.program.routine(method)).collect();
+    fn of_trait(&self, name: &str, methods: &[Role]) -> Option<TokenStream> {
+        let routines: Option<Vec<&Routine>> = methods.iter().map(|&role| self.program.with_role(role)).collect();
         let methods = routines?.into_iter().map(|routine| {
             let function = self.function(&format_ident!("{}", routine.name), routine);
             quote!(#[inline] #function)
@@ -79,13 +73,17 @@ impl Items<'_> {
         Some(self.implement(Some(self.named(name)), &methods.collect()))
     }
 
-    fn system(&self) -> Option<TokenStream> {
-        let (inline, rhs) = (inlined_into_lanes(), self.program.routine("rhs")?);
+    pub(super) fn canonical(&self) -> Option<TokenStream> {
+        self.of_trait("Canonical", &[Role::Canonical, Role::CanonicalJacobian])
+    }
+
+    pub(super) fn system(&self) -> Option<TokenStream> {
+        let (inline, rhs) = (inlined_into_lanes(), self.program.with_role(Role::Rhs)?);
         let rhs = self.function(&format_ident!("rhs"), rhs);
         let layout = self.layout();
         let assembly = self.assembly();
         let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #layout #assembly));
-        let jacobian = self.program.routine("jacobian").map(|routine| {
+        let jacobian = self.program.with_role(Role::Jacobian).map(|routine| {
             let arguments = self.arguments(routine);
             let matrix = self.shape(routine.shapes[1]);
             let both = self.function(&format_ident!("rhs_and_jacobian"), routine);
@@ -124,7 +122,7 @@ impl Items<'_> {
 
     /// The method that tells how far each closed loop is from its toggle, where there are any.
     fn margins(&self) -> Option<TokenStream> {
-        self.program.routine("loop_margins")?;
+        self.program.with_role(Role::LoopMargins)?;
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let loops = self.program.loops.iter().map(|[a, b]| quote!([#a, #b]));
         let number = (0..self.program.loops.len()).map(count);
@@ -150,7 +148,7 @@ impl Items<'_> {
 
     /// The method that reports the gaps of loops, where some have no closed form.
     fn gaps(&self) -> Option<TokenStream> {
-        self.program.routine("loop_gaps")?;
+        self.program.with_role(Role::LoopGaps)?;
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let open = self.program.open_loops.iter().map(|&n| &self.program.loops[n]);
         let open = open.map(|[a, b]| quote!([#a, #b]));
@@ -177,7 +175,7 @@ impl Items<'_> {
                 x[#z] /= norm;
             }
         });
-        let closed = self.program.routine("loop_corrections").map(|_| {
+        let closed = self.program.with_role(Role::LoopCorrections).map(|_| {
             let (zero, least) = (number(0.0), number(LAST_CORRECTION * LAST_CORRECTION));
             let before = count(CORRECTIONS - 1);
             let places = self.program.layout.dependents().zip(0..);
@@ -215,7 +213,7 @@ impl Items<'_> {
         let name = format_ident!("{name}");
         let state = Shape::Vector(self.program.layout.len());
         let vector = self.shape(state);
-        let block = match self.program.routine("time_derivative") {
+        let block = match self.program.with_role(Role::TimeDerivative) {
             Some(routine) => self.body(routine, |values| value(state, values)),
             None => {
                 let zeros = value(state, &vec![number(0.0); state.len()]);
@@ -227,11 +225,11 @@ impl Items<'_> {
         }
     }
 
-    /// What only a model with inputs has, and a law for these.
+    /// What only a model with inputs has.
     fn controlled(&self) -> Option<TokenStream> {
-        let by_inputs = self.program.routine("input_jacobian")?;
+        let by_inputs = self.program.with_role(Role::InputJacobian)?;
         let (inline, length, inputs) = (inlined_into_lanes(), self.length(), count(self.program.inputs.len()));
-        let (name, vector) = (self.inputs_name(), self.shape(Shape::Vector(self.program.layout.len())));
+        let name = self.inputs_name();
         let by_inputs = self.function(&format_ident!("input_jacobian"), by_inputs);
         let (layout, assembly) = (self.layout(), self.assembly());
         let functions = quote! {
@@ -241,11 +239,18 @@ impl Items<'_> {
             #layout
             #assembly
         };
-        let controlled = self.implement(
+        Some(self.implement(
             Some(quote!(::pendulum_core::Controlled<T, #length, #inputs>)),
             &functions,
-        );
-        let with_inputs = quote! {
+        ))
+    }
+
+    /// The methods that give a model with inputs a law for these.
+    fn laws_of_inputs(&self) -> Option<TokenStream> {
+        self.program.with_role(Role::InputJacobian)?;
+        let (length, inputs) = (self.length(), count(self.program.inputs.len()));
+        let (name, vector) = (self.inputs_name(), self.shape(Shape::Vector(self.program.layout.len())));
+        let methods = quote! {
             /// The model with a law for its inputs: a `System`.
             ///
             /// Its Jacobian requires the derivative of the law: see `WithInputs`.
@@ -267,8 +272,7 @@ impl Items<'_> {
                 ::pendulum_core::WithInputs::with_law(*self, law)
             }
         };
-        let inherent = self.implement(None, &with_inputs);
-        Some(quote!(#controlled #inherent))
+        Some(self.implement(None, &methods))
     }
 
     /// The methods that belong to no trait.
@@ -277,10 +281,10 @@ impl Items<'_> {
             .program
             .routines
             .iter()
-            .filter(|routine| is_inherent(&routine.name));
+            .filter(|routine| routine.role.is_function());
         let methods = routines.map(|routine| {
             let (doc, function) = (&routine.doc, self.function(&format_ident!("{}", routine.name), routine));
-            let inline = if ["loop_margins", "turn_margins"].contains(&routine.name.as_str()) {
+            let inline = if matches!(routine.role, Role::LoopMargins | Role::TurnMargins) {
                 inlined_into_lanes()
             } else {
                 quote!(#[inline])
@@ -293,7 +297,7 @@ impl Items<'_> {
 
     /// The method that closes loops for a state to start from, where dependent coordinates are in the state.
     fn assemble(&self) -> Option<TokenStream> {
-        self.program.routine("loop_corrections")?;
+        self.program.with_role(Role::LoopCorrections)?;
         let (length, vector) = (self.length(), self.shape(Shape::Vector(self.program.layout.len())));
         let places = self.program.layout.dependents().map(count);
         let name = &self.head.name;

@@ -17,7 +17,7 @@ use crate::expr::{Definition, Formula, latex_definitions};
 /// `{}` prints them as short as they are found, with the names of the declaration; `{:#}` prints every `let` and every
 /// torque in full. Both are read back by the language of declarations, line by line; a line that starts with spaces
 /// continues the one before.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Equations {
     /// The names of the coordinates.
     pub coordinates: Vec<String>,
