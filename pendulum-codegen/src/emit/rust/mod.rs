@@ -41,38 +41,28 @@ pub(crate) fn stand_in(scene: &Scene) -> TokenStream {
     }
     let mut all = programs.iter().map(|program| Items { head, program });
     let items = all.next().expect("a guess");
-    let mut parts = items.everything();
-    parts.extend(all.flat_map(|items| {
-        items
-            .traits()
-            .into_iter()
-            .chain(items.beside())
-            .flatten()
-            .collect::<Vec<_>>()
-    }));
+    let mut parts = vec![Some(items.everything())];
+    for other in all {
+        let [motion, closed, ..] = other.traits();
+        parts.extend([motion, closed, other.over_numbers()]);
+    }
     let mut words = scene.items.generate.iter().flat_map(|(_, words)| words);
-    if !inputs.is_empty()
-        && items.program.constraints.is_empty()
-        && words.any(|word| CLOSED.iter().any(|closed| word == closed))
-    {
+    let asks_in_vain = !inputs.is_empty() && words.any(|word| CLOSED.iter().any(|closed| word == closed));
+    if asks_in_vain && items.program.constraints.is_empty() {
         let program = &Program::blank(scene, &[], 0);
         let closed = Items { head, program };
-        parts.extend(
-            [
-                closed.system(),
-                closed.canonical(),
-                closed.series(),
-                closed.over_numbers(),
-            ]
-            .into_iter()
-            .flatten(),
-        );
+        parts.extend([
+            closed.system(),
+            closed.canonical(),
+            closed.series(),
+            closed.over_numbers(),
+        ]);
     }
-    items.in_own_module(parts)
+    items.in_own_module(parts.into_iter().flatten().collect())
 }
 
 /// How many coordinates may be unread.
-const MOST_UNREAD: usize = 12;
+const MOST_UNREAD: usize = 8;
 /// The words of `generate` for what only scenes without inputs have.
 const CLOSED: [&str; 2] = ["canonical", "taylor"];
 
