@@ -27,10 +27,6 @@ fn are_the_expected_ones() {
 
 /// The programs of the book, each with a mistake in its declarations, compile with no other error.
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
 fn of_a_declaration_are_the_only_ones() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let pages = [

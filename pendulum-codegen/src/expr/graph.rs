@@ -1,9 +1,13 @@
 //! The hash-consed graph.
 
+use std::borrow::Borrow;
 use std::cell::RefCell;
 use std::collections::hash_map::Entry;
+use std::hash::{Hash, Hasher};
+use std::mem;
 
 use elsa::FrozenVec;
+use num_bigint::BigInt;
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
 
@@ -80,7 +84,7 @@ pub enum Level {
 
 /// A node: an operation on operands, or a leaf. The graph keeps operands by their ids; [`Expr::node`] gives them as
 /// expressions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug)]
 pub enum Node<Operand = ExprId, Number = Rational> {
     /// An exact number.
     Number(Number),
@@ -94,6 +98,43 @@ pub enum Node<Operand = ExprId, Number = Rational> {
     Binary(Binary, Operand, Operand),
     /// A constant power.
     Power(Operand, Number),
+}
+
+/// Numbers are in lowest terms, so that two are equal where their parts are: those of the library would be divided.
+impl<Operand: PartialEq, Number: Borrow<Rational>> PartialEq for Node<Operand, Number> {
+    fn eq(&self, other: &Self) -> bool {
+        let same = |a: &Number, b: &Number| parts(a) == parts(b);
+        match (self, other) {
+            (Self::Number(a), Self::Number(b)) => same(a, b),
+            (Self::Pi, Self::Pi) => true,
+            (Self::Symbol(a), Self::Symbol(b)) => a == b,
+            (Self::Unary(op, a), Self::Unary(other, b)) => op == other && a == b,
+            (Self::Binary(op, a, b), Self::Binary(other, c, d)) => op == other && a == c && b == d,
+            (Self::Power(a, n), Self::Power(b, m)) => a == b && same(n, m),
+            _ => false,
+        }
+    }
+}
+
+impl<Operand: Eq, Number: Borrow<Rational>> Eq for Node<Operand, Number> {}
+
+impl<Operand: Hash, Number: Borrow<Rational>> Hash for Node<Operand, Number> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        mem::discriminant(self).hash(state);
+        match self {
+            Self::Number(number) => parts(number).hash(state),
+            Self::Pi => {}
+            Self::Symbol(symbol) => symbol.hash(state),
+            Self::Unary(op, a) => (op, a).hash(state),
+            Self::Binary(op, a, b) => (op, a, b).hash(state),
+            Self::Power(a, number) => (a, parts(number)).hash(state),
+        }
+    }
+}
+
+fn parts(number: &impl Borrow<Rational>) -> [&BigInt; 2] {
+    let number = number.borrow();
+    [number.numer(), number.denom()]
 }
 
 /// How a symbol changes that depends on others.

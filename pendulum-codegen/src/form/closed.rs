@@ -5,7 +5,7 @@ use crate::dynamics::{Dynamics, balance};
 use crate::expr::{Expr, Graph, Level, Normalizer, Poly, TooLarge, ratio};
 use crate::model::Coordinate;
 use crate::pass::collect;
-use crate::pass::factor::{Preference, Term, factor, polynomial, terms};
+use crate::pass::factor::{Products, Term, factor, polynomial, terms};
 
 /// Dynamics whose entries are lists of terms.
 #[derive(Debug)]
@@ -59,13 +59,8 @@ impl<'g> Closed<'g> {
     }
 
     /// The dynamics as expressions, with common factors drawn out.
-    pub(crate) fn factored(
-        &self,
-        g: &'g Graph,
-        coordinates: &[Coordinate<'g>],
-        preference: Preference,
-    ) -> Dynamics<'g> {
-        let mut short = |terms: &Vec<Term<'g>>| factor(g, terms, preference);
+    pub(crate) fn factored(&self, g: &'g Graph, coordinates: &[Coordinate<'g>], products: Products) -> Dynamics<'g> {
+        let mut short = |terms: &Vec<Term<'g>>| factor(g, terms, products);
         let mut all = |lists: &[Vec<Term<'g>>]| -> Vec<Expr<'g>> { lists.iter().map(&mut short).collect() };
         let mass_matrix: Vec<Vec<Expr<'g>>> = self.mass_matrix.iter().map(|row| all(row)).collect();
         let [bias, force, residual, momentum] =
@@ -88,15 +83,15 @@ impl<'g> Closed<'g> {
     }
 
     /// The determinant of the mass matrix, where it has two rows.
-    pub(crate) fn determinant(&self, g: &'g Graph, preference: Preference) -> Option<Expr<'g>> {
-        self.determinant.as_ref().map(|terms| factor(g, terms, preference))
+    pub(crate) fn determinant(&self, g: &'g Graph, products: Products) -> Option<Expr<'g>> {
+        self.determinant.as_ref().map(|terms| factor(g, terms, products))
     }
 
     /// The accelerations without the loss of digits, where other forms have it.
-    pub(crate) fn exact(&self, g: &'g Graph, factored: &Dynamics<'g>, preference: Preference) -> Option<Vec<Expr<'g>>> {
-        let determinant = self.determinant(g, preference)?;
+    pub(crate) fn exact(&self, g: &'g Graph, factored: &Dynamics<'g>, products: Products) -> Option<Vec<Expr<'g>>> {
+        let determinant = self.determinant(g, products)?;
         let eliminated = self.eliminated.as_ref()?;
-        Some(eliminated.accelerations(g, factored, determinant, preference))
+        Some(eliminated.accelerations(g, factored, determinant, products))
     }
 }
 

@@ -10,7 +10,7 @@ use num_traits::One;
 
 use crate::dynamics::Dynamics;
 use crate::expr::{Expr, Graph, Level, Monomial, Node, Normalizer, Poly, Rational, TooLarge, Unary, ratio};
-use crate::pass::factor::{Preference, Term, factor, terms};
+use crate::pass::factor::{Products, Term, factor, terms};
 use crate::pass::{collect, collect_squares_first};
 
 /// The residual of two coordinates, in what cancels when the second is eliminated and what does not.
@@ -80,10 +80,10 @@ impl<'g> Eliminated<'g> {
         g: &'g Graph,
         dynamics: &Dynamics<'g>,
         determinant: Expr<'g>,
-        preference: Preference,
+        products: Products,
     ) -> Vec<Expr<'g>> {
         let [left, gone, first, last] =
-            [&self.left, &self.gone, &self.others[0], &self.others[1]].map(|terms| factor(g, terms, preference));
+            [&self.left, &self.gone, &self.others[0], &self.others[1]].map(|terms| factor(g, terms, products));
         let [coupling, own] = [0, 1].map(|k| dynamics.mass_matrix[1][k]);
         let pivot = -1 / own;
         let lower = coupling * pivot;

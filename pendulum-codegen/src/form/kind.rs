@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::dynamics::Solver;
-use crate::pass::Preference;
+use crate::pass::Products;
 
 /// A form of one function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,8 +23,8 @@ pub(crate) struct Form {
 /// How the dynamics are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Basis {
-    /// Expanded to normal form, then factored.
-    Closed(Preference),
+    /// Expanded to normal form.
+    Closed(Products),
     /// The graph of A, B and C as it was built.
     #[default]
     Shared,
@@ -82,9 +82,8 @@ impl Form {
 impl fmt::Display for Form {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self.basis {
-            Basis::Closed(Preference::State) => "closed form, factors of the state first",
-            Basis::Closed(Preference::Parameter) => "closed form, factors of parameters first",
-            Basis::Closed(Preference::Expanded) => "closed form, expanded",
+            Basis::Closed(Products::Factored) => "closed form, factored",
+            Basis::Closed(Products::Expanded) => "closed form, expanded",
             Basis::Shared => "A, B and C",
             Basis::Recursive => "recursion",
             Basis::Articulated => "articulated bodies",

@@ -29,7 +29,7 @@ use written::{Written, along_bodies};
 use crate::dynamics::{Dynamics, articulated};
 use crate::expr::{Expr, Normalizer};
 use crate::model::{Body, Dependence, Floating, Model};
-use crate::pass::{Preference, constants, factor};
+use crate::pass::{Products, constants, factor};
 
 /// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
 const BUDGET: usize = 20_000;
@@ -75,18 +75,17 @@ impl<'g> Forms<'g> {
             (Form::of(Basis::Recursive).with_wrenches(pushed), dynamics)
         });
         let recursive: Vec<_> = recursive.collect();
+        let (mut forms, mut solved) = closed_forms(model, &mut normalizer, dynamics);
         // where joints follow others, each does not give way by itself
         let give_way = !model.has_followers() && model.dependents.is_empty();
-        let apart = if give_way && !has_orientations { ways } else { &[] };
-        let articulated = apart.iter().map(|&pushed| {
-            let (accelerations, _) = articulated(model, pushed, &[]);
-            let accelerations = constants::fold(g, &accelerations);
-            (Form::of(Basis::Articulated).with_wrenches(pushed), accelerations)
-        });
-        let articulated: Vec<Candidate<'g>> = articulated.collect();
-        let (mut forms, mut solved) = closed_forms(model, &mut normalizer, dynamics);
-        solved.extend(articulated);
-        let shared = (!has_orientations).then(|| (Form::of(Basis::Shared), dynamics.clone()));
+        if give_way && !has_orientations && forms.is_empty() {
+            solved.extend(ways.iter().map(|&pushed| {
+                let (accelerations, _) = articulated(model, pushed, &[]);
+                let accelerations = constants::fold(g, &accelerations);
+                (Form::of(Basis::Articulated).with_wrenches(pushed), accelerations)
+            }));
+        }
+        let shared = (!has_orientations && forms.is_empty()).then(|| (Form::of(Basis::Shared), dynamics.clone()));
         let graphs = shared.into_iter().chain(recursive);
         forms.extend(graphs.map(|(form, dynamics)| Written::folded(g, form, dynamics)));
         let floating = model.floating();
@@ -132,7 +131,7 @@ impl<'g> Forms<'g> {
 
     /// The dynamics in closed form with its products expanded, if the scene is small enough to have it.
     pub(crate) fn closed(&self) -> Option<&Dynamics<'g>> {
-        self.on(Basis::Closed(Preference::Expanded))
+        self.on(Basis::Closed(Products::Expanded))
     }
 
     /// The dynamics by recursion over the links.
@@ -179,15 +178,15 @@ fn closed_forms<'g>(
     let lopsided = is_lopsided(&model.bodies);
     let (mut forms, mut exact) = (Vec::new(), Vec::new());
     if let Ok(closed) = Closed::new(normalizer, dynamics) {
-        for preference in Preference::ALL {
-            let form = Form::of(Basis::Closed(preference));
-            let factored = closed.factored(g, &model.coordinates, preference);
-            let accelerations = lopsided.then(|| closed.exact(g, &factored, preference)).flatten();
+        for products in Products::ALL {
+            let form = Form::of(Basis::Closed(products));
+            let factored = closed.factored(g, &model.coordinates, products);
+            let accelerations = lopsided.then(|| closed.exact(g, &factored, products)).flatten();
             exact.extend(accelerations.map(|accelerations| (form.exactly(), accelerations)));
             forms.push(Written {
                 form,
                 dynamics: factored,
-                determinant: closed.determinant(g, preference),
+                determinant: closed.determinant(g, products),
             });
         }
     }
@@ -201,7 +200,7 @@ fn ways<'g>(
     columns: Vec<Vec<Expr<'g>>>,
 ) -> Vec<(Derivatives, Vec<Vec<Expr<'g>>>)> {
     let expanded = match basis {
-        Basis::Closed(preference) => expanded(normalizer, &columns, preference),
+        Basis::Closed(products) => expanded(normalizer, &columns, products),
         _ => None,
     };
     let expanded = expanded.map(|columns| (Derivatives::Expanded, columns));
@@ -227,11 +226,10 @@ fn is_lopsided(bodies: &[Body<'_>]) -> bool {
 pub(crate) fn expanded<'g>(
     normalizer: &mut Normalizer<'g>,
     columns: &[Vec<Expr<'g>>],
-    preference: Preference,
+    products: Products,
 ) -> Option<Vec<Vec<Expr<'g>>>> {
     let g = normalizer.graph();
-    let mut short =
-        |x: &Expr<'g>| closed::short_terms(normalizer, *x).map(|terms| factor::factor(g, &terms, preference));
+    let mut short = |x: &Expr<'g>| closed::short_terms(normalizer, *x).map(|terms| factor::factor(g, &terms, products));
     let columns = columns
         .iter()
         .map(|column| column.iter().map(&mut short).collect())

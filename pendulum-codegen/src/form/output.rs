@@ -7,7 +7,7 @@ use super::{Basis, Candidate, Chosen, Form, Forms};
 use crate::dynamics::derived;
 use crate::expr::{Derivative, Expr, SymbolKind};
 use crate::model::{Model, changes};
-use crate::pass::Preference;
+use crate::pass::Products;
 use crate::pass::factor::factor;
 
 /// The values of expressions.
@@ -63,9 +63,9 @@ impl<'g> Forms<'g> {
         let terms = roots.iter().map(|&root| short_terms(&mut self.normalizer, root));
         if let Ok(terms) = terms.collect::<Result<Vec<_>, _>>() {
             let g = self.normalizer.graph();
-            for preference in Preference::ALL {
-                let factored = terms.iter().map(|terms| factor(g, terms, preference));
-                candidates.push((Form::of(Basis::Closed(preference)), factored.collect()));
+            for products in Products::ALL {
+                let factored = terms.iter().map(|terms| factor(g, terms, products));
+                candidates.push((Form::of(Basis::Closed(products)), factored.collect()));
             }
         }
         self.choose(candidates)

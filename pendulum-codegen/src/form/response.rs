@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 use super::routines::on_top;
 use super::solved::Way;
 use super::written::Written;
-use super::{Basis, Candidate, Chosen, Forms, Preference, expanded};
+use super::{Basis, Candidate, Chosen, Forms, Products, expanded};
 use crate::dynamics::{Inverse, derived};
 use crate::expr::{Derivative, Expr, Normalizer};
 use crate::model::{CoordinateId, Model};
@@ -45,7 +45,7 @@ impl<'g> Rows<'g> {
     fn on(&self, normalizer: &mut Normalizer<'g>, basis: Basis) -> Self {
         let columns = [&self.gradients[..], std::slice::from_ref(&self.drifts)].concat();
         let short = match basis {
-            Basis::Closed(preference) => expanded(normalizer, &columns, preference),
+            Basis::Closed(products) => expanded(normalizer, &columns, products),
             _ => None,
         };
         let mut gradients = short.unwrap_or(columns);
@@ -132,7 +132,7 @@ pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
 pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let (graph, state) = (model.graph, model.state());
     let rows = Rows::new(model);
-    let bases = [Basis::Shared].into_iter().chain(Preference::ALL.map(Basis::Closed));
+    let bases = [Basis::Shared].into_iter().chain(Products::ALL.map(Basis::Closed));
     let bases: Vec<(Basis, Rows<'g>)> = bases
         .map(|basis| (basis, rows.on(&mut forms.normalizer, basis)))
         .collect();

@@ -4,7 +4,7 @@ use super::{Basis, Closed, Form};
 use crate::dynamics::{Dynamics, Factored, Inverse, Solver, balance};
 use crate::expr::{Expr, Graph, Level, Normalizer};
 use crate::model::{Floating, Model};
-use crate::pass::{Preference, constants};
+use crate::pass::{Products, constants};
 
 /// Dynamics in some form.
 #[derive(Clone, Debug)]
@@ -65,9 +65,9 @@ pub(super) fn along_bodies<'g>(
     let mut all = Vec::new();
     for dynamics in [dynamics].into_iter().chain(divided) {
         if let Ok(closed) = Closed::new(normalizer, &dynamics) {
-            all.extend(Preference::ALL.map(|preference| Written {
-                form: form(Basis::Closed(preference)),
-                dynamics: closed.factored(g, &model.coordinates, preference),
+            all.extend(Products::ALL.map(|products| Written {
+                form: form(Basis::Closed(products)),
+                dynamics: closed.factored(g, &model.coordinates, products),
                 determinant: None,
             }));
         }

@@ -14,20 +14,18 @@ pub(crate) struct Term<'g> {
     factors: Vec<Expr<'g>>,
 }
 
-/// Which common factor is drawn out first, where several stand in equally many terms.
+/// How sums of products are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Preference {
-    /// Factors of the state.
-    State,
-    /// Constants.
-    Parameter,
-    /// None: products stay expanded.
+pub(crate) enum Products {
+    /// With common factors drawn out, those of the state first.
+    Factored,
+    /// As they are.
     Expanded,
 }
 
-impl Preference {
-    /// Every preference.
-    pub(crate) const ALL: [Self; 3] = [Self::State, Self::Parameter, Self::Expanded];
+impl Products {
+    /// Both.
+    pub(crate) const ALL: [Self; 2] = [Self::Factored, Self::Expanded];
 }
 
 /// The terms of a polynomial, one for each product of state quantities. What multiplies it becomes one constant, up to
@@ -94,12 +92,11 @@ pub(crate) fn polynomial(terms: &[Term<'_>]) -> Poly {
     poly
 }
 
-/// The expression of terms, with the most frequent factors drawn out.
-pub(crate) fn factor<'g>(g: &'g Graph, terms: &[Term<'g>], preference: Preference) -> Expr<'g> {
-    let common = match preference {
-        Preference::Expanded => None,
-        _ if terms.len() < 2 => None,
-        _ => most_frequent(terms, preference),
+/// The expression of terms.
+pub(crate) fn factor<'g>(g: &'g Graph, terms: &[Term<'g>], products: Products) -> Expr<'g> {
+    let common = match products {
+        Products::Factored if terms.len() > 1 => most_frequent(terms),
+        _ => None,
     };
     let Some(common) = common else {
         return terms.iter().fold(g.zero(), |sum, term| {
@@ -117,14 +114,14 @@ pub(crate) fn factor<'g>(g: &'g Graph, terms: &[Term<'g>], preference: Preferenc
             term
         })
         .collect();
-    let inside = factor(g, &reduced, preference);
-    let rest = factor(g, &without, preference);
+    let inside = factor(g, &reduced, products);
+    let rest = factor(g, &without, products);
     common * inside + rest
 }
 
-/// The factor that stands in most terms, if it stands in two or more. Terms without state cost nothing, so they do not
-/// count.
-fn most_frequent<'g>(terms: &[Term<'g>], preference: Preference) -> Option<Expr<'g>> {
+/// The factor that stands in most terms, if it stands in two or more, one of the state before others. Terms without
+/// state cost nothing, so they do not count.
+fn most_frequent<'g>(terms: &[Term<'g>]) -> Option<Expr<'g>> {
     let mut counts: BTreeMap<Expr<'g>, usize> = BTreeMap::new();
     for term in terms {
         if term.factors.iter().all(|factor| factor.level() != Level::State) {
@@ -137,9 +134,9 @@ fn most_frequent<'g>(terms: &[Term<'g>], preference: Preference) -> Option<Expr<
             *counts.entry(factor).or_default() += 1;
         }
     }
-    let preferred = |factor: Expr<'g>| (factor.level() == Level::State) == (preference == Preference::State);
+    let is_of_state = |factor: Expr<'g>| factor.level() == Level::State;
     let best = counts
         .into_iter()
-        .max_by_key(|&(factor, count)| (count, preferred(factor), std::cmp::Reverse(factor)));
+        .max_by_key(|&(factor, count)| (count, is_of_state(factor), std::cmp::Reverse(factor)));
     best.filter(|&(_, count)| count >= 2).map(|(factor, _)| factor)
 }

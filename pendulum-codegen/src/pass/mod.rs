@@ -12,6 +12,6 @@ pub(crate) mod trig;
 pub(crate) use angles::collect;
 pub(crate) use angles::collect_squares_first;
 pub use cost::Operations;
-pub(crate) use factor::Preference;
+pub(crate) use factor::Products;
 pub(crate) use nest::nest;
 pub(crate) use share::share;

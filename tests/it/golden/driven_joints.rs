@@ -452,24 +452,12 @@ k43 = b*w^2*ny^2*(m1 + m2)
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first, adjugate",
+                                    "closed form, factored, adjugate",
                                     ::pendulum_core::Operations::new(15, 32, 1, 4, 0, 31),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L",
-                                    ::pendulum_core::Operations::new(16, 31, 1, 4, 0, 35),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion, adjugate",
                                     ::pendulum_core::Operations::new(26, 37, 1, 4, 0, 37),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "articulated bodies",
-                                    ::pendulum_core::Operations::new(34, 52, 2, 4, 0, 49),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, adjugate",
-                                    ::pendulum_core::Operations::new(89, 116, 1, 4, 0, 43),
                                 ),
                             ],
                         ),
@@ -483,20 +471,12 @@ k43 = b*w^2*ny^2*(m1 + m2)
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first, inverse, derived and expanded",
+                                    "closed form, factored, inverse, derived and expanded",
                                     ::pendulum_core::Operations::new(35, 67, 1, 4, 0, 42),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, inverse, derived and expanded",
-                                    ::pendulum_core::Operations::new(35, 68, 1, 4, 0, 42),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion, inverse, derived in the graph",
                                     ::pendulum_core::Operations::new(54, 74, 1, 4, 0, 49),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, inverse, derived in the graph",
-                                    ::pendulum_core::Operations::new(192, 225, 1, 4, 0, 48),
                                 ),
                             ],
                         ),
@@ -504,15 +484,11 @@ k43 = b*w^2*ny^2*(m1 + m2)
                 (
                     "time_derivative",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, L^T D L, exact quotient, derived and expanded",
+                            "closed form, factored, L^T D L, exact quotient, derived and expanded",
                             ::pendulum_core::Operations::new(8, 22, 1, 4, 0, 32),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L, derived and expanded",
-                                    ::pendulum_core::Operations::new(8, 22, 1, 4, 0, 32),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived and expanded",
                                     ::pendulum_core::Operations::new(8, 22, 1, 4, 0, 32),
@@ -520,10 +496,6 @@ k43 = b*w^2*ny^2*(m1 + m2)
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion, adjugate, derived in the graph",
                                     ::pendulum_core::Operations::new(17, 28, 1, 4, 0, 37),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, inverse, derived in the graph",
-                                    ::pendulum_core::Operations::new(135, 188, 1, 4, 0, 47),
                                 ),
                             ],
                         ),
@@ -537,20 +509,12 @@ k43 = b*w^2*ny^2*(m1 + m2)
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(9, 25, 0, 4, 0, 29),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(9, 25, 0, 4, 0, 29),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion",
                                     ::pendulum_core::Operations::new(22, 35, 0, 4, 0, 36),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(45, 61, 0, 4, 0, 38),
                                 ),
                             ],
                         ),
@@ -558,22 +522,14 @@ k43 = b*w^2*ny^2*(m1 + m2)
                 (
                     "potential",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(2, 4, 0, 3, 0, 23),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(2, 4, 0, 3, 0, 23),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
                                     ::pendulum_core::Operations::new(2, 4, 0, 3, 0, 24),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(4, 7, 0, 3, 0, 27),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion",
@@ -585,17 +541,9 @@ k43 = b*w^2*ny^2*(m1 + m2)
                 (
                     "drive_forces",
                     ::pendulum_core::FunctionCost::new(
-                            "recursion",
-                            ::pendulum_core::Operations::new(28, 47, 1, 6, 0, 41),
-                        )
-                        .with_others(
-                            &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(50, 67, 1, 6, 0, 39),
-                                ),
-                            ],
-                        ),
+                        "recursion",
+                        ::pendulum_core::Operations::new(28, 47, 1, 6, 0, 41),
+                    ),
                 ),
             ],
         );
@@ -905,7 +853,7 @@ k43 = b*w^2*ny^2*(m1 + m2)
             let t14 = t13 - k31 * cos_theta2 * cos2;
             let t15 = k36 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
             let t16 = k20 / (k28 + k18 * t10 * t10)
-                * (t12 + t15 * t14 - t3 - k15 * cos_theta1 * cos2);
+                * (t12 + t14 * t15 - t3 - k15 * cos_theta1 * cos2);
             let t17 = t16 + k29 * t14 - t16 - t15 * t16;
             let t18 = k10 * sin_theta2;
             let t19 = k12 * sin_theta1;

@@ -278,15 +278,11 @@ k11 = -m*c*d/(inertia + m*c^2)
                 (
                     "rhs",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, L^T D L",
+                            "closed form, factored, L^T D L",
                             ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L",
-                                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L",
                                     ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 33),
@@ -295,29 +291,17 @@ k11 = -m*c*d/(inertia + m*c^2)
                                     "recursion, adjugate",
                                     ::pendulum_core::Operations::new(24, 30, 1, 2, 0, 37),
                                 ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, adjugate",
-                                    ::pendulum_core::Operations::new(32, 40, 1, 2, 0, 38),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "articulated bodies",
-                                    ::pendulum_core::Operations::new(30, 46, 2, 2, 0, 48),
-                                ),
                             ],
                         ),
                 ),
                 (
                     "jacobian",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, inverse, derived in the graph",
+                            "closed form, factored, inverse, derived in the graph",
                             ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, inverse, derived and expanded",
-                                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 39),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, inverse, derived and expanded",
                                     ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
@@ -326,17 +310,13 @@ k11 = -m*c*d/(inertia + m*c^2)
                                     "recursion, inverse, derived in the graph",
                                     ::pendulum_core::Operations::new(50, 65, 1, 2, 0, 49),
                                 ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, inverse, derived in the graph",
-                                    ::pendulum_core::Operations::new(98, 99, 1, 2, 0, 44),
-                                ),
                             ],
                         ),
                 ),
                 (
                     "kinetic",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 25),
                         )
                         .with_others(
@@ -346,16 +326,8 @@ k11 = -m*c*d/(inertia + m*c^2)
                                     ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 26),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(3, 7, 0, 1, 0, 25),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "recursion",
                                     ::pendulum_core::Operations::new(15, 23, 0, 2, 0, 32),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(22, 23, 0, 2, 0, 35),
                                 ),
                             ],
                         ),
@@ -363,22 +335,14 @@ k11 = -m*c*d/(inertia + m*c^2)
                 (
                     "potential",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
                                     ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion",
@@ -390,7 +354,7 @@ k11 = -m*c*d/(inertia + m*c^2)
                 (
                     "canonical",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, derived and expanded",
+                            "closed form, factored, derived and expanded",
                             ::pendulum_core::Operations::new(10, 16, 0, 2, 0, 26),
                         )
                         .with_others(
@@ -400,16 +364,8 @@ k11 = -m*c*d/(inertia + m*c^2)
                                     ::pendulum_core::Operations::new(9, 17, 0, 2, 0, 26),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, derived and expanded",
-                                    ::pendulum_core::Operations::new(10, 18, 0, 2, 0, 26),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "recursion, derived in the graph",
                                     ::pendulum_core::Operations::new(34, 54, 0, 2, 0, 30),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, derived in the graph",
-                                    ::pendulum_core::Operations::new(62, 70, 0, 2, 0, 34),
                                 ),
                             ],
                         ),
@@ -417,15 +373,11 @@ k11 = -m*c*d/(inertia + m*c^2)
                 (
                     "canonical_jacobian",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, derived and expanded",
+                            "closed form, factored, derived and expanded",
                             ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, derived and expanded",
-                                    ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, derived and expanded",
                                     ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
@@ -434,27 +386,18 @@ k11 = -m*c*d/(inertia + m*c^2)
                                     "recursion, derived in the graph",
                                     ::pendulum_core::Operations::new(76, 71, 0, 2, 0, 29),
                                 ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, derived in the graph",
-                                    ::pendulum_core::Operations::new(149, 117, 0, 2, 0, 35),
-                                ),
                             ],
                         ),
                 ),
                 (
                     "taylor",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, inverse",
+                            "closed form, factored, inverse",
                             ::pendulum_core::Operations::new(28, 37, 0, 0, 0, 12),
                         )
                         .with_products(12)
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                        "closed form, factors of parameters first, inverse",
-                                        ::pendulum_core::Operations::new(29, 36, 0, 0, 0, 12),
-                                    )
-                                    .with_products(12),
                                 ::pendulum_core::FunctionCost::new(
                                         "closed form, expanded, inverse",
                                         ::pendulum_core::Operations::new(30, 36, 0, 0, 0, 12),
@@ -465,11 +408,6 @@ k11 = -m*c*d/(inertia + m*c^2)
                                         ::pendulum_core::Operations::new(69, 59, 0, 0, 0, 18),
                                     )
                                     .with_products(22),
-                                ::pendulum_core::FunctionCost::new(
-                                        "A, B and C, inverse",
-                                        ::pendulum_core::Operations::new(84, 74, 0, 0, 0, 19),
-                                    )
-                                    .with_products(26),
                             ],
                         ),
                 ),

@@ -370,20 +370,12 @@ k36 = -1
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first, L^T D L",
-                                    ::pendulum_core::Operations::new(34, 66, 4, 1, 1, 58),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L",
+                                    "closed form, factored, L^T D L",
                                     ::pendulum_core::Operations::new(34, 66, 4, 1, 1, 58),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion, L^T D L",
                                     ::pendulum_core::Operations::new(49, 70, 4, 1, 1, 59),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, L^T D L",
-                                    ::pendulum_core::Operations::new(61, 83, 4, 1, 1, 59),
                                 ),
                             ],
                         ),
@@ -398,15 +390,11 @@ k36 = -1
                 (
                     "jacobian",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, L^T D L, derived in the graph",
+                            "closed form, factored, L^T D L, derived in the graph",
                             ::pendulum_core::Operations::new(107, 184, 6, 1, 1, 76),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(107, 184, 6, 1, 1, 77),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived in the graph",
                                     ::pendulum_core::Operations::new(114, 200, 6, 1, 1, 73),
@@ -415,25 +403,17 @@ k36 = -1
                                     "recursion, L^T D L, derived in the graph",
                                     ::pendulum_core::Operations::new(143, 203, 6, 1, 1, 79),
                                 ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(168, 219, 6, 1, 1, 77),
-                                ),
                             ],
                         ),
                 ),
                 (
                     "kinetic",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(16, 34, 2, 1, 1, 47),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(16, 34, 2, 1, 1, 47),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
                                     ::pendulum_core::Operations::new(16, 34, 2, 1, 1, 47),
@@ -442,32 +422,20 @@ k36 = -1
                                     "recursion",
                                     ::pendulum_core::Operations::new(26, 41, 2, 1, 1, 53),
                                 ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(35, 48, 3, 1, 1, 54),
-                                ),
                             ],
                         ),
                 ),
                 (
                     "potential",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(10, 15, 2, 1, 1, 46),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(10, 15, 2, 1, 1, 46),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
                                     ::pendulum_core::Operations::new(10, 15, 2, 1, 1, 46),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(12, 16, 2, 1, 1, 45),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion",
@@ -485,11 +453,7 @@ k36 = -1
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(17, 14, 1, 1, 4, 49),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(17, 14, 1, 1, 4, 49),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -508,11 +472,7 @@ k36 = -1
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(12, 19, 2, 1, 1, 44),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(12, 19, 2, 1, 1, 44),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -531,11 +491,7 @@ k36 = -1
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(24, 25, 2, 1, 4, 49),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(24, 25, 2, 1, 4, 49),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -554,11 +510,7 @@ k36 = -1
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(12, 15, 1, 1, 1, 42),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(12, 15, 1, 1, 1, 42),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -571,15 +523,11 @@ k36 = -1
                 (
                     "gap_rate",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(14, 30, 2, 1, 1, 47),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(14, 30, 2, 1, 1, 47),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
                                     ::pendulum_core::Operations::new(14, 30, 2, 1, 1, 47),
@@ -600,11 +548,7 @@ k36 = -1
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(18, 32, 2, 1, 1, 46),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(18, 32, 2, 1, 1, 46),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -623,11 +567,7 @@ k36 = -1
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(7, 16, 2, 1, 1, 43),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(7, 16, 2, 1, 1, 43),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -653,12 +593,8 @@ k36 = -1
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(45, 68, 6, 1, 2, 58),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(44, 71, 6, 1, 2, 58),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
@@ -676,11 +612,7 @@ k36 = -1
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(26, 27, 2, 1, 4, 49),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(26, 27, 2, 1, 4, 49),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -706,12 +638,8 @@ k36 = -1
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(70, 92, 6, 1, 5, 58),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(69, 95, 6, 1, 5, 58),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",

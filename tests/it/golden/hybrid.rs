@@ -204,29 +204,17 @@ k4 = 1/m
                 (
                     "rhs",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, L^T D L",
+                            "closed form, factored, L^T D L",
                             ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L",
-                                    ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L",
                                     ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, L^T D L",
-                                    ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "recursion, L^T D L",
-                                    ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "articulated bodies",
                                     ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
                                 ),
                             ],
@@ -241,11 +229,7 @@ k4 = 1/m
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -258,21 +242,13 @@ k4 = 1/m
                 (
                     "response",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, L^T D L",
+                            "closed form, factored, L^T D L",
                             ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L",
-                                    ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L",
-                                    ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, L^T D L",
                                     ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -285,21 +261,13 @@ k4 = 1/m
                 (
                     "jacobian",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, L^T D L, derived and expanded",
+                            "closed form, factored, L^T D L, derived and expanded",
                             ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L, derived and expanded",
-                                    ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived and expanded",
-                                    ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, L^T D L, derived in the graph",
                                     ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -312,21 +280,13 @@ k4 = 1/m
                 (
                     "response_derivative",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, L^T D L, derived and expanded",
+                            "closed form, factored, L^T D L, derived and expanded",
                             ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L, derived and expanded",
-                                    ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived and expanded",
-                                    ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, L^T D L, derived in the graph",
                                     ::pendulum_core::Operations::new(1, 1, 0, 0, 0, 2),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -345,11 +305,7 @@ k4 = 1/m
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -362,21 +318,13 @@ k4 = 1/m
                 (
                     "kinetic",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(0, 2, 0, 0, 0, 2),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(0, 2, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(0, 2, 0, 0, 0, 2),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
                                     ::pendulum_core::Operations::new(0, 2, 0, 0, 0, 2),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
@@ -389,21 +337,13 @@ k4 = 1/m
                 (
                     "potential",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
                                     ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
                                 ),
                                 ::pendulum_core::FunctionCost::new(

@@ -242,19 +242,11 @@ k8 = -0.5/(1/3*l)
                 (
                     "rhs",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, exact quotient",
+                            "closed form, factored, exact quotient",
                             ::pendulum_core::Operations::new(5, 11, 1, 1, 0, 30),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "articulated bodies",
-                                    ::pendulum_core::Operations::new(4, 10, 1, 1, 0, 31),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L",
-                                    ::pendulum_core::Operations::new(5, 11, 1, 1, 0, 30),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L",
                                     ::pendulum_core::Operations::new(5, 11, 1, 1, 0, 30),
@@ -263,25 +255,17 @@ k8 = -0.5/(1/3*l)
                                     "recursion, adjugate",
                                     ::pendulum_core::Operations::new(4, 12, 1, 1, 0, 28),
                                 ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, adjugate",
-                                    ::pendulum_core::Operations::new(10, 17, 1, 1, 0, 34),
-                                ),
                             ],
                         ),
                 ),
                 (
                     "jacobian",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, L^T D L, exact quotient, derived in the graph",
+                            "closed form, factored, L^T D L, exact quotient, derived in the graph",
                             ::pendulum_core::Operations::new(11, 24, 1, 1, 0, 36),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, inverse, derived in the graph",
-                                    ::pendulum_core::Operations::new(8, 27, 1, 1, 0, 34),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, inverse, derived and expanded",
                                     ::pendulum_core::Operations::new(8, 27, 1, 1, 0, 35),
@@ -290,25 +274,17 @@ k8 = -0.5/(1/3*l)
                                     "recursion, inverse, derived in the graph",
                                     ::pendulum_core::Operations::new(8, 27, 1, 1, 0, 35),
                                 ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, inverse, derived in the graph",
-                                    ::pendulum_core::Operations::new(20, 37, 1, 1, 0, 41),
-                                ),
                             ],
                         ),
                 ),
                 (
                     "input_jacobian",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, L^T D L, exact quotient, derived and expanded",
+                            "closed form, factored, L^T D L, exact quotient, derived and expanded",
                             ::pendulum_core::Operations::new(2, 4, 1, 1, 0, 29),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L, derived and expanded",
-                                    ::pendulum_core::Operations::new(2, 4, 1, 1, 0, 29),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived and expanded",
                                     ::pendulum_core::Operations::new(2, 4, 1, 1, 0, 29),
@@ -316,10 +292,6 @@ k8 = -0.5/(1/3*l)
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion, adjugate, derived in the graph",
                                     ::pendulum_core::Operations::new(2, 4, 1, 1, 0, 28),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, adjugate, derived in the graph",
-                                    ::pendulum_core::Operations::new(10, 13, 1, 1, 0, 33),
                                 ),
                             ],
                         ),
@@ -333,20 +305,12 @@ k8 = -0.5/(1/3*l)
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(2, 7, 0, 1, 0, 25),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(2, 7, 0, 1, 0, 25),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion",
                                     ::pendulum_core::Operations::new(3, 8, 0, 1, 0, 26),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(10, 16, 0, 1, 0, 31),
                                 ),
                             ],
                         ),
@@ -354,21 +318,13 @@ k8 = -0.5/(1/3*l)
                 (
                     "potential",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(0, 1, 0, 1, 0, 21),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(0, 1, 0, 1, 0, 21),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(0, 1, 0, 1, 0, 21),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
                                     ::pendulum_core::Operations::new(0, 1, 0, 1, 0, 21),
                                 ),
                                 ::pendulum_core::FunctionCost::new(

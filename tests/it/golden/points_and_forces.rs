@@ -456,24 +456,12 @@ k57 = 77343750000000/1998607065841*l^2*k
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first, L^T D L",
+                                    "closed form, factored, L^T D L",
                                     ::pendulum_core::Operations::new(55, 72, 5, 2, 4, 47),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L",
-                                    ::pendulum_core::Operations::new(55, 72, 5, 2, 4, 48),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L",
                                     ::pendulum_core::Operations::new(54, 79, 5, 2, 4, 51),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, adjugate",
-                                    ::pendulum_core::Operations::new(51, 86, 5, 2, 4, 41),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "articulated bodies",
-                                    ::pendulum_core::Operations::new(52, 91, 6, 2, 4, 52),
                                 ),
                             ],
                         ),
@@ -481,15 +469,11 @@ k57 = 77343750000000/1998607065841*l^2*k
                 (
                     "jacobian",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first, L^T D L, derived and expanded",
+                            "closed form, factored, L^T D L, derived and expanded",
                             ::pendulum_core::Operations::new(146, 194, 5, 2, 4, 57),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L, derived and expanded",
-                                    ::pendulum_core::Operations::new(148, 194, 5, 2, 4, 58),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived and expanded",
                                     ::pendulum_core::Operations::new(138, 212, 5, 2, 4, 62),
@@ -498,17 +482,13 @@ k57 = 77343750000000/1998607065841*l^2*k
                                     "recursion, inverse, derived in the graph",
                                     ::pendulum_core::Operations::new(118, 208, 13, 2, 4, 53),
                                 ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, inverse, derived in the graph",
-                                    ::pendulum_core::Operations::new(135, 228, 13, 2, 4, 50),
-                                ),
                             ],
                         ),
                 ),
                 (
                     "kinetic",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(4, 7, 0, 1, 0, 27),
                         )
                         .with_others(
@@ -518,16 +498,8 @@ k57 = 77343750000000/1998607065841*l^2*k
                                     ::pendulum_core::Operations::new(4, 7, 0, 1, 0, 25),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(4, 8, 0, 1, 0, 26),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "recursion",
                                     ::pendulum_core::Operations::new(12, 23, 0, 2, 0, 32),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(17, 23, 0, 2, 0, 33),
                                 ),
                             ],
                         ),
@@ -535,21 +507,13 @@ k57 = 77343750000000/1998607065841*l^2*k
                 (
                     "potential",
                     ::pendulum_core::FunctionCost::new(
-                            "A, B and C",
+                            "recursion",
                             ::pendulum_core::Operations::new(19, 15, 4, 2, 4, 38),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "recursion",
-                                    ::pendulum_core::Operations::new(19, 15, 4, 2, 4, 38),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(35, 28, 4, 2, 4, 40),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(35, 28, 4, 2, 4, 40),
                                 ),
                                 ::pendulum_core::FunctionCost::new(

@@ -100,7 +100,7 @@ t17 = 0.016911*dot(q6)*t14 + 0.016911*c6*s234*t3 + 0.016911*s6*t15 + 0.016911*t1
 t18 = c6*t5 + s6*t13
 t19 = 0.000225473145*dot(q6)*t18 + 0.000225473145*s6*s234*t3 + 0.000225473145*t16*t18 - 0.000225473145*c6*t15
 t20 = 0.126621*dot(q5)*t12 + 0.126621*t5*t12 + 0.126621*c5*c234*t3 + s6*t17 - c6*t19
-t21 = 0.10971*t5*t13 + 0.126846473145*dot(q5)*t13 + 0.016685526855*t14*t18 + 0.126846473145*s5*c234*t3
+t21 = 0.126846473145*dot(q5)*t13 + 0.10971*t5*t13 + 0.016685526855*t14*t18 + 0.126846473145*s5*c234*t3
 t22 = 9.81 + 0.425*dot(q2)^2*s2
 ```
 */
@@ -232,24 +232,12 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "articulated bodies",
-                                    ::pendulum_core::Operations::new(228, 276, 5, 5, 0, 109),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L",
-                                    ::pendulum_core::Operations::new(220, 352, 5, 5, 0, 72),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first, L^T D L",
+                                    "closed form, factored, L^T D L",
                                     ::pendulum_core::Operations::new(225, 358, 5, 5, 0, 72),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L",
                                     ::pendulum_core::Operations::new(314, 760, 5, 5, 0, 115),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, L^T D L",
-                                    ::pendulum_core::Operations::new(536, 551, 5, 5, 0, 73),
                                 ),
                             ],
                         ),
@@ -263,20 +251,12 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, L^T D L, derived and expanded",
-                                    ::pendulum_core::Operations::new(863, 1178, 5, 5, 0, 103),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first, L^T D L, derived and expanded",
+                                    "closed form, factored, L^T D L, derived and expanded",
                                     ::pendulum_core::Operations::new(887, 1191, 5, 5, 0, 103),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived in the graph",
                                     ::pendulum_core::Operations::new(1741, 2576, 5, 5, 0, 135),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(2277, 2108, 5, 5, 0, 93),
                                 ),
                             ],
                         ),
@@ -284,15 +264,11 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 (
                     "kinetic",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of parameters first",
-                            ::pendulum_core::Operations::new(52, 77, 0, 5, 0, 39),
+                            "closed form, factored",
+                            ::pendulum_core::Operations::new(53, 77, 0, 5, 0, 39),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(53, 77, 0, 5, 0, 39),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
                                     ::pendulum_core::Operations::new(53, 95, 0, 5, 0, 40),
@@ -301,32 +277,20 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                                     "recursion",
                                     ::pendulum_core::Operations::new(70, 92, 0, 5, 0, 51),
                                 ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(110, 127, 0, 5, 0, 47),
-                                ),
                             ],
                         ),
                 ),
                 (
                     "potential",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(5, 3, 0, 3, 0, 24),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(5, 3, 0, 3, 0, 24),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
                                     ::pendulum_core::Operations::new(5, 3, 0, 3, 0, 24),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(10, 9, 0, 3, 0, 31),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion",
@@ -338,15 +302,11 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 (
                     "mass_matrix",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
+                            "closed form, factored",
                             ::pendulum_core::Operations::new(36, 51, 0, 5, 0, 34),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(36, 55, 0, 5, 0, 34),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
                                     ::pendulum_core::Operations::new(36, 60, 0, 5, 0, 36),
@@ -354,10 +314,6 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion",
                                     ::pendulum_core::Operations::new(50, 49, 0, 5, 0, 41),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(82, 94, 0, 5, 0, 39),
                                 ),
                             ],
                         ),
@@ -371,16 +327,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(166, 328, 0, 5, 0, 39),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(169, 338, 0, 5, 0, 39),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(419, 443, 0, 5, 0, 59),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
@@ -392,15 +340,11 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 (
                     "momentum",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of parameters first",
-                            ::pendulum_core::Operations::new(56, 84, 0, 5, 0, 37),
+                            "closed form, factored",
+                            ::pendulum_core::Operations::new(57, 84, 0, 5, 0, 37),
                         )
                         .with_others(
                             &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(57, 84, 0, 5, 0, 37),
-                                ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion",
                                     ::pendulum_core::Operations::new(65, 85, 0, 5, 0, 47),
@@ -408,10 +352,6 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
                                     ::pendulum_core::Operations::new(64, 98, 0, 5, 0, 40),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(105, 120, 0, 5, 0, 43),
                                 ),
                             ],
                         ),
@@ -425,20 +365,12 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(209, 329, 0, 5, 0, 49),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
+                                    "closed form, factored",
                                     ::pendulum_core::Operations::new(213, 333, 0, 5, 0, 49),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
                                     ::pendulum_core::Operations::new(290, 735, 0, 5, 0, 107),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "A, B and C",
-                                    ::pendulum_core::Operations::new(512, 527, 0, 5, 0, 65),
                                 ),
                             ],
                         ),
@@ -453,20 +385,10 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                        "closed form, factors of parameters first, L^T D L",
-                                        ::pendulum_core::Operations::new(811, 714, 0, 0, 0, 47),
-                                    )
-                                    .with_products(291),
-                                ::pendulum_core::FunctionCost::new(
-                                        "closed form, factors of the state first, L^T D L",
+                                        "closed form, factored, L^T D L",
                                         ::pendulum_core::Operations::new(839, 737, 0, 0, 0, 47),
                                     )
                                     .with_products(297),
-                                ::pendulum_core::FunctionCost::new(
-                                        "A, B and C, L^T D L",
-                                        ::pendulum_core::Operations::new(1133, 798, 0, 0, 0, 65),
-                                    )
-                                    .with_products(315),
                                 ::pendulum_core::FunctionCost::new(
                                         "closed form, expanded, L^T D L",
                                         ::pendulum_core::Operations::new(1579, 1415, 0, 0, 0, 108),
@@ -527,7 +449,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[q1, q1] = 0.4395951218175 + 0.10510116377025*c234^2 + 1.75501953841*c2^2 + 0.59155695167475*c23^2\n    + c234*(c234*(0.10971 + 0.016685526855*c6^2 + c5^2*t8) - 0.03337105371*c5*s6*c6*s234) + 0.85*t9\n    - 0.0139521246075*c23*s234 - c5^2*t8\nA[q1, q2] = A[q1, q3] + 0.408499208875*s2\nA[q1, q3] = A[q1, q4] + 0.07714261911625*s23\nA[q1, q4] = 0.00194120382525*c234 - 0.016685526855*s5*s6*c6*c234 - s5*c5*s234*t8\nA[q1, q5] = 0.016685526855*c5*s6*c6*s234 - c234*A[q5, q5]\nA[q1, q6] = -0.017136473145*s5*s234\nA[q2, q2] = A[q3, q3] + 1.77012693841 + 0.85*t9 + 0.85*t10\nA[q2, q3] = A[q3, q3] + 0.425*t9 + 0.425*t10\nA[q2, q4] = A[q3, q4] + 0.007558512375*s2*c234 - 0.007558512375*c2*s234\nA[q2, q5] = 0.016685526855*s5*s6*c6\nA[q2, q6] = 0.017136473145*c5\nA[q3, q3] = A[q4, q4] + 0.59565195167475 + 0.0139521246075*s23*c234 - 0.0139521246075*c23*s234\nA[q3, q4] = A[q4, q4] + 0.00697606230375*s23*c234 - 0.00697606230375*c23*s234\nA[q3, q5] = A[q2, q5]\nA[q3, q6] = A[q2, q6]\nA[q4, q4] = 0.25785083622975 + c5^2*t8 - 0.016685526855*c6^2\nA[q4, q5] = A[q2, q5]\nA[q4, q6] = A[q2, q6]\nA[q5, q5] = 0.236556473145 + 0.016685526855*c6^2\nA[q6, q6] = 0.017136473145\nb[q1] = 0.602212521625*c2*t0 + 0.02581996229125*t6 + 0.051322656825*c23*w23^2 + 0.017784735*s234*(t7 + 0.39225*s23*t2)\n    + s234*(c5*t20 + s5*t21) - 3.51003907682*dot(q1)*dot(q2)*s2*c2 - 0.19371331275*dot(q2)^2*c2\n    - 0.602212521625*dot(q1)^2*c2 - 1.598759275*c23*t7 - 0.59155695167475*s23*c23*t2 - 0.00028722347025*s234*t11\n    - 0.10510116377025*c234*s234*t4 - 0.001653980355*s234*w234^2 - c234*b[q5] - 0.00697606230375*c23*c234*t4\n    - 0.425*c2*(1.598759275*s23*t2 + 0.017784735*c234*t4)\nb[q2] = b[q3] + 1.75501953841*dot(q1)^2*s2*c2 - 43.486969725*c2\n    - 0.425*c2*(1.598759275*s23*w23^2 + 0.017784735*c234*w234^2) - 0.425*s2*(0.017784735*s234*t11 - 1.598759275*t6)\nb[q3] = b[q4] + 0.59155695167475*dot(q1)^2*s23*c23 + 0.679472691875*c2*s23*t0 + 0.051322656825*c23*(t1 - dot(q1)*w23)\n    - 1.598759275*c23*t22 - 0.00697606230375*c23*c234*w234^2 - 0.00697606230375*s23*s234*t11\nb[q4] = 0.10510116377025*dot(q1)^2*c234*s234 + 0.017784735*c234*(0.425*c2*t0 + 0.39225*t6) + s5*t20\n    + 0.017784735*s234*(t22 + 0.39225*s23*w23^2) - 0.001653980355*s234*(t3 - dot(q1)*w234) - c5*t21\nb[q5] = 0.236331*s234*t3 + c6*t17 + s6*t19 - 0.016911*t12*t13\nb[q6] = -(0.017136473145*dot(q5)*t13 + 0.016685526855*t14*t18 + 0.017136473145*s5*c234*t3)\n\nwhere\ns2 = sin(q2)\nc2 = cos(q2)\ns5 = sin(q5)\nc5 = cos(q5)\ns6 = sin(q6)\nc6 = cos(q6)\ns23 = sin(q2 + q3)\nc23 = cos(q2 + q3)\nc234 = cos(q2 + q3 + q4)\ns234 = sin(q2 + q3 + q4)\nw23 = dot(q2) + dot(q3)\nw234 = w23 + dot(q4)\nt0 = dot(q1)^2 + dot(q2)^2\nt1 = dot(q1)*dot(q2) + dot(q1)*dot(q3)\nt2 = t1 + dot(q1)*w23\nt3 = t1 + dot(q1)*dot(q4)\nt4 = t3 + dot(q1)*w234\nt5 = dot(q5) - dot(q1)*c234\nt6 = c23*(dot(q1)^2 + w23^2)\nt7 = 0.01615*dot(q1)^2 + 0.85*dot(q1)*dot(q2)*s2\nt8 = 0.016685526855*c6^2 - 0.016685526855\nt9 = c2*(1.598759275*c23 - 0.017784735*s234)\nt10 = s2*(1.598759275*s23 + 0.017784735*c234)\nt11 = dot(q1)^2 + w234^2\nt12 = c5*w234 - dot(q1)*s5*s234\nt13 = dot(q1)*c5*s234 + s5*w234\nt14 = c6*t13 - s6*t5\nt15 = dot(q5)*t12 + c5*c234*t3\nt16 = t12 + dot(q6)\nt17 = 0.016911*dot(q6)*t14 + 0.016911*c6*s234*t3 + 0.016911*s6*t15 + 0.016911*t14*t16\nt18 = c6*t5 + s6*t13\nt19 = 0.000225473145*dot(q6)*t18 + 0.000225473145*s6*s234*t3 + 0.000225473145*t16*t18 - 0.000225473145*c6*t15\nt20 = 0.126621*dot(q5)*t12 + 0.126621*t5*t12 + 0.126621*c5*c234*t3 + s6*t17 - c6*t19\nt21 = 0.10971*t5*t13 + 0.126846473145*dot(q5)*t13 + 0.016685526855*t14*t18 + 0.126846473145*s5*c234*t3\nt22 = 9.81 + 0.425*dot(q2)^2*s2\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[q1, q1] = 0.4395951218175 + 0.10510116377025*c234^2 + 1.75501953841*c2^2 + 0.59155695167475*c23^2\n    + c234*(c234*(0.10971 + 0.016685526855*c6^2 + c5^2*t8) - 0.03337105371*c5*s6*c6*s234) + 0.85*t9\n    - 0.0139521246075*c23*s234 - c5^2*t8\nA[q1, q2] = A[q1, q3] + 0.408499208875*s2\nA[q1, q3] = A[q1, q4] + 0.07714261911625*s23\nA[q1, q4] = 0.00194120382525*c234 - 0.016685526855*s5*s6*c6*c234 - s5*c5*s234*t8\nA[q1, q5] = 0.016685526855*c5*s6*c6*s234 - c234*A[q5, q5]\nA[q1, q6] = -0.017136473145*s5*s234\nA[q2, q2] = A[q3, q3] + 1.77012693841 + 0.85*t9 + 0.85*t10\nA[q2, q3] = A[q3, q3] + 0.425*t9 + 0.425*t10\nA[q2, q4] = A[q3, q4] + 0.007558512375*s2*c234 - 0.007558512375*c2*s234\nA[q2, q5] = 0.016685526855*s5*s6*c6\nA[q2, q6] = 0.017136473145*c5\nA[q3, q3] = A[q4, q4] + 0.59565195167475 + 0.0139521246075*s23*c234 - 0.0139521246075*c23*s234\nA[q3, q4] = A[q4, q4] + 0.00697606230375*s23*c234 - 0.00697606230375*c23*s234\nA[q3, q5] = A[q2, q5]\nA[q3, q6] = A[q2, q6]\nA[q4, q4] = 0.25785083622975 + c5^2*t8 - 0.016685526855*c6^2\nA[q4, q5] = A[q2, q5]\nA[q4, q6] = A[q2, q6]\nA[q5, q5] = 0.236556473145 + 0.016685526855*c6^2\nA[q6, q6] = 0.017136473145\nb[q1] = 0.602212521625*c2*t0 + 0.02581996229125*t6 + 0.051322656825*c23*w23^2 + 0.017784735*s234*(t7 + 0.39225*s23*t2)\n    + s234*(c5*t20 + s5*t21) - 3.51003907682*dot(q1)*dot(q2)*s2*c2 - 0.19371331275*dot(q2)^2*c2\n    - 0.602212521625*dot(q1)^2*c2 - 1.598759275*c23*t7 - 0.59155695167475*s23*c23*t2 - 0.00028722347025*s234*t11\n    - 0.10510116377025*c234*s234*t4 - 0.001653980355*s234*w234^2 - c234*b[q5] - 0.00697606230375*c23*c234*t4\n    - 0.425*c2*(1.598759275*s23*t2 + 0.017784735*c234*t4)\nb[q2] = b[q3] + 1.75501953841*dot(q1)^2*s2*c2 - 43.486969725*c2\n    - 0.425*c2*(1.598759275*s23*w23^2 + 0.017784735*c234*w234^2) - 0.425*s2*(0.017784735*s234*t11 - 1.598759275*t6)\nb[q3] = b[q4] + 0.59155695167475*dot(q1)^2*s23*c23 + 0.679472691875*c2*s23*t0 + 0.051322656825*c23*(t1 - dot(q1)*w23)\n    - 1.598759275*c23*t22 - 0.00697606230375*c23*c234*w234^2 - 0.00697606230375*s23*s234*t11\nb[q4] = 0.10510116377025*dot(q1)^2*c234*s234 + 0.017784735*c234*(0.425*c2*t0 + 0.39225*t6) + s5*t20\n    + 0.017784735*s234*(t22 + 0.39225*s23*w23^2) - 0.001653980355*s234*(t3 - dot(q1)*w234) - c5*t21\nb[q5] = 0.236331*s234*t3 + c6*t17 + s6*t19 - 0.016911*t12*t13\nb[q6] = -(0.017136473145*dot(q5)*t13 + 0.016685526855*t14*t18 + 0.017136473145*s5*c234*t3)\n\nwhere\ns2 = sin(q2)\nc2 = cos(q2)\ns5 = sin(q5)\nc5 = cos(q5)\ns6 = sin(q6)\nc6 = cos(q6)\ns23 = sin(q2 + q3)\nc23 = cos(q2 + q3)\nc234 = cos(q2 + q3 + q4)\ns234 = sin(q2 + q3 + q4)\nw23 = dot(q2) + dot(q3)\nw234 = w23 + dot(q4)\nt0 = dot(q1)^2 + dot(q2)^2\nt1 = dot(q1)*dot(q2) + dot(q1)*dot(q3)\nt2 = t1 + dot(q1)*w23\nt3 = t1 + dot(q1)*dot(q4)\nt4 = t3 + dot(q1)*w234\nt5 = dot(q5) - dot(q1)*c234\nt6 = c23*(dot(q1)^2 + w23^2)\nt7 = 0.01615*dot(q1)^2 + 0.85*dot(q1)*dot(q2)*s2\nt8 = 0.016685526855*c6^2 - 0.016685526855\nt9 = c2*(1.598759275*c23 - 0.017784735*s234)\nt10 = s2*(1.598759275*s23 + 0.017784735*c234)\nt11 = dot(q1)^2 + w234^2\nt12 = c5*w234 - dot(q1)*s5*s234\nt13 = dot(q1)*c5*s234 + s5*w234\nt14 = c6*t13 - s6*t5\nt15 = dot(q5)*t12 + c5*c234*t3\nt16 = t12 + dot(q6)\nt17 = 0.016911*dot(q6)*t14 + 0.016911*c6*s234*t3 + 0.016911*s6*t15 + 0.016911*t14*t16\nt18 = c6*t5 + s6*t13\nt19 = 0.000225473145*dot(q6)*t18 + 0.000225473145*s6*s234*t3 + 0.000225473145*t16*t18 - 0.000225473145*c6*t15\nt20 = 0.126621*dot(q5)*t12 + 0.126621*t5*t12 + 0.126621*c5*c234*t3 + s6*t17 - c6*t19\nt21 = 0.126846473145*dot(q5)*t13 + 0.10971*t5*t13 + 0.016685526855*t14*t18 + 0.126846473145*s5*c234*t3\nt22 = 9.81 + 0.425*dot(q2)^2*s2\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 12> for Ur5<T> {
@@ -1919,60 +1841,63 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
             qd_q6] = x.data.0[0];
             let t0 = T::from_f64(0.017136473145) * qd_q6;
-            let t1 = qd_q3 + qd_q2;
-            let t2 = qd_q4 + t1;
+            let t1 = qd_q4 + qd_q3 + qd_q2;
             let (sin_q4, cos_q4) = q_q4.sin_cos();
-            let t3 = T::from_f64(0.00697606230375) * sin_q4;
+            let t2 = T::from_f64(0.00697606230375) * sin_q4;
             let [(sin_q6, cos_q6), (sin_q2, cos_q2)] = q_q6.sin_cos_pair(q_q2);
-            let t4 = T::from_f64(0.0083427634275) * sin_q6;
+            let t3 = T::from_f64(0.0085682365725) * qd_q6 * qd_q6
+                + qd_q5 * qd_q5
+                    * (T::from_f64(0.126621)
+                        - T::from_f64(0.0083427634275) * sin_q6 * sin_q6);
+            let t4 = sin_q6 * qd_q1;
             let [(sin_q5, cos_q5), (sin_q3, cos_q3)] = q_q5.sin_cos_pair(q_q3);
             let t5 = sin_q6 * sin_q5;
             let t6 = T::from_f64(0.016685526855) * t5;
             let t7 = cos_q5 * t0 + qd_q5 * cos_q6 * t6;
             let t8 = t5 * t6;
             let t9 = T::from_f64(0.0083427634275) * t5 * t5;
-            let t10 = T::from_f64(0.0085682365725) * qd_q6 * qd_q6
-                + qd_q5 * qd_q5 * (T::from_f64(0.126621) - sin_q6 * t4)
-                + qd_q4 * (t7 + qd_q4 * (T::from_f64(0.120582654687375) + t9));
-            let t11 = t9 - t3;
-            let t12 = T::from_f64(0.24116530937475) + t8 - t3;
+            let t10 = T::from_f64(0.24116530937475) + t8 - t2;
+            let t11 = t9 - t2;
+            let t12 = t3 + qd_q4 * (t7 + qd_q4 * (T::from_f64(0.120582654687375) + t9))
+                + qd_q3
+                    * (t7 + qd_q4 * t10 + qd_q3 * (T::from_f64(0.41840863052475) + t11));
             let t13 = sin_q3 * cos_q4 + sin_q4 * cos_q3;
             let t14 = T::from_f64(0.007558512375) * t13;
             let t15 = t14 - T::from_f64(0.679472691875) * cos_q3;
-            let t16 = t7 + qd_q4 * (t12 - t14)
+            let t16 = t7 + qd_q4 * (t10 - t14)
                 + qd_q3
                     * (T::from_f64(0.8368172610495) + t8
                         - T::from_f64(0.0139521246075) * sin_q4 - t15);
-            let t17 = t10
-                + qd_q3
-                    * (t7 + qd_q4 * t12 + qd_q3 * (T::from_f64(0.41840863052475) + t11))
-                + qd_q2 * (t16 + qd_q2 * (T::from_f64(1.30347209972975) + t11 - t15));
-            let t18 = cos_q4 * cos_q3 - sin_q4 * sin_q3;
-            let t19 = cos_q3 * cos_q2 - sin_q3 * sin_q2;
-            let t20 = cos_q3 * sin_q2 + sin_q3 * cos_q2;
-            let t21 = T::from_f64(1.50883415126375)
-                + T::from_f64(0.679472691875) * cos_q2 * t19
+            let t17 = cos_q4 * cos_q3 - sin_q4 * sin_q3;
+            let t18 = cos_q3 * sin_q2 + sin_q3 * cos_q2;
+            let t19 = T::from_f64(0.07714261911625) * t18;
+            let t20 = cos_q2 * t17 - t13 * sin_q2;
+            let t21 = sin_q2 * t17 + t13 * cos_q2;
+            let t22 = qd_q2 * (T::from_f64(0.408499208875) * sin_q2 + t19) + qd_q3 * t19
+                + (T::from_f64(0.00194120382525) * t1 - T::from_f64(0.253242) * qd_q5)
+                    * t20;
+            let t23 = t21 * t4 + cos_q5 * (t1 * t5 + cos_q6 * (qd_q5 - qd_q1 * t20));
+            let t24 = T::from_f64(0.016685526855)
+                * (t20 * (qd_q5 * sin_q6 - cos_q6 * sin_q5 * t1) + t21 * t23);
+            let t25 = cos_q3 * cos_q2 - sin_q3 * sin_q2;
+            let t26 = sin_q5 * t21;
+            let t27 = T::from_f64(1.50883415126375)
+                + T::from_f64(0.679472691875) * cos_q2 * t25
                 - T::from_f64(0.877509769205) * sin_q2 * sin_q2
-                - T::from_f64(0.295778475837375) * t20 * t20;
-            let t22 = sin_q2 * t18 + t13 * cos_q2;
-            let t23 = qd_q1
-                * (t21
-                    - t22
+                - T::from_f64(0.295778475837375) * t18 * t18;
+            let t28 = qd_q1
+                * (t27
+                    - t21
                         * (T::from_f64(0.007558512375) * cos_q2
-                            + T::from_f64(0.00697606230375) * t19
-                            + T::from_f64(0.115748345312625) * t22));
-            let t24 = cos_q2 * t18 - t13 * sin_q2;
-            let t25 = t23
-                + (T::from_f64(0.00194120382525) * t2 - T::from_f64(0.253242) * qd_q5)
-                    * t24 + T::from_f64(0.408499208875) * qd_q2 * sin_q2;
-            let t26 = sin_q6 * qd_q1 * t22
-                + cos_q5 * (t2 * t5 + cos_q6 * (qd_q5 - qd_q1 * t24));
-            let t27 = T::from_f64(0.016685526855)
-                * (t24 * (qd_q5 * sin_q6 - cos_q6 * sin_q5 * t2) + t22 * t26);
-            let t28 = sin_q5 * t22;
-            let t29 = t25 + T::from_f64(0.07714261911625) * t20 * t1
-                + sin_q6 * (t27 - qd_q1 * (T::from_f64(1.0) + t28 * t28) * t4);
-            t17 + qd_q1 * (t29 - t0 * t28)
+                            + T::from_f64(0.00697606230375) * t25
+                            + T::from_f64(0.115748345312625) * t21));
+            let t29 = t22 + t28
+                + sin_q6
+                    * (t24
+                        - (T::from_f64(0.0083427634275)
+                            + T::from_f64(0.0083427634275) * t26 * t26) * t4);
+            t12 + qd_q2 * (t16 + qd_q2 * (T::from_f64(1.30347209972975) + t11 - t15))
+                + qd_q1 * (t29 - t0 * t26)
         }
         #[inline]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 12>) -> T {
@@ -2174,64 +2099,65 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
             let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
             qd_q6] = x.data.0[0];
-            let t0 = qd_q2 + qd_q3;
-            let t1 = qd_q4 + t0;
-            let t2 = T::from_f64(0.017136473145) * qd_q6;
+            let t0 = qd_q2 + qd_q3 + qd_q4;
+            let t1 = T::from_f64(0.017136473145) * qd_q6;
             let (sin_q6, cos_q6) = q_q6.sin_cos();
-            let t3 = T::from_f64(0.016685526855) * sin_q6;
+            let t2 = T::from_f64(0.016685526855) * sin_q6;
             let [(sin_q2, cos_q2), (sin_q3, cos_q3)] = q_q2.sin_cos_pair(q_q3);
-            let t4 = T::from_f64(0.408499208875) * sin_q2;
-            let t5 = cos_q3 * sin_q2 + cos_q2 * sin_q3;
-            let t6 = T::from_f64(0.07714261911625) * t5;
-            let t7 = cos_q2 * cos_q3 - sin_q3 * sin_q2;
-            let t8 = T::from_f64(3.0176683025275)
-                + T::from_f64(1.35894538375) * cos_q2 * t7
+            let t3 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+            let t4 = T::from_f64(0.07714261911625) * t3;
+            let t5 = T::from_f64(0.408499208875) * sin_q2 + t4;
+            let t6 = cos_q3 * cos_q2 - sin_q2 * sin_q3;
+            let t7 = T::from_f64(3.0176683025275)
+                + T::from_f64(1.35894538375) * cos_q2 * t6
                 - T::from_f64(1.75501953841) * sin_q2 * sin_q2
-                - T::from_f64(0.59155695167475) * t5 * t5;
+                - T::from_f64(0.59155695167475) * t3 * t3;
             let [(sin_q4, cos_q4), (sin_q5, cos_q5)] = q_q4.sin_cos_pair(q_q5);
-            let t9 = cos_q3 * cos_q4 - sin_q4 * sin_q3;
-            let t10 = cos_q4 * sin_q3 + cos_q3 * sin_q4;
-            let t11 = cos_q2 * t9 - sin_q2 * t10;
-            let t12 = (T::from_f64(0.00194120382525) * t1
-                - T::from_f64(0.253242) * qd_q5) * t11 + qd_q2 * t4 + t0 * t6;
-            let t13 = t9 * sin_q2 + cos_q2 * t10;
-            let t14 = qd_q1
-                * (t8
-                    - t13
+            let t8 = cos_q3 * cos_q4 - sin_q3 * sin_q4;
+            let t9 = sin_q3 * cos_q4 + cos_q3 * sin_q4;
+            let t10 = cos_q2 * t8 - sin_q2 * t9;
+            let t11 = sin_q2 * t8 + cos_q2 * t9;
+            let t12 = qd_q1
+                * (t7
+                    - t11
                         * (T::from_f64(0.01511702475) * cos_q2
-                            + T::from_f64(0.0139521246075) * t7
-                            + T::from_f64(0.23149669062525) * t13));
-            let t15 = t13 * qd_q1;
-            let t16 = t1 * cos_q5 - sin_q5 * t15;
-            let t17 = t13 * sin_q6;
-            let t18 = t11 * cos_q6;
-            let t19 = qd_q5 * (t11 * sin_q6 + t13 * cos_q6 * cos_q5)
-                + sin_q5 * (t16 * t17 - t1 * t18);
-            let t20 = T::from_f64(0.016685526855) * (t19 - qd_q1 * sin_q6)
-                + T::from_f64(0.03337105371) * t15 * (t17 - cos_q5 * t18);
-            let t21 = t1 * sin_q5 + cos_q5 * t15;
-            let t22 = T::from_f64(0.00697606230375) * sin_q4;
-            let t23 = T::from_f64(0.24116530937475) - t22;
-            let t24 = T::from_f64(0.007558512375) * t10;
-            let t25 = T::from_f64(0.00194120382525) * t11;
-            let t26 = t6 + t25;
-            let t27 = qd_q5 - t11 * qd_q1;
-            let t28 = t2 * cos_q5 + sin_q5 * (cos_q6 * t27 + sin_q6 * t21) * t3;
-            let t29 = T::from_f64(0.0139521246075) * sin_q4;
-            let t30 = T::from_f64(0.8368172610495) - t29;
-            let t31 = T::from_f64(0.679472691875) * cos_q3 + t30 - t24;
-            let t32 = qd_q4 * (t23 - t24) + qd_q1 * (t4 + t26) + qd_q3 * t31
+                            + T::from_f64(0.0139521246075) * t6
+                            + T::from_f64(0.23149669062525) * t11));
+            let t13 = qd_q2 * t5 + t4 * qd_q3
+                + (T::from_f64(0.00194120382525) * t0 - T::from_f64(0.253242) * qd_q5)
+                    * t10;
+            let t14 = t11 * sin_q6;
+            let t15 = t10 * cos_q6;
+            let t16 = t11 * qd_q1;
+            let t17 = t0 * cos_q5 - sin_q5 * t16;
+            let t18 = qd_q5 * (t10 * sin_q6 + t11 * cos_q6 * cos_q5)
+                + sin_q5 * (t14 * t17 - t0 * t15);
+            let t19 = T::from_f64(0.03337105371) * (t14 - cos_q5 * t15) * t16
+                + T::from_f64(0.016685526855) * (t18 - qd_q1 * sin_q6);
+            let t20 = sin_q5 * t0 + cos_q5 * t16;
+            let t21 = T::from_f64(0.24116530937475)
+                - T::from_f64(0.00697606230375) * sin_q4;
+            let t22 = T::from_f64(0.007558512375) * t9;
+            let t23 = t21 - t22;
+            let t24 = T::from_f64(0.00194120382525) * t10;
+            let t25 = qd_q5 - t10 * qd_q1;
+            let t26 = t1 * cos_q5 + sin_q5 * (cos_q6 * t25 + sin_q6 * t20) * t2;
+            let t27 = T::from_f64(0.0139521246075) * sin_q4;
+            let t28 = T::from_f64(0.8368172610495) - t27;
+            let t29 = T::from_f64(0.679472691875) * cos_q3 + t28 - t22;
+            let t30 = qd_q4 * t23 + qd_q1 * (t5 + t24) + qd_q3 * t29
                 + qd_q2
                     * (T::from_f64(2.6069441994595) + T::from_f64(1.35894538375) * cos_q3
-                        - t29 - T::from_f64(0.01511702475) * t10);
+                        - t27 - T::from_f64(0.01511702475) * t9);
+            let t31 = qd_q4 * t21 + qd_q3 * t28 + qd_q1 * (t4 + t24) + qd_q2 * t29;
             ::pendulum_core::nalgebra::SVector::from([
-                t12 + t14 + sin_q6 * t20 - sin_q5 * t2 * t13,
-                t32 + t28,
-                qd_q4 * t23 + qd_q3 * t30 + qd_q1 * t26 + qd_q2 * t31 + t28,
-                T::from_f64(0.24116530937475) * t1 + qd_q1 * t25 + t28 - qd_q2 * t24
-                    - t0 * t22,
-                T::from_f64(0.253242) * t27 + (cos_q6 * t21 - sin_q6 * t27) * t3,
-                T::from_f64(0.017136473145) * (qd_q6 + t16),
+                t13 + t12 + sin_q6 * t19 - sin_q5 * t1 * t11,
+                t30 + t26,
+                t31 + t26,
+                qd_q3 * t21 + T::from_f64(0.24116530937475) * qd_q4 + qd_q1 * t24
+                    + qd_q2 * t23 + t26,
+                T::from_f64(0.253242) * t25 + (cos_q6 * t20 - sin_q6 * t25) * t2,
+                T::from_f64(0.017136473145) * (qd_q6 + t17),
             ])
         }
         ///The generalised forces `A qdd + b - Q` that must act beside gravity and all forces of the declaration for the accelerations `qdd`: zero along a free motion. Inputs count as zero: where each coordinate has one, these are their values.
@@ -2651,8 +2577,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                     let t106 = T::from_f64(1.75501953841) * sin_q2;
                     let t107 = T::from_f64(0.007558512375) * cos_q2;
                     let t108 = T::from_f64(0.007558512375) * sin_q2;
-                    let t109 = T::from_f64(0.85) * sin_q2;
-                    let t110 = T::from_f64(0.602212521625) * cos_q2;
+                    let t109 = T::from_f64(0.602212521625) * cos_q2;
+                    let t110 = T::from_f64(0.85) * sin_q2;
                     let t111 = cos_q5 * t78;
                     let t112 = t111 * sin2;
                     let t113 = t112 - cos2 * t82;
@@ -2863,7 +2789,6 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                         t210,
                         t215,
                         t216,
-                        t109,
                         t3,
                         t48,
                         t14,
@@ -2871,6 +2796,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                         t49,
                         t51,
                         t41,
+                        t109,
                         t110,
                         t37,
                         t60,
@@ -2975,7 +2901,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t1 = t0 + (s1 + t0);
                 let t2 = x7 + x8;
                 let t3 = x9 + t2;
-                let t4 = t3 * h73;
+                let t4 = t3 * h72;
                 let t5 = t4 + (s2 + t4);
                 let t6 = t1 + t5;
                 let t7 = x1 + x2;
@@ -2993,11 +2919,11 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t18 = over_order * s10 + x1 * h11;
                 let t19 = h26 * t18 + (T::from_f64(1.75501953841) * s11 - h34 * t17);
                 let t20 = x7 * h0 + (s9 + x6 * h1);
-                let t21 = h78 * t1 + (T::from_f64(0.602212521625) * s8 - h107 * t17)
+                let t21 = h77 * t1 + (T::from_f64(0.602212521625) * s8 - h107 * t17)
                     + (h22 * t19 + (T::from_f64(2.0) * s12 + h108 * t20));
                 let t22 = t20 + (x8 * h0 + (s15 + x6 * h2));
                 let t23 = T::from_f64(0.1197) * t1 - T::from_f64(0.13585) * t1
-                    - (h70 * t20 + (T::from_f64(0.85) * s19 + h79 * t18));
+                    - (h78 * t20 + (T::from_f64(0.85) * s19 + h79 * t18));
                 let t24 = t22 + t13;
                 let t25 = t22 - t13;
                 let t26 = x9 * h0 + (s24 + x6 * h3) + t22;
@@ -3008,22 +2934,22 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t31 = t21 + (h59 * t24 + (s17 + h32 * t29))
                     + (h29 * t30 + (T::from_f64(0.051322656825) * s18 - h109 * t15));
                 let t32 = t23 - (h17 * t24 + (T::from_f64(0.39225) * s20 + h80 * t27));
-                let t33 = t3 * h0 + (s25 + x6 * h73);
+                let t33 = t3 * h0 + (s25 + x6 * h72);
                 let t34 = t26 + t33;
                 let t35 = t26 - t33;
                 let t36 = over_order * s22 + t8 * h44;
                 let t37 = order * t8;
-                let t38 = h42 * t9 + (T::from_f64(0.10510116377025) * s23 - h71 * t36);
+                let t38 = h42 * t9 + (T::from_f64(0.10510116377025) * s23 - h70 * t36);
                 let t39 = t31
                     + (h48 * t32 + (T::from_f64(0.017784735) * s21 + h110 * t9))
-                    + (h60 * t34 + (s26 + h74 * t38));
+                    + (h60 * t34 + (s26 + h73 * t38));
                 let t40 = h55 * t34 + (T::from_f64(0.017784735) * s65 - h111 * t36);
                 let t41 = h28 * t24 + (T::from_f64(1.598759275) * s20 + h85 * t27) + t40;
                 let t42 = x6 * h44 + (s33 + h0 * t9);
                 let t43 = over_order * s32 + x4 * h18;
                 let t44 = over_order * s27 + x4 * h19;
-                let t45 = h19 * t42 + (s34 - h57 * t43) + (t3 * h18 + (s35 + h73 * t44));
-                let t46 = t3 * h19 + (s46 - h73 * t43) - (h18 * t42 + (s47 + h57 * t44));
+                let t45 = h19 * t42 + (s34 - h57 * t43) + (t3 * h18 + (s35 + h72 * t44));
+                let t46 = t3 * h19 + (s46 - h72 * t43) - (h18 * t42 + (s47 + h57 * t44));
                 let t47 = over_order * s28 + x5 * h20;
                 let t48 = x10 - (x6 * h41 + (s29 - h0 * t36));
                 let t49 = over_order * s31 + x5 * h21;
@@ -3032,22 +2958,22 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t51 = h21 * t48 + (s30 - h56 * t47)
                     + (h20 * t45 + (s36 + h87 * t49));
                 let t52 = h88 * t50 + (s39 + h89 * t51);
-                let t53 = h41 * t26 + (s40 - h72 * t36);
-                let t54 = h44 * t26 + (s50 + h72 * t9);
-                let t55 = h18 * t53 + (s41 + h75 * t44) + (h4 * t45 + (s42 + x10 * h87));
+                let t53 = h41 * t26 + (s40 - h71 * t36);
+                let t54 = h44 * t26 + (s50 + h71 * t9);
+                let t55 = h18 * t53 + (s41 + h74 * t44) + (h4 * t45 + (s42 + x10 * h87));
                 let t56 = T::from_f64(0.000225473145) * (t52 - t55)
                     - T::from_f64(0.016911) * (t52 + t55);
                 let t57 = t56
                     - T::from_f64(0.10971) * (t55 + (h56 * t45 + (s43 + h87 * t48)));
-                let t58 = h19 * t53 + (s45 - h75 * t43) + (h4 * t46 + (s48 + x10 * h91));
+                let t58 = h19 * t53 + (s45 - h74 * t43) + (h4 * t46 + (s48 + x10 * h91));
                 let t59 = h87 * t46 + (s61 + h91 * t45);
-                let t60 = h21 * t54 + (s51 - h76 * t47)
+                let t60 = h21 * t54 + (s51 - h75 * t47)
                     + (h20 * t58 + (s52 + h92 * t49));
                 let t61 = x11 + (x11 + t46);
                 let t62 = t60 + (h89 * t61 + (s53 + h93 * t50));
                 let t63 = T::from_f64(0.126621) * (t58 + (h56 * t46 + (s49 + h91 * t48)))
                     + (h81 * t62 + (T::from_f64(0.016911) * s54 + h94 * t49));
-                let t64 = h20 * t54 + (s55 + h76 * t49)
+                let t64 = h20 * t54 + (s55 + h75 * t49)
                     + (h88 * t61 + (s56 + h93 * t51));
                 let t65 = t64 - (h21 * t58 + (s57 - h92 * t47));
                 let t66 = t63
@@ -3144,7 +3070,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t132 = -t131;
                 let t133 = h16 * t14 + (T::from_f64(0.39225) * s6 - h124 * t15) + t129;
                 let t134 = h55 * t133 + (T::from_f64(0.017784735) * s103 - h125 * t36)
-                    + (h60 * t81 + (s104 + h77 * t38));
+                    + (h60 * t81 + (s104 + h76 * t38));
                 let t135 = t134 + (h18 * t66 + (s105 + h96 * t44))
                     + (h19 * t57 + (s106 - h90 * t43));
                 let t136 = T::from_f64(1.598759275) * s99 - h121 * t15 - h27 * t131

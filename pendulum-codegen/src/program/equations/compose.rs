@@ -13,7 +13,7 @@ use crate::dynamics::Dynamics;
 use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand};
 use crate::form::expanded;
 use crate::model::{Constraint, Law, Model};
-use crate::pass::{Preference, nest};
+use crate::pass::{Products, nest};
 
 /// How many products of terms the closed form of the text may take.
 const BUDGET: usize = 100_000;
@@ -45,7 +45,7 @@ pub(crate) fn equations<'g>(
         normalizer: Normalizer::with_angles(model.graph, BUDGET, model.base_angles()),
     };
     if composer.closed.is_none() {
-        composer.closed = composer.expanded(&composer.recursion.clone(), Preference::Expanded);
+        composer.closed = composer.expanded(&composer.recursion.clone(), Products::Expanded);
     }
     Equations {
         constraint_forces: composer.constraint_forces(),
@@ -84,10 +84,8 @@ impl<'g> Composer<'_, 'g> {
                 candidates.push(flat);
             }
             candidates.extend(self.named(&closed, &force, true, EXPANDED));
-            for preference in [Preference::State, Preference::Parameter] {
-                if let Some(factored) = self.expanded(&self.recursion.clone(), preference) {
-                    candidates.extend(self.named(&factored, &force, true, FACTORED));
-                }
+            if let Some(factored) = self.expanded(&self.recursion.clone(), Products::Factored) {
+                candidates.extend(self.named(&factored, &force, true, FACTORED));
             }
         }
         candidates.extend(self.named(&self.recursion, &force, true, RECURSIVE));
@@ -159,7 +157,7 @@ impl<'g> Composer<'_, 'g> {
 
     /// Forces written out, unless that is too long.
     fn forces(&mut self, force: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        self.expanded(force, Preference::Expanded)
+        self.expanded(force, Products::Expanded)
             .unwrap_or_else(|| force.to_vec())
     }
 
@@ -187,8 +185,8 @@ impl<'g> Composer<'_, 'g> {
             .map(|entries| Candidate::new(self.listing(&entries, true, with_torques), weight))
     }
 
-    fn expanded(&mut self, rows: &[Expr<'g>], preference: Preference) -> Option<Vec<Expr<'g>>> {
-        let columns = expanded(&mut self.normalizer, &[rows.to_vec()], preference)?;
+    fn expanded(&mut self, rows: &[Expr<'g>], products: Products) -> Option<Vec<Expr<'g>>> {
+        let columns = expanded(&mut self.normalizer, &[rows.to_vec()], products)?;
         columns.into_iter().next()
     }
 

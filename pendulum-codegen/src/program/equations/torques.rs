@@ -7,7 +7,7 @@ use crate::dynamics::Dynamics;
 use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand};
 use crate::form::expanded;
 use crate::model::{Action, Model, Poses};
-use crate::pass::Preference;
+use crate::pass::Products;
 
 /// The forces along the coordinates: friction and springs as expressions, torques as formulas.
 #[derive(Debug)]
@@ -125,7 +125,7 @@ fn points(model: &Model<'_>) -> Vec<Definition> {
     }
     for point in &model.points {
         let position = model.with_drives(&poses.point(point.place.body, point.place.at).0);
-        let short = expanded(&mut normalizer, std::slice::from_ref(&position), Preference::Expanded);
+        let short = expanded(&mut normalizer, std::slice::from_ref(&position), Products::Expanded);
         let position = short.map_or(position, |columns| columns.concat());
         definitions.extend(["x", "y", "z"].into_iter().zip(position).map(|(axis, x)| Definition {
             name: format!("{}.{axis}", point.name.trim_start_matches("r#")),
