@@ -7,6 +7,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+pub use crate::curve::Curve;
 use crate::label::draw_labels;
 use crate::line::draw_legend;
 pub use crate::line::{Line, Stroke};
@@ -58,15 +59,6 @@ pub enum Scale {
     Decades,
     /// The same with the opposite sign: small values are to the right.
     Falling,
-}
-
-/// Some points; outside of the axes the curve is interrupted.
-#[derive(Clone)]
-pub struct Curve {
-    pub line: Line,
-    pub points: Vec<(f64, f64)>,
-    /// What stands beside the last point; the points of such a curve have dots.
-    pub label: Option<String>,
 }
 
 impl Picture for Figure {

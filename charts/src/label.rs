@@ -7,7 +7,7 @@ use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::chart::Curve;
+use crate::curve::Curve;
 use crate::page::{px, text, width as page_width};
 
 const EM: f64 = 21.0;

@@ -10,7 +10,7 @@ use std::path::Path;
 use crc32fast::Hasher;
 use parquet::file::metadata::{KeyValue, ParquetMetaData, ParquetMetaDataReader};
 
-use crate::file::{MAGIC, broken, bytes_of_head, bytes_of_page, head_of_page, number, page_of_rows};
+use crate::page::{MAGIC, broken, bytes_of_head, bytes_of_page, head_of_page, number, page_of_rows};
 
 /// The key of the metadata under which the checksums stand, each of eight digits.
 const KEY: &str = "pendulum-sweep checksums";

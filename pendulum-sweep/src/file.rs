@@ -1,7 +1,6 @@
 //! Tables as Parquet files.
 
 use std::collections::BTreeMap;
-use std::error::Error;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::ops::Range;
@@ -25,6 +24,7 @@ use serde_json::{Value, json};
 
 use crate::checksum::{self, Sum};
 use crate::error::SweepError;
+use crate::page::{MAGIC, broken, bytes_of_head, bytes_of_page, head_of_page, number, page_of_rows};
 use crate::table::{Column, Table};
 
 /// The keys of the metadata.
@@ -118,92 +118,12 @@ pub(crate) fn most_bytes(columns: usize, rows: usize) -> usize {
     columns * (MOST_OF_HEAD + size_of::<f64>() * rows)
 }
 
-/// The bytes that they take.
-pub(crate) fn bytes_of_page(rows: usize) -> usize {
-    bytes_of_head(rows) + size_of::<f64>() * rows
-}
-
-/// The bytes before the numbers of a page.
-pub(crate) fn bytes_of_head(rows: usize) -> usize {
-    head_of_page(rows, 0).len()
-}
-
-/// What is before the numbers of a page with this checksum.
-pub(crate) fn head_of_page(rows: usize, checksum: u32) -> Vec<u8> {
-    const PLAIN: usize = 0;
-    header_of_page(rows, size_of::<f64>() * rows, PLAIN, checksum)
-}
-
-/// A `PageHeader` of `parquet.thrift` in Thrift's compact protocol; it has one length for all checksums.
-fn header_of_page(rows: usize, bytes: usize, encoding: usize, checksum: u32) -> Vec<u8> {
-    const I32: u8 = 5;
-    const STRUCT: u8 = 12;
-    let mut head = Vec::new();
-    let field = |head: &mut Vec<u8>, step: u8, kind: u8| head.push(step << 4 | kind);
-    let integer = |head: &mut Vec<u8>, number: usize| {
-        field(head, 1, I32);
-        push_varint(head, 2 * number);
-    };
-    // a data page, and its size with and without compression
-    for number in [0, bytes, bytes] {
-        integer(&mut head, number);
-    }
-    // CRC-32 as a signed number, in all of the pieces that one may have
-    field(&mut head, 1, I32);
-    let checksum = (checksum << 1) ^ ((checksum as i32 >> 31) as u32);
-    head.extend((0..5).map(|piece| (checksum >> (7 * piece)) as u8 & 0x7f | if piece < 4 { 0x80 } else { 0 }));
-    field(&mut head, 1, STRUCT);
-    // the numbers, and levels that would be RLE
-    for number in [rows, encoding, 3, 3] {
-        integer(&mut head, number);
-    }
-    head.extend([0, 0]);
-    head
-}
-
-/// A number in pieces of seven bits, the lowest first.
-fn push_varint(bytes: &mut Vec<u8>, mut number: usize) {
-    while number >= 0x80 {
-        bytes.push(number as u8 | 0x80);
-        number >>= 7;
-    }
-    bytes.push(number as u8);
-}
-
-/// The page of numbers that follow one another, by their differences: `DELTA_BINARY_PACKED`.
-pub(crate) fn page_of_rows(rows: &Range<usize>) -> Vec<u8> {
-    const DELTA_BINARY_PACKED: usize = 5;
-    const BLOCK: usize = 128;
-    const MINIBLOCKS: usize = 4;
-    let mut numbers = Vec::new();
-    // signed numbers are doubled
-    for number in [BLOCK, MINIBLOCKS, rows.len(), 2 * rows.start] {
-        push_varint(&mut numbers, number);
-    }
-    for _ in 0..rows.len().saturating_sub(1).div_ceil(BLOCK) {
-        // the least difference, and how many bits each one takes beyond it
-        push_varint(&mut numbers, 2);
-        numbers.extend([0; MINIBLOCKS]);
-    }
-    let mut page = header_of_page(
-        rows.len(),
-        numbers.len(),
-        DELTA_BINARY_PACKED,
-        crc32fast::hash(&numbers),
-    );
-    page.extend(numbers);
-    page
-}
-
 /// The declaration in the [failures](Part::failures) of a part, and how many bytes its numbers take.
 pub(crate) fn read_failures(failures: &Bytes, columns: usize) -> io::Result<(String, usize)> {
     let metadata = ParquetMetaDataReader::new().parse_and_finish(failures)?;
     let rows = number(metadata.file_metadata().num_rows())?;
     Ok((entry(&metadata, DECLARATION)?, columns * bytes_of_page(rows)))
 }
-
-/// What a Parquet file begins with.
-pub(crate) const MAGIC: [u8; 4] = *b"PAR1";
 
 /// The end of a file that has the numbers of all parts already: the columns `row` and `failure`, and the metadata.
 pub(crate) struct Ending<'f> {
@@ -327,11 +247,6 @@ impl<'f> Ending<'f> {
         self.file.write_all(&footer)?;
         self.file.flush()
     }
-}
-
-/// A number of a file, which may be too large for this machine.
-pub(crate) fn number<T: TryInto<usize, Error: Error + Send + Sync + 'static>>(number: T) -> io::Result<usize> {
-    number.try_into().map_err(io::Error::other)
 }
 
 /// The columns of a file, with these numbers.
@@ -516,10 +431,6 @@ fn entry(metadata: &ParquetMetaData, key: &str) -> io::Result<String> {
     let entry = entries.into_iter().flatten().find(|entry| entry.key == key);
     let value = entry.and_then(|entry| entry.value.clone());
     value.ok_or_else(|| broken("it was not written by a sweep"))
-}
-
-pub(crate) fn broken(what: &str) -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidData, what)
 }
 
 fn columns(reader: &SerializedFileReader<File>) -> io::Result<Vec<Column>> {

@@ -51,6 +51,7 @@ mod file;
 mod job;
 #[cfg(feature = "opencl")]
 pub mod opencl;
+mod page;
 #[cfg(feature = "mpi")]
 mod ranks;
 mod shards;

@@ -25,6 +25,7 @@ use crate::checksum::{self, Sum};
 use crate::differences::differences;
 use crate::error::SweepError;
 use crate::file::{self, Ending, Part};
+use crate::page::{MAGIC, bytes_of_page};
 use crate::table::Table;
 
 /// The file of a sweep, and the folder of its shards.
@@ -320,7 +321,7 @@ impl<'p> Shards<'p> {
             .open(&self.numbers)
             .map_err(in_numbers())?;
         let prepared = file
-            .write_all(&file::MAGIC)
+            .write_all(&MAGIC)
             .and_then(|()| file.set_len(self.place(self.count)));
         prepared.map_err(in_numbers())?;
         let sum = self.sum(&present);
@@ -340,10 +341,10 @@ impl<'p> Shards<'p> {
     /// The checksum of the numbers of all shards where they lie: from the checksum of each, so that none is read again.
     fn sum(&self, present: &BTreeMap<usize, [u32; 2]>) -> Sum {
         let mut sum = Sum::default();
-        sum.add(&file::MAGIC);
+        sum.add(&MAGIC);
         for (&n, &[_, of_numbers]) in present.iter().take(self.count) {
             sum.add_zeros(self.place(n));
-            let length = self.empty.columns.len() * file::bytes_of_page(self.rows(n).len());
+            let length = self.empty.columns.len() * bytes_of_page(self.rows(n).len());
             sum.add_sum(of_numbers, length as u64);
         }
         sum.add_zeros(self.place(self.count));

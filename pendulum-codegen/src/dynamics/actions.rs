@@ -1,7 +1,7 @@
 //! What acts on a scene beside its joints: as forces along its coordinates, or as wrenches on its links.
 
 use super::frames::Frame;
-use super::joints::JointId;
+use super::joint::JointId;
 use super::links::Links;
 use crate::expr::{Derivative, Expr};
 use crate::model::{Action, BodyId, Model, Place, Poses};

@@ -9,7 +9,7 @@ use std::ops::{Add, Mul};
 use super::actions::{along_coordinates, is_wrench, wrenches};
 use super::flight::Flights;
 use super::frames::{Frame, frames};
-use super::joints::JointId;
+use super::joint::JointId;
 use super::links::{Link, links};
 use super::motion::{acceleration_field, inertial_moment};
 use super::solve::{Factored, Inverse, Solver};

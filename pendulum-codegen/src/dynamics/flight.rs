@@ -1,7 +1,7 @@
 //! The slides of floating bodies, taken along the axes of what they carry.
 
 use super::frames::Frame;
-use super::joints::JointId;
+use super::joint::JointId;
 use super::links::Links;
 use crate::expr::Expr;
 use crate::model::Floating;

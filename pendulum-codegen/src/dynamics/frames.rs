@@ -3,7 +3,7 @@
 //! A link alone turns its own frame; parallel links in a row share the frame before the first of them, in which their
 //! angles add up and nothing has to be turned between them.
 
-use super::joints::JointId;
+use super::joint::JointId;
 use super::links::Link;
 use crate::model::{Combination, Model};
 use crate::screw::{MassMoments, Mat3, Symmetric3, Turn, Twist, Vec3, Wrench};

@@ -1,17 +1,10 @@
 //! Dynamics along joints, and in the coordinates of the scene.
 
 use super::actions::{along_coordinates, is_wrench};
+use super::joint::Entry;
 use super::{Dynamics, Tangent, balance, tangent};
 use crate::expr::{Expr, ratio};
-use crate::model::{Action, Combination, Floating, Model, index_types};
-
-index_types! {
-    /// A joint: of a body, or of a link.
-    pub(super) JointId;
-}
-
-/// An entry of a matrix over the joints: row, column and value.
-pub(super) type Entry<'g> = (JointId, JointId, Expr<'g>);
+use crate::model::{Action, Combination, Floating, Model};
 
 /// The dynamics along joints whose coordinates are `q_i = motions[i]` in those of the scene.
 #[derive(Debug)]

@@ -4,7 +4,7 @@
 //! down the part of its inertia that the joint cannot move (base parameters: Gautier and Khalil 1990; Khalil and
 //! Dombre, ch. 9).
 
-use super::joints::JointId;
+use super::joint::JointId;
 use crate::expr::Expr;
 use crate::model::{Combination, CoordinateId, Model};
 use crate::screw::{MassMoments, Mat3, Symmetric3, Transform, Twist, Vec3};

@@ -9,6 +9,7 @@ mod coefficients;
 mod flight;
 mod frames;
 mod jacobian;
+mod joint;
 mod joints;
 mod kinematics;
 mod links;
@@ -30,7 +31,8 @@ pub(crate) use solve::{Factored, Inverse, Solver};
 
 use crate::expr::Expr;
 use crate::model::{Action, BodyId, Coordinate, Floating, Model};
-use joints::{AlongJoints, JointId};
+use joint::JointId;
+use joints::AlongJoints;
 
 /// `mass_matrix * qdd + bias = force`, in the coordinates of the scene.
 #[derive(Clone, Debug)]

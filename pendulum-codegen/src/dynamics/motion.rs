@@ -2,7 +2,7 @@
 
 use super::flight::Flights;
 use super::frames::Frame;
-use super::joints::JointId;
+use super::joint::JointId;
 use super::links::Link;
 use crate::expr::Expr;
 use crate::screw::{Mat3, Symmetric3, Twist, Vec3};

@@ -5,7 +5,8 @@
 use super::actions::{is_wrench, wrenches};
 use super::flight::Flights;
 use super::frames::{Frame, frames};
-use super::joints::{AlongJoints, Entry, Inertial, JointId};
+use super::joint::{Entry, JointId};
+use super::joints::{AlongJoints, Inertial};
 use super::links::{Link, links};
 use super::motion::{Motion, inertial_moment, motions};
 use super::tangent::Tangent;

@@ -5,7 +5,7 @@
 //! above answer as one body that holds their composite inertia and the flow of their mass.
 
 use super::frames::Frame;
-use super::joints::{Entry, JointId};
+use super::joint::{Entry, JointId};
 use super::links::Link;
 use super::motion::Motion;
 use crate::expr::Expr;

@@ -7,6 +7,7 @@ mod components;
 mod constraint;
 mod declare;
 mod expr;
+mod fit;
 mod force;
 mod free_joint;
 mod freedom;

@@ -8,7 +8,7 @@ use syn::{Ident, Token};
 use super::argument::Argument;
 use super::joint::joint;
 use super::solid::solids;
-use super::token::{braces, colon, identifier, list, parentheses, starts_item};
+use super::token::{braces, colon, identifier, is_field, list, parentheses, starts_item};
 use super::{End, ITEMS, docs, each, once, skip_to};
 use crate::ast::{Body, BodyFields, Expr, Inertia, Properties, Read, Shape, Vector};
 use crate::error::{Errors, at, on};
@@ -71,11 +71,6 @@ const BODY_FIELDS: [Row<BodyFields>; 11] = [
 pub(crate) const HINGES: &str = "of the ball joints of a loop let one close it, `close a at [..] to b at [..]: ball`; \
                                  write each other as hinges whose coordinates depend, on bodies without mass: \
                                  `joint: revolute(x), coordinate: u depends near 0.3`, then one about y, and one about z";
-
-/// Whether bodies have a field of this name.
-pub(super) fn is_field(name: &str) -> bool {
-    names(&PROPERTIES).chain(names(&BODY_FIELDS)).any(|known| known == name)
-}
 
 fn names<T>(rows: &'static [Row<T>]) -> impl Iterator<Item = &'static str> {
     rows.iter().map(|(name, _)| *name)
@@ -346,5 +341,16 @@ impl Parse for Inertia {
             about_joint,
             tokens,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BODY_FIELDS, PROPERTIES, names};
+    use crate::parse::token::FIELDS;
+
+    #[test]
+    fn fields_are_the_words_that_begin_them() {
+        assert!(names(&PROPERTIES).chain(names(&BODY_FIELDS)).eq(FIELDS));
     }
 }

@@ -347,7 +347,7 @@ fn item_key(input: ParseStream, errors: &mut Errors) -> syn::Result<Ident> {
     if is_item && !(text == "spring" && input.peek(Token![:])) {
         return Ok(key);
     }
-    if body::is_field(&text) {
+    if token::is_field(&text) {
         let between = match text.as_str() {
             "spring" => ", or `spring between a and b: (stiffness, length)` for one between two points",
             "torque" => {

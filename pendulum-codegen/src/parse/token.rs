@@ -4,8 +4,27 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, Token, braced, bracketed, parenthesized, token};
 
-use super::{ITEMS, body};
+use super::ITEMS;
 use crate::error::{Errors, at};
+
+/// The fields of bodies: where one of these words stands, something new begins.
+pub(super) const FIELDS: [&str; 15] = [
+    "mass",
+    "com",
+    "inertia",
+    "solids",
+    "joint",
+    "coordinate",
+    "orientation",
+    "position",
+    "motion",
+    "friction",
+    "spring",
+    "torque",
+    "dry_friction",
+    "static_friction",
+    "stop",
+];
 
 /// The name of `what`, which stands in the text as in `form`.
 ///
@@ -132,7 +151,12 @@ pub(super) fn starts_known(input: ParseStream) -> bool {
     let word = input.cursor().ident().map(|(word, _)| word);
     let is_item = word.is_some_and(|word| ITEMS.iter().any(|item| word == item))
         && (input.peek2(Ident) || input.peek2(Token![:]) || input.peek2(token::Brace));
-    input.peek(Token![let]) || is_item || label(input).is_some_and(|word| body::is_field(&word.to_string()))
+    input.peek(Token![let]) || is_item || label(input).is_some_and(|word| is_field(&word.to_string()))
+}
+
+/// Whether bodies have a field of this name.
+pub(super) fn is_field(name: &str) -> bool {
+    FIELDS.contains(&name)
 }
 
 /// Whether something begins here that has a name of its own: an item, a field, a parameter.

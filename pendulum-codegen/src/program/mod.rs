@@ -22,9 +22,8 @@ pub use drawing::{Drawing, Outline};
 pub use equations::{ConstraintForce, Equations, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout};
 pub(crate) use output::{functions_of_event, functions_of_output, is_function};
-pub use routine::{Argument, Cost, Routine, Shape};
+pub use routine::{Argument, Cost, Role, Routine, Shape};
 pub use series::Series;
-pub use table::Role;
 pub(crate) use table::words;
 
 pub use crate::expr::{Binary, Definition, Formula, Summand, Unary};

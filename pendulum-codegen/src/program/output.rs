@@ -1,7 +1,7 @@
 //! Outputs and events as routines.
 
-use super::routine::{Argument, Head, Shape};
-use super::table::{ROUTINES, Role};
+use super::routine::{Argument, Head, Role, Shape};
+use super::table::ROUTINES;
 use crate::expr::{Expr, SymbolKind};
 use crate::form::{self, Chosen, Forms};
 use crate::model::{Model, Output, OutputShape};

@@ -2,58 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::routine::{Argument, Head, Shape};
+use super::routine::{Argument, Head, Role, Shape};
 use crate::form::{self, Chosen, Forms};
 use crate::model::Model;
-
-/// What printers make of a routine: a part of an interface, or a function by itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
-    /// A function by itself, and no more.
-    Function,
-    /// The right-hand side.
-    Rhs,
-    /// The right-hand side with its derivatives by the state.
-    Jacobian,
-    /// Its derivative by the time.
-    TimeDerivative,
-    /// Its derivatives by the inputs.
-    InputJacobian,
-    /// The values and the rates of the constraints.
-    Measures,
-    /// Their derivatives.
-    MeasureDerivatives,
-    /// What forces along the constraints do.
-    Response,
-    /// Its derivatives.
-    ResponseDerivative,
-    /// The canonical equations.
-    Canonical,
-    /// Their derivatives.
-    CanonicalJacobian,
-    /// Kinetic energy.
-    Kinetic,
-    /// Potential energy.
-    Potential,
-    /// A function by itself: how far closed loops are from their toggles.
-    LoopMargins,
-    /// A function by itself: how far closed loops are from being closed.
-    LoopGaps,
-    /// A function by itself: what closes them.
-    LoopCorrections,
-    /// A function by itself: how far angles are from where their turns are not known.
-    TurnMargins,
-}
-
-impl Role {
-    /// Whether the routine is a function by itself.
-    pub(crate) fn is_function(self) -> bool {
-        matches!(
-            self,
-            Self::Function | Self::LoopMargins | Self::LoopGaps | Self::LoopCorrections | Self::TurnMargins
-        )
-    }
-}
 
 /// A length that depends on the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,8 @@
 
 use nalgebra::SVector;
 
-use super::march::{March, Marches};
+use super::march::March;
+use super::together::Marches;
 use super::watch::{Unwatched, Watch, Watched};
 use super::{Ensemble, EnsembleError, ObservedEnsemble, check_models, check_observers, conclude};
 use crate::event::Event;

@@ -6,13 +6,11 @@ use std::ops::Range;
 
 use nalgebra::SVector;
 
-use super::together::Together;
 use super::watch::Watch;
 use super::{Stopped, alone};
 use crate::error::Reason;
 use crate::method::{Adaptive, Estimates, Fixed, Grid, Method, StepControl};
 use crate::real::Float;
-use crate::real::lanes::{Isa, LaneElement};
 use crate::step_size::Tolerance;
 use crate::system::Cast;
 
@@ -143,33 +141,5 @@ impl<F, T: Float> Paced<T> for Fixed<F> {
 
     fn steps(&self, _error_order: usize, (t0, t1): (T, T)) -> Result<Pacing<T>, Reason> {
         Grid::new(self.h, t0, t1).map(Pacing::Equal)
-    }
-}
-
-/// A method for many trajectories.
-pub trait Marches<M: Cast<N>, T: LaneElement, const N: usize>: Paced<T> + Sized {
-    /// Brings trajectories to their ends.
-    fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason>;
-}
-
-impl<M, F, T, const N: usize> Marches<M, T, N> for Adaptive<F>
-where
-    M: Cast<N>,
-    F: Together<M, T, N> + Estimates,
-    T: LaneElement,
-{
-    fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason> {
-        F::within_tolerance(isa, march)
-    }
-}
-
-impl<M, F, T, const N: usize> Marches<M, T, N> for Fixed<F>
-where
-    M: Cast<N>,
-    F: Together<M, T, N>,
-    T: LaneElement,
-{
-    fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason> {
-        F::on_grid(isa, march)
     }
 }

@@ -1,7 +1,7 @@
 //! Which methods integrate many trajectories side by side, and which one after the other.
 
 use super::lanes::InLanes;
-use super::march::March;
+use super::march::{March, Paced};
 use super::watch::Watch;
 use crate::error::Reason;
 use crate::method::{
@@ -103,4 +103,32 @@ where
 one_by_one! {
     [] RadauIIA;
     [const STAGES: usize,] Gauss<STAGES>;
+}
+
+/// A method for many trajectories.
+pub trait Marches<M: Cast<N>, T: LaneElement, const N: usize>: Paced<T> + Sized {
+    /// Brings trajectories to their ends.
+    fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason>;
+}
+
+impl<M, F, T, const N: usize> Marches<M, T, N> for Adaptive<F>
+where
+    M: Cast<N>,
+    F: Together<M, T, N> + Estimates,
+    T: LaneElement,
+{
+    fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason> {
+        F::within_tolerance(isa, march)
+    }
+}
+
+impl<M, F, T, const N: usize> Marches<M, T, N> for Fixed<F>
+where
+    M: Cast<N>,
+    F: Together<M, T, N>,
+    T: LaneElement,
+{
+    fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason> {
+        F::on_grid(isa, march)
+    }
 }

@@ -1,0 +1,12 @@
+//! Joints by their numbers.
+
+use crate::expr::Expr;
+use crate::model::index_types;
+
+index_types! {
+    /// A joint: of a body, or of a link.
+    pub(super) JointId;
+}
+
+/// An entry of a matrix over the joints: row, column and value.
+pub(super) type Entry<'g> = (JointId, JointId, Expr<'g>);

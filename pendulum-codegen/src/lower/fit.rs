@@ -1,0 +1,262 @@
+//! That values are measured in what is needed, and what to do where they are not.
+
+use std::f64::consts::TAU;
+use std::fmt::Display;
+
+use num_traits::ToPrimitive;
+
+use super::Lower;
+use super::expr::Place;
+use super::joint_units::JointUnits;
+use super::measure::{Measure, Quantity};
+use super::scope::Kind;
+use super::written::written;
+use crate::ast::{self, ExprKind, Measured, Operator};
+use crate::error::Reported;
+use crate::expr::{Level, ratio};
+use crate::units::{Dimension, Power, Scale, Unit};
+
+impl<'g> Lower<'g> {
+    /// A number with a unit, in SI units.
+    pub(super) fn measured(
+        &mut self,
+        e: &ast::Expr,
+        Measured { number, unit, .. }: &Measured,
+        place: &Place<'g>,
+    ) -> Result<Quantity<'g>, Reported> {
+        if !self.has_units && !unit.dimension.is_one() {
+            let help = "leave out the unit; angles may be in `deg` or `turn`";
+            return Err(self
+                .errors
+                .on(e, "there are no units in a scene with `units: none`", help));
+        }
+        for name in unit.names() {
+            // a name of another dimension cannot be meant where the unit fits
+            let of_unit = Unit::dimension_of(name);
+            let is_other = |measure| matches!(measure, Measure::Of(own, _) if of_unit.is_some_and(|unit| own != unit));
+            if place.most > Level::Constant && self.names.measure(name).is_some_and(|measure| !is_other(measure)) {
+                let kind = self.names.kind(name).map_or_else(String::new, Kind::one);
+                let fact = format_args!("`{name}` after a number is a unit, but here it is also {kind}");
+                let help = format_args!("write a product as `2*{name}`, or rename `{name}` to use the unit");
+                return Err(self.errors.on(e, fact, help));
+            }
+        }
+        let Scale { number: scale, pi } = &unit.scale;
+        let number = self.graph.number(number * scale);
+        Ok(Quantity {
+            value: number * self.graph.pi().power(ratio((*pi).into(), 1)),
+            measure: Measure::in_dimension(unit.dimension),
+        })
+    }
+
+    /// Requires that two values are alike, which are `joined`, as in "they cannot be added".
+    pub(super) fn require_alike(&mut self, [a, b]: [&ast::Expr; 2], [x, y]: [Measure; 2], joined: &str) -> Measure {
+        if let Some(measure) = x.alike(y) {
+            return measure;
+        }
+        let fact = format_args!("{} {x}, but {} {y}: they cannot be {joined}", short(a), short(b));
+        let help = self.cause(&[a, b]).unwrap_or_else(|| {
+            let (number, missing) = match (bare_factor(b), bare_factor(a)) {
+                (None, Some(number)) => (Some(number), factor(y, x)),
+                (number, _) => (number, factor(x, y)),
+            };
+            let hint = number.map_or_else(String::new, |number| number.with_unit(missing));
+            format!("they differ by a factor in {missing}{hint}")
+        });
+        self.misfit(b, fact, help);
+        Measure::Unknown
+    }
+
+    /// Requires that a value has no unit, because of what it is: "the argument of `sin`".
+    pub(super) fn require_plain(&mut self, e: &ast::Expr, given: Quantity<'g>, what: &str) {
+        if given.measure.alike(Measure::ONE).is_some() {
+            return;
+        }
+        let fact = format_args!(
+            "{what} must be an angle or a plain number, but {} {}",
+            short(e),
+            given.measure
+        );
+        let help = self.help(e, given.measure, Measure::ONE);
+        self.misfit(e, fact, help);
+    }
+
+    /// Requires the unit of a place.
+    pub(super) fn fits(&mut self, e: &ast::Expr, given: Quantity<'g>, place: &Place<'g>) {
+        let Some(unit) = &place.unit else { return };
+        if unit == "rad" {
+            self.not_degrees(e, given, &place.what);
+        }
+        let needed = Measure::of(unit);
+        if given.measure.is_open() || given.measure.alike(needed).is_some() {
+            return;
+        }
+        let fact = format_args!("{} is in {unit}, but {} {}", place.what, short(e), given.measure);
+        let other = JointUnits::other(unit).filter(|(other, _)| given.measure == Measure::of(other));
+        let help = match other {
+            Some((other, way)) => format!("{other} belongs to joints that {way}"),
+            None => self.help(e, given.measure, needed),
+        };
+        self.misfit(e, fact, help);
+    }
+
+    /// Notes an error of units, in a scene that has any.
+    fn misfit(&mut self, e: &ast::Expr, fact: impl Display, help: String) {
+        if self.has_units {
+            self.errors.on(e, fact, help);
+        }
+    }
+
+    /// Refuses a bare number of radians that is more than a turn, since it may be in degrees.
+    pub(super) fn not_degrees(&mut self, e: &ast::Expr, given: Quantity<'g>, what: &str) {
+        let number = given.value.as_number().and_then(ToPrimitive::to_f64);
+        if let (Measure::Number, Some(angle)) = (given.measure, number.filter(|angle| angle.abs() > TAU)) {
+            let (fact, help) = if self.errors.is_from_file(e) {
+                let radians = (angle.to_radians() * 1e4).round() / 1e4;
+                let help = format!(
+                    "write {radians} there for {angle} degrees; where {angle} rad are meant, write `{angle} rad` in the scene, \
+                     in a `body` of this name, which changes that of the file"
+                );
+                (format!("{what} is {angle}, more than a turn: angles are in rad"), help)
+            } else {
+                let help = format!("write `{angle} deg` for degrees, or `{angle} rad` if it is meant");
+                (format!("{what} is more than a turn: angles are in rad"), help)
+            };
+            self.errors.on(e, fact, help);
+        }
+    }
+
+    /// What to do about a value that is measured in something else than is needed.
+    fn help(&self, e: &ast::Expr, given: Measure, needed: Measure) -> String {
+        if let Some(cause) = self.cause(&[e]) {
+            return cause;
+        }
+        let [mass, length] = ["kg", "m"].map(Measure::of);
+        if [given, needed] == [mass, length] || [given, needed] == [length, mass] {
+            return "mass and length may be swapped".to_owned();
+        }
+        let missing = factor(needed, given);
+        if let Some(number) = bare_factor(e) {
+            return format!("a factor in {missing} is missing{}", number.with_unit(missing));
+        }
+        if Measure::in_dimension(factor(given, needed)) == Measure::ONE.rate() {
+            return "a factor in s is missing, or a `dot` is too many".to_owned();
+        }
+        format!("a factor in {missing} is missing")
+    }
+
+    /// The likely cause: a name after a number that was read as a unit, or a unit after the divisor of a fraction.
+    fn cause(&self, given: &[&ast::Expr]) -> Option<String> {
+        given.iter().find_map(|e| {
+            if let Some(ExprKind::Measured(measured)) = divisor(e).map(|divisor| &divisor.kind) {
+                let Measured { digits, unit, .. } = &**measured;
+                let unit = &unit.text;
+                return Some(format!(
+                    "`{digits} {unit}` is the divisor: write the fraction as `0.5 {unit}`"
+                ));
+            }
+            let Measured { digits, unit, .. } = measured(e, &|unit: &Unit| self.names.kind(&unit.text).is_some())?;
+            let name = &unit.text;
+            let kind = self.names.kind(name)?;
+            Some(format!(
+                "`{digits} {name}` has the unit {name}; its product with the {kind} `{name}` is `{digits}*{name}`"
+            ))
+        })
+    }
+}
+
+/// The divisor of a fraction `1/2 kg`: a number with a unit below one without.
+fn divisor(e: &ast::Expr) -> Option<&ast::Expr> {
+    match &e.kind {
+        ExprKind::Binary(Operator::Div, a, b) => {
+            let is_fraction = matches!(a.kind, ExprKind::Number(_)) && matches!(b.kind, ExprKind::Measured(..));
+            if is_fraction { Some(b) } else { divisor(a) }
+        }
+        ExprKind::Neg(a) | ExprKind::Binary(Operator::Mul, a, _) => divisor(a),
+        _ => None,
+    }
+}
+
+/// What one value must be multiplied by to become like another.
+fn factor(needed: Measure, given: Measure) -> Dimension {
+    factor_of(needed.dimension(), given.dimension())
+}
+
+fn factor_of(needed: Dimension, given: Dimension) -> Dimension {
+    needed.times(given, Power::from(-1)).unwrap_or(Dimension::ONE)
+}
+
+/// A dimension as the unit of a number, which begins with a name: `rad/s` for `1/s`.
+fn after_number(dimension: Dimension) -> String {
+    let text = dimension.to_string();
+    text.strip_prefix("1/")
+        .map_or(text.clone(), |below| format!("rad/{below}"))
+}
+
+/// An expression in a message: its text where that is short.
+fn short(e: &ast::Expr) -> String {
+    let text = written(e, None).to_string();
+    if text.len() <= 40 {
+        format!("`{text}`")
+    } else {
+        "this".to_owned()
+    }
+}
+
+/// A bare number among the factors of a product.
+struct Bare {
+    /// As it is written.
+    text: String,
+    /// Whether it stands in a divisor.
+    below: bool,
+}
+
+impl Bare {
+    /// What to do if the product lacks a factor of some dimension.
+    fn with_unit(&self, missing: Dimension) -> String {
+        let of_number = if self.below {
+            factor_of(Dimension::ONE, missing)
+        } else {
+            missing
+        };
+        let (text, unit) = (&self.text, after_number(of_number));
+        format!("; if the number stands for a quantity, give it its unit: `{text} {unit}`")
+    }
+}
+
+/// The bare number among the factors of a product that most likely stands for a quantity: the last one that is not
+/// whole, else the last. Small whole numbers are coefficients.
+fn bare_factor(e: &ast::Expr) -> Option<Bare> {
+    let mut numbers = Vec::new();
+    gather(e, false, &mut numbers);
+    let decimal = numbers.iter().rposition(|bare| bare.text.contains(['.', 'e']));
+    let place = decimal.or(numbers.len().checked_sub(1))?;
+    Some(numbers.swap_remove(place))
+}
+
+fn gather(e: &ast::Expr, below: bool, numbers: &mut Vec<Bare>) {
+    match &e.kind {
+        ExprKind::Number(n) if n.is_integer() && *n <= ratio(4, 1) => {}
+        ExprKind::Number(_) => numbers.push(Bare {
+            text: e.tokens.to_string(),
+            below,
+        }),
+        ExprKind::Neg(a) => gather(a, below, numbers),
+        ExprKind::Binary(operator @ (Operator::Mul | Operator::Div), a, b) => {
+            gather(a, below, numbers);
+            gather(b, below ^ (*operator == Operator::Div), numbers);
+        }
+        _ => {}
+    }
+}
+
+/// The first number with a unit that fits.
+fn measured<'a>(e: &'a ast::Expr, fits: &impl Fn(&Unit) -> bool) -> Option<&'a Measured> {
+    match &e.kind {
+        ExprKind::Measured(measured) if fits(&measured.unit) => Some(measured),
+        ExprKind::Neg(a) => measured(a, fits),
+        ExprKind::Binary(_, a, b) | ExprKind::Power(a, b) => measured(a, fits).or_else(|| measured(b, fits)),
+        ExprKind::Call(_, arguments) => arguments.iter().find_map(|a| measured(a, fits)),
+        _ => None,
+    }
+}
