@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 
-use crate::dynamics::{Dynamics, derived};
+use crate::dynamics::{Dynamics, Entries, derived};
 use crate::error::Errors;
 use crate::expr::{ExprId, Normalizer, SymbolKind, vanishing_pivot};
 use crate::lower::Spans;
@@ -17,7 +17,7 @@ pub(crate) fn check(
     mut errors: Errors,
 ) -> Result<(), Errors> {
     if needs_inertia(model)
-        && let Some(k) = vanishing_pivot(&dynamics.mass_matrix, &model.quaternions()).map(CoordinateId::new)
+        && let Some(k) = vanishing_pivot(&dynamics.balance.mass_matrix, &model.quaternions()).map(CoordinateId::new)
         && let Some(n) = model.bodies.iter().position(|body| body.coordinate == Some(k))
     {
         let (body, coordinate) = (&model.bodies[n], &model.coordinates[k].name);
@@ -99,7 +99,7 @@ fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'
         .collect::<Vec<_>>();
     let mut dynamics = dynamics.clone();
     if !model.generate.contains("drive_forces") {
-        dynamics.drive.clear();
+        dynamics.reactions.drive.clear();
     }
     let roots = dynamics.entries().into_iter().chain(checked);
     let roots: Vec<_> = roots.chain(model.with_drives(&observed)).collect();

@@ -28,6 +28,7 @@ mod dynamics;
 mod emit;
 mod error;
 mod expr;
+mod files;
 mod form;
 mod lower;
 mod model;
@@ -44,4 +45,4 @@ mod words;
 
 pub use emit::c::{Sources, c, opencl};
 pub use error::Errors;
-pub use pipeline::{expand, expand_in, program, program_in};
+pub use files::{expand, expand_in, program, program_in};

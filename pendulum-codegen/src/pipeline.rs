@@ -1,8 +1,5 @@
 //! The whole path on one screen: tokens, syntax tree, model, dynamics, program, code.
 
-use std::env;
-use std::path::{Path, PathBuf};
-
 use proc_macro2::TokenStream;
 
 use crate::ast::Scene;
@@ -12,55 +9,17 @@ use crate::error::Errors;
 use crate::expr::Graph;
 use crate::lower::Lowered;
 use crate::program::{NotFinite, Program};
+use crate::urdf::Files;
 use crate::{check, lower, parse, urdf};
 
-/// Expands a declaration into Rust items, or into its compile errors and a stand-in for the items.
-///
-/// Files that it names are looked for in the folder of the manifest, `CARGO_MANIFEST_DIR`, and are read by the items
-/// too, so that cargo builds them anew when a file changes.
-pub fn expand(tokens: TokenStream) -> TokenStream {
-    let folder = manifest_folder();
-    let (scene, mut items) = expanded(&folder, tokens);
-    let robot = scene.and_then(|scene| scene.items.robot);
-    // that it is no file, or not there, has been reported; without a manifest there is no cargo, which would build anew
-    if let Some(robot) = robot.filter(|robot| env::var_os(MANIFEST).is_some() && folder.join(&robot.path).is_file()) {
-        items.extend(urdf::tracked(&robot));
-    }
-    items
-}
-
-/// Expands a declaration whose files are in a folder; the items do not name it.
-pub fn expand_in(folder: &Path, tokens: TokenStream) -> TokenStream {
-    expanded(folder, tokens).1
-}
-
-/// The program of a declaration, or all that is wrong with it. Files that it names are looked for in the folder of the
-/// manifest, `CARGO_MANIFEST_DIR`, or where the program runs.
-pub fn program(tokens: TokenStream) -> Result<Program, Errors> {
-    program_in(&manifest_folder(), tokens)
-}
-
-/// The program of a declaration whose files are in a folder, or all that is wrong with it.
-pub fn program_in(folder: &Path, tokens: TokenStream) -> Result<Program, Errors> {
-    let (scene, errors) = parse::parse(tokens);
-    match scene {
-        Some(mut scene) => compile(&mut scene, folder, errors),
-        None => Err(errors),
-    }
-}
-
-const MANIFEST: &str = "CARGO_MANIFEST_DIR";
-
-fn manifest_folder() -> PathBuf {
-    env::var_os(MANIFEST).map(PathBuf::from).unwrap_or_default()
-}
-
-fn expanded(folder: &Path, tokens: TokenStream) -> (Option<Scene>, TokenStream) {
+/// The Rust items of a declaration, or its compile errors and a stand-in for the items; and the file of its robot, if it
+/// names one.
+pub(crate) fn expand(tokens: TokenStream, files: &Files<'_>) -> (TokenStream, Option<String>) {
     let (scene, errors) = parse::parse(tokens);
     let Some(mut scene) = scene else {
-        return (None, errors.to_compile_errors());
+        return (errors.to_compile_errors(), None);
     };
-    let items = match compile(&mut scene, folder, errors) {
+    let items = match compile(&mut scene, files, errors) {
         Ok(program) => rust::items(&scene.head, &program),
         Err(errors) => {
             let mut tokens = errors.to_compile_errors();
@@ -68,11 +27,20 @@ fn expanded(folder: &Path, tokens: TokenStream) -> (Option<Scene>, TokenStream) 
             tokens
         }
     };
-    (Some(scene), items)
+    (items, scene.items.robot.map(|robot| robot.path))
 }
 
-fn compile(scene: &mut Scene, folder: &Path, mut errors: Errors) -> Result<Program, Errors> {
-    if urdf::read(scene, folder, &mut errors).is_err() {
+/// The program of a declaration, or all that is wrong with it.
+pub(crate) fn program(tokens: TokenStream, files: &Files<'_>) -> Result<Program, Errors> {
+    let (scene, errors) = parse::parse(tokens);
+    match scene {
+        Some(mut scene) => compile(&mut scene, files, errors),
+        None => Err(errors),
+    }
+}
+
+fn compile(scene: &mut Scene, files: &Files<'_>, mut errors: Errors) -> Result<Program, Errors> {
+    if urdf::read(scene, files, &mut errors).is_err() {
         return Err(errors);
     }
     let later = errors.afresh();

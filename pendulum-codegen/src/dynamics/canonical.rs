@@ -7,20 +7,28 @@
 use crate::expr::Expr;
 use crate::model::{Coordinate, Model};
 
-use super::{Dynamics, derived};
+use super::{Balance, Lagrangian, derived};
 
 /// The rates of the momenta, in the state.
-pub(crate) fn momentum_rates<'g>(dynamics: &Dynamics<'g>, model: &Model<'g>) -> Vec<Expr<'g>> {
+pub(crate) fn momentum_rates<'g>(
+    model: &Model<'g>,
+    balance: &Balance<'g>,
+    lagrangian: &Lagrangian<'g>,
+) -> Vec<Expr<'g>> {
     let mut along_motion = model.along_motion();
-    let rows = dynamics.momentum.iter().zip(&dynamics.residual);
+    let rows = lagrangian.momentum.iter().zip(&balance.residual);
     rows.map(|(&momentum, &residual)| along_motion.of(momentum) - residual)
         .collect()
 }
 
 /// The derivatives of the momenta by the state, column by column. Those by the rates are the mass matrix.
-pub(crate) fn momentum_partials<'g>(dynamics: &Dynamics<'g>, coordinates: &[Coordinate<'g>]) -> Vec<Vec<Expr<'g>>> {
+pub(crate) fn momentum_partials<'g>(
+    coordinates: &[Coordinate<'g>],
+    balance: &Balance<'g>,
+    lagrangian: &Lagrangian<'g>,
+) -> Vec<Vec<Expr<'g>>> {
     let positions: Vec<Expr<'g>> = coordinates.iter().map(|c| c.position).collect();
-    let mut columns = derived(&dynamics.momentum, &positions);
-    columns.extend(dynamics.mass_matrix.iter().cloned());
+    let mut columns = derived(&lagrangian.momentum, &positions);
+    columns.extend(balance.mass_matrix.iter().cloned());
     columns
 }

@@ -6,12 +6,12 @@
 use crate::expr::{Derivative, Expr};
 use crate::model::Coordinate;
 
-use super::Dynamics;
+use super::Balance;
 
 /// The partial derivatives of `A qdd + bias - force` at fixed accelerations: one column of length `n` for each
 /// variable. The accelerations stand in it as the symbols of the coordinates.
-pub(crate) fn partials<'g>(dynamics: &Dynamics<'g>, variables: &[Expr<'g>]) -> Vec<Vec<Expr<'g>>> {
-    derived(&dynamics.balance, variables)
+pub(crate) fn partials<'g>(balance: &Balance<'g>, variables: &[Expr<'g>]) -> Vec<Vec<Expr<'g>>> {
+    derived(&balance.rows, variables)
 }
 
 /// The derivatives of some expressions by some symbols: one column for each symbol.
@@ -26,11 +26,11 @@ pub(crate) fn derived<'g>(rows: &[Expr<'g>], symbols: &[Expr<'g>]) -> Vec<Vec<Ex
 /// The [`partials`] by the state, from the derivatives of inverse dynamics that the recursion knows without deriving
 /// expressions; none where it does not, or by other variables.
 pub(crate) fn partials_by_recursion<'g>(
-    dynamics: &Dynamics<'g>,
+    balance: &Balance<'g>,
     coordinates: &[Coordinate<'g>],
     variables: &[Expr<'g>],
 ) -> Option<Vec<Vec<Expr<'g>>>> {
-    let tangent = dynamics.tangent.as_ref()?;
+    let tangent = balance.tangent.as_ref()?;
     let column = |&variable: &Expr<'g>| {
         let of = |part: fn(&Coordinate<'g>) -> Expr<'g>| coordinates.iter().position(|c| part(c) == variable);
         let (matrix, k) = match (of(|c| c.position), of(|c| c.rate)) {
@@ -39,7 +39,7 @@ pub(crate) fn partials_by_recursion<'g>(
             (None, None) => return None,
         };
         let mut derivative = Derivative::by(variable);
-        let rows = matrix.iter().zip(&dynamics.force);
+        let rows = matrix.iter().zip(&tangent.force);
         Some(rows.map(|(row, &force)| row[k] - derivative.of(force)).collect())
     };
     variables.iter().map(column).collect()

@@ -2,7 +2,7 @@
 
 use super::actions::{along_coordinates, is_wrench};
 use super::joint::Entry;
-use super::{Dynamics, Tangent, balance, tangent};
+use super::{Balance, Dynamics, Lagrangian, Reactions, Tangent, tangent};
 use crate::expr::{Expr, ratio};
 use crate::model::{Action, Combination, Floating, Model};
 
@@ -52,10 +52,10 @@ impl<'g> AlongJoints<'g> {
         let [apart, force] = [apart, force].map(|along| free(model, along));
         let bias = self.pulled(model, &self.bias);
         let of_matrix = |residual: Vec<Expr<'g>>| {
-            let balance = balance(&model.coordinates, &matrix, &residual);
-            (residual, balance)
+            let rows = Balance::new(&model.coordinates, matrix.clone(), residual.clone()).rows;
+            (residual, rows)
         };
-        let (residual, mut balance) = match (&self.pushed, &self.inertial) {
+        let (residual, mut rows) = match (&self.pushed, &self.inertial) {
             (Some([left, _]), None) => of_matrix(less(&self.pulled(model, left), &apart)),
             (Some(pushed), Some(_)) => pushed
                 .each_ref()
@@ -64,27 +64,34 @@ impl<'g> AlongJoints<'g> {
             (None, Some(inertial)) => (less(&bias, &force), less(&self.pulled(model, &inertial.forces), &force)),
             (None, None) => of_matrix(less(&bias, &force)),
         };
-        let drive = balance.split_off(n);
+        let drive = rows.split_off(n);
         let (momentum, kinetic) = self.momentum_and_energy(model, &matrix);
         // how what depends changes is no part of that tangent
         let tangent = self.inertial.and_then(|inertial| inertial.tangent);
         let tangent = tangent.filter(|_| model.dependents.is_empty()).map(|tangent| {
             let [by_position, by_rate] = [tangent.by_position, tangent.by_rate]
                 .map(|entries| of_state(model, &pull_back_matrix(model, &self.motions, entries)));
-            Tangent { by_position, by_rate }
+            Tangent {
+                by_position,
+                by_rate,
+                force: force[..n].to_vec(),
+            }
         });
         let dynamics = Dynamics {
-            mass_matrix: of_state(model, &matrix),
-            bias: bias[..n].to_vec(),
-            force: force[..n].to_vec(),
-            residual: residual[..n].to_vec(),
-            balance,
-            drive,
-            held,
-            tangent,
-            momentum,
-            kinetic,
-            potential,
+            balance: Balance {
+                mass_matrix: of_state(model, &matrix),
+                residual: residual[..n].to_vec(),
+                rows,
+                tangent,
+            },
+            lagrangian: Lagrangian {
+                bias: bias[..n].to_vec(),
+                force: force[..n].to_vec(),
+                momentum,
+                kinetic,
+                potential,
+            },
+            reactions: Reactions { drive, held },
         };
         dynamics.with_drives(model)
     }

@@ -34,26 +34,37 @@ use crate::model::{Action, BodyId, Coordinate, Floating, Model};
 use joint::JointId;
 use joints::AlongJoints;
 
-/// `mass_matrix * qdd + bias = force`, in the coordinates of the scene.
+/// `A qdd + bias = force`, in the coordinates of the scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Dynamics<'g> {
+    /// What the accelerations are solved from.
+    pub balance: Balance<'g>,
+    /// The terms of the equations, the momenta and the energies.
+    pub lagrangian: Lagrangian<'g>,
+    /// What joints supply that do not move by themselves.
+    pub reactions: Reactions<'g>,
+}
+
+/// `A qdd + residual = 0`.
+#[derive(Clone, Debug)]
+pub(crate) struct Balance<'g> {
     /// The mass matrix; symmetric.
     pub mass_matrix: Vec<Vec<Expr<'g>>>,
+    /// The bias less the forces.
+    pub residual: Vec<Expr<'g>>,
+    /// `A qdd + residual`, zero along the motion, with the accelerations as the symbols of the coordinates.
+    pub rows: Vec<Expr<'g>>,
+    /// Derivatives of these, where they are known in a form of their own.
+    pub tangent: Option<Tangent<'g>>,
+}
+
+/// The terms of Lagrange's equations.
+#[derive(Clone, Debug)]
+pub(crate) struct Lagrangian<'g> {
     /// Velocity terms and gravity.
     pub bias: Vec<Expr<'g>>,
     /// Forces of the joints.
     pub force: Vec<Expr<'g>>,
-    /// The bias less the forces.
-    pub residual: Vec<Expr<'g>>,
-    /// `A qdd + bias - force`, zero along the motion, with the accelerations as the symbols of the coordinates.
-    pub balance: Vec<Expr<'g>>,
-    /// The forces that the drives supply along their joints, for these accelerations.
-    pub drive: Vec<Expr<'g>>,
-    /// The forces that closed loops supply along the coordinates that depend, for these accelerations, where they are
-    /// asked for.
-    pub held: Vec<Expr<'g>>,
-    /// Derivatives of `A qdd + bias`, where they are known in a form of their own.
-    pub tangent: Option<Tangent<'g>>,
     /// Momenta of the coordinates: `A qd`, the derivatives of the kinetic energy by the rates.
     pub momentum: Vec<Expr<'g>>,
     /// Kinetic energy.
@@ -62,13 +73,106 @@ pub(crate) struct Dynamics<'g> {
     pub potential: Expr<'g>,
 }
 
-/// Derivatives of `A qdd + bias` (rows) at fixed accelerations, which stand in them as the symbols of the coordinates.
+/// Forces that joints supply, for accelerations as the symbols of the coordinates.
+#[derive(Clone, Debug)]
+pub(crate) struct Reactions<'g> {
+    /// Those of the drives along their joints.
+    pub drive: Vec<Expr<'g>>,
+    /// Those of closed loops along the coordinates that depend, where they are asked for.
+    pub held: Vec<Expr<'g>>,
+}
+
+/// Derivatives of `A qdd + bias - force` (rows) at fixed accelerations, which stand in them as the symbols of the
+/// coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct Tangent<'g> {
-    /// By the coordinates.
+    /// Those of `A qdd + bias` by the coordinates.
     pub by_position: Vec<Vec<Expr<'g>>>,
-    /// By their rates.
+    /// And by their rates.
     pub by_rate: Vec<Vec<Expr<'g>>>,
+    /// The forces, which are derived as expressions.
+    pub force: Vec<Expr<'g>>,
+}
+
+/// Expressions in an order of their own.
+pub(crate) trait Entries<'g>: Clone {
+    /// Where they stand.
+    fn places(&mut self) -> Vec<&mut Expr<'g>>;
+
+    /// All of them in one list.
+    fn entries(&self) -> Vec<Expr<'g>> {
+        self.clone().places().into_iter().map(|place| *place).collect()
+    }
+
+    /// The same with others in their place, in the order of [`Entries::entries`].
+    #[must_use]
+    fn with_entries(mut self, entries: Vec<Expr<'g>>) -> Self {
+        for (place, entry) in self.places().into_iter().zip(entries) {
+            *place = entry;
+        }
+        self
+    }
+}
+
+impl<'g> Entries<'g> for Balance<'g> {
+    fn places(&mut self) -> Vec<&mut Expr<'g>> {
+        let tangent = self.tangent.iter_mut().flat_map(|tangent| {
+            let matrices = tangent.by_position.iter_mut().chain(&mut tangent.by_rate);
+            matrices.chain([&mut tangent.force])
+        });
+        let rows = self.mass_matrix.iter_mut().chain([&mut self.residual, &mut self.rows]);
+        rows.chain(tangent).flatten().collect()
+    }
+}
+
+impl<'g> Entries<'g> for Lagrangian<'g> {
+    fn places(&mut self) -> Vec<&mut Expr<'g>> {
+        let lists = [&mut self.bias, &mut self.force, &mut self.momentum]
+            .into_iter()
+            .flatten();
+        lists.chain([&mut self.kinetic, &mut self.potential]).collect()
+    }
+}
+
+impl<'g> Entries<'g> for Reactions<'g> {
+    fn places(&mut self) -> Vec<&mut Expr<'g>> {
+        self.drive.iter_mut().chain(&mut self.held).collect()
+    }
+}
+
+impl<'g> Entries<'g> for Dynamics<'g> {
+    fn places(&mut self) -> Vec<&mut Expr<'g>> {
+        let parts = [self.balance.places(), self.lagrangian.places(), self.reactions.places()];
+        parts.into_iter().flatten().collect()
+    }
+}
+
+impl<'g> Balance<'g> {
+    /// `A qdd + residual`, written out.
+    pub(crate) fn new(
+        coordinates: &[Coordinate<'g>],
+        mass_matrix: Vec<Vec<Expr<'g>>>,
+        residual: Vec<Expr<'g>>,
+    ) -> Self {
+        let row = |(row, &residual): (&Vec<Expr<'g>>, &Expr<'g>)| {
+            let terms = row.iter().zip(coordinates);
+            terms.fold(residual, |sum, (&entry, coordinate)| {
+                sum + entry * coordinate.acceleration
+            })
+        };
+        Self {
+            rows: mass_matrix.iter().zip(&residual).map(row).collect(),
+            mass_matrix,
+            residual,
+            tangent: None,
+        }
+    }
+
+    /// The upper triangle of the mass matrix, row by row.
+    pub(crate) fn upper_triangle(&self) -> Vec<Expr<'g>> {
+        let rows = self.mass_matrix.iter().enumerate();
+        rows.flat_map(|(k, row)| row[k..].iter().copied()).collect()
+    }
 }
 
 impl<'g> Dynamics<'g> {
@@ -135,30 +239,17 @@ impl<'g> Dynamics<'g> {
         recursive::along_joints(model, pushed, &[], by_recursion).in_coordinates(model, potential)
     }
 
-    /// What the accelerations are solved from, with those of `floating` bodies along their own axes: of this the mass
-    /// matrix, the residual and the balance alone. Where `pushed`, forces at points are wrenches on the links.
-    pub(crate) fn along_bodies(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Self {
+    /// What the accelerations are solved from, with those of `floating` bodies along their own axes. Where `pushed`,
+    /// forces at points are wrenches on the links.
+    pub(crate) fn along_bodies(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Balance<'g> {
         let along = recursive::along_joints(model, pushed, floating, false);
-        let whole = along.in_coordinates(model, model.graph.zero());
-        Self {
-            mass_matrix: whole.mass_matrix,
-            residual: whole.residual,
-            balance: whole.balance,
-            bias: Vec::new(),
-            force: Vec::new(),
-            drive: Vec::new(),
-            held: Vec::new(),
-            tangent: None,
-            momentum: Vec::new(),
-            kinetic: model.graph.zero(),
-            potential: model.graph.zero(),
-        }
+        along.in_coordinates(model, model.graph.zero()).balance
     }
 
     /// What [`articulated`] bodies are in balance by: zero at their accelerations for quaternions of any length.
     pub(crate) fn balance_of_links(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Vec<Expr<'g>> {
         let along = recursive::along_joints(model, pushed, floating, true);
-        along.in_coordinates(model, model.graph.zero()).balance
+        along.in_coordinates(model, model.graph.zero()).balance.rows
     }
 
     /// The forces along the coordinates of what acts on a scene, but for those that were written along a coordinate.
@@ -185,45 +276,6 @@ impl<'g> Dynamics<'g> {
         let entries = model.with_drives(&self.entries());
         self.with_entries(entries)
     }
-
-    /// The upper triangle of the mass matrix, row by row.
-    pub(crate) fn upper_triangle(&self) -> Vec<Expr<'g>> {
-        let rows = self.mass_matrix.iter().enumerate();
-        rows.flat_map(|(k, row)| row[k..].iter().copied()).collect()
-    }
-
-    /// Every expression of the dynamics, in one list.
-    pub(crate) fn entries(&self) -> Vec<Expr<'g>> {
-        let mut copy = self.clone();
-        copy.places().into_iter().map(|place| *place).collect()
-    }
-
-    /// The same dynamics with other expressions, in the order of [`Dynamics::entries`].
-    #[must_use]
-    pub(crate) fn with_entries(mut self, entries: Vec<Expr<'g>>) -> Self {
-        for (place, entry) in self.places().into_iter().zip(entries) {
-            *place = entry;
-        }
-        self
-    }
-
-    fn places(&mut self) -> Vec<&mut Expr<'g>> {
-        let lists = [
-            &mut self.bias,
-            &mut self.force,
-            &mut self.residual,
-            &mut self.balance,
-            &mut self.drive,
-            &mut self.held,
-            &mut self.momentum,
-        ];
-        let tangent = self
-            .tangent
-            .iter_mut()
-            .flat_map(|t| t.by_position.iter_mut().chain(&mut t.by_rate));
-        let rows = self.mass_matrix.iter_mut().chain(lists).chain(tangent);
-        rows.flatten().chain([&mut self.kinetic, &mut self.potential]).collect()
-    }
 }
 
 /// The accelerations by articulated bodies, those of `floating` ones along their own axes, and what gave way for them:
@@ -235,19 +287,4 @@ pub(crate) fn articulated<'g>(
 ) -> (Vec<Expr<'g>>, Articulation<'g>) {
     let (accelerations, articulation) = articulated::accelerations(model, pushed, floating);
     (model.with_drives(&accelerations), articulation)
-}
-
-/// `A qdd + residual`, written out.
-pub(crate) fn balance<'g>(
-    coordinates: &[Coordinate<'g>],
-    mass_matrix: &[Vec<Expr<'g>>],
-    residual: &[Expr<'g>],
-) -> Vec<Expr<'g>> {
-    let row = |(row, &residual): (&Vec<Expr<'g>>, &Expr<'g>)| {
-        let terms = row.iter().zip(coordinates);
-        terms.fold(residual, |sum, (&entry, coordinate)| {
-            sum + entry * coordinate.acceleration
-        })
-    };
-    mass_matrix.iter().zip(residual).map(row).collect()
 }

@@ -9,10 +9,10 @@ impl<'g> Forms<'g> {
     /// The shortest code for the momenta and, behind them, their rates.
     pub(crate) fn canonical(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let mut candidates = Vec::new();
-        for Written { form, dynamics, .. } in &self.forms {
-            let rates = vec![momentum_rates(dynamics, model)];
+        for (Written { form, balance, .. }, lagrangian) in self.forms.iter().zip(&self.lagrangians) {
+            let rates = vec![momentum_rates(model, balance, lagrangian)];
             for (derivatives, rates) in ways(&mut self.normalizer, form.basis, rates) {
-                let roots = dynamics.momentum.iter().copied().chain(rates.into_iter().flatten());
+                let roots = lagrangian.momentum.iter().copied().chain(rates.into_iter().flatten());
                 candidates.push((form.derived_by(derivatives), roots.collect()));
             }
         }
@@ -24,9 +24,9 @@ impl<'g> Forms<'g> {
     pub(crate) fn canonical_jacobian(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let state = model.state();
         let mut candidates = Vec::new();
-        for Written { form, dynamics, .. } in &self.forms {
-            let rates = vec![momentum_rates(dynamics, model)];
-            let momenta = momentum_partials(dynamics, &model.coordinates);
+        for (Written { form, balance, .. }, lagrangian) in self.forms.iter().zip(&self.lagrangians) {
+            let rates = vec![momentum_rates(model, balance, lagrangian)];
+            let momenta = momentum_partials(&model.coordinates, balance, lagrangian);
             for (_, rates) in ways(&mut self.normalizer, form.basis, rates) {
                 let columns = momenta.iter().cloned().chain(derived(&rates[0], &state)).collect();
                 for (derivatives, columns) in ways(&mut self.normalizer, form.basis, columns) {

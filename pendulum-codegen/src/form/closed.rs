@@ -1,22 +1,31 @@
 //! The closed form of a small scene: every entry expanded to normal form, then written as short as it goes.
 
 use super::exact::Eliminated;
-use crate::dynamics::{Dynamics, balance};
+use crate::dynamics::{Balance, Dynamics, Lagrangian};
 use crate::expr::{Expr, Graph, Level, Normalizer, Poly, TooLarge, ratio};
-use crate::model::Coordinate;
+use crate::model::{Coordinate, Model};
 use crate::pass::collect;
 use crate::pass::factor::{Products, Term, factor, polynomial, terms};
 
+/// Entries as lists of terms.
+type Lists<'g> = Vec<Vec<Term<'g>>>;
+
+/// A balance whose entries are lists of terms.
+#[derive(Debug)]
+pub(super) struct ClosedBalance<'g> {
+    mass_matrix: Vec<Lists<'g>>,
+    residual: Lists<'g>,
+}
+
 /// Dynamics whose entries are lists of terms.
 #[derive(Debug)]
-pub(crate) struct Closed<'g> {
-    mass_matrix: Vec<Vec<Vec<Term<'g>>>>,
-    bias: Vec<Vec<Term<'g>>>,
-    force: Vec<Vec<Term<'g>>>,
-    residual: Vec<Vec<Term<'g>>>,
-    momentum: Vec<Vec<Term<'g>>>,
-    kinetic: Vec<Term<'g>>,
-    potential: Vec<Term<'g>>,
+pub(super) struct Closed<'g> {
+    balance: ClosedBalance<'g>,
+    bias: Lists<'g>,
+    force: Lists<'g>,
+    momentum: Lists<'g>,
+    /// Kinetic and potential.
+    energies: Lists<'g>,
     /// The determinant of a mass matrix of two rows. Expanded in symbols it is a sum of the terms that are left after
     /// all exact cancellations, so no digits are lost where one body is much heavier than the other.
     determinant: Option<Vec<Term<'g>>>,
@@ -24,75 +33,88 @@ pub(crate) struct Closed<'g> {
     eliminated: Option<Eliminated<'g>>,
 }
 
+impl<'g> ClosedBalance<'g> {
+    pub(super) fn new(normalizer: &mut Normalizer<'g>, balance: &Balance<'g>) -> Result<Self, TooLarge> {
+        let mut all = |row: &Vec<Expr<'g>>| all_terms(normalizer, row);
+        Ok(Self {
+            mass_matrix: balance.mass_matrix.iter().map(&mut all).collect::<Result<_, _>>()?,
+            residual: all(&balance.residual)?,
+        })
+    }
+
+    /// The balance as expressions.
+    pub(super) fn factored(&self, g: &'g Graph, coordinates: &[Coordinate<'g>], products: Products) -> Balance<'g> {
+        let all = |lists: &Lists<'g>| lists.iter().map(|terms| factor(g, terms, products)).collect();
+        let mass_matrix = self.mass_matrix.iter().map(all).collect();
+        Balance::new(coordinates, mass_matrix, all(&self.residual))
+    }
+}
+
 impl<'g> Closed<'g> {
     /// Expands the dynamics of a scene.
-    pub(crate) fn new(normalizer: &mut Normalizer<'g>, dynamics: &Dynamics<'g>) -> Result<Self, TooLarge> {
-        let mut list = |x: Expr<'g>| short_terms(normalizer, x);
-        let mut all = |row: &[Expr<'g>]| row.iter().map(|&x| list(x)).collect::<Result<Vec<_>, _>>();
-        let mass_matrix: Vec<Vec<_>> = dynamics
-            .mass_matrix
-            .iter()
-            .map(|row| all(row))
-            .collect::<Result<_, _>>()?;
-        let bias = all(&dynamics.bias)?;
-        let force = all(&dynamics.force)?;
-        let residual = all(&dynamics.residual)?;
-        let momentum = all(&dynamics.momentum)?;
-        let [kinetic, potential] = [dynamics.kinetic, dynamics.potential].map(list);
+    pub(super) fn new(normalizer: &mut Normalizer<'g>, dynamics: &Dynamics<'g>) -> Result<Self, TooLarge> {
+        let Dynamics {
+            balance, lagrangian, ..
+        } = dynamics;
+        let mut all = |row: &[Expr<'g>]| all_terms(normalizer, row);
+        let rows = balance.mass_matrix.iter();
+        let mass_matrix: Vec<Lists<'g>> = rows.map(|row| all(row)).collect::<Result<_, _>>()?;
+        let [bias, force] = [all(&lagrangian.bias)?, all(&lagrangian.force)?];
+        let residual = all(&balance.residual)?;
+        let momentum = all(&lagrangian.momentum)?;
+        let energies = all(&[lagrangian.kinetic, lagrangian.potential])?;
         let determinant = match &mass_matrix[..] {
             [first, second] => Some(determinant(normalizer, &first[0], &first[1], &second[1])?),
             _ => None,
         };
         // a scene may be too large for this and have a closed form
-        let eliminated = Eliminated::new(normalizer, dynamics).ok().flatten();
+        let eliminated = Eliminated::new(normalizer, balance).ok().flatten();
         Ok(Self {
-            mass_matrix,
+            balance: ClosedBalance { mass_matrix, residual },
             bias,
             force,
-            residual,
             momentum,
-            kinetic: kinetic?,
-            potential: potential?,
+            energies,
             determinant,
             eliminated,
         })
     }
 
-    /// The dynamics as expressions, with common factors drawn out.
-    pub(crate) fn factored(&self, g: &'g Graph, coordinates: &[Coordinate<'g>], products: Products) -> Dynamics<'g> {
-        let mut short = |terms: &Vec<Term<'g>>| factor(g, terms, products);
-        let mut all = |lists: &[Vec<Term<'g>>]| -> Vec<Expr<'g>> { lists.iter().map(&mut short).collect() };
-        let mass_matrix: Vec<Vec<Expr<'g>>> = self.mass_matrix.iter().map(|row| all(row)).collect();
-        let [bias, force, residual, momentum] =
-            [&self.bias, &self.force, &self.residual, &self.momentum].map(|lists| all(lists));
-        let [kinetic, potential] = [&self.kinetic, &self.potential].map(&mut short);
-        let balance = balance(coordinates, &mass_matrix, &residual);
-        Dynamics {
-            mass_matrix,
+    /// The dynamics as expressions.
+    pub(super) fn factored(&self, model: &Model<'g>, products: Products) -> (Balance<'g>, Lagrangian<'g>) {
+        let ClosedBalance { mass_matrix, residual } = &self.balance;
+        let all = |lists: &Lists<'g>| -> Vec<Expr<'g>> {
+            let terms = lists.iter();
+            terms.map(|terms| factor(model.graph, terms, products)).collect()
+        };
+        let mass_matrix = mass_matrix.iter().map(all).collect();
+        let [bias, force, residual, momentum, energies] =
+            [&self.bias, &self.force, residual, &self.momentum, &self.energies].map(all);
+        let lagrangian = Lagrangian {
             bias,
             force,
-            residual,
-            balance,
-            drive: Vec::new(),
-            held: Vec::new(),
-            tangent: None,
             momentum,
-            kinetic,
-            potential,
-        }
+            kinetic: energies[0],
+            potential: energies[1],
+        };
+        (Balance::new(&model.coordinates, mass_matrix, residual), lagrangian)
     }
 
     /// The determinant of the mass matrix, where it has two rows.
-    pub(crate) fn determinant(&self, g: &'g Graph, products: Products) -> Option<Expr<'g>> {
+    pub(super) fn determinant(&self, g: &'g Graph, products: Products) -> Option<Expr<'g>> {
         self.determinant.as_ref().map(|terms| factor(g, terms, products))
     }
 
     /// The accelerations without the loss of digits, where other forms have it.
-    pub(crate) fn exact(&self, g: &'g Graph, factored: &Dynamics<'g>, products: Products) -> Option<Vec<Expr<'g>>> {
+    pub(super) fn exact(&self, g: &'g Graph, factored: &Balance<'g>, products: Products) -> Option<Vec<Expr<'g>>> {
         let determinant = self.determinant(g, products)?;
         let eliminated = self.eliminated.as_ref()?;
         Some(eliminated.accelerations(g, factored, determinant, products))
     }
+}
+
+fn all_terms<'g>(normalizer: &mut Normalizer<'g>, entries: &[Expr<'g>]) -> Result<Lists<'g>, TooLarge> {
+    entries.iter().map(|&x| short_terms(normalizer, x)).collect()
 }
 
 /// The terms of an expression in normal form, with angles collected.

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::One;
 
-use crate::dynamics::Dynamics;
+use crate::dynamics::Balance;
 use crate::expr::{Expr, Graph, Level, Monomial, Node, Normalizer, Poly, Rational, TooLarge, Unary, ratio};
 use crate::pass::factor::{Products, Term, factor, terms};
 use crate::pass::{collect, collect_squares_first};
@@ -27,8 +27,8 @@ pub(super) struct Eliminated<'g> {
 impl<'g> Eliminated<'g> {
     /// Eliminates the second of two coordinates, whose own inertia is constant; none if it is not, or if they are not
     /// coupled.
-    pub(super) fn new(normalizer: &mut Normalizer<'g>, dynamics: &Dynamics<'g>) -> Result<Option<Self>, TooLarge> {
-        let ([_, row], &[first, last]) = (&dynamics.mass_matrix[..], &dynamics.residual[..]) else {
+    pub(super) fn new(normalizer: &mut Normalizer<'g>, balance: &Balance<'g>) -> Result<Option<Self>, TooLarge> {
+        let ([_, row], &[first, last]) = (&balance.mass_matrix[..], &balance.residual[..]) else {
             return Ok(None);
         };
         // sums of angles hide some cancellations, and base angles make longer products of what does not cancel
@@ -78,13 +78,13 @@ impl<'g> Eliminated<'g> {
     pub(super) fn accelerations(
         &self,
         g: &'g Graph,
-        dynamics: &Dynamics<'g>,
+        balance: &Balance<'g>,
         determinant: Expr<'g>,
         products: Products,
     ) -> Vec<Expr<'g>> {
         let [left, gone, first, last] =
             [&self.left, &self.gone, &self.others[0], &self.others[1]].map(|terms| factor(g, terms, products));
-        let [coupling, own] = [0, 1].map(|k| dynamics.mass_matrix[1][k]);
+        let [coupling, own] = [0, 1].map(|k| balance.mass_matrix[1][k]);
         let pivot = -1 / own;
         let lower = coupling * pivot;
         let x = (first + lower * last + left) * (-own / determinant);

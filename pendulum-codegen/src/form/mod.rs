@@ -17,16 +17,16 @@ use std::cell::OnceCell;
 
 pub(crate) use chosen::Chosen;
 use chosen::{Candidate, choose};
-pub(crate) use closed::Closed;
+use closed::Closed;
 pub(crate) use kind::{Basis, Derivatives, Form};
 pub(crate) use output::{as_declared, rates, values, values_and_jacobian, values_and_rates};
 pub(crate) use response::{measure_derivatives, measures, response, response_derivative};
 pub(crate) use routines::*;
 use solved::{ByLinks, of_coordinates};
 pub(crate) use taylor::Taylor;
-use written::{Written, along_bodies};
+use written::{Written, along_bodies, folded};
 
-use crate::dynamics::{Dynamics, articulated};
+use crate::dynamics::{Balance, Dynamics, Lagrangian, Reactions, articulated};
 use crate::expr::{Expr, Normalizer};
 use crate::model::{Body, Dependence, Floating, Model};
 use crate::pass::{Products, constants, factor};
@@ -42,6 +42,10 @@ const WORTH_OF_LINKS: usize = 8;
 #[derive(Debug)]
 pub(crate) struct Forms<'g> {
     forms: Vec<Written<'g>>,
+    /// The other terms in the same forms.
+    lagrangians: Vec<Lagrangian<'g>>,
+    /// What joints supply, in those of the forms that have it.
+    reactions: Vec<(Form, Reactions<'g>)>,
     /// In place of them what the accelerations are solved from, where bodies have orientations: one matrix and one
     /// residual, so that the Jacobian is that of the right-hand side where a quaternion is not of unit length.
     oriented: Vec<Written<'g>>,
@@ -71,11 +75,11 @@ impl<'g> Forms<'g> {
             &[false]
         };
         let recursive = ways.iter().map(|&pushed| {
-            let dynamics = Dynamics::recursive(model, dynamics.potential, pushed);
+            let dynamics = Dynamics::recursive(model, dynamics.lagrangian.potential, pushed);
             (Form::of(Basis::Recursive).with_wrenches(pushed), dynamics)
         });
         let recursive: Vec<_> = recursive.collect();
-        let (mut forms, mut solved) = closed_forms(model, &mut normalizer, dynamics);
+        let (mut forms, mut lagrangians, mut solved) = closed_forms(model, &mut normalizer, dynamics);
         // where joints follow others, each does not give way by itself
         let give_way = !model.has_followers() && model.dependents.is_empty();
         if give_way && !has_orientations && forms.is_empty() {
@@ -86,8 +90,17 @@ impl<'g> Forms<'g> {
             }));
         }
         let shared = (!has_orientations && forms.is_empty()).then(|| (Form::of(Basis::Shared), dynamics.clone()));
-        let graphs = shared.into_iter().chain(recursive);
-        forms.extend(graphs.map(|(form, dynamics)| Written::folded(g, form, dynamics)));
+        let mut all_reactions = Vec::new();
+        for (form, dynamics) in shared.into_iter().chain(recursive) {
+            let Dynamics {
+                balance,
+                lagrangian,
+                reactions,
+            } = folded(g, dynamics);
+            forms.push(Written::new(form, balance));
+            lagrangians.push(lagrangian);
+            all_reactions.push((form, reactions));
+        }
         let floating = model.floating();
         let oriented = if has_orientations && (has_wrenches || !floating.is_empty()) {
             along_bodies(model, &mut normalizer, has_wrenches, &floating)
@@ -96,6 +109,8 @@ impl<'g> Forms<'g> {
         };
         let mut forms = Self {
             forms,
+            lagrangians,
+            reactions: all_reactions,
             oriented,
             by_links: None,
             floating,
@@ -129,36 +144,39 @@ impl<'g> Forms<'g> {
         }
     }
 
-    /// The dynamics in closed form with its products expanded, if the scene is small enough to have it.
-    pub(crate) fn closed(&self) -> Option<&Dynamics<'g>> {
+    /// The balance and the other terms in closed form with products expanded, if the scene is small enough to have it.
+    pub(crate) fn closed(&self) -> Option<(&Balance<'g>, &Lagrangian<'g>)> {
         self.on(Basis::Closed(Products::Expanded))
     }
 
-    /// The dynamics by recursion over the links.
-    pub(crate) fn recursive(&self) -> Option<&Dynamics<'g>> {
-        self.on(Basis::Recursive)
+    /// The same by recursion over the links.
+    pub(crate) fn recursive(&self) -> (&Balance<'g>, &Lagrangian<'g>) {
+        self.on(Basis::Recursive).expect("every scene has this form")
     }
 
-    fn on(&self, wanted: Basis) -> Option<&Dynamics<'g>> {
-        let mut forms = self.forms.iter();
-        let found = forms.find(|written| written.form.basis == wanted);
-        found.map(|written| &written.dynamics)
+    fn on(&self, wanted: Basis) -> Option<(&Balance<'g>, &Lagrangian<'g>)> {
+        let at = self.forms.iter().position(|written| written.form.basis == wanted)?;
+        Some((&self.forms[at].balance, &self.lagrangians[at]))
     }
 
-    /// The shortest code for something that every form of the dynamics has.
-    pub(crate) fn part(&self, part: impl Fn(&Dynamics<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
+    /// The shortest code for something that every balance has.
+    pub(crate) fn of_balance(&self, part: impl Fn(&Balance<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
         let candidates = self.forms.iter();
-        let candidates = candidates.map(|written| (written.form, part(&written.dynamics)));
+        let candidates = candidates.map(|written| (written.form, part(&written.balance)));
         self.choose(candidates.collect())
     }
 
-    /// The shortest code for something that is not known in closed form.
-    fn part_of_graphs(&self, part: impl Fn(&Dynamics<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
-        let graphs = self
-            .forms
-            .iter()
-            .filter(|written| !matches!(written.form.basis, Basis::Closed(_)));
-        self.choose(graphs.map(|written| (written.form, part(&written.dynamics))).collect())
+    /// The shortest code for something that is made of the other terms.
+    pub(crate) fn term(&self, part: impl Fn(&Lagrangian<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
+        let candidates = self.forms.iter().zip(&self.lagrangians);
+        let candidates = candidates.map(|(written, lagrangian)| (written.form, part(lagrangian)));
+        self.choose(candidates.collect())
+    }
+
+    /// The shortest code for something that is made of what joints supply.
+    pub(crate) fn of_reactions(&self, part: impl Fn(&Reactions<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
+        let candidates = self.reactions.iter();
+        self.choose(candidates.map(|(form, reactions)| (*form, part(reactions))).collect())
     }
 
     fn choose(&self, candidates: Vec<Candidate<'g>>) -> Chosen<'g> {
@@ -173,24 +191,24 @@ fn closed_forms<'g>(
     model: &Model<'g>,
     normalizer: &mut Normalizer<'g>,
     dynamics: &Dynamics<'g>,
-) -> (Vec<Written<'g>>, Vec<Candidate<'g>>) {
+) -> (Vec<Written<'g>>, Vec<Lagrangian<'g>>, Vec<Candidate<'g>>) {
     let g = model.graph;
     let lopsided = is_lopsided(&model.bodies);
-    let (mut forms, mut exact) = (Vec::new(), Vec::new());
+    let (mut forms, mut lagrangians, mut exact) = (Vec::new(), Vec::new(), Vec::new());
     if let Ok(closed) = Closed::new(normalizer, dynamics) {
         for products in Products::ALL {
             let form = Form::of(Basis::Closed(products));
-            let factored = closed.factored(g, &model.coordinates, products);
-            let accelerations = lopsided.then(|| closed.exact(g, &factored, products)).flatten();
+            let (balance, lagrangian) = closed.factored(model, products);
+            let accelerations = lopsided.then(|| closed.exact(g, &balance, products)).flatten();
             exact.extend(accelerations.map(|accelerations| (form.exactly(), accelerations)));
             forms.push(Written {
-                form,
-                dynamics: factored,
                 determinant: closed.determinant(g, products),
+                ..Written::new(form, balance)
             });
+            lagrangians.push(lagrangian);
         }
     }
-    (forms, exact)
+    (forms, lagrangians, exact)
 }
 
 /// Columns of derivatives as they are, and in closed form where that is the basis.

@@ -6,7 +6,7 @@ use super::routines::on_top;
 use super::solved::Way;
 use super::written::Written;
 use super::{Basis, Candidate, Chosen, Forms, Products, expanded};
-use crate::dynamics::{Inverse, derived};
+use crate::dynamics::{Entries, Inverse, derived};
 use crate::expr::{Derivative, Expr, Normalizer};
 use crate::model::{CoordinateId, Model};
 
@@ -106,14 +106,12 @@ pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
     let rows = Rows::new(model);
     let mut candidates: Vec<Candidate<'g>> = Vec::new();
     for written in &forms.forms {
-        let Written {
-            form: own, dynamics, ..
-        } = written;
+        let Written { form: own, balance, .. } = written;
         let rows = rows.on(&mut forms.normalizer, own.basis);
         let exact = forms.solved.iter().filter(|(form, _)| form.basis == own.basis);
         for (factored, solver) in written.factorings() {
             let form = own.solved_by(solver);
-            let mut solved = vec![(form, factored.solve_negated(&dynamics.residual))];
+            let mut solved = vec![(form, factored.solve_negated(&balance.residual))];
             solved.extend(
                 exact
                     .clone()
@@ -169,7 +167,7 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
 impl<'g> Forms<'g> {
     /// Whether the time occurs in the equations of motion.
     fn has_time(&self, model: &Model<'g>) -> bool {
-        let form = self.forms.first().map(|written| written.dynamics.entries());
+        let form = self.forms.first().map(|written| written.balance.entries());
         form.is_some_and(|entries| model.graph.reachable(&entries).contains(&model.time.id()))
     }
 }

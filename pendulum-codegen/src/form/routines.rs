@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use super::{Chosen, Forms};
-use crate::dynamics::{self, Dynamics, derived};
+use crate::dynamics::{self, Balance, Reactions, derived};
 use crate::expr::Expr;
 use crate::model::{Gap, Model};
 
@@ -106,27 +106,27 @@ pub(crate) fn parameter_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -
 
 /// Kinetic energy.
 pub(crate) fn kinetic<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
-    forms.part(|dynamics| vec![dynamics.kinetic])
+    forms.term(|lagrangian| vec![lagrangian.kinetic])
 }
 
 /// Potential energy.
 pub(crate) fn potential<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
-    forms.part(|dynamics| vec![dynamics.potential])
+    forms.term(|lagrangian| vec![lagrangian.potential])
 }
 
 /// The upper triangle of the mass matrix, row by row.
 pub(crate) fn mass_matrix<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
-    forms.part(|dynamics| dynamics.upper_triangle())
+    forms.of_balance(Balance::upper_triangle)
 }
 
 /// The bias.
 pub(crate) fn bias<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
-    forms.part(|dynamics| dynamics.bias.clone())
+    forms.term(|lagrangian| lagrangian.bias.clone())
 }
 
 /// The momenta of the coordinates.
 pub(crate) fn momentum<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
-    forms.part(|dynamics| dynamics.momentum.clone())
+    forms.term(|lagrangian| lagrangian.momentum.clone())
 }
 
 /// The forces that accelerations take.
@@ -135,18 +135,18 @@ pub(crate) fn inverse_dynamics<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> 
     let zero = model.graph.zero();
     let given = model.input_symbols().into_iter().chain(model.force_symbols());
     let without: FxHashMap<_, _> = given.map(|symbol| (symbol, zero)).collect();
-    forms.part(|dynamics| model.graph.substitute(&dynamics.balance, without.clone()))
+    forms.of_balance(|balance| model.graph.substitute(&balance.rows, without.clone()))
 }
 
 /// The forces that the drives supply.
 pub(crate) fn drive_forces<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    along_motion(forms, model, |dynamics| dynamics.drive.clone())
+    along_motion(forms, model, |reactions| reactions.drive.clone())
 }
 
 /// The wrenches of the joints that close loops.
 pub(crate) fn loop_wrenches<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    along_motion(forms, model, |dynamics| {
-        dynamics::loop_wrenches(model, dynamics.held.clone())
+    along_motion(forms, model, |reactions| {
+        dynamics::loop_wrenches(model, reactions.held.clone())
     })
 }
 
@@ -154,12 +154,12 @@ pub(crate) fn loop_wrenches<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Cho
 fn along_motion<'g>(
     forms: &mut Forms<'g>,
     model: &Model<'g>,
-    forces: impl Fn(&Dynamics<'g>) -> Vec<Expr<'g>>,
+    forces: impl Fn(&Reactions<'g>) -> Vec<Expr<'g>>,
 ) -> Chosen<'g> {
     let symbols = model.coordinates.iter().map(|c| c.acceleration);
     let solved: FxHashMap<_, _> = symbols.zip(forms.accelerations().roots).collect();
-    forms.part_of_graphs(|dynamics| {
-        let forces = model.graph.substitute(&forces(dynamics), solved.clone());
+    forms.of_reactions(|reactions| {
+        let forces = model.graph.substitute(&forces(reactions), solved.clone());
         model.with_friction(&forces)
     })
 }

@@ -3,7 +3,7 @@
 use super::chosen::{Candidate, Chosen, HOPELESS};
 use super::written::Written;
 use super::{Derivatives, Form, Forms, ways};
-use crate::dynamics::{Articulation, Inverse, derived, partials, partials_by_recursion};
+use crate::dynamics::{Articulation, Entries, Inverse, derived, partials, partials_by_recursion};
 use crate::expr::Expr;
 use crate::model::{Floating, Model};
 
@@ -62,7 +62,7 @@ impl<'g> Forms<'g> {
         }
         for written in solved_from(&self.by_links, &self.oriented, &self.forms) {
             for (factored, solver) in written.factorings() {
-                let solved = factored.solve_negated(&written.dynamics.residual);
+                let solved = factored.solve_negated(&written.balance.residual);
                 candidates.push((written.form.solved_by(solver), of_coordinates(solved)));
             }
         }
@@ -107,21 +107,19 @@ impl<'g> Forms<'g> {
         }
         let forms = solved_from(&self.by_links, &self.oriented, &self.forms);
         let sizes = forms.iter();
-        let sizes = sizes.map(|written| variables.len() * model.graph.reachable(&written.dynamics.entries()).len());
+        let sizes = sizes.map(|written| variables.len() * model.graph.reachable(&written.balance.entries()).len());
         let sizes: Vec<usize> = sizes.collect();
         let least = sizes.iter().copied().min().unwrap_or(0);
         for (written, size) in forms.iter().zip(sizes) {
-            let Written {
-                form: own, dynamics, ..
-            } = written;
+            let Written { form: own, balance, .. } = written;
             let is_large = size > MOST_DERIVED;
             if is_large && HOPELESS[1] * size > HOPELESS[0] * least {
                 continue;
             }
-            let by_recursion = partials_by_recursion(dynamics, &model.coordinates, variables);
+            let by_recursion = partials_by_recursion(balance, &model.coordinates, variables);
             let mut columns = Vec::new();
             if !is_large || by_recursion.is_none() {
-                columns = ways(&mut self.normalizer, own.basis, partials(dynamics, variables));
+                columns = ways(&mut self.normalizer, own.basis, partials(balance, variables));
             }
             columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
             let exact = self.solved.iter().filter(|(form, _)| form.basis == own.basis);
@@ -130,7 +128,7 @@ impl<'g> Forms<'g> {
                 let exact = exact
                     .clone()
                     .map(|(_, accelerations)| (form.exactly(), accelerations.clone()));
-                let own = (form, factored.solve_negated(&dynamics.residual));
+                let own = (form, factored.solve_negated(&balance.residual));
                 let solved: Vec<Candidate<'g>> = [own].into_iter().chain(exact).collect();
                 for columns in &columns {
                     candidates.extend(derived_from.ways(&factored, &solved, columns).map(candidate));

@@ -8,7 +8,7 @@ use super::series::{Recurrences, Symbols};
 use super::solved::of_coordinates;
 use super::written::Written;
 use super::{Form, Forms};
-use crate::dynamics::{Dynamics, Factored, Inverse};
+use crate::dynamics::{Balance, Factored, Inverse};
 use crate::expr::{Expr, Graph, Level};
 use crate::model::Model;
 use crate::pass::{Operations, share, trig};
@@ -98,9 +98,9 @@ impl<'g> Unknown<'g> {
     /// The same with common parts of the mass matrix and the residual shared.
     fn shared(&self, g: &'g Graph, factor: bool) -> Self {
         let mut shared = self.clone();
-        let Dynamics {
+        let Balance {
             mass_matrix, residual, ..
-        } = &mut shared.written.dynamics;
+        } = &mut shared.written.balance;
         let n = residual.len();
         let roots = share(g, &[&mass_matrix.concat()[..], residual].concat(), factor);
         *mass_matrix = roots[..n * n].chunks(n).map(<[Expr<'g>]>::to_vec).collect();
@@ -122,7 +122,7 @@ fn constraint_accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
 /// How many products of series the dynamics take.
 fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, unknown: &Unknown<'g>, rows: &[Expr<'g>]) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
-    balance(model, &mut recurrences, &unknown.written.dynamics);
+    of_order(model, &mut recurrences, &unknown.written.balance);
     let kinematics = model.written_out(&model.kinematics());
     for &row in kinematics.iter().chain(&unknown.accelerations).chain(rows) {
         recurrences.coefficient(row);
@@ -132,12 +132,12 @@ fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, unknown: &Unknown<'g>
 }
 
 /// The coefficients of order `k` of `A qdd + bias - force`, but for `A_0 qdd_k`.
-fn balance<'g>(model: &Model<'g>, recurrences: &mut Recurrences<'g, '_>, dynamics: &Dynamics<'g>) -> Vec<Expr<'g>> {
+fn of_order<'g>(model: &Model<'g>, recurrences: &mut Recurrences<'g, '_>, balance: &Balance<'g>) -> Vec<Expr<'g>> {
     // what is not known yet is left out of every product
     for coordinate in &model.coordinates {
         recurrences.set(coordinate.acceleration, model.graph.zero());
     }
-    let rows = dynamics.mass_matrix.iter().zip(&dynamics.residual);
+    let rows = balance.mass_matrix.iter().zip(&balance.residual);
     rows.map(|(row, &residual)| {
         let residual = recurrences.coefficient(residual);
         let products = row.iter().zip(&model.coordinates);
@@ -158,12 +158,9 @@ fn code<'g>(
     rows: &[Expr<'g>],
 ) -> Taylor<'g> {
     let g = model.graph;
-    let Unknown {
-        written: Written { dynamics, .. },
-        accelerations,
-    } = unknown;
+    let Unknown { written, accelerations } = unknown;
     let mut recurrences = Recurrences::new(model, &mut symbols);
-    let balance = balance(model, &mut recurrences, dynamics);
+    let balance = of_order(model, &mut recurrences, &written.balance);
     let unknowns: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
     for (&unknown, solved) in unknowns.iter().zip(factored.solve_negated(&balance)) {
         recurrences.set(unknown, solved);
@@ -189,7 +186,7 @@ fn code<'g>(
         names.insert(value, Symbols::of_list(g, &mut symbols.kept, "kept", n));
     }
     let order = g.substitute(&order, names);
-    let solved = factored.solve_negated(&dynamics.residual);
+    let solved = factored.solve_negated(&written.balance.residual);
     let solved = unknowns.into_iter().zip(solved).collect();
     let start = g.substitute(&[&accelerations[..], &kept].concat(), solved);
     symbols.sums.truncate(slots);

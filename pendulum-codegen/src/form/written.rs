@@ -1,44 +1,43 @@
-//! Dynamics as they are written, with a mass matrix.
+//! Balances as they are written, with a mass matrix.
 
-use super::{Basis, Closed, Form};
-use crate::dynamics::{Dynamics, Factored, Inverse, Solver, balance};
+use super::closed::ClosedBalance;
+use super::{Basis, Form};
+use crate::dynamics::{Balance, Dynamics, Entries, Factored, Inverse, Solver};
 use crate::expr::{Expr, Graph, Level, Normalizer};
 use crate::model::{Floating, Model};
 use crate::pass::{Products, constants};
 
-/// Dynamics in some form.
+/// A balance in some form.
 #[derive(Clone, Debug)]
 pub(super) struct Written<'g> {
     pub(super) form: Form,
-    pub(super) dynamics: Dynamics<'g>,
+    pub(super) balance: Balance<'g>,
     /// The determinant of the mass matrix, where it is known in a better form.
     pub(super) determinant: Option<Expr<'g>>,
 }
 
 impl<'g> Written<'g> {
-    /// Dynamics with constants that are zero, or equal, for a reason that shows in their normal form only.
-    pub(super) fn folded(g: &'g Graph, form: Form, dynamics: Dynamics<'g>) -> Self {
-        let folded = constants::fold(g, &dynamics.entries());
+    pub(super) fn new(form: Form, balance: Balance<'g>) -> Self {
         Self {
             form,
-            dynamics: dynamics.with_entries(folded),
+            balance,
             determinant: None,
         }
     }
 
     /// The same with what depends on the state written out.
     pub(super) fn written_out(&self, model: &Model<'g>) -> Self {
-        let entries = model.written_out(&self.dynamics.entries());
+        let entries = model.written_out(&self.balance.entries());
         Self {
             form: self.form,
-            dynamics: self.dynamics.clone().with_entries(entries),
+            balance: self.balance.clone().with_entries(entries),
             determinant: self.determinant.map(|determinant| model.written_out(&[determinant])[0]),
         }
     }
 
     /// The factorings of the mass matrix that may be shortest.
     pub(super) fn factorings(&self) -> Vec<(Factored<'g>, Solver)> {
-        let matrix = &self.dynamics.mass_matrix;
+        let matrix = &self.balance.mass_matrix;
         let coupled = matrix.len() == 2 && !matrix[0][1].is_zero();
         let solvers: &[Solver] = if coupled {
             &[Solver::Adjugate, Solver::Inverse, Solver::Ldl]
@@ -60,38 +59,37 @@ pub(super) fn along_bodies<'g>(
 ) -> Vec<Written<'g>> {
     let g = model.graph;
     let form = |basis| Form::of(basis).with_wrenches(pushed);
-    let dynamics = Dynamics::along_bodies(model, pushed, floating);
-    let divided = divided(model, &dynamics);
+    let balance = Dynamics::along_bodies(model, pushed, floating);
+    let divided = divided(model, &balance);
     let mut all = Vec::new();
-    for dynamics in [dynamics].into_iter().chain(divided) {
-        if let Ok(closed) = Closed::new(normalizer, &dynamics) {
-            all.extend(Products::ALL.map(|products| Written {
-                form: form(Basis::Closed(products)),
-                dynamics: closed.factored(g, &model.coordinates, products),
-                determinant: None,
+    for balance in [balance].into_iter().chain(divided) {
+        if let Ok(closed) = ClosedBalance::new(normalizer, &balance) {
+            all.extend(Products::ALL.map(|products| {
+                let balance = closed.factored(g, &model.coordinates, products);
+                Written::new(form(Basis::Closed(products)), balance)
             }));
         }
-        all.push(Written::folded(g, form(Basis::Recursive), dynamics));
+        all.push(Written::new(form(Basis::Recursive), folded(g, balance)));
     }
     all
 }
 
-/// The dynamics with a mass matrix that does not depend on the state divided out.
-fn divided<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Option<Dynamics<'g>> {
-    let mut entries = dynamics.mass_matrix.iter().flatten();
+/// Expressions with constants that are zero, or equal, for a reason that shows in their normal form only.
+pub(super) fn folded<'g, T: Entries<'g>>(g: &'g Graph, of: T) -> T {
+    let entries = constants::fold(g, &of.entries());
+    of.with_entries(entries)
+}
+
+/// The balance with a mass matrix that does not depend on the state divided out.
+fn divided<'g>(model: &Model<'g>, balance: &Balance<'g>) -> Option<Balance<'g>> {
+    let mut entries = balance.mass_matrix.iter().flatten();
     if entries.any(|entry| entry.level() >= Level::State) {
         return None;
     }
     let g = model.graph;
-    let solved = Factored::new(Solver::Ldl, &dynamics.mass_matrix, None).solve_negated(&dynamics.residual);
+    let solved = Factored::new(Solver::Ldl, &balance.mass_matrix, None).solve_negated(&balance.residual);
     let residual: Vec<Expr<'g>> = solved.into_iter().map(|x| -x).collect();
     let n = residual.len();
     let unit = |i: usize| (0..n).map(|j| g.integer(i64::from(i == j))).collect();
-    let mass_matrix: Vec<Vec<Expr<'g>>> = (0..n).map(unit).collect();
-    Some(Dynamics {
-        balance: balance(&model.coordinates, &mass_matrix, &residual),
-        mass_matrix,
-        residual,
-        ..dynamics.clone()
-    })
+    Some(Balance::new(&model.coordinates, (0..n).map(unit).collect(), residual))
 }

@@ -172,7 +172,11 @@ impl Program {
         chosen.extend(output::routines(&mut forms, model));
         let deciding = match chosen.iter().find(|(head, _)| head.role == Role::Rhs) {
             Some((_, rhs)) => rhs.roots.clone(),
-            None => model.written_out(&forms.closed().unwrap_or(dynamics).balance),
+            None => model.written_out(
+                forms
+                    .closed()
+                    .map_or(&dynamics.balance.rows, |(balance, _)| &balance.rows),
+            ),
         };
         let layout = StateLayout::new(model, &[deciding, model.written_out(&model.watched())].concat());
         let series = model.generate.contains("taylor").then(|| forms.taylor(model));
@@ -192,7 +196,7 @@ impl Program {
         let printer = Printer::new(g);
         let (rules, checked) = rules(model);
         let of_parameters = parameters(model);
-        let equations = equations::equations(model, dynamics, forms.recursive().unwrap_or(dynamics), forms.closed());
+        let equations = equations::equations(model, &dynamics.lagrangian.force, forms.recursive(), forms.closed());
         Ok(Self {
             name: model.name.clone(),
             docs: model.docs.clone(),

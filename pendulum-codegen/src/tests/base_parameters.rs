@@ -44,7 +44,7 @@ fn counts(gravity: &str, joints: &[Joint]) -> (usize, usize) {
     for _ in 0..4 * joints.len() {
         let mut state = FxHashMap::default();
         let mut forces = |moved: Option<&str>| {
-            model.graph.evaluate(&dynamics.balance, |symbol| {
+            model.graph.evaluate(&dynamics.balance.rows, |symbol| {
                 if names.contains(&symbol.name) {
                     // the forces are linear in the ten parameters, so a difference is a derivative; a mass must not be
                     // zero

@@ -38,21 +38,21 @@ fn general(coordinate: &str) -> String {
 fn eq22_is_generated_with_its_slips_mended() {
     let graph = Graph::new();
     let (model, dynamics) = dynamics(&graph, EQ22);
-    let a = &dynamics.mass_matrix;
+    let a = &dynamics.balance.mass_matrix;
     assert_formula(&model, "A11", a[0][0], "I + 2*m*d^2");
     assert_formula(&model, "A12", a[0][1], "m*d^2*cos(theta1 - theta2)");
     assert_formula(&model, "A21", a[1][0], "m*d^2*cos(theta1 - theta2)");
     assert_formula(&model, "A22", a[1][1], "I + m*d^2");
     let first = "m*d^2*dot(theta2)^2*sin(theta1 - theta2) + 2*m*g*d*sin(theta1)";
     let second = "-m*d^2*dot(theta1)^2*sin(theta1 - theta2) + m*g*d*sin(theta2)";
-    assert_formula(&model, "bias of theta1", dynamics.bias[0], first);
-    assert_formula(&model, "bias of theta2", dynamics.bias[1], second);
+    assert_formula(&model, "bias of theta1", dynamics.lagrangian.bias[0], first);
+    assert_formula(&model, "bias of theta2", dynamics.lagrangian.bias[1], second);
     let first = "-gamma1*dot(theta1) - gamma2*(dot(theta1) - dot(theta2))";
-    assert_formula(&model, "force of theta1", dynamics.force[0], first);
+    assert_formula(&model, "force of theta1", dynamics.lagrangian.force[0], first);
     assert_formula(
         &model,
         "force of theta2",
-        dynamics.force[1],
+        dynamics.lagrangian.force[1],
         "gamma2*(dot(theta1) - dot(theta2))",
     );
 }
@@ -61,19 +61,19 @@ fn eq22_is_generated_with_its_slips_mended() {
 fn different_bodies_and_any_distances_are_generated() {
     let graph = Graph::new();
     let (model, dynamics) = dynamics(&graph, &general("theta2 absolute"));
-    let a = &dynamics.mass_matrix;
+    let a = &dynamics.balance.mass_matrix;
     assert_formula(&model, "A11", a[0][0], "I1 + m1*c1^2 + m2*d^2");
     assert_formula(&model, "A12", a[0][1], "m2*d*c2*cos(theta1 - theta2)");
     assert_formula(&model, "A22", a[1][1], "I2 + m2*c2^2");
     let first = "m2*d*c2*sin(theta1 - theta2)*dot(theta2)^2 + (m1*c1 + m2*d)*g*sin(theta1)";
     let second = "-m2*d*c2*sin(theta1 - theta2)*dot(theta1)^2 + m2*c2*g*sin(theta2)";
-    assert_formula(&model, "bias of theta1", dynamics.bias[0], first);
-    assert_formula(&model, "bias of theta2", dynamics.bias[1], second);
+    assert_formula(&model, "bias of theta1", dynamics.lagrangian.bias[0], first);
+    assert_formula(&model, "bias of theta2", dynamics.lagrangian.bias[1], second);
     let potential = "-(m1*c1 + m2*d)*g*cos(theta1) - m2*c2*g*cos(theta2)";
-    assert_formula(&model, "potential energy", dynamics.potential, potential);
+    assert_formula(&model, "potential energy", dynamics.lagrangian.potential, potential);
     let kinetic = "(I1 + m1*c1^2 + m2*d^2)*dot(theta1)^2/2 + (I2 + m2*c2^2)*dot(theta2)^2/2
         + m2*d*c2*cos(theta1 - theta2)*dot(theta1)*dot(theta2)";
-    assert_formula(&model, "kinetic energy", dynamics.kinetic, kinetic);
+    assert_formula(&model, "kinetic energy", dynamics.lagrangian.kinetic, kinetic);
 }
 
 /// The printed Eq. 22b has `theta2'^2` where `theta1'^2` belongs.
@@ -85,7 +85,7 @@ fn the_printed_eq22b_differs_in_one_velocity_term() {
         &model,
         "-m*d^2*dot(theta2)^2*sin(theta1 - theta2) + m*g*d*sin(theta2) - gamma2*(dot(theta1) - dot(theta2))",
     );
-    let slip = printed - dynamics.residual[1];
+    let slip = printed - dynamics.balance.residual[1];
     assert_formula(
         &model,
         "the slip",
@@ -105,9 +105,9 @@ fn linearized<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> [[[Expr<'g>; 2]
         .collect();
     let hanging = |x| model.graph.substitute(&[x], rest.clone())[0];
     let matrix = |entry: &dyn Fn(usize, usize) -> Expr<'g>| [0, 1].map(|i| [0, 1].map(|j| hanging(entry(i, j))));
-    let slope = |i: usize, by| Derivative::by(by).of(dynamics.bias[i] - dynamics.force[i]);
+    let slope = |i: usize, by| Derivative::by(by).of(dynamics.lagrangian.bias[i] - dynamics.lagrangian.force[i]);
     [
-        matrix(&|i, j| dynamics.mass_matrix[i][j]),
+        matrix(&|i, j| dynamics.balance.mass_matrix[i][j]),
         matrix(&|i, j| slope(i, rates[j])),
         matrix(&|i, j| slope(i, angles[j])),
     ]
@@ -170,16 +170,16 @@ fn relative_and_absolute_coordinates_are_the_same_motion() {
         new.insert(angle, angle - before);
     }
     let put = |x| relative.graph.substitute(&[x], new.clone())[0];
-    let [[a11, a12], [_, a22]] = [0, 1].map(|i| [0, 1].map(|j| put(of_relative.mass_matrix[i][j])));
+    let [[a11, a12], [_, a22]] = [0, 1].map(|i| [0, 1].map(|j| put(of_relative.balance.mass_matrix[i][j])));
     // T = [[1, 0], [-1, 1]]
     let pulled_back = [(0, 0, a11 - 2 * a12 + a22), (0, 1, a12 - a22), (1, 1, a22)];
     for (i, j, entry) in pulled_back {
-        let expected = normal_text(of_absolute.mass_matrix[i][j]);
+        let expected = normal_text(of_absolute.balance.mass_matrix[i][j]);
         assert_eq!(normal_text(entry), expected, "A[{i}][{j}]");
     }
     for (of_relative, of_absolute) in [
-        (&of_relative.bias, &of_absolute.bias),
-        (&of_relative.force, &of_absolute.force),
+        (&of_relative.lagrangian.bias, &of_absolute.lagrangian.bias),
+        (&of_relative.lagrangian.force, &of_absolute.lagrangian.force),
     ] {
         let [first, second] = [0, 1].map(|k| put(of_relative[k]));
         for (ours, theirs) in [(first - second, of_absolute[0]), (second, of_absolute[1])] {
@@ -188,8 +188,8 @@ fn relative_and_absolute_coordinates_are_the_same_motion() {
         }
     }
     assert_eq!(
-        normal_text(of_absolute.potential),
-        normal_text(put(of_relative.potential))
+        normal_text(of_absolute.lagrangian.potential),
+        normal_text(put(of_relative.lagrangian.potential))
     );
 }
 
@@ -209,8 +209,18 @@ fn a_planar_scene_comes_out_planar() {
         )
         .replace("at [0, -d, 0]", "at [0, -d, 1.5]");
     let (_, of_deep) = dynamics(&graphs[1], &deep);
-    let flat_entries = of_flat.mass_matrix.concat().into_iter().chain(of_flat.bias);
-    let deep_entries = of_deep.mass_matrix.concat().into_iter().chain(of_deep.bias);
+    let flat_entries = of_flat
+        .balance
+        .mass_matrix
+        .concat()
+        .into_iter()
+        .chain(of_flat.lagrangian.bias);
+    let deep_entries = of_deep
+        .balance
+        .mass_matrix
+        .concat()
+        .into_iter()
+        .chain(of_deep.lagrangian.bias);
     for (flat_entry, deep_entry) in flat_entries.zip(deep_entries) {
         assert_eq!(normal_text(deep_entry), normal_text(flat_entry));
     }

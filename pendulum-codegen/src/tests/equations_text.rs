@@ -138,8 +138,13 @@ fn crooked(mass: &str, length: &str, absolute: &str) -> String {
 /// The equations of a scene without its code, which takes far longer.
 fn written<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>, Equations) {
     let (model, dynamics) = dynamics(graph, declaration);
-    let recursive = Dynamics::recursive(&model, dynamics.potential, false);
-    let equations = equations(&model, &dynamics, &recursive, None);
+    let recursive = Dynamics::recursive(&model, dynamics.lagrangian.potential, false);
+    let equations = equations(
+        &model,
+        &dynamics.lagrangian.force,
+        (&recursive.balance, &recursive.lagrangian),
+        None,
+    );
     (model, dynamics, equations)
 }
 
@@ -262,10 +267,10 @@ fn assert_true(declaration: &str, model: &Model<'_>, dynamics: &Dynamics<'_>, eq
     let mut entries = Vec::new();
     for (i, first) in names.iter().enumerate() {
         for (j, second) in names.iter().enumerate().skip(i) {
-            entries.push((format!("A__{first}__{second}"), dynamics.mass_matrix[i][j]));
+            entries.push((format!("A__{first}__{second}"), dynamics.balance.mass_matrix[i][j]));
         }
-        entries.push((format!("b__{first}"), dynamics.bias[i]));
-        entries.push((format!("Q__{first}"), dynamics.force[i]));
+        entries.push((format!("b__{first}"), dynamics.lagrangian.bias[i]));
+        entries.push((format!("Q__{first}"), dynamics.lagrangian.force[i]));
     }
     let roots: Vec<_> = entries.iter().map(|(_, id)| *id).collect();
     let values = g.evaluate(&model.written_out(&roots), |symbol| symbols[&symbol.name]);

@@ -128,11 +128,11 @@ fn what_flies_moves_as_along_its_position() {
         assert_eq!(solved.form.basis == Basis::Articulated, BY_LINKS[n], "{text}");
         let accelerations = solved.roots;
         let known = model.coordinates.iter().map(|c| c.acceleration).zip(accelerations);
-        let left = graph.substitute(&dynamics.balance, known.collect());
+        let left = graph.substitute(&dynamics.balance.rows, known.collect());
         for seed in 0..5 {
             let values = values_of(&model, text, seed, 1.0);
             let left = largest(&evaluated(&model, &left, &values));
-            let size = largest(&evaluated(&model, &dynamics.residual, &values));
+            let size = largest(&evaluated(&model, &dynamics.balance.residual, &values));
             assert!(left <= 1e-12 * size, "{left} of {size} is left in {text}");
         }
     }

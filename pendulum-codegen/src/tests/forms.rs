@@ -1,7 +1,7 @@
 //! Every form of the dynamics has the values of A, B and C.
 
 use super::{dynamics, numbers};
-use crate::dynamics::{Dynamics, articulated, partials, partials_by_recursion};
+use crate::dynamics::{Dynamics, Entries, articulated, partials, partials_by_recursion};
 use crate::expr::{Expr, Graph};
 
 const SCENES: [&str; 11] = [
@@ -162,8 +162,11 @@ fn the_recursion_is_a_b_and_c() {
         let graph = Graph::new();
         let (model, dynamics) = dynamics(&graph, scene);
         for pushed in WAYS {
-            let recursive = Dynamics::recursive(&model, dynamics.potential, pushed);
-            let [ours, theirs] = [recursive, dynamics.clone()].map(|d| Dynamics { tangent: None, ..d }.entries());
+            let recursive = Dynamics::recursive(&model, dynamics.lagrangian.potential, pushed);
+            let [ours, theirs] = [recursive, dynamics.clone()].map(|mut dynamics| {
+                dynamics.balance.tangent = None;
+                dynamics.entries()
+            });
             agree(&graph, &ours, &theirs, scene);
         }
     }
@@ -182,11 +185,17 @@ fn articulated_bodies_move_by_a_b_and_c() {
             let (accelerations, _) = articulated(&model, pushed, &[]);
             let symbols = model.coordinates.iter().map(|c| c.acceleration);
             let known = symbols.zip(accelerations).collect();
-            let left = graph.substitute(&dynamics.balance, known);
+            let left = graph.substitute(&dynamics.balance.rows, known);
             let zero = vec![graph.zero(); left.len()];
             // what is left of A qdd + bias - force, beside the bias
-            let zero: Vec<Expr<'_>> = zero.into_iter().chain(dynamics.bias.iter().copied()).collect();
-            let left: Vec<Expr<'_>> = left.into_iter().chain(dynamics.bias.iter().copied()).collect();
+            let zero: Vec<Expr<'_>> = zero
+                .into_iter()
+                .chain(dynamics.lagrangian.bias.iter().copied())
+                .collect();
+            let left: Vec<Expr<'_>> = left
+                .into_iter()
+                .chain(dynamics.lagrangian.bias.iter().copied())
+                .collect();
             agree(&graph, &left, &zero, scene);
         }
     }
@@ -198,10 +207,10 @@ fn the_derivatives_of_the_recursion_are_those_of_its_expressions() {
         let graph = Graph::new();
         let (model, dynamics) = dynamics(&graph, scene);
         let state = model.state();
-        let derived = partials(&dynamics, &state);
+        let derived = partials(&dynamics.balance, &state);
         for pushed in WAYS {
-            let recursive = Dynamics::recursive(&model, dynamics.potential, pushed);
-            let known = partials_by_recursion(&recursive, &model.coordinates, &state).expect("a tangent");
+            let recursive = Dynamics::recursive(&model, dynamics.lagrangian.potential, pushed);
+            let known = partials_by_recursion(&recursive.balance, &model.coordinates, &state).expect("a tangent");
             agree(&graph, &known.concat(), &derived.concat(), scene);
         }
     }

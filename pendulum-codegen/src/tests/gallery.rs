@@ -186,7 +186,7 @@ fn declared_systems_obey_lagranges_equations() {
         let declaration = &declaration[..declaration.find("\n}").expect("its end")];
         let (model, dynamics) = dynamics(&graph, declaration);
         let rows = lagrange(&model, case);
-        for (row, &ours) in rows.into_iter().zip(&dynamics.balance) {
+        for (row, &ours) in rows.into_iter().zip(&dynamics.balance.rows) {
             let left = normal_text(row - ours);
             if left.contains('/') {
                 // a quotient by a sum stands in the normal form as it is

@@ -215,8 +215,8 @@ fn by_multipliers(open: &Model<'_>, q: &[f64], qd: &[f64]) -> (DVector<f64>, Vec
     let state = state_of(&names, q, qd);
     let dynamics = Dynamics::new(open);
     let gaps = &open.outputs[0].values;
-    let mass = DMatrix::from_row_slice(n, n, &values(open, &dynamics.mass_matrix.concat(), &state));
-    let residual = DVector::from_vec(values(open, &dynamics.residual, &state));
+    let mass = DMatrix::from_row_slice(n, n, &values(open, &dynamics.balance.mass_matrix.concat(), &state));
+    let residual = DVector::from_vec(values(open, &dynamics.balance.residual, &state));
     let columns = derived(gaps, &open.positions()).concat();
     let jacobian = DMatrix::from_column_slice(gaps.len(), n, &values(open, &columns, &state));
     let mut along = open.along_motion();
@@ -244,7 +244,7 @@ fn by_multipliers(open: &Model<'_>, q: &[f64], qd: &[f64]) -> (DVector<f64>, Vec
     let accelerations = solved.rows(0, n).into_owned();
     let symbols = open.coordinates.iter().map(|c| c.acceleration);
     let known = symbols.zip(accelerations.iter().map(|&x| number(open.graph, x)));
-    let drive = open.graph.substitute(&dynamics.drive, known.collect());
+    let drive = open.graph.substitute(&dynamics.reactions.drive, known.collect());
     let mut forces = values(open, &drive, &state);
     for (force, drive) in forces.iter_mut().zip(&open.drives) {
         let slopes = derived(gaps, &[drive.coordinate.position]).concat();
@@ -286,8 +286,8 @@ fn loops_move_as_with_multipliers() {
         let wrenches = loop_wrenches(&mut forms, &closed).roots;
         let dynamics = [
             Dynamics::new(&closed),
-            Dynamics::recursive(&closed, Dynamics::new(&closed).potential, false),
-            Dynamics::recursive(&closed, Dynamics::new(&closed).potential, true),
+            Dynamics::recursive(&closed, Dynamics::new(&closed).lagrangian.potential, false),
+            Dynamics::recursive(&closed, Dynamics::new(&closed).lagrangian.potential, true),
         ];
         let (free, all) = (names(&closed), names(&open));
         let in_state = closed.in_state().map(|(_, coordinate)| coordinate.name.clone());
@@ -333,14 +333,22 @@ fn loops_move_as_with_multipliers() {
                 .map(|name| expected[all.iter().position(|own| own == name).expect("in both")])
                 .collect();
             let open_dynamics = Dynamics::new(&open);
-            let energies = values(&open, &[open_dynamics.kinetic, open_dynamics.potential], &open_state);
+            let energies = values(
+                &open,
+                &[open_dynamics.lagrangian.kinetic, open_dynamics.lagrangian.potential],
+                &open_state,
+            );
             for dynamics in &dynamics {
-                let mass = values(&closed, &dynamics.mass_matrix.concat(), &state);
+                let mass = values(&closed, &dynamics.balance.mass_matrix.concat(), &state);
                 let mass = DMatrix::from_row_slice(free.len(), free.len(), &mass);
-                let residual = DVector::from_vec(values(&closed, &dynamics.residual, &state));
+                let residual = DVector::from_vec(values(&closed, &dynamics.balance.residual, &state));
                 let solved = mass.lu().solve(&-residual).expect("it has an inverse");
                 assert_near("accelerations", solved.as_slice(), &of_free, 1e-11);
-                let own = values(&closed, &[dynamics.kinetic, dynamics.potential], &state);
+                let own = values(
+                    &closed,
+                    &[dynamics.lagrangian.kinetic, dynamics.lagrangian.potential],
+                    &state,
+                );
                 assert_near("energies", &own, &energies, 1e-13);
             }
             assert_near("forces of drives", &values(&closed, &drives, &state), &drive, 1e-11);
@@ -361,7 +369,7 @@ fn assert_supplied(
     let (graph, poses) = (open.graph, Poses::new(open));
     let symbols = open.coordinates.iter().map(|c| c.acceleration);
     let known = symbols.zip(accelerations.iter().map(|&x| number(graph, x)));
-    let lacking = graph.substitute(&Dynamics::new(open).balance, known.collect());
+    let lacking = graph.substitute(&Dynamics::new(open).balance.rows, known.collect());
     let mut supplied = vec![0.0; open.dof()];
     for (closure, wrench) in closed.closures.iter().zip(wrenches.chunks(6)) {
         let [moment, force] = [0, 3].map(|n| Vector3::from_column_slice(&wrench[n..n + 3]));

@@ -60,7 +60,12 @@ fn passes_do_not_change_values() {
         "sin(x + y)*cos(x)*a - a*cos(x + y)*sin(x) + b*sin(x)^2*c - b*c + (a + b + c)*dot(x)/(a + cos(y))",
         "a*sin(x)*cos(y)*dot(z)^3 + a*cos(x)*sin(y)*dot(z)^3 - dot(z)/(2 + sin(x)^2) - (a + c + b)^(3/2)*x^-2",
     ];
-    let mut originals = [dynamics.mass_matrix.concat(), dynamics.residual, vec![dynamics.kinetic]].concat();
+    let mut originals = [
+        dynamics.balance.mass_matrix.concat(),
+        dynamics.balance.residual,
+        vec![dynamics.lagrangian.kinetic],
+    ]
+    .concat();
     originals.extend(more.map(|text| formula(&model, text)));
     let mut normalizer = Normalizer::new(g, BUDGET);
     let mut rewritten = Vec::new();

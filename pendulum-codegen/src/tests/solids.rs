@@ -308,7 +308,7 @@ fn a_number_for_the_inertia_is_about_the_axis_of_the_scene() {
         );
         let graph = Graph::new();
         let (_, dynamics) = dynamics(&graph, &text);
-        graph.evaluate(&[dynamics.mass_matrix[0][0]], |_| 0.3)[0]
+        graph.evaluate(&[dynamics.balance.mass_matrix[0][0]], |_| 0.3)[0]
     };
     assert_eq!(entry("inertia: 0.25"), 0.75);
     assert_eq!(entry("inertia: [9, 9, 0.25]"), 0.75);

@@ -6,30 +6,34 @@ mod merge;
 mod number;
 mod read;
 
-use std::io::ErrorKind;
 use std::path::Path;
 
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::quote;
 
-use crate::ast::{Body, BodyFields, Robot, Scene};
+use crate::ast::{Body, BodyFields, Scene};
 use crate::error::{Errors, Reported};
 use crate::parse;
 use declare::Replaced;
 
-/// Adds the bodies of the robot to a scene that has one. Its file is looked for in a folder.
-pub(crate) fn read(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Result<(), Reported> {
-    let added = add(scene, folder, errors);
+/// Gives the text of a file by its name.
+pub(crate) type Files<'f> = dyn Fn(&str) -> Result<String, Unreadable> + 'f;
+/// Why a file cannot be read, and what to do about it.
+pub(crate) type Unreadable = (String, &'static str);
+
+/// Adds the bodies of the robot to a scene that has one.
+pub(crate) fn read(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), Reported> {
+    let added = add(scene, files, errors);
     if let Some(robot) = &mut scene.items.robot {
         robot.unread = added.err();
     }
     added
 }
 
-fn add(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Result<(), Reported> {
+fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), Reported> {
     let Some(robot) = &scene.items.robot else { return Ok(()) };
     let (name, span) = (robot.path.clone(), robot.span);
-    let text = text_of(&name, folder).map_err(|(fact, help)| errors.at(span, fact, help))?;
+    let text = files(&name).map_err(|(fact, help)| errors.at(span, fact, help))?;
     let (mut found, mut wrong) = read::read(&text);
     // what it is that cannot be declared is of interest where all could be read
     let mut ignored = Vec::new();
@@ -64,28 +68,6 @@ fn add(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Result<(), Repo
     let own = std::mem::take(&mut scene.items.bodies);
     scene.items.bodies = merge::merged(links, own, errors);
     Ok(())
-}
-
-/// The text of a file, or what is wrong and what to do about it.
-fn text_of(name: &str, folder: &Path) -> Result<String, (String, &'static str)> {
-    let begins = "the path begins at the folder in which `Cargo.toml` is";
-    if name.trim().is_empty() {
-        let help =
-            "write that of a file, as in `urdf(\"src/robot.urdf\")`; it begins at the folder in which `Cargo.toml` is";
-        return Err(("the path of the robot is empty".to_owned(), help));
-    }
-    let path = folder.join(name);
-    if path.is_dir() {
-        return Err((format!("`{name}` is a folder"), "name the URDF file in it"));
-    }
-    std::fs::read_to_string(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound | ErrorKind::NotADirectory => (format!("there is no file `{name}`"), begins),
-        ErrorKind::InvalidData => (
-            format!("`{name}` is not in UTF-8"),
-            "save it in that encoding, which is the usual one",
-        ),
-        _ => (format!("`{name}` cannot be read: {error}"), begins),
-    })
 }
 
 /// What a scene says of joints.
@@ -132,8 +114,7 @@ fn at(span: Span, tokens: TokenStream) -> TokenStream {
 
 /// An item by which cargo builds anew when the file of a robot changes. It names the manifest's folder as the compiler
 /// knows it, so that it is the same on every machine.
-pub(crate) fn tracked(robot: &Robot) -> TokenStream {
-    let name = &robot.path;
+pub(crate) fn tracked(name: &str) -> TokenStream {
     let path = match Path::new(name).is_absolute() {
         true => quote!(#name),
         false => quote!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #name)),

@@ -9,7 +9,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::names::name_parts;
 use super::torques::Torques;
 use super::{ConstraintForce, Equations, Listing, Row, RowKind};
-use crate::dynamics::Dynamics;
+use crate::dynamics::{Balance, Lagrangian};
 use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand};
 use crate::form::expanded;
 use crate::model::{Constraint, Law, Model};
@@ -30,12 +30,12 @@ const EXPANDED: usize = 24;
 const FACTORED: usize = 27;
 const RECURSIVE: usize = 40;
 
-/// The equations of a scene, whose dynamics are also known by recursion, and in closed form, if its code has one.
+/// The equations of a scene: its forces, and the other terms by recursion, and in closed form, if its code has one.
 pub(crate) fn equations<'g>(
     model: &Model<'g>,
-    dynamics: &Dynamics<'g>,
-    recursive: &Dynamics<'g>,
-    closed: Option<&Dynamics<'g>>,
+    force: &[Expr<'g>],
+    recursive: (&Balance<'g>, &Lagrangian<'g>),
+    closed: Option<(&Balance<'g>, &Lagrangian<'g>)>,
 ) -> Equations {
     let mut composer = Composer {
         model,
@@ -54,7 +54,7 @@ pub(crate) fn equations<'g>(
         driven: !model.drives.is_empty(),
         acted: !model.actions.is_empty(),
         short: composer.short(),
-        full: composer.full(&dynamics.force),
+        full: composer.full(force),
     }
 }
 
@@ -323,8 +323,8 @@ fn best(candidates: impl IntoIterator<Item = Candidate>) -> Listing {
 }
 
 /// The entries of the mass matrix, its upper triangle, and of the bias.
-fn inertial<'g>(dynamics: &Dynamics<'g>) -> Vec<Expr<'g>> {
-    [dynamics.upper_triangle(), dynamics.bias.clone()].concat()
+fn inertial<'g>((balance, lagrangian): (&Balance<'g>, &Lagrangian<'g>)) -> Vec<Expr<'g>> {
+    [balance.upper_triangle(), lagrangian.bias.clone()].concat()
 }
 
 /// The place of each entry.
