@@ -30,6 +30,7 @@ mod error;
 mod expr;
 mod files;
 mod form;
+mod loops;
 mod lower;
 mod model;
 mod parse;

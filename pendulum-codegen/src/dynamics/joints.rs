@@ -187,7 +187,7 @@ fn pull_back<'g, 'm>(
 /// the others do.
 pub(super) fn free<'g>(model: &Model<'g>, mut along: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
     let of_dependents = along.split_off(model.independent());
-    for (dependent, force) in model.dependents.iter().zip(of_dependents) {
+    for (dependent, force) in model.loops.dependents.iter().zip(of_dependents) {
         for (sum, &slope) in along.iter_mut().zip(&dependent.slopes) {
             *sum += slope * force;
         }
@@ -213,7 +213,7 @@ fn pull_back_matrix<'g>(
     // N^T M N, by columns and then by rows
     let mut rows: Vec<Vec<Expr<'g>>> = pulled.into_iter().map(|row| free(model, row)).collect();
     let of_dependents = rows.split_off(model.independent());
-    for (dependent, row) in model.dependents.iter().zip(of_dependents) {
+    for (dependent, row) in model.loops.dependents.iter().zip(of_dependents) {
         for (sums, &slope) in rows.iter_mut().zip(&dependent.slopes) {
             for (sum, &entry) in sums.iter_mut().zip(&row) {
                 *sum += slope * entry;

@@ -1,7 +1,8 @@
 //! The wrenches of joints that close loops.
 
 use crate::expr::{Derivative, Expr};
-use crate::model::{Model, Orthogonal, Poses, Row};
+use crate::loops::Orthogonal;
+use crate::model::{Model, Poses, Row};
 use crate::screw::{Vec3, Wrench};
 
 /// The wrench with which the first body of each closing joint acts on the second, about its place on that, in the
@@ -17,7 +18,7 @@ pub(crate) fn loop_wrenches<'g>(model: &Model<'g>, held: Vec<Expr<'g>>) -> Vec<E
         .dependents
         .iter()
         .map(|dependent| {
-            let mut alone = Derivative::by(dependent.coordinate.position).alone();
+            let mut alone = Derivative::by(dependent.position).alone();
             let column: Vec<Expr<'g>> = values.iter().map(|&value| alone.of(value)).collect();
             model.with_drives(&column)
         })

@@ -116,7 +116,7 @@ impl<'g> Forms<'g> {
             floating,
             solved,
             accelerations: OnceCell::new(),
-            dependence: model.dependence.clone(),
+            dependence: model.loops.dependence.clone(),
             normalizer,
         };
         if give_way && has_orientations {

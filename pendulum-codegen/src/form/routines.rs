@@ -44,23 +44,23 @@ pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
 
 /// How far each closed loop is from its toggle, and the rates of that.
 pub(crate) fn loop_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    super::values_and_rates(forms, model, &model.margins)
+    super::values_and_rates(forms, model, &model.loops.margins)
 }
 
 /// How far angles are from where their turns would have to be counted, and the rates of that.
 pub(crate) fn turn_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    let margins: Vec<Expr<'g>> = model.uncounted.iter().map(|own| own.margin).collect();
+    let margins: Vec<Expr<'g>> = model.loops.uncounted.iter().map(|own| own.margin).collect();
     super::values_and_rates(forms, model, &margins)
 }
 
 /// What Newton's method adds to the coordinates that depend, in the state.
 pub(crate) fn loop_corrections<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    super::values(forms, model, &model.corrections)
+    super::values(forms, model, &model.loops.corrections)
 }
 
 /// How far loops are from being closed: distances, angles, sizes.
 pub(crate) fn loop_gaps<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    let part = |part: fn(&Gap<'g>) -> Expr<'g>| model.gaps.iter().map(part);
+    let part = |part: fn(&Gap<'g>) -> Expr<'g>| model.loops.gaps.iter().map(part);
     let parts = part(|gap| gap.distance)
         .chain(part(|gap| gap.angle))
         .chain(part(|gap| gap.size));

@@ -12,7 +12,8 @@ use super::joint_units::JointUnits;
 use crate::ast::{self, ExprKind, JointKind};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, SymbolKind, ratio};
-use crate::model::{self, BodyId, Cause, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
+use crate::loops::{self, Cause, Closed, Declared, Loop, NoPlane, Open};
+use crate::model::{self, BodyId, Closure, Combination, Coordinate, Loops, Tie, Tree};
 use crate::screw::Vec3;
 
 /// How far an angle may be from its guess, in rad: beyond, the guess is rather on the other side.
@@ -25,64 +26,38 @@ type Start<'g> = (Expr<'g>, Expr<'g>);
 const IN_PLANE: usize = 2;
 
 impl<'g> Lower<'g> {
-    /// Closes the loops of a model: coordinates that depend become symbols with values in the state.
-    pub(super) fn close(&mut self, items: &ast::Items, model: &mut Model<'g>, declared: Vec<Coordinate<'g>>) {
+    /// Closes the loops of a tree: coordinates that depend become symbols with values in the state. After an error they
+    /// stand as they were declared.
+    pub(super) fn close(&mut self, items: &ast::Items, tree: &mut Tree<'g>) -> Loops<'g> {
         let near: Vec<Result<Expr<'g>, Reported>> = items.bodies.iter().map(|body| self.near(body)).collect();
         let free: Vec<Result<Vec<Start<'g>>, Reported>> =
             items.bodies.iter().map(|body| self.near_freely(body)).collect();
         let closures = items.closures.iter().map(|closure| self.closure(closure, items));
         let closures: Vec<Result<(Closure<'g>, Span), Reported>> = closures.collect();
-        if items.closures.is_empty() && declared.is_empty() {
-            let guesses = |body: &ast::Body| {
-                let fields = &body.fields;
-                let near = fields.near.as_ref().map(|near| near.tokens.clone());
-                let vectors = [&fields.turned, &fields.placed].into_iter().flatten();
-                near.or(vectors.map(|near| near.tokens.clone()).next())
-            };
-            if let Some(near) = items.bodies.iter().find_map(guesses) {
-                let help = "leave it out: `near` says where closed loops are assembled, and there are none";
-                self.errors.on(near, "there is nothing to assemble", help);
-            }
-            return;
+        if items.closures.is_empty() && tree.dependents.is_empty() {
+            self.refuse_guesses(items);
+            return Loops::default();
         }
         for body in &items.bodies {
             self.refuse_to_hold(body);
         }
-        // so they stand until the loops are closed, and after an error
-        let zero = self.graph.zero();
-        let unsolved = declared.iter().cloned().map(|coordinate| model::Dependent {
-            coordinate,
-            slopes: Vec::new(),
-            drift: zero,
-            in_state: false,
+        let closures: Result<Vec<_>, Reported> = closures.into_iter().collect();
+        let solved = closures.and_then(|closures| {
+            let near = near.into_iter().collect::<Result<Vec<_>, _>>()?;
+            let free = free.into_iter().collect::<Result<Vec<_>, _>>()?.concat();
+            self.solve(items, tree, &closures, (&near, &free))
         });
-        model.dependents = unsolved.collect();
-        let solved = closures
-            .into_iter()
-            .collect::<Result<Vec<_>, _>>()
-            .and_then(|closures| {
-                let near = near.into_iter().collect::<Result<Vec<_>, _>>()?;
-                let free = free.into_iter().collect::<Result<Vec<_>, _>>()?.concat();
-                let near = |coordinate: &Coordinate<'g>| {
-                    let mut bodies = items.bodies.iter().zip(&near);
-                    let own = |body: &ast::Body| {
-                        body.fields
-                            .coordinate
-                            .as_ref()
-                            .is_some_and(|own| *own == coordinate.name)
-                    };
-                    bodies.find(|(body, _)| own(body)).map_or(zero, |(_, near)| *near)
-                };
-                let of_state: Vec<Expr<'g>> = model.coordinates.iter().map(near).collect();
-                let dependents = declared.iter().cloned().map(|coordinate| Declared {
-                    near: near(&coordinate),
-                    coordinate,
-                });
-                let dependents: Vec<Declared<'g>> = dependents.collect();
-                self.solve(items, model, &closures, &dependents, (&of_state, &free))
-            });
-        let Ok(closed) = solved else { return };
-        let first = model.independent();
+        let Ok(closed) = solved else { return Loops::default() };
+        let loops = self.put_in(tree, closed);
+        if loops.dependents.iter().any(|dependent| dependent.in_state) {
+            self.refuse_in_state(items);
+        }
+        loops
+    }
+
+    /// Puts what loops determine in the place of the coordinates that were declared to depend.
+    fn put_in(&self, tree: &mut Tree<'g>, closed: Closed<'g>) -> Loops<'g> {
+        let first = tree.independent();
         let in_new = |sum: &Combination| {
             sum.terms().fold(Combination::default(), |new, (k, factor)| {
                 match usize::from(k).checked_sub(first) {
@@ -91,27 +66,32 @@ impl<'g> Lower<'g> {
                 }
             })
         };
-        for body in &mut model.bodies {
+        for body in &mut tree.bodies {
             body.motion = in_new(&body.motion);
             body.heading.turn = in_new(&body.heading.turn);
         }
-        model.dependents = closed.dependents;
-        model.dependence = closed.dependence;
-        for ((_, symbol), &margin) in self.margins.iter().zip(&closed.margins) {
+        tree.dependents = closed.dependents;
+        let mut loops = closed.loops;
+        for ((_, symbol), &margin) in self.margins.iter().zip(&loops.margins) {
             self.graph.set_changes(*symbol, &[(margin, self.graph.one())], false);
-            model.dependence.set(*symbol, margin);
+            loops.dependence.set(*symbol, margin);
         }
-        model.margins = closed.margins;
-        model.closings = closed.closings;
-        model.corrections = closed.corrections;
-        model.gaps = closed.gaps;
-        let taken = model.turns_in_forces();
-        let uncounted = closed.uncounted.into_iter();
-        model.uncounted = uncounted
-            .filter(|own| taken.contains(&own.coordinate.position))
-            .collect();
-        if model.in_state().next().is_some() {
-            self.refuse_in_state(items);
+        let taken = tree.turns_in_forces(&loops.dependence);
+        loops.uncounted.retain(|own| taken.contains(&own.coordinate.position));
+        loops
+    }
+
+    /// Without loops there is nothing to guess.
+    fn refuse_guesses(&mut self, items: &ast::Items) {
+        let guesses = |body: &ast::Body| {
+            let fields = &body.fields;
+            let near = fields.near.as_ref().map(|near| near.tokens.clone());
+            let vectors = [&fields.turned, &fields.placed].into_iter().flatten();
+            near.or(vectors.map(|near| near.tokens.clone()).next())
+        };
+        if let Some(near) = items.bodies.iter().find_map(guesses) {
+            let help = "leave it out: `near` says where closed loops are assembled, and there are none";
+            self.errors.on(near, "there is nothing to assemble", help);
         }
     }
 
@@ -290,23 +270,39 @@ impl<'g> Lower<'g> {
         }
     }
 
+    /// Solves loops, with the guesses for the coordinates of the bodies and for components of free ones.
     fn solve(
         &mut self,
         items: &ast::Items,
-        model: &mut Model<'g>,
+        tree: &mut Tree<'g>,
         closures: &[(Closure<'g>, Span)],
-        declared: &[Declared<'g>],
-        near: (&[Expr<'g>], &[Start<'g>]),
-    ) -> Result<model::Closed<'g>, Reported> {
+        (near, free): (&[Expr<'g>], &[Start<'g>]),
+    ) -> Result<Closed<'g>, Reported> {
         if !self.errors.is_empty() {
             return Err(self.errors.noted());
         }
         self.refuse_twice(items, closures)?;
+        let near = |coordinate: &Coordinate<'g>| {
+            let is_own = |body: &ast::Body| {
+                let own = body.fields.coordinate.as_ref();
+                own.is_some_and(|own| *own == coordinate.name)
+            };
+            let mut bodies = items.bodies.iter().zip(near);
+            let own = bodies.find(|(body, _)| is_own(body));
+            own.map_or(self.graph.zero(), |(_, near)| *near)
+        };
+        let of_state: Vec<Expr<'g>> = tree.coordinates.iter().map(near).collect();
+        let declared = tree.dependents.iter().map(|coordinate| Declared {
+            near: near(coordinate),
+            coordinate: coordinate.clone(),
+        });
+        let declared: Vec<Declared<'g>> = declared.collect();
         let planes: Vec<Result<Loop<'g>, NoPlane>> =
-            closures.iter().map(|(closure, _)| Loop::new(model, closure)).collect();
-        model.closures = closures.iter().map(|(closure, _)| *closure).collect();
+            closures.iter().map(|(closure, _)| Loop::new(tree, closure)).collect();
+        tree.closures = closures.iter().map(|(closure, _)| *closure).collect();
         let vectors: Vec<Option<Loop<'g>>> = planes.iter().map(|plane| plane.clone().ok()).collect();
-        let closed = model::close(model, &vectors, declared, near).map_err(|Open { number, cause }| {
+        let closed = loops::close(tree, &vectors, &declared, (&of_state, free));
+        let closed = closed.map_err(|Open { number, cause }| {
             let in_plane = planes.iter().all(Result::is_ok);
             // loops in a plane may determine less, where lengths agree: then they are closed
             if in_plane && !matches!(cause, Cause::Determines(_)) {
@@ -325,7 +321,7 @@ impl<'g> Lower<'g> {
     }
 
     /// Refuses a guess that is far from where the loops close: another assembly may be meant.
-    fn check_guesses(&mut self, items: &ast::Items, closed: &model::Closed<'g>) -> Result<(), Reported> {
+    fn check_guesses(&mut self, items: &ast::Items, closed: &Closed<'g>) -> Result<(), Reported> {
         let bodies = items.bodies.iter().filter(|body| body.fields.depends.is_some());
         for (body, &[guess, found]) in bodies.zip(&closed.assembled) {
             let beside = (found - guess).rem_euclid(TAU);

@@ -13,7 +13,7 @@ use super::written::written;
 use crate::ast::{self, ExprKind};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, Printer, SymbolKind};
-use crate::model::{Action, BodyId, Combination, Constraint, Law, MAX_CONSTRAINTS, Model, Requirement, Rule};
+use crate::model::{Action, BodyId, Combination, Constraint, Law, MAX_CONSTRAINTS, Requirement, Rule, Tree};
 
 /// A wall, before the coordinates of points are known.
 #[derive(Debug)]
@@ -266,10 +266,9 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// Puts constraints into a model, with forces that act on it: joints in the order of their bodies, then
-/// walls.
-pub(super) fn constrain<'g>(model: &mut Model<'g>, walls: Vec<Wall<'g>>) {
-    let graph = model.graph;
+/// The constraints of a tree, joints in the order of their bodies, then walls; their forces act on it.
+pub(super) fn constrain<'g>(tree: &mut Tree<'g>, walls: Vec<Wall<'g>>) -> Vec<Constraint<'g>> {
+    let graph = tree.graph;
     let mut constraints: Vec<Constraint<'g>> = Vec::new();
     let force = |n: usize, name: &str| {
         let name = name.trim_start_matches("r#");
@@ -278,27 +277,27 @@ pub(super) fn constrain<'g>(model: &mut Model<'g>, walls: Vec<Wall<'g>>) {
             graph.symbol(&format!("force({name})"), SymbolKind::Force(n)),
         )
     };
-    for n in BodyId::all(model.bodies.len()) {
-        let body = &model.bodies[n];
+    for n in BodyId::all(tree.bodies.len()) {
+        let body = &tree.bodies[n];
         let (Some(law), Some(own)) = (body.law, body.coordinate) else {
             continue;
         };
-        let (name, force) = force(constraints.len(), &model.coordinate(own).name);
+        let (name, force) = force(constraints.len(), &tree.coordinate(own).name);
         constraints.push(Constraint {
             name,
             coordinate: Some(own),
             motion: body.motion.clone(),
-            value: model.position_of(&body.motion),
+            value: tree.position_of(&body.motion),
             force,
             law,
         });
-        let body = &mut model.bodies[n];
+        let body = &mut tree.bodies[n];
         body.force += force;
         body.passive += force;
     }
     for Wall { name, gap, law } in walls {
         let (name, force) = force(constraints.len(), &name);
-        model.actions.push(Action::Press(force, gap));
+        tree.actions.push(Action::Press(force, gap));
         constraints.push(Constraint {
             name,
             coordinate: None,
@@ -308,7 +307,7 @@ pub(super) fn constrain<'g>(model: &mut Model<'g>, walls: Vec<Wall<'g>>) {
             law,
         });
     }
-    model.constraints = constraints;
+    constraints
 }
 
 fn rate_of(unit: &str) -> &'static str {

@@ -2,9 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use syn::Ident;
-
 use super::Lower;
+use crate::ast::Items;
 use crate::program;
 use crate::words;
 
@@ -20,10 +19,14 @@ pub(super) struct Has {
 
 impl Lower<'_> {
     /// What to generate.
-    pub(super) fn generate(&mut self, generate: Option<&[Ident]>, has: Has) -> BTreeSet<&'static str> {
-        let Some(list) = generate else {
+    pub(super) fn generate(&mut self, items: &Items, has: Has) -> BTreeSet<&'static str> {
+        let Some((word, list)) = &items.generate else {
             return ["rhs", "jacobian", "energy"].into();
         };
+        if list.is_empty() && items.outputs.is_empty() && items.events.is_empty() {
+            let help = "write `generate: [rhs, jacobian, energy]`, or leave it out";
+            self.errors.at(word.span(), "nothing is generated", help);
+        }
         let words = program::words();
         let mut outputs = BTreeSet::new();
         for ident in list {

@@ -4,7 +4,8 @@ use super::Lower;
 use super::joint::Geometry;
 use crate::ast;
 use crate::error::Reported;
-use crate::model::{Body, BodyId, Combination, Heading, parallel};
+use crate::loops::parallel;
+use crate::model::{Body, BodyId, Combination, Heading};
 use crate::screw::{Mat3, Twist};
 
 impl<'g> Lower<'g> {

@@ -31,14 +31,14 @@ mod shape;
 mod solid;
 mod written;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Span;
 
 use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
-use crate::expr::{Derivative, Expr, Graph, SymbolKind};
-use crate::model::{BodyId, Coordinate, Dependence, Figure, Model, Poses, Rule, along_motion};
+use crate::expr::{Definition, Derivative, Expr, Graph, SymbolKind};
+use crate::model::{BodyId, Coordinate, Figure, Model, Poses, Rule, Tree, along_motion};
 use crate::screw::Vec3;
 use components::Components;
 use constraint::constrain;
@@ -135,13 +135,55 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
 impl<'g> Lower<'g> {
     fn scene(mut self, scene: &Scene) -> Result<Lowered<'g>, Errors> {
         let items = &scene.items;
+        let (mut tree, lets) = self.tree(items);
+        let walls = self.walls(items);
+        let has = Has {
+            parameters: !tree.parameters.is_empty(),
+            inputs: !tree.inputs.is_empty(),
+            drives: !tree.drives.is_empty(),
+            loops: !items.closures.is_empty(),
+            orientations: tree.has_orientations(),
+        };
+        tree.generate = self.generate(items, has);
+        tree.points = self.points(&items.points);
+        if tree.generate.contains("shapes") {
+            // what is drawn is used
+            tree.points.iter().for_each(|point| self.names.mark_used(&point.name));
+        }
+        tree.actions = self.actions(items, &tree.points);
+        self.check_functions(items);
+        let loops = self.close(items, &mut tree);
+        let outputs = self.outputs(items, &Poses::new(&tree));
+        let events = self.events(&items.events);
+        let constraints = constrain(&mut tree, walls);
+        self.require_motion(scene, &tree.coordinates);
+        self.report_refused_defaults(&items.params, &tree.parameters);
+        self.report_unused(items);
+        let mut model = Model {
+            name: scene.head.name.to_string(),
+            docs: scene.head.docs.clone(),
+            lets,
+            tree,
+            loops,
+            constraints,
+            outputs,
+            events,
+            rules: self.rules,
+        };
+        let spans = self.spans;
+        self.errors.finish(())?;
+        model.resolve_points();
+        Ok(Lowered { model, spans })
+    }
+
+    /// What is declared, and the bodies: what is asked of them, what acts on them and their points are read later.
+    fn tree(&mut self, items: &Items) -> (Tree<'g>, Vec<Definition>) {
         let parameters = self.parameters(&items.params);
         let inputs = self.inputs(&items.inputs);
         let lets = self.declare_lets(&items.lets);
         let order = self.order(&items.bodies);
         let coordinates = self.coordinates(&items.bodies, 0, false);
         let dependents = self.coordinates(&items.bodies, coordinates.len(), true);
-        let has_orientations = coordinates.iter().any(Coordinate::is_of_orientation);
         self.check_places(&items.bodies);
         self.declare_points(items);
         self.declare_margins(items);
@@ -152,82 +194,25 @@ impl<'g> Lower<'g> {
         let drives = self.drives(&items.bodies, coordinates.len());
         self.number_behind(coordinates.len(), drives.len());
         let shapes = self.shapes(&items.shapes);
-        let all: Vec<Coordinate<'g>> = coordinates
-            .iter()
-            .cloned()
-            .chain(drives.iter().map(|drive| drive.coordinate.clone()))
-            .chain(dependents.iter().cloned())
-            .collect();
-        let bodies = self.bodies(&items.bodies, order, &all, &shapes);
-        let has_drives = !drives.is_empty();
-        self.check_conditions(items, has_orientations);
-        let walls = self.walls(items);
-        let generate = items.generate.as_ref().map(|(word, list)| {
-            if list.is_empty() && items.outputs.is_empty() && items.events.is_empty() {
-                let help = "write `generate: [rhs, jacobian, energy]`, or leave it out";
-                self.errors.at(word.span(), "nothing is generated", help);
-            }
-            list.as_slice()
-        });
-        let has = Has {
-            parameters: !parameters.is_empty(),
-            inputs: !inputs.is_empty(),
-            drives: has_drives,
-            loops: !items.closures.is_empty(),
-            orientations: has_orientations,
-        };
-        let generate = self.generate(generate, has);
-        let points = self.points(&items.points);
-        if generate.contains("shapes") {
-            // what is drawn is used
-            points.iter().for_each(|point| self.names.mark_used(&point.name));
-        }
-        let actions = self.actions(items, &points);
-        self.check_functions(items);
-        let mut model = Model {
-            name: scene.head.name.to_string(),
-            docs: scene.head.docs.clone(),
+        let mut tree = Tree {
             graph: self.graph,
             parameters,
             inputs,
             coordinates,
             drives,
-            dependents: Vec::new(),
+            dependents,
             closures: Vec::new(),
-            dependence: Dependence::default(),
-            margins: Vec::new(),
-            closings: Vec::new(),
-            corrections: Vec::new(),
-            gaps: Vec::new(),
-            uncounted: Vec::new(),
             time: self.time,
             gravity,
-            lets,
-            bodies,
-            points,
-            actions,
-            constraints: Vec::new(),
-            outputs: Vec::new(),
-            events: Vec::new(),
-            rules: Vec::new(),
-            generate,
+            bodies: Vec::new(),
+            points: Vec::new(),
+            actions: Vec::new(),
+            generate: BTreeSet::new(),
         };
-        self.close(items, &mut model, dependents);
-        model.outputs = self.outputs(items, &Poses::new(&model));
-        model.events = self.events(&items.events);
-        constrain(&mut model, walls);
-        self.require_motion(scene, &model.coordinates);
-        self.report_refused_defaults(&items.params, &model.parameters);
-        self.report_unused(items);
-        model.rules = self.rules;
-        let lowered = self.errors.finish(Lowered {
-            model,
-            spans: self.spans,
-        });
-        lowered.map(|mut lowered| {
-            lowered.model.resolve_points();
-            lowered
-        })
+        let all: Vec<Coordinate<'g>> = tree.all_coordinates().cloned().collect();
+        tree.bodies = self.bodies(&items.bodies, order, &all, &shapes);
+        self.check_conditions(items, tree.has_orientations());
+        (tree, lets)
     }
 
     /// A part of the text, or the report of why it cannot be read.

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Span};
 use super::Lower;
 use crate::ast::{self, JointKind};
 use crate::error::Reported;
-use crate::model::{Cause, NoPlane};
+use crate::loops::{Cause, NoPlane};
 use crate::parse::HINGES;
 
 impl<'g> Lower<'g> {

@@ -1,9 +1,9 @@
-//! Joints that close loops: as vectors of a plane that add up to zero, and as equations in space.
+//! Joints that close loops, as equations in space.
 
 use super::pose::{between, carrier};
-use super::{BodyId, Combination, CoordinateId, Heading, Model, Place};
-use crate::expr::{Expr, Normalizer};
-use crate::screw::{Mat3, Vec2, Vec3, Wrench};
+use super::{BodyId, Place, Tree};
+use crate::expr::Expr;
+use crate::screw::{Mat3, Vec3, Wrench};
 
 /// A joint that closes a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,45 +39,6 @@ pub(crate) struct Row<'g> {
     pub wrench: Wrench<'g>,
 }
 
-/// Why a joint cannot close its loop in a plane.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum NoPlane {
-    /// The bodies do not turn about one axis in one frame.
-    Axes,
-    /// The bodies do, but the joint turns about another.
-    Joint,
-    /// The places lie in different planes, or move out of them.
-    Apart,
-}
-
-/// A vector of the plane of a loop.
-#[derive(Clone, Debug)]
-pub(crate) struct Piece<'g> {
-    /// The angle by which it is turned.
-    pub(super) turn: Combination,
-    /// The vector before; a unit vector where it slides.
-    pub(super) vector: Vec2<Expr<'g>>,
-    /// The coordinate along which it slides.
-    pub(super) slide: Option<CoordinateId>,
-    /// The body in whose frame it stands still; none for the frame of the plane.
-    pub(super) body: Option<BodyId>,
-}
-
-/// Vectors that add up to zero.
-#[derive(Clone, Debug)]
-pub(crate) struct Loop<'g>(pub(super) Vec<Piece<'g>>);
-
-/// A vector of the frame of the plane.
-struct Step<'g> {
-    turn: Combination,
-    vector: Vec3<'g>,
-    slide: Option<CoordinateId>,
-    body: Option<BodyId>,
-}
-
-/// How far normal forms of constants may grow.
-const BUDGET: usize = 100_000;
-
 impl<'g> Closure<'g> {
     /// Whether both tie the same frames in the same way, in whichever order.
     pub(crate) fn ties_the_same(&self, other: &Self) -> bool {
@@ -91,27 +52,27 @@ impl<'g> Closure<'g> {
     }
 
     /// The names of the two bodies.
-    pub(crate) fn bodies(&self, model: &Model<'g>) -> [String; 2] {
-        let name = |end: &Place<'g>| end.body.map_or("ground", |body| &model.bodies[body].name).to_owned();
+    pub(crate) fn bodies(&self, tree: &Tree<'g>) -> [String; 2] {
+        let name = |end: &Place<'g>| end.body.map_or("ground", |body| &tree.bodies[body].name).to_owned();
         self.ends.each_ref().map(name)
     }
 
     /// The last body that carries both ends; the loop moves as one with it.
-    pub(crate) fn carrier(&self, model: &Model<'g>) -> Option<BodyId> {
-        carrier(model, self.ends.map(|end| end.body))
+    pub(crate) fn carrier(&self, tree: &Tree<'g>) -> Option<BodyId> {
+        carrier(tree, self.ends.map(|end| end.body))
     }
 
     /// What vanishes where the loop is closed: where places coincide, and the cosines of angles that are right ones.
     /// The bodies that carry the loop do not occur.
-    pub(crate) fn equations(&self, model: &Model<'g>) -> Vec<Row<'g>> {
-        let frames = between(model, self.ends.map(|end| end.body));
+    pub(crate) fn equations(&self, tree: &Tree<'g>) -> Vec<Row<'g>> {
+        let frames = between(tree, self.ends.map(|end| end.body));
         let [(a, p), (b, r)] = [0, 1].map(|n| {
             let frame = frames[n];
             (frame.rotation * self.axes[n], frame.point(self.ends[n].at))
         });
         let apart = p - r;
-        let zero = Vec3::zero(model.graph);
-        let [x, y, z] = [0, 1, 2].map(|n| Vec3::unit(model.graph, n));
+        let zero = Vec3::zero(tree.graph);
+        let [x, y, z] = [0, 1, 2].map(|n| Vec3::unit(tree.graph, n));
         let along = |force: Vec3<'g>| Row {
             value: force.dot(apart),
             unit: "m",
@@ -138,185 +99,4 @@ impl<'g> Closure<'g> {
         let forces = forces.into_iter().map(along);
         forces.chain(moments.into_iter().map(aligned)).collect()
     }
-}
-
-impl<'g> Loop<'g> {
-    /// The loop that a joint closes.
-    pub(crate) fn new(model: &Model<'g>, closure: &Closure<'g>) -> Result<Self, NoPlane> {
-        let frame = common_frame(model, closure).ok_or(NoPlane::Axes)?;
-        let axes = closure.ends.each_ref().map(|end| axis_in(model, end, frame));
-        let axis = axes.into_iter().flatten().next().ok_or(NoPlane::Axes)?;
-        let steps = steps_around(model, closure, frame, axis, axes)?;
-        check_joint(model, closure, frame, axis)?;
-        Self::flat(model, axis, steps)
-    }
-
-    /// The loop of steps that stay in one plane across an axis.
-    fn flat(model: &Model<'g>, axis: Vec3<'g>, steps: Vec<Step<'g>>) -> Result<Self, NoPlane> {
-        let basis = Mat3::with_third_column(axis).transpose();
-        let mut height = model.graph.zero();
-        let mut pieces = Vec::new();
-        for step in steps {
-            let Vec3([x, y, z]) = basis * step.vector;
-            if step.slide.is_none() {
-                height += z;
-            } else if !vanishes(z) {
-                return Err(NoPlane::Apart);
-            }
-            pieces.push(Piece {
-                turn: step.turn,
-                vector: Vec2([x, y]),
-                slide: step.slide,
-                body: step.body,
-            });
-        }
-        pieces.retain(|piece| !piece.vector.0.into_iter().all(Expr::is_zero));
-        if vanishes(height) {
-            Ok(Self(pieces))
-        } else {
-            Err(NoPlane::Apart)
-        }
-    }
-
-    /// The loop around both.
-    pub(super) fn joined(&self, other: &Self, sign: i64) -> Self {
-        let signed = other.0.iter().map(|piece| Piece {
-            vector: piece.vector.times(piece.vector.0[0].graph().integer(sign)),
-            ..piece.clone()
-        });
-        let mut joined = Self(Vec::new());
-        for piece in self.0.iter().cloned().chain(signed) {
-            let same = |known: &&mut Piece<'g>| known.turn == piece.turn && known.slide == piece.slide;
-            match joined.0.iter_mut().find(same) {
-                Some(known) if piece.slide.is_none() => known.vector = known.vector + piece.vector,
-                Some(known) if known.vector == -piece.vector => known.vector = Vec2::zero(piece.vector.0[0].graph()),
-                _ => joined.0.push(piece),
-            }
-        }
-        joined.0.retain(|piece| !piece.vector.0.into_iter().all(vanishes));
-        joined
-    }
-}
-
-/// The frame in which both ends of a loop turn about one axis; an end may be the body in whose frame the other turns.
-fn common_frame(model: &Model<'_>, closure: &Closure<'_>) -> Option<Option<BodyId>> {
-    let [first, second] = closure.ends.each_ref().map(|end| end.body);
-    let station = |body: Option<BodyId>| body.and_then(|body| model.bodies[body].heading.station);
-    match [first, second].map(station) {
-        [a, b] if a == b => Some(a),
-        [a, b] if first == b && a != b => Some(b),
-        [a, b] if second == a && a != b => Some(a),
-        _ => None,
-    }
-}
-
-/// The steps from the origin of a frame to the first end, and those from there by the second end back, as turns about
-/// one axis.
-fn steps_around<'g>(
-    model: &Model<'g>,
-    closure: &Closure<'g>,
-    frame: Option<BodyId>,
-    axis: Vec3<'g>,
-    axes: [Option<Vec3<'g>>; 2],
-) -> Result<Vec<Step<'g>>, NoPlane> {
-    let mut steps = Vec::new();
-    for ((end, own), towards) in closure.ends.iter().zip(axes).zip([1, -1]) {
-        let sign = own.map_or(Some(1), |own| parallel(axis, own)).ok_or(NoPlane::Axes)?;
-        steps.extend(steps_to(model, end, frame).into_iter().map(|step| Step {
-            turn: step.turn.scaled(sign),
-            vector: towards * step.vector,
-            ..step
-        }));
-    }
-    Ok(steps)
-}
-
-/// The joint that closes a loop must let it turn about the axis of the others.
-fn check_joint<'g>(
-    model: &Model<'g>,
-    closure: &Closure<'g>,
-    frame: Option<BodyId>,
-    axis: Vec3<'g>,
-) -> Result<(), NoPlane> {
-    let own = match closure.tie {
-        Tie::Ball => return Ok(()),
-        Tie::Prismatic(_) | Tie::Fixed => return Err(NoPlane::Joint),
-        Tie::Revolute(own) => own,
-    };
-    let is_along = |(end, axes): (&Place<'g>, Mat3<'g>)| {
-        let own = match end.body.filter(|_| end.body != frame) {
-            Some(body) => model.bodies[body].heading.rest * (axes * own),
-            None => axes * own,
-        };
-        parallel(axis, own).is_some()
-    };
-    let mut ends = closure.ends.iter().zip(closure.axes);
-    ends.all(is_along).then_some(()).ok_or(NoPlane::Joint)
-}
-
-/// The axis about which a body turns in a frame, if it turns there.
-fn axis_in<'g>(model: &Model<'g>, place: &Place<'g>, frame: Option<BodyId>) -> Option<Vec3<'g>> {
-    let body = place.body.filter(|_| place.body != frame)?;
-    model.bodies[body].heading.axis
-}
-
-/// From the origin of a frame to a place on a body that turns in it: vectors of the frame.
-fn steps_to<'g>(model: &Model<'g>, place: &Place<'g>, frame: Option<BodyId>) -> Vec<Step<'g>> {
-    let still = |vector: Vec3<'g>| Step {
-        turn: Combination::default(),
-        vector,
-        slide: None,
-        body: None,
-    };
-    let inside = |at: Option<BodyId>| at.filter(|_| at != frame);
-    let held = |at: Option<BodyId>, vector: Vec3<'g>| match inside(at) {
-        None => still(vector),
-        Some(body) => {
-            let Heading { turn, rest, .. } = &model.bodies[body].heading;
-            Step {
-                turn: turn.clone(),
-                vector: *rest * vector,
-                slide: None,
-                body: Some(body),
-            }
-        }
-    };
-    let mut steps = vec![held(place.body, place.at)];
-    let mut at = inside(place.body);
-    while let Some(body) = at {
-        let own = &model.bodies[body];
-        let joint = own.placement;
-        steps.push(held(own.parent, joint.translation));
-        if let Some(screw) = own.screw {
-            let (arm, pitch) = (screw.angular.cross(screw.linear), screw.angular.dot(screw.linear));
-            let along = if screw.turns() {
-                pitch * screw.angular
-            } else {
-                screw.linear
-            };
-            steps.push(Step {
-                slide: own.coordinate,
-                ..held(own.parent, joint.rotation * along)
-            });
-            steps.push(held(own.parent, joint.rotation * arm));
-            steps.push(held(at, -arm));
-        }
-        at = inside(own.parent);
-    }
-    steps.retain(|step| !step.vector.is_zero());
-    steps
-}
-
-/// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be
-/// proved.
-pub(crate) fn parallel<'g>(a: Vec3<'g>, b: Vec3<'g>) -> Option<i64> {
-    let vanish = |v: Vec3<'g>| v.0.into_iter().all(vanishes);
-    if vanish(a - b) {
-        return Some(1);
-    }
-    vanish(a + b).then_some(-1)
-}
-
-fn vanishes(x: Expr<'_>) -> bool {
-    Normalizer::new(x.graph(), BUDGET).is_zero(x) == Ok(true)
 }

@@ -3,21 +3,8 @@
 use num_traits::ToPrimitive;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::{Coordinate, CoordinateId, Model};
+use super::{CoordinateId, Model, Tree};
 use crate::expr::{Binary, Derivative, Expr, Graph, Node, Normalizer, Rational, Unary};
-
-/// A coordinate that depends on those of the state and of the drives.
-#[derive(Clone, Debug)]
-pub(crate) struct Dependent<'g> {
-    /// The symbols of the coordinate and of its rate, and its second rate in those of the others.
-    pub coordinate: Coordinate<'g>,
-    /// Its derivatives by the coordinates of the state, then by those of the drives.
-    pub slopes: Vec<Expr<'g>>,
-    /// Its second rate where none of these accelerates.
-    pub drift: Expr<'g>,
-    /// Whether its position is a component of the state: no closed form of it is known, only its rate.
-    pub in_state: bool,
-}
 
 /// What dependent coordinates are in the state: symbols that stand in expressions until these are written out.
 ///
@@ -47,14 +34,14 @@ impl<'g> Dependence<'g> {
     }
 
     /// Gives an angle its cosine and sine.
-    pub(super) fn set_turn(&mut self, angle: Expr<'g>, [cosine, sine]: [Expr<'g>; 2]) {
+    pub(crate) fn set_turn(&mut self, angle: Expr<'g>, [cosine, sine]: [Expr<'g>; 2]) {
         self.set(angle, sine.combine(Binary::Atan2, cosine));
         let turn = self.written_out(angle.graph(), &[cosine, sine]);
         self.turns.insert(angle, [turn[0], turn[1]]);
     }
 
     /// Says which sum an angle is.
-    pub(super) fn set_sum(&mut self, angle: Expr<'g>, sum: Vec<(Expr<'g>, Rational)>) {
+    pub(crate) fn set_sum(&mut self, angle: Expr<'g>, sum: Vec<(Expr<'g>, Rational)>) {
         self.sums.insert(angle, sum);
     }
 
@@ -134,23 +121,9 @@ impl<'g> Dependence<'g> {
     }
 }
 
-impl<'g> Model<'g> {
-    /// The derivative by a coordinate of the state, where all that depends on it moves along.
-    pub(crate) fn along(&self, k: CoordinateId) -> Derivative<'g> {
-        let own = self.coordinate(k).changes.iter().copied();
-        let in_state = self.dependents.iter().filter(|dependent| dependent.in_state);
-        let dependents = in_state.map(|dependent| (dependent.coordinate.position, dependent.slopes[usize::from(k)]));
-        Derivative::along(own.chain(dependents))
-    }
-
-    /// The derivatives of a coordinate by those of the state, if it depends on them.
-    pub(crate) fn slopes(&self, k: CoordinateId) -> Option<&[Expr<'g>]> {
-        let n = usize::from(k).checked_sub(self.independent())?;
-        Some(&self.dependents[n].slopes[..self.dof()])
-    }
-
+impl<'g> Tree<'g> {
     /// The symbols that stand in forces, but for angles of which these have the cosine and sine alone.
-    pub(crate) fn turns_in_forces(&self) -> FxHashSet<Expr<'g>> {
+    pub(crate) fn turns_in_forces(&self, dependence: &Dependence<'g>) -> FxHashSet<Expr<'g>> {
         let of_joints = self.bodies.iter().flat_map(|body| [body.force, body.potential]);
         let mut actions = self.actions.clone();
         let of_actions = actions.iter_mut().flat_map(|action| action.expressions());
@@ -159,7 +132,7 @@ impl<'g> Model<'g> {
         while let Some(x) = left.pop() {
             if seen.insert(x) {
                 match x.node() {
-                    Node::Unary(Unary::Sin | Unary::Cos, angle) if self.dependence.turn(angle).is_some() => {}
+                    Node::Unary(Unary::Sin | Unary::Cos, angle) if dependence.turn(angle).is_some() => {}
                     _ => left.extend(x.operands()),
                 }
             }
@@ -167,9 +140,26 @@ impl<'g> Model<'g> {
         seen.retain(|x| x.as_symbol().is_some());
         seen
     }
+}
+
+impl<'g> Model<'g> {
+    /// The derivative by a coordinate of the state, where all that depends on it moves along.
+    pub(crate) fn along(&self, k: CoordinateId) -> Derivative<'g> {
+        let own = self.coordinate(k).changes.iter().copied();
+        let dependents = self.dependents.iter().zip(&self.loops.dependents);
+        let in_state = dependents.filter(|(_, slopes)| slopes.in_state);
+        let dependents = in_state.map(|(coordinate, slopes)| (coordinate.position, slopes.slopes[usize::from(k)]));
+        Derivative::along(own.chain(dependents))
+    }
+
+    /// The derivatives of a coordinate by those of the state, if it depends on them.
+    pub(crate) fn slopes(&self, k: CoordinateId) -> Option<&[Expr<'g>]> {
+        let n = usize::from(k).checked_sub(self.independent())?;
+        Some(&self.loops.dependents[n].slopes[..self.dof()])
+    }
 
     /// Expressions in which dependent coordinates are written out.
     pub(crate) fn written_out(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        self.dependence.written_out(self.graph, roots)
+        self.loops.dependence.written_out(self.graph, roots)
     }
 }

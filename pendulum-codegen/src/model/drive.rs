@@ -1,6 +1,6 @@
 //! Driven joints.
 
-use super::{Combination, Coordinate, CoordinateId, Dependent, Model};
+use super::{Combination, Coordinate, CoordinateId, Model, Slopes, Tree};
 use crate::expr::Expr;
 
 /// A joint that is driven: its coordinate is a function of time, and no part of the state.
@@ -12,7 +12,7 @@ pub(crate) struct Drive<'g> {
     pub law: [Expr<'g>; 3],
 }
 
-impl<'g> Model<'g> {
+impl<'g> Tree<'g> {
     /// How many coordinates depend on no others: those of the state and of the drives. The others are numbered behind
     /// them.
     pub(crate) fn independent(&self) -> usize {
@@ -27,7 +27,7 @@ impl<'g> Model<'g> {
         } else if k < independent {
             &self.drives[k - dof].coordinate
         } else {
-            &self.dependents[k - independent].coordinate
+            &self.dependents[k - independent]
         }
     }
 
@@ -36,7 +36,7 @@ impl<'g> Model<'g> {
         self.coordinates
             .iter()
             .chain(self.drives.iter().map(|drive| &drive.coordinate))
-            .chain(self.dependents.iter().map(|dependent| &dependent.coordinate))
+            .chain(&self.dependents)
     }
 
     /// Whether a coordinate is one of the state.
@@ -49,6 +49,20 @@ impl<'g> Model<'g> {
         (self.dof()..self.independent()).contains(&usize::from(k))
     }
 
+    /// Expressions in which the laws of the drives stand in the place of their symbols.
+    pub(crate) fn with_drives(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        if self.drives.is_empty() {
+            return roots.to_vec();
+        }
+        let laws = self.drives.iter().flat_map(|Drive { coordinate: c, law }| {
+            let symbols = [c.position, c.rate, c.acceleration];
+            symbols.into_iter().zip(*law)
+        });
+        self.graph.substitute(roots, laws.collect())
+    }
+}
+
+impl<'g> Model<'g> {
     /// The second rate of a combination of coordinates where those of the state do not accelerate.
     pub(crate) fn driven_acceleration_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.driven_acceleration(k))
@@ -62,7 +76,7 @@ impl<'g> Model<'g> {
         let Some(n) = usize::from(k).checked_sub(self.independent()) else {
             return self.coordinate(k).acceleration;
         };
-        let Dependent { slopes, drift, .. } = &self.dependents[n];
+        let Slopes { slopes, drift, .. } = &self.loops.dependents[n];
         let of_drives = slopes[self.dof()..].iter().zip(&self.drives);
         of_drives.fold(*drift, |sum, (&slope, drive)| {
             sum + slope * drive.coordinate.acceleration
@@ -80,17 +94,5 @@ impl<'g> Model<'g> {
             None if self.is_free(k) => self.coordinate(k).acceleration,
             None => self.graph.zero(),
         })
-    }
-
-    /// Expressions in which the laws of the drives stand in the place of their symbols.
-    pub(crate) fn with_drives(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        if self.drives.is_empty() {
-            return roots.to_vec();
-        }
-        let laws = self.drives.iter().flat_map(|Drive { coordinate: c, law }| {
-            let symbols = [c.position, c.rate, c.acceleration];
-            symbols.into_iter().zip(*law)
-        });
-        self.graph.substitute(roots, laws.collect())
     }
 }

@@ -64,7 +64,11 @@ impl<'g> Model<'g> {
         let floating: Vec<Floating<'g>> = self.bodies().filter_map(|(turn, _)| self.floating_from(turn)).collect();
         let is_followed = |k: CoordinateId| {
             let mut followers = self.bodies.iter().filter(|body| body.coordinate != Some(k));
-            let of_loops = self.dependents.iter().any(|dependent| !dependent.slopes[k].is_zero());
+            let of_loops = self
+                .loops
+                .dependents
+                .iter()
+                .any(|dependent| !dependent.slopes[k].is_zero());
             of_loops || followers.any(|body| !body.motion.factor(k).is_zero())
         };
         let is_tied = |joint: &Floating<'g>| joint.coordinates().into_iter().any(is_followed);

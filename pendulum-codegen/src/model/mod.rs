@@ -1,7 +1,6 @@
 //! The typed scene: what a declaration means, without its text.
 
 mod action;
-mod close;
 mod closure;
 mod combination;
 mod constraint;
@@ -10,41 +9,40 @@ mod drive;
 mod figure;
 mod floating;
 mod index;
+mod loops;
 mod output;
 mod point;
 mod pose;
 
 use std::collections::BTreeSet;
+use std::ops::Deref;
 
 use num_traits::{One, Signed, Zero};
 
 pub(crate) use action::{Action, Place, Push};
-pub(crate) use close::{Cause, Closed, Declared, Gap, Open, Orthogonal, Uncounted, close};
-pub(crate) use closure::{Closure, Loop, NoPlane, Row, Tie, parallel};
+pub(crate) use closure::{Closure, Row, Tie};
 pub(crate) use combination::Combination;
 pub(crate) use constraint::{Constraint, Law, MAX_CONSTRAINTS};
-pub(crate) use dependent::{Dependence, Dependent};
+pub(crate) use dependent::Dependence;
+
 pub(crate) use drive::Drive;
 pub(crate) use figure::Figure;
 pub use figure::FigureKind;
 pub(crate) use floating::Floating;
 pub(crate) use index::index_types;
 pub(crate) use index::{BodyId, CoordinateId};
+pub(crate) use loops::{Gap, Loops, Slopes, Uncounted};
 pub(crate) use output::{Event, Output, OutputShape};
 pub(crate) use point::{Point, along_motion};
-pub(crate) use pose::Poses;
+pub(crate) use pose::{Poses, between};
 
 use crate::expr::{BaseAngles, Definition, Derivative, Expr, Formula, Graph, Level, ratio};
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 use crate::units::Unit;
 
-/// A scene.
+/// Bodies that hang on each other, and what moves them: the loops of a scene are open.
 #[derive(Debug)]
-pub(crate) struct Model<'g> {
-    /// Name.
-    pub name: String,
-    /// Documentation, line by line.
-    pub docs: Vec<String>,
+pub(crate) struct Tree<'g> {
     /// The store of all its expressions.
     pub graph: &'g Graph,
     /// Parameters.
@@ -55,36 +53,38 @@ pub(crate) struct Model<'g> {
     pub coordinates: Vec<Coordinate<'g>>,
     /// Joints that are driven: their coordinates are numbered behind those of the state.
     pub drives: Vec<Drive<'g>>,
-    /// Coordinates that depend on those before, behind which they are numbered.
-    pub dependents: Vec<Dependent<'g>>,
+    /// Coordinates that depend on those before, behind which they are numbered: in a tree those that are declared, in
+    /// a model the angles and lengths by which its loops are closed.
+    pub dependents: Vec<Coordinate<'g>>,
     /// The joints that close loops.
     pub closures: Vec<Closure<'g>>,
-    /// What the symbols of these stand for.
-    pub dependence: Dependence<'g>,
-    /// For each closed loop how far it is from its toggle, where it is zero: the sine of the angle between the two
-    /// sides of a triangle; of loops that are solved together the volume that the directions of the dependent
-    /// coordinates span.
-    pub margins: Vec<Expr<'g>>,
-    /// What vanishes where loops are closed that have no closed form.
-    pub closings: Vec<Expr<'g>>,
-    /// What Newton's method adds to the dependent coordinates in the state.
-    pub corrections: Vec<Expr<'g>>,
-    /// How far these loops are from being closed.
-    pub gaps: Vec<Gap<'g>>,
-    /// The angles whose turns forces take, and are not counted.
-    pub uncounted: Vec<Uncounted<'g>>,
     /// The symbol of time.
     pub time: Expr<'g>,
     /// Acceleration of gravity in the ground frame.
     pub gravity: Vec3<'g>,
-    /// Each `let`, as it was written.
-    pub lets: Vec<Definition>,
     /// Bodies, each after the one that carries it.
     pub bodies: Vec<Body<'g>>,
     /// Points of bodies.
     pub points: Vec<Point<'g>>,
     /// What acts on the scene beside its joints.
     pub actions: Vec<Action<'g>>,
+    /// What to generate, in the words of `generate`.
+    pub generate: BTreeSet<&'static str>,
+}
+
+/// A scene: a tree whose loops are closed, and what is asked of it.
+#[derive(Debug)]
+pub(crate) struct Model<'g> {
+    /// Name.
+    pub name: String,
+    /// Documentation, line by line.
+    pub docs: Vec<String>,
+    /// Each `let`, as it was written.
+    pub lets: Vec<Definition>,
+    /// Bodies, and what moves them.
+    pub tree: Tree<'g>,
+    /// What closed loops make of the coordinates that depend.
+    pub loops: Loops<'g>,
     /// The constraints: joints in the order of their bodies, then walls.
     pub constraints: Vec<Constraint<'g>>,
     /// Quantities to evaluate.
@@ -93,8 +93,15 @@ pub(crate) struct Model<'g> {
     pub events: Vec<Event<'g>>,
     /// What the parameters must obey.
     pub rules: Vec<Rule<'g>>,
-    /// What to generate, in the words of `generate`.
-    pub generate: BTreeSet<&'static str>,
+}
+
+/// A model is a tree, and more.
+impl<'g> Deref for Model<'g> {
+    type Target = Tree<'g>;
+
+    fn deref(&self) -> &Tree<'g> {
+        &self.tree
+    }
 }
 
 /// A parameter: a number given when the model is built.
@@ -334,7 +341,7 @@ where
     all
 }
 
-impl<'g> Model<'g> {
+impl<'g> Tree<'g> {
     /// Whether joints follow others.
     pub(crate) fn has_followers(&self) -> bool {
         let follows = |body: &Body<'g>| body.coordinate.is_none() && body.motion != Combination::default();
@@ -357,43 +364,6 @@ impl<'g> Model<'g> {
     /// The bodies and their positions, each after the one that carries it.
     pub(crate) fn bodies(&self) -> impl DoubleEndedIterator<Item = (BodyId, &Body<'g>)> {
         BodyId::all(self.bodies.len()).zip(&self.bodies)
-    }
-
-    /// The coordinates, then their rates.
-    pub(crate) fn state(&self) -> Vec<Expr<'g>> {
-        let rates = self.coordinates.iter().map(|c| c.rate);
-        self.positions().into_iter().chain(rates).collect()
-    }
-
-    /// The positions: of orientations the four components of their quaternions, of other coordinates themselves. Behind
-    /// them those of dependent coordinates that are known by their rates alone.
-    pub(crate) fn positions(&self) -> Vec<Expr<'g>> {
-        self.changes().into_iter().map(|(x, _)| x).collect()
-    }
-
-    /// How the positions change: the kinematic part of the right-hand side.
-    pub(crate) fn kinematics(&self) -> Vec<Expr<'g>> {
-        self.changes().into_iter().map(|(_, rate)| rate).collect()
-    }
-
-    fn changes(&self) -> Vec<(Expr<'g>, Expr<'g>)> {
-        changes(
-            self.coordinates
-                .iter()
-                .chain(self.in_state().map(|(_, coordinate)| coordinate)),
-        )
-    }
-
-    /// The dependent coordinates that are known by their rates alone, so that their positions are in the state.
-    pub(crate) fn in_state(&self) -> impl Iterator<Item = (CoordinateId, &Coordinate<'g>)> {
-        let numbered = (self.independent()..).map(CoordinateId::new).zip(&self.dependents);
-        let in_state = numbered.filter(|(_, dependent)| dependent.in_state);
-        in_state.map(|(k, dependent)| (k, &dependent.coordinate))
-    }
-
-    /// Whether positions outnumber rates.
-    pub(crate) fn has_more_positions(&self) -> bool {
-        self.has_orientations() || self.in_state().next().is_some()
     }
 
     /// Whether it has orientations: then positions outnumber rates.
@@ -419,17 +389,6 @@ impl<'g> Model<'g> {
     /// The second rate of a combination of coordinates.
     pub(crate) fn acceleration_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.coordinate(k).acceleration)
-    }
-
-    /// Every name of the declaration that can stand in an expression, without the marks of raw identifiers.
-    pub(crate) fn names(&self) -> BTreeSet<String> {
-        let parameters = self.parameters.iter().map(|p| &p.name);
-        let inputs = self.inputs.iter().map(|i| &i.name);
-        let coordinates = self.coordinates.iter().map(|c| &c.name);
-        let names = parameters.chain(inputs).chain(coordinates);
-        let names = names.chain(self.lets.iter().map(|l| &l.name));
-        let names = names.chain(self.points.iter().map(|p| &p.name));
-        names.map(|name| name.trim_start_matches("r#").to_owned()).collect()
     }
 
     /// The names of the coordinates.
@@ -472,5 +431,57 @@ impl<'g> Model<'g> {
             angles.insert(self.coordinates[own].position, shares);
         }
         angles
+    }
+}
+
+impl<'g> Model<'g> {
+    /// The coordinates, then their rates.
+    pub(crate) fn state(&self) -> Vec<Expr<'g>> {
+        let rates = self.coordinates.iter().map(|c| c.rate);
+        self.positions().into_iter().chain(rates).collect()
+    }
+
+    /// The positions: of orientations the four components of their quaternions, of other coordinates themselves. Behind
+    /// them those of dependent coordinates that are known by their rates alone.
+    pub(crate) fn positions(&self) -> Vec<Expr<'g>> {
+        self.changes().into_iter().map(|(x, _)| x).collect()
+    }
+
+    /// How the positions change: the kinematic part of the right-hand side.
+    pub(crate) fn kinematics(&self) -> Vec<Expr<'g>> {
+        self.changes().into_iter().map(|(_, rate)| rate).collect()
+    }
+
+    fn changes(&self) -> Vec<(Expr<'g>, Expr<'g>)> {
+        changes(
+            self.coordinates
+                .iter()
+                .chain(self.in_state().map(|(_, coordinate)| coordinate)),
+        )
+    }
+
+    /// The dependent coordinates that are known by their rates alone, so that their positions are in the state.
+    pub(crate) fn in_state(&self) -> impl Iterator<Item = (CoordinateId, &Coordinate<'g>)> {
+        let numbered = (self.independent()..).map(CoordinateId::new).zip(&self.dependents);
+        let in_state = numbered
+            .zip(&self.loops.dependents)
+            .filter(|(_, slopes)| slopes.in_state);
+        in_state.map(|(coordinate, _)| coordinate)
+    }
+
+    /// Whether positions outnumber rates.
+    pub(crate) fn has_more_positions(&self) -> bool {
+        self.has_orientations() || self.in_state().next().is_some()
+    }
+
+    /// Every name of the declaration that can stand in an expression, without the marks of raw identifiers.
+    pub(crate) fn names(&self) -> BTreeSet<String> {
+        let parameters = self.parameters.iter().map(|p| &p.name);
+        let inputs = self.inputs.iter().map(|i| &i.name);
+        let coordinates = self.coordinates.iter().map(|c| &c.name);
+        let names = parameters.chain(inputs).chain(coordinates);
+        let names = names.chain(self.lets.iter().map(|l| &l.name));
+        let names = names.chain(self.points.iter().map(|p| &p.name));
+        names.map(|name| name.trim_start_matches("r#").to_owned()).collect()
     }
 }

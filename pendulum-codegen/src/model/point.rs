@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 
-use super::{Action, Coordinate, Model, Place, Poses, changes};
+use super::{Action, Coordinate, Model, Place, Poses, Tree, changes};
 use crate::expr::{Derivative, Expr};
 use crate::screw::Vec3;
 
@@ -35,12 +35,14 @@ where
     Derivative::along(coordinates.chain(points).chain([(time, time.graph().one())]))
 }
 
-impl<'g> Model<'g> {
+impl<'g> Tree<'g> {
     /// The derivative along the motion of what depends on coordinates and the time only.
     pub(crate) fn along_motion(&self) -> Derivative<'g> {
         along_motion(self.time, self.all_coordinates(), std::iter::empty())
     }
+}
 
+impl<'g> Model<'g> {
     /// Puts the positions and velocities of points in the place of their symbols.
     pub(crate) fn resolve_points(&mut self) {
         let poses = Poses::new(self);
@@ -52,9 +54,9 @@ impl<'g> Model<'g> {
             values.extend(point.position.0.into_iter().zip(position.0));
             values.extend(point.velocity.0.into_iter().zip(velocity));
         }
-        let bodies = self.bodies.iter_mut();
+        let bodies = self.tree.bodies.iter_mut();
         let of_bodies = bodies.flat_map(|body| [&mut body.force, &mut body.passive, &mut body.potential]);
-        let of_actions = self.actions.iter_mut().flat_map(Action::expressions);
+        let of_actions = self.tree.actions.iter_mut().flat_map(Action::expressions);
         let of_outputs = self.outputs.iter_mut().flat_map(|output| &mut output.values);
         let of_events = self.events.iter_mut().map(|event| &mut event.value);
         let of_constraints = self.constraints.iter_mut().map(|constraint| &mut constraint.value);
@@ -62,7 +64,7 @@ impl<'g> Model<'g> {
         let places = places.chain(of_constraints);
         let places: Vec<&mut Expr<'g>> = places.collect();
         let unresolved: Vec<Expr<'g>> = places.iter().map(|place| **place).collect();
-        let resolved = self.graph.substitute(&unresolved, values);
+        let resolved = self.tree.graph.substitute(&unresolved, values);
         for (place, value) in places.into_iter().zip(resolved) {
             *place = value;
         }

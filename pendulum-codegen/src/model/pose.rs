@@ -1,11 +1,11 @@
 //! Where bodies and their points are.
 
-use super::{Body, Heading, Model};
+use super::{Body, Heading, Tree};
 use crate::expr::{Expr, Graph};
 use crate::model::BodyId;
 use crate::screw::{Mat3, Transform, Twist, Vec3};
 
-/// Poses and screws of the bodies of a model, each written in the station of its body.
+/// Poses and screws of the bodies of a tree, each written in the station of its body.
 ///
 /// In a station, parallel joints turn by sums of angles, and what lies below the station does not appear at all.
 #[derive(Debug)]
@@ -20,25 +20,25 @@ pub(crate) struct Poses<'g> {
 }
 
 impl<'g> Poses<'g> {
-    /// The poses of a model.
-    pub(crate) fn new(model: &Model<'g>) -> Self {
+    /// The poses of a tree.
+    pub(crate) fn new(tree: &Tree<'g>) -> Self {
         let mut poses: Vec<Transform<'g>> = Vec::new();
         let mut screws = Vec::new();
-        for body in &model.bodies {
+        for body in &tree.bodies {
             let base = match body.parent {
                 Some(parent) if body.heading.station != Some(parent) => poses[parent],
-                _ => Transform::identity(model.graph),
+                _ => Transform::identity(tree.graph),
             };
-            let rotation = orientation(&body.heading, model.position_of(&body.heading.turn));
-            let (translation, screw) = place(&base, body, rotation, model.position_of(&body.motion));
+            let rotation = orientation(&body.heading, tree.position_of(&body.heading.turn));
+            let (translation, screw) = place(&base, body, rotation, tree.position_of(&body.motion));
             poses.push(Transform { rotation, translation });
             screws.push(screw);
         }
         Self {
-            graph: model.graph,
+            graph: tree.graph,
             poses,
             screws,
-            stations: model.bodies.iter().map(|body| body.heading.station).collect(),
+            stations: tree.bodies.iter().map(|body| body.heading.station).collect(),
         }
     }
 
@@ -70,25 +70,25 @@ impl<'g> Poses<'g> {
 ///
 /// Where they turn about one axis, that body included, its own turn is taken off the sums of angles, so it does not
 /// occur.
-pub(super) fn between<'g>(model: &Model<'g>, bodies: [Option<BodyId>; 2]) -> [Transform<'g>; 2] {
-    let carrier = carrier(model, bodies);
-    bodies.map(|body| in_frame_of(model, carrier, body))
+pub(crate) fn between<'g>(tree: &Tree<'g>, bodies: [Option<BodyId>; 2]) -> [Transform<'g>; 2] {
+    let carrier = carrier(tree, bodies);
+    bodies.map(|body| in_frame_of(tree, carrier, body))
 }
 
 /// The last body that carries both, or that is one of them; none for ground.
-pub(super) fn carrier(model: &Model<'_>, [first, second]: [Option<BodyId>; 2]) -> Option<BodyId> {
-    let below = |body: Option<BodyId>| std::iter::successors(body, |&body| model.bodies[body].parent);
+pub(super) fn carrier(tree: &Tree<'_>, [first, second]: [Option<BodyId>; 2]) -> Option<BodyId> {
+    let below = |body: Option<BodyId>| std::iter::successors(body, |&body| tree.bodies[body].parent);
     below(first).find(|&body| below(second).any(|other| other == body))
 }
 
 /// Where a body is in the frame of one that carries it.
-fn in_frame_of<'g>(model: &Model<'g>, carrier: Option<BodyId>, body: Option<BodyId>) -> Transform<'g> {
+fn in_frame_of<'g>(tree: &Tree<'g>, carrier: Option<BodyId>, body: Option<BodyId>) -> Transform<'g> {
     let Some(at) = body.filter(|_| body != carrier) else {
-        return Transform::identity(model.graph);
+        return Transform::identity(tree.graph);
     };
-    let own = &model.bodies[at];
-    let base = in_frame_of(model, carrier, own.parent);
-    let carried = carrier.map(|carrier| &model.bodies[carrier].heading);
+    let own = &tree.bodies[at];
+    let base = in_frame_of(tree, carrier, own.parent);
+    let carried = carrier.map(|carrier| &tree.bodies[carrier].heading);
     let mut heading = own.heading.clone();
     let before = match carried {
         // all turn in the frame of a body below
@@ -98,18 +98,18 @@ fn in_frame_of<'g>(model: &Model<'g>, carrier: Option<BodyId>, body: Option<Body
         }
         _ => {
             let station = heading.station.filter(|_| heading.station != carrier);
-            station.map(|station| in_frame_of(model, carrier, Some(station)).rotation)
+            station.map(|station| in_frame_of(tree, carrier, Some(station)).rotation)
         }
     };
-    let turned = orientation(&heading, model.position_of(&heading.turn));
+    let turned = orientation(&heading, tree.position_of(&heading.turn));
     let rotation = before.map_or(turned, |before| before * turned);
     let joint = base * own.placement;
     let translation = match own.screw {
         None => joint.translation,
-        Some(screw) if !screw.turns() => joint.point(model.position_of(&own.motion) * screw.linear),
+        Some(screw) if !screw.turns() => joint.point(tree.position_of(&own.motion) * screw.linear),
         Some(Twist { angular: w, linear: v }) => {
             let (pitch, arm) = (w.dot(v), w.cross(v));
-            joint.point(arm + (pitch * model.position_of(&own.motion)) * w) - rotation * arm
+            joint.point(arm + (pitch * tree.position_of(&own.motion)) * w) - rotation * arm
         }
     };
     Transform { rotation, translation }

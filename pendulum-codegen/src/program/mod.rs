@@ -211,8 +211,13 @@ impl Program {
             outputs: model.outputs.iter().flat_map(Output::labels).collect(),
             events: model.events.iter().map(|event| event.name.clone()).collect(),
             loops: model.closures.iter().map(|closure| closure.bodies(model)).collect(),
-            open_loops: model.gaps.iter().map(|gap| gap.number).collect(),
-            uncounted: model.uncounted.iter().map(|own| own.coordinate.name.clone()).collect(),
+            open_loops: model.loops.gaps.iter().map(|gap| gap.number).collect(),
+            uncounted: model
+                .loops
+                .uncounted
+                .iter()
+                .map(|own| own.coordinate.name.clone())
+                .collect(),
             drives: model.drives.iter().map(|drive| drive.coordinate.name.clone()).collect(),
             constraints: model.constraints.iter().map(|c| Constraint::new(model, c)).collect(),
             laws: block(g, &laws, &known)?,

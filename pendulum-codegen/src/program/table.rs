@@ -60,10 +60,10 @@ impl Counts {
             parameters: model.parameters.len(),
             drives: model.drives.len(),
             constraints: model.constraints.len(),
-            loops: model.margins.len(),
-            gaps: model.gaps.len(),
-            uncounted: model.uncounted.len(),
-            dependents: model.corrections.len(),
+            loops: model.loops.margins.len(),
+            gaps: model.loops.gaps.len(),
+            uncounted: model.loops.uncounted.len(),
+            dependents: model.loops.corrections.len(),
         }
     }
 

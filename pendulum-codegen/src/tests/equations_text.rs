@@ -257,7 +257,7 @@ fn assert_true(declaration: &str, model: &Model<'_>, dynamics: &Dynamics<'_>, eq
             (symbol.name.clone(), value)
         })
         .collect();
-    let dependents = model.dependence.definitions();
+    let dependents = model.loops.dependence.definitions();
     let dependents: BTreeSet<&str> = dependents
         .filter_map(|(symbol, _)| Some(symbol.as_symbol()?.name.as_str()))
         .collect();
@@ -371,7 +371,7 @@ fn what_is_printed_is_the_equation() {
 fn loops_in_closed_form_are_printed_with_all_that_they_determine() {
     let mut count = 0;
     for declaration in linkages::SCENES {
-        if model(&Graph::new(), declaration).closings.is_empty() {
+        if model(&Graph::new(), declaration).loops.closings.is_empty() {
             let text = checked(declaration);
             assert!([" 1*", "(1*", "*1*"].iter().all(|one| !text.contains(one)), "{text}");
             assert!(text.lines().all(|line| line.len() <= 120), "{text}");

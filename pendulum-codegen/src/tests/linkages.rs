@@ -300,7 +300,7 @@ fn loops_move_as_with_multipliers() {
                 .collect();
             let qd: Vec<f64> = free.iter().map(|_| random()).collect();
             for _ in 0..20 {
-                let corrections = values(&closed, &closed.corrections, &state_of(&of_state, &q, &qd));
+                let corrections = values(&closed, &closed.loops.corrections, &state_of(&of_state, &q, &qd));
                 let dependents = q[free.len()..].iter_mut();
                 dependents.zip(corrections).for_each(|(q, correction)| *q += correction);
             }
@@ -308,6 +308,7 @@ fn loops_move_as_with_multipliers() {
             // what depends, by its symbols
             let dependent = |name: &str| {
                 let mut known = closed
+                    .loops
                     .dependence
                     .definitions()
                     .filter(|(symbol, _)| symbol.as_symbol().is_some_and(|s| s.name == name));

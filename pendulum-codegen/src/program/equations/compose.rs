@@ -104,7 +104,7 @@ impl<'g> Composer<'_, 'g> {
 
     /// What vanishes where loops are closed.
     fn closings(&mut self) -> Vec<Formula> {
-        let rows = self.shorter(&self.model.with_drives(&self.model.closings));
+        let rows = self.shorter(&self.model.with_drives(&self.model.loops.closings));
         let printer = Printer::that_computes(self.model.graph);
         rows.into_iter().map(|row| printer.short(row.id())).collect()
     }
@@ -250,7 +250,7 @@ impl<'g> Composer<'_, 'g> {
     fn is_endless(&self, entries: &[Expr<'g>]) -> bool {
         /// The most operations that are written out.
         const MOST: u64 = 10_000;
-        let dependents = self.model.dependence.definitions().map(|(_, value)| value);
+        let dependents = self.model.loops.dependence.definitions().map(|(_, value)| value);
         entries.iter().copied().chain(dependents).any(|x| x.length() > MOST)
     }
 
@@ -266,13 +266,18 @@ impl<'g> Composer<'_, 'g> {
                 .chain(definitions.iter().map(|definition| &definition.formula));
             mentioned.extend(formulas.flat_map(Formula::mentions));
         }
-        let of_state = self.model.dependents.iter().filter(|dependent| dependent.in_state);
+        let of_state = self
+            .model
+            .loops
+            .dependents
+            .iter()
+            .filter(|dependent| dependent.in_state);
         let solved = of_state.flat_map(|dependent| dependent.slopes.iter().chain([&dependent.drift]));
         // these are known by linear equations alone
         let solved: FxHashSet<Expr<'g>> = solved.copied().collect();
         let printer = Printer::that_computes(self.model.graph);
         let mut found = Vec::new();
-        let definitions: Vec<(Expr<'g>, Expr<'g>)> = self.model.dependence.definitions().collect();
+        let definitions: Vec<(Expr<'g>, Expr<'g>)> = self.model.loops.dependence.definitions().collect();
         for (symbol, value) in definitions.into_iter().rev() {
             let label = printer.formula(symbol.id());
             if mentioned.contains(&label.to_string()) && !solved.contains(&symbol) {
@@ -288,7 +293,7 @@ impl<'g> Composer<'_, 'g> {
     fn taken(&self) -> BTreeSet<String> {
         let mut taken = self.model.names();
         taken.extend(self.torques.named.iter().map(|torque| torque.name.clone()));
-        let dependents = self.model.dependence.definitions();
+        let dependents = self.model.loops.dependence.definitions();
         taken.extend(dependents.filter_map(|(symbol, _)| Some(symbol.as_symbol()?.name.clone())));
         taken
     }

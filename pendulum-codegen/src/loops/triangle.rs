@@ -7,10 +7,10 @@
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::meeting::{Solution, Solved, Unknown};
-use super::{Cause, Open, Solver};
+use super::plane::{Loop, Piece};
+use super::{Cause, Dependent, Open, Solver};
 use crate::expr::{Derivative, Expr, Rational, SymbolKind};
-use crate::model::closure::{Loop, Piece};
-use crate::model::{Combination, Coordinate, CoordinateId, Dependent};
+use crate::model::{Combination, Coordinate, CoordinateId, Slopes};
 use crate::screw::Vec2;
 
 /// Two unknown sides, and what is known. If one of them slides, it is the first.
@@ -151,15 +151,15 @@ impl<'g> Solver<'g, '_> {
         self.set_unknowns(triangle, &solution);
         self.set_rates(triangle, &solution);
         for (k, _) in &triangle.places {
-            self.set_declared(usize::from(*k) - self.model.independent());
+            self.set_declared(usize::from(*k) - self.tree.independent());
         }
-        self.margins[number] = self.model.with_drives(&[solution.margin])[0];
+        self.margins[number] = self.tree.with_drives(&[solution.margin])[0];
         Ok(())
     }
 
     /// Gives the unknowns their symbols, and these their values.
     fn set_unknowns(&mut self, triangle: &Triangle<'g>, solution: &Solution<'g>) {
-        let free = self.model.independent();
+        let free = self.tree.independent();
         let counted = self.counted_sides(triangle, solution);
         let sides = triangle.sides.iter().zip(&solution.sides).zip(counted);
         for (((side, solved), counted), (k, combination)) in sides.zip(&triangle.places) {
@@ -168,19 +168,21 @@ impl<'g> Solver<'g, '_> {
             let coordinate = self.unknown(place, side);
             match solved.unknown {
                 Unknown::Turn(turn, _) => {
-                    let turn = turn.map(|x| self.model.with_drives(&[x])[0]);
+                    let turn = turn.map(|x| self.tree.with_drives(&[x])[0]);
                     self.dependence.set_turn(coordinate.position, turn);
                 }
                 Unknown::Length(length) => {
-                    let length = self.model.with_drives(&[length])[0];
+                    let length = self.tree.with_drives(&[length])[0];
                     self.dependence.set(coordinate.position, length);
                 }
             }
             self.dependents[place - free] = Some(Dependent {
                 coordinate,
-                slopes: vec![self.graph.zero(); free],
-                drift: self.graph.zero(),
-                in_state: false,
+                slopes: Slopes {
+                    slopes: vec![self.graph.zero(); free],
+                    drift: self.graph.zero(),
+                    in_state: false,
+                },
             });
             self.combinations[place - free] = Some(combination.clone());
             self.counted[place - free] = counted;
@@ -190,7 +192,7 @@ impl<'g> Solver<'g, '_> {
     /// Gives the unknowns their rates and second rates: at fixed unknowns the end moves with all else, and they bring
     /// it back.
     fn set_rates(&mut self, triangle: &Triangle<'g>, solution: &Solution<'g>) {
-        let free = self.model.independent();
+        let free = self.tree.independent();
         let numbers = triangle.places.each_ref().map(|(k, _)| usize::from(*k) - free);
         let pushes = (0..free).map(|j| self.velocity(triangle, solution, |k| self.slope(k, j), false));
         let slopes: Vec<[Expr<'g>; 2]> = pushes.map(|push| solution.answers(push)).collect();
@@ -234,13 +236,13 @@ impl<'g> Solver<'g, '_> {
 
     /// The symbols of the unknown of a side.
     fn unknown(&self, place: usize, side: &Side<'g>) -> Coordinate<'g> {
-        let declared = &self.declared[place - self.model.independent()].coordinate;
+        let declared = &self.declared[place - self.tree.independent()].coordinate;
         let body = match side {
             Side::Sliding(..) => return declared.clone(),
             Side::Turning(_, pieces) => pieces.iter().find_map(|piece| piece.body),
         };
         let name = match body {
-            Some(body) => format!("angle_{}", self.model.bodies[body].name.trim_start_matches("r#")),
+            Some(body) => format!("angle_{}", self.tree.bodies[body].name.trim_start_matches("r#")),
             None => declared.name.clone(),
         };
         let position = self.graph.symbol(&name, SymbolKind::Coordinate(place));

@@ -6,24 +6,11 @@
 
 use super::Solver;
 use super::equations::Equation;
+use super::plane::Loop;
 use crate::expr::{Binary, Expr, Unary};
-use crate::model::closure::{Closure, Loop, Tie};
-use crate::model::pose::between;
-use crate::model::{BodyId, Model};
+use crate::model::{BodyId, Gap, Tree, between};
+use crate::model::{Closure, Tie};
 use crate::screw::Vec3;
-
-/// How far a loop is from being closed.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Gap<'g> {
-    /// The number of the loop.
-    pub number: usize,
-    /// The distance between its ends, in m, along the directions in which they are tied.
-    pub distance: Expr<'g>,
-    /// The angle between its frames, or their axes, in rad.
-    pub angle: Expr<'g>,
-    /// The sum of the lengths around it, in m.
-    pub size: Expr<'g>,
-}
 
 impl<'g> Solver<'g, '_> {
     /// The gaps of the loops that are solved together.
@@ -37,14 +24,14 @@ impl<'g> Solver<'g, '_> {
             let own = equations.iter().filter(|equation| equation.number == number);
             let lengths = own.filter(|equation| equation.unit == "m");
             let squares = lengths.map(|equation| equation.value.powi(2));
-            let closure = &self.model.closures[number];
+            let closure = &self.tree.closures[number];
             let [distance, angle, size] = [
                 self.graph.sum(squares.collect::<Vec<_>>()).sqrt(),
                 // the axes of a loop in a plane are parallel
                 loops[number]
                     .as_ref()
-                    .map_or_else(|| closure.angle(self.model), |_| self.graph.zero()),
-                closure.size(self.model),
+                    .map_or_else(|| closure.angle(self.tree), |_| self.graph.zero()),
+                closure.size(self.tree),
             ];
             Gap {
                 number,
@@ -59,44 +46,44 @@ impl<'g> Solver<'g, '_> {
 
 impl<'g> Closure<'g> {
     /// The angle between the two frames, or the two axes, that are tied.
-    fn angle(&self, model: &Model<'g>) -> Expr<'g> {
-        let frames = between(model, self.ends.map(|end| end.body));
+    fn angle(&self, tree: &Tree<'g>) -> Expr<'g> {
+        let frames = between(tree, self.ends.map(|end| end.body));
         let [a, b] = [0, 1].map(|n| frames[n].rotation * self.axes[n]);
         let (sine, cosine) = match self.tie {
-            Tie::Ball => return model.graph.zero(),
+            Tie::Ball => return tree.graph.zero(),
             Tie::Revolute(axis) => {
                 let [a, b] = [a, b].map(|axes| axes * axis);
                 (a.cross(b), a.dot(b))
             }
             Tie::Prismatic(_) | Tie::Fixed => {
                 let pairs = [0, 1, 2].map(|n| (a.column(n), b.column(n)));
-                let zero = Vec3::zero(model.graph);
+                let zero = Vec3::zero(tree.graph);
                 let twice = pairs.iter().fold(zero, |sum, (a, b)| sum + a.cross(*b));
                 // twice the sine, and the trace, which is twice the cosine and 1
-                (twice, model.graph.sum(pairs.map(|(a, b)| a.dot(b))) - model.graph.one())
+                (twice, tree.graph.sum(pairs.map(|(a, b)| a.dot(b))) - tree.graph.one())
             }
         };
         sine.dot(sine).sqrt().combine(Binary::Atan2, cosine)
     }
 
     /// The sum of the lengths from each end to what carries both.
-    fn size(&self, model: &Model<'g>) -> Expr<'g> {
-        let carrier = self.carrier(model);
+    fn size(&self, tree: &Tree<'g>) -> Expr<'g> {
+        let carrier = self.carrier(tree);
         let of_ends = self.ends.map(|end| {
-            let below = |&body: &BodyId| model.bodies[body].parent;
+            let below = |&body: &BodyId| tree.bodies[body].parent;
             let chain = std::iter::successors(end.body.filter(|_| end.body != carrier), |body| {
                 below(body).filter(|&parent| Some(parent) != carrier)
             });
             chain.fold(length(end.at), |sum, body| {
-                let body = &model.bodies[body];
+                let body = &tree.bodies[body];
                 let own = sum + length(body.placement.translation);
                 body.screw.map_or(own, |screw| {
                     let (w, v) = (screw.angular, screw.linear);
                     let (arm, along) = match screw.turns() {
                         true => (length(w.cross(v)), w.dot(v)),
-                        false => (model.graph.zero(), length(v)),
+                        false => (tree.graph.zero(), length(v)),
                     };
-                    own + 2 * arm + (along * model.position_of(&body.motion)).apply(Unary::Abs)
+                    own + 2 * arm + (along * tree.position_of(&body.motion)).apply(Unary::Abs)
                 })
             })
         });

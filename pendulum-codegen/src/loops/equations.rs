@@ -8,10 +8,11 @@
 //! truncation open.
 
 use super::orthogonal::rank;
-use super::{Cause, Gap, Open, Orthogonal, ROUNDING, Solver};
+use super::plane::Loop;
+use super::{Cause, Dependent, Open, Orthogonal, ROUNDING, Solver};
 use crate::expr::{Derivative, Expr, Level, Normalizer, SymbolKind};
-use crate::model::closure::Loop;
-use crate::model::{Combination, CoordinateId, Dependent, changes};
+use crate::model::Gap;
+use crate::model::{Combination, CoordinateId, Slopes, changes};
 
 /// How far normal forms of equations may grow.
 const BUDGET: usize = 10_000;
@@ -35,7 +36,7 @@ struct Jacobian<'g> {
 impl<'g> Solver<'g, '_> {
     /// Closes all loops that are left by the coordinates that are left.
     pub(super) fn solve_together(&mut self, loops: &[Option<Loop<'g>>], left: &[usize]) -> Result<(), Open> {
-        let free = self.model.independent();
+        let free = self.tree.independent();
         let equations = self.equations(loops, left);
         let rows: Vec<Expr<'g>> = equations.iter().map(|equation| equation.value).collect();
         let unknown = self.take_unknown();
@@ -43,7 +44,7 @@ impl<'g> Solver<'g, '_> {
             unknown: unknown.iter().map(|&n| self.column(&rows, free + n)).collect(),
             others: (0..free).map(|j| self.column(&rows, j)).collect(),
         };
-        let values = self.model.with_drives(&rows);
+        let values = self.tree.with_drives(&rows);
         self.check_equations(&equations)?;
         let of_first = |cause| Open { number: left[0], cause };
         jacobian.check_columns().map_err(of_first)?;
@@ -62,7 +63,7 @@ impl<'g> Solver<'g, '_> {
 
     /// The places of the coordinates that are left. Their positions are in the state from now on.
     fn take_unknown(&mut self) -> Vec<usize> {
-        let free = self.model.independent();
+        let free = self.tree.independent();
         let unknown: Vec<usize> = (0..self.declared.len())
             .filter(|&n| self.dependents[n].is_none())
             .collect();
@@ -70,9 +71,11 @@ impl<'g> Solver<'g, '_> {
             self.combinations[n] = Some(Combination::one(CoordinateId::new(free + n)));
             self.dependents[n] = Some(Dependent {
                 coordinate: self.declared[n].coordinate.clone(),
-                slopes: vec![self.graph.zero(); free],
-                drift: self.graph.zero(),
-                in_state: true,
+                slopes: Slopes {
+                    slopes: vec![self.graph.zero(); free],
+                    drift: self.graph.zero(),
+                    in_state: true,
+                },
             });
         }
         unknown
@@ -117,7 +120,7 @@ impl<'g> Solver<'g, '_> {
                     rows.map(|row| equation(row, "m")).collect()
                 }
                 None => {
-                    let rows = self.model.closures[number].equations(self.model);
+                    let rows = self.tree.closures[number].equations(self.tree);
                     rows.into_iter().map(|row| equation(row.value, row.unit)).collect()
                 }
             };
@@ -152,22 +155,26 @@ impl<'g> Solver<'g, '_> {
     /// The derivatives by a coordinate where those that are left stand still.
     fn column(&self, rows: &[Expr<'g>], k: usize) -> Vec<Expr<'g>> {
         let own = self.coordinate(CoordinateId::new(k)).changes.iter().copied();
-        let solved = self.dependents.iter().flatten().filter(|dependent| !dependent.in_state);
+        let solved = self
+            .dependents
+            .iter()
+            .flatten()
+            .filter(|dependent| !dependent.slopes.in_state);
         let dependents =
-            solved.filter_map(|dependent| Some((dependent.coordinate.position, *dependent.slopes.get(k)?)));
+            solved.filter_map(|dependent| Some((dependent.coordinate.position, *dependent.slopes.slopes.get(k)?)));
         let mut along = Derivative::along(own.chain(dependents));
         let column: Vec<Expr<'g>> = rows.iter().map(|&row| along.of(row)).collect();
-        self.model.with_drives(&column)
+        self.tree.with_drives(&column)
     }
 
     /// The second derivatives by the time where nothing accelerates by itself.
     fn bend(&self, rows: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let zero = self.graph.zero();
         let of_others = self
-            .model
+            .tree
             .coordinates
             .iter()
-            .chain(self.model.drives.iter().map(|drive| &drive.coordinate));
+            .chain(self.tree.drives.iter().map(|drive| &drive.coordinate));
         let dependents: Vec<&Dependent<'g>> = self.dependents.iter().flatten().collect();
         let all = of_others
             .clone()
@@ -178,10 +185,10 @@ impl<'g> Solver<'g, '_> {
         let of_rates = of_others.map(|coordinate| (coordinate.rate, zero));
         let of_dependents = dependents
             .iter()
-            .map(|dependent| (dependent.coordinate.rate, dependent.drift));
+            .map(|dependent| (dependent.coordinate.rate, dependent.slopes.drift));
         let mut along = Derivative::along(velocities.into_iter().chain(of_rates).chain(of_dependents));
         let bends: Vec<Expr<'g>> = rates.iter().map(|&rate| along.of(rate)).collect();
-        self.model.with_drives(&bends)
+        self.tree.with_drives(&bends)
     }
 
     /// Symbols for the solution `x` of `J x = b`, which know their derivatives: `J dx = db - dJ x`.
@@ -228,10 +235,16 @@ impl<'g> Solver<'g, '_> {
 
     /// What a solution may depend on, each with a name that can be part of another.
     fn variables(&self) -> Vec<(String, Expr<'g>)> {
-        let in_state = self.dependents.iter().flatten().filter(|dependent| dependent.in_state);
+        let in_state = self
+            .dependents
+            .iter()
+            .flatten()
+            .filter(|dependent| dependent.slopes.in_state);
         let in_state = in_state.map(|dependent| dependent.coordinate.position);
-        let symbols = self.model.state().into_iter().chain(in_state);
-        let symbols = symbols.chain(self.parameters()).chain([self.model.time]);
+        let positions = changes(self.tree.coordinates.iter()).into_iter().map(|(x, _)| x);
+        let rates = self.tree.coordinates.iter().map(|c| c.rate);
+        let symbols = positions.chain(rates).chain(in_state);
+        let symbols = symbols.chain(self.parameters()).chain([self.tree.time]);
         let named = |symbol: Expr<'g>| {
             let name = symbol.as_symbol()?.name.replace(['.', '('], "_").replace(')', "");
             Some((name, symbol))
@@ -250,7 +263,7 @@ impl<'g> Solver<'g, '_> {
         if !self.is_known() {
             return Ok(());
         }
-        let free = self.model.independent();
+        let free = self.tree.independent();
         for _ in 0..CORRECTIONS {
             let corrections = self.numbers_of(&self.corrections);
             let size = corrections.iter().fold(0.0, |size: f64, x| size.max(x.abs()));

@@ -9,10 +9,10 @@ use std::f64::consts::TAU;
 
 use super::Solver;
 use super::meeting::{Aside, Solution, Unknown};
+use super::plane::Piece;
 use super::triangle::{Side, Triangle};
 use crate::expr::{Binary, Expr, Level, Rational, ratio};
-use crate::model::closure::Piece;
-use crate::model::{Combination, Coordinate, CoordinateId};
+use crate::model::{Combination, Coordinate, CoordinateId, Uncounted};
 use crate::screw::Vec2;
 
 /// An angle with its whole turns.
@@ -22,15 +22,6 @@ pub(super) struct Counted<'g> {
     /// 1 where these are counted, 0 where the angle is known but for whole turns: a constant, for it depends on
     /// lengths.
     pub(super) holds: Expr<'g>,
-}
-
-/// An angle that is known within half a turn of its guess.
-#[derive(Clone, Debug)]
-pub(crate) struct Uncounted<'g> {
-    pub coordinate: Coordinate<'g>,
-    /// The cosine of half the angle from its guess: 0 where it would leave that half turn. 1 where its turns are
-    /// counted, which depends on lengths.
-    pub margin: Expr<'g>,
 }
 
 /// Vectors that turn together.

@@ -10,19 +10,18 @@ mod equations;
 mod gap;
 mod meeting;
 mod orthogonal;
+mod plane;
 mod triangle;
 mod turns;
 
-pub(crate) use gap::Gap;
 pub(crate) use orthogonal::Orthogonal;
+pub(crate) use plane::{Loop, NoPlane, parallel};
 use turns::Counted;
-pub(crate) use turns::Uncounted;
 
 use rustc_hash::FxHashMap;
 
-use super::closure::Loop;
-use super::{Combination, Coordinate, CoordinateId, Dependence, Dependent, Model};
 use crate::expr::{Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
+use crate::model::{Combination, Coordinate, CoordinateId, Dependence, Gap, Loops, Slopes, Tree, Uncounted};
 
 /// A dependent coordinate as it is declared.
 #[derive(Clone, Debug)]
@@ -67,34 +66,33 @@ pub(crate) enum Cause {
 /// A loop that misses by no more than this is closed, up to rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// What closed loops make of the dependent coordinates.
+/// Loops that were solved.
 #[derive(Clone, Debug)]
 pub(crate) struct Closed<'g> {
     /// What they determine: absolute angles of sides, and lengths.
-    pub dependents: Vec<Dependent<'g>>,
+    pub dependents: Vec<Coordinate<'g>>,
+    /// What they make of these.
+    pub loops: Loops<'g>,
     /// Each declared coordinate in those of the state, of the drives, and those.
     pub combinations: Vec<Combination>,
-    /// The values of all symbols.
-    pub dependence: Dependence<'g>,
-    /// For each loop how far it is from its toggle: see [`Model::margins`].
-    pub margins: Vec<Expr<'g>>,
-    /// What vanishes where those loops are closed that are solved together.
-    pub closings: Vec<Expr<'g>>,
-    /// What Newton's method adds to the coordinates whose positions are in the state.
-    pub corrections: Vec<Expr<'g>>,
-    /// How far the loops that are solved together are from being closed.
-    pub gaps: Vec<Gap<'g>>,
-    /// The angles whose turns are not counted.
-    pub uncounted: Vec<Uncounted<'g>>,
     /// The guess of each declared coordinate, and what it is where the loops are assembled; nothing where parameters have
     /// no defaults.
     pub assembled: Vec<[f64; 2]>,
 }
 
+/// A coordinate that the loops determine.
+#[derive(Clone, Debug)]
+struct Dependent<'g> {
+    /// Its symbol, that of its rate, and its second rate in those of the others.
+    coordinate: Coordinate<'g>,
+    /// How it changes.
+    slopes: Slopes<'g>,
+}
+
 /// Loops while they are solved.
 struct Solver<'g, 'm> {
     graph: &'g Graph,
-    model: &'m Model<'g>,
+    tree: &'m Tree<'g>,
     declared: &'m [Declared<'g>],
     dependents: Vec<Option<Dependent<'g>>>,
     combinations: Vec<Option<Combination>>,
@@ -115,12 +113,12 @@ struct Solver<'g, 'm> {
 /// Closes the loops, each with its vectors if it lies in a plane. Near `near` the coordinates of the state assemble
 /// them, and those components of orientations and positions that have a guess.
 pub(crate) fn close<'g>(
-    model: &Model<'g>,
+    tree: &Tree<'g>,
     loops: &[Option<Loop<'g>>],
     declared: &[Declared<'g>],
     near: (&[Expr<'g>], &[(Expr<'g>, Expr<'g>)]),
 ) -> Result<Closed<'g>, Open> {
-    let mut solver = Solver::new(model, loops.len(), declared, near);
+    let mut solver = Solver::new(tree, loops.len(), declared, near);
     let mut left: Vec<usize> = (0..loops.len()).collect();
     while let Some((at, triangle)) = solver.next(loops, &left) {
         solver.solve(left[at], &triangle)?;
@@ -131,35 +129,40 @@ pub(crate) fn close<'g>(
     }
     let numbers = |declared: &Declared<'g>| solver.numbers([declared.near, declared.coordinate.position]);
     let assembled = declared.iter().filter(|_| solver.is_known()).map(numbers).collect();
+    let dependents = solver.dependents.into_iter().flatten();
+    let (dependents, slopes) = dependents.map(|own| (own.coordinate, own.slopes)).unzip();
     Ok(Closed {
         assembled,
-        dependents: solver.dependents.into_iter().flatten().collect(),
+        dependents,
         combinations: solver.combinations.into_iter().flatten().collect(),
-        dependence: solver.dependence,
-        margins: solver.margins,
-        closings: solver.closings,
-        corrections: solver.corrections,
-        gaps: solver.gaps,
-        uncounted: solver.uncounted,
+        loops: Loops {
+            dependents: slopes,
+            dependence: solver.dependence,
+            margins: solver.margins,
+            closings: solver.closings,
+            corrections: solver.corrections,
+            gaps: solver.gaps,
+            uncounted: solver.uncounted,
+        },
     })
 }
 
 impl<'g, 'm> Solver<'g, 'm> {
     fn new(
-        model: &'m Model<'g>,
+        tree: &'m Tree<'g>,
         loops: usize,
         declared: &'m [Declared<'g>],
         (near, free): (&[Expr<'g>], &[(Expr<'g>, Expr<'g>)]),
     ) -> Self {
         let mut solver = Self {
-            graph: model.graph,
-            model,
+            graph: tree.graph,
+            tree,
             declared,
             dependents: vec![None; declared.len()],
             combinations: vec![None; declared.len()],
             counted: vec![None; declared.len()],
             dependence: Dependence::default(),
-            margins: vec![model.graph.one(); loops],
+            margins: vec![tree.graph.one(); loops],
             closings: Vec::new(),
             corrections: Vec::new(),
             gaps: Vec::new(),
@@ -167,11 +170,11 @@ impl<'g, 'm> Solver<'g, 'm> {
             assembled: Vec::new(),
             free: FxHashMap::default(),
         };
-        for drive in &model.drives {
-            let change = (model.time, drive.law[1]);
-            model.graph.set_changes(drive.coordinate.position, &[change], false);
+        for drive in &tree.drives {
+            let change = (tree.time, drive.law[1]);
+            tree.graph.set_changes(drive.coordinate.position, &[change], false);
         }
-        let laws = model.drives.iter().map(|drive| drive.law[0]);
+        let laws = tree.drives.iter().map(|drive| drive.law[0]);
         let guesses = declared.iter().map(|declared| declared.near);
         for value in near.iter().copied().chain(laws).chain(guesses) {
             let value = solver.number(value);
@@ -186,7 +189,7 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// The place among the declared coordinates, of one of them.
     fn declared_as(&self, k: CoordinateId) -> Option<usize> {
-        usize::from(k).checked_sub(self.model.independent())
+        usize::from(k).checked_sub(self.tree.independent())
     }
 
     fn is_unknown(&self, k: CoordinateId) -> bool {
@@ -207,7 +210,7 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// Gives a symbol its value.
     fn define(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
-        let value = self.model.with_drives(&[value])[0];
+        let value = self.tree.with_drives(&[value])[0];
         self.graph.set_changes(symbol, &[(value, self.graph.one())], false);
         self.dependence.set(symbol, value);
     }
@@ -232,7 +235,7 @@ impl<'g, 'm> Solver<'g, 'm> {
         format!(
             "slope_{}_{}",
             self.name(n),
-            self.model.coordinate(CoordinateId::new(j)).name
+            self.tree.coordinate(CoordinateId::new(j)).name
         )
     }
 
@@ -244,22 +247,19 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// The parameters, where anything is derived by them.
     fn parameters(&self) -> Vec<Expr<'g>> {
-        let derived = self.model.generate.contains("parameter_jacobian");
-        let parameters = self.model.parameters.iter().filter(|_| derived);
+        let derived = self.tree.generate.contains("parameter_jacobian");
+        let parameters = self.tree.parameters.iter().filter(|_| derived);
         parameters.map(|parameter| parameter.symbol).collect()
     }
 
     /// The slopes of an unknown, which are symbols or constants, give it its rate; those by parameters belong to its
     /// position.
     fn set_slopes(&mut self, n: usize, named: Vec<Expr<'g>>, of_parameters: Vec<(Expr<'g>, Expr<'g>)>) {
-        let Some(Dependent {
-            coordinate, in_state, ..
-        }) = self.dependents[n].clone()
-        else {
+        let Some(Dependent { coordinate, slopes }) = self.dependents[n].clone() else {
             return;
         };
-        let (dof, drives) = (self.model.dof(), &self.model.drives);
-        let of_state = self.model.coordinates.iter().zip(&named);
+        let (dof, drives) = (self.tree.dof(), &self.tree.drives);
+        let of_state = self.tree.coordinates.iter().zip(&named);
         let of_drives = named[dof..]
             .iter()
             .zip(drives)
@@ -272,10 +272,10 @@ impl<'g, 'm> Solver<'g, 'm> {
             .zip(drives)
             .map(|(&slope, drive)| slope * drive.coordinate.acceleration);
         let acceleration = self.graph.sum(acceleration.chain(driven).collect::<Vec<_>>());
-        if !in_state {
+        if !slopes.in_state {
             let changes = of_state
                 .map(|(c, &slope)| (c.position, slope))
-                .chain([(self.model.time, of_time)])
+                .chain([(self.tree.time, of_time)])
                 .chain(of_parameters);
             self.graph
                 .set_changes(coordinate.position, &changes.collect::<Vec<_>>(), false);
@@ -285,12 +285,12 @@ impl<'g, 'm> Solver<'g, 'm> {
             acceleration,
             ..coordinate
         };
-        self.dependents[n] = Some(Dependent {
-            coordinate,
+        let slopes = Slopes {
             slopes: named,
             drift: self.graph.zero(),
-            in_state,
-        });
+            ..slopes
+        };
+        self.dependents[n] = Some(Dependent { coordinate, slopes });
     }
 
     /// What the second rate of an unknown is called where no coordinate accelerates.
@@ -301,7 +301,7 @@ impl<'g, 'm> Solver<'g, 'm> {
     /// Sets that second rate, which is a symbol or a constant.
     fn set_drift(&mut self, n: usize, named: Expr<'g>) {
         if let Some(dependent) = &mut self.dependents[n] {
-            dependent.drift = named;
+            dependent.slopes.drift = named;
             dependent.coordinate.acceleration += named;
         }
     }
@@ -327,13 +327,13 @@ impl<'g, 'm> Solver<'g, 'm> {
         self.graph.set_changes(coordinate.position, &factors(&positions), true);
         self.graph.set_changes(coordinate.rate, &factors(&rates), true);
         let rate = self.graph.sum(rates.iter().map(|(x, n)| n * *x).collect::<Vec<_>>());
-        let in_time = |(x, n): &(Expr<'g>, Rational)| (self.model.with_drives(&[*x])[0], n.clone());
+        let in_time = |(x, n): &(Expr<'g>, Rational)| (self.tree.with_drives(&[*x])[0], n.clone());
         self.dependence
             .set_sum(coordinate.position, positions.iter().map(in_time).collect());
-        self.dependence.set(coordinate.rate, self.model.with_drives(&[rate])[0]);
+        self.dependence.set(coordinate.rate, self.tree.with_drives(&[rate])[0]);
         let value = self.value(&coordinate, near, &sum);
         self.dependence
-            .set(coordinate.position, self.model.with_drives(&[value])[0]);
+            .set(coordinate.position, self.tree.with_drives(&[value])[0]);
     }
 
     /// A coordinate of the state, of a drive, or an unknown that was found.
@@ -343,14 +343,14 @@ impl<'g, 'm> Solver<'g, 'm> {
         match (own, found) {
             (_, Some(found)) => found,
             (Some(n), None) => &self.declared[n].coordinate,
-            (None, None) => self.model.coordinate(k),
+            (None, None) => self.tree.coordinate(k),
         }
     }
 
     /// The derivative of a coordinate by that of number `j`; zero for what is just being solved.
     fn slope(&self, k: CoordinateId, j: usize) -> Expr<'g> {
         match self.declared_as(k).and_then(|n| self.dependents[n].as_ref()) {
-            Some(dependent) => dependent.slopes[j],
+            Some(dependent) => dependent.slopes.slopes[j],
             None => self.graph.integer(i64::from(usize::from(k) == j)),
         }
     }
@@ -358,14 +358,14 @@ impl<'g, 'm> Solver<'g, 'm> {
     /// The second rate of a coordinate where nothing accelerates by itself.
     fn drift(&self, k: CoordinateId) -> Expr<'g> {
         let dependent = self.declared_as(k).and_then(|n| self.dependents[n].as_ref());
-        dependent.map_or(self.graph.zero(), |dependent| dependent.drift)
+        dependent.map_or(self.graph.zero(), |dependent| dependent.slopes.drift)
     }
 
     /// The expression, or its normal form where that is shorter.
     fn shorter(&self, x: Expr<'g>) -> Expr<'g> {
         /// How far the normal form may grow.
         const BUDGET: usize = 10_000;
-        let mut normalizer = Normalizer::with_angles(self.graph, BUDGET, self.model.base_angles());
+        let mut normalizer = Normalizer::with_angles(self.graph, BUDGET, self.tree.base_angles());
         let normal = normalizer.normal(x).map(|normal| normalizer.to_expr(&normal));
         normal.ok().filter(|normal| normal.length() < x.length()).unwrap_or(x)
     }
@@ -382,8 +382,8 @@ impl<'g, 'm> Solver<'g, 'm> {
     }
 
     fn numbers_of(&self, values: &[Expr<'g>]) -> Vec<f64> {
-        let values = self.dependence.written_out(self.graph, &self.model.with_drives(values));
-        let assembled = self.model.all_coordinates().zip(&self.assembled);
+        let values = self.dependence.written_out(self.graph, &self.tree.with_drives(values));
+        let assembled = self.tree.all_coordinates().zip(&self.assembled);
         let free = self.free.iter().map(|(&component, &value)| (component, value));
         let assembled: FxHashMap<ExprId, f64> = assembled
             .map(|(coordinate, &value)| match &coordinate.changes[..] {
@@ -394,7 +394,7 @@ impl<'g, 'm> Solver<'g, 'm> {
             .chain(free)
             .collect();
         let value = |id: ExprId, symbol: &Symbol| match symbol.kind {
-            SymbolKind::Parameter(n) => self.model.parameters[n].default.unwrap_or(1.0),
+            SymbolKind::Parameter(n) => self.tree.parameters[n].default.unwrap_or(1.0),
             _ => assembled.get(&id).copied().unwrap_or(0.0),
         };
         self.graph.evaluate_at(&values, value)
@@ -402,9 +402,6 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// Whether all parameters have values, so that the loops can be assembled.
     fn is_known(&self) -> bool {
-        self.model
-            .parameters
-            .iter()
-            .all(|parameter| parameter.default.is_some())
+        self.tree.parameters.iter().all(|parameter| parameter.default.is_some())
     }
 }
