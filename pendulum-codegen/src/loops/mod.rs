@@ -6,6 +6,7 @@
 //! [triangle]: triangle
 //! [by linear equations]: equations
 
+mod assembled;
 mod equations;
 mod gap;
 mod meeting;
@@ -20,7 +21,7 @@ use turns::Counted;
 
 use rustc_hash::FxHashMap;
 
-use crate::expr::{Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
+use crate::expr::{Expr, ExprId, Graph, Level, Normalizer, Rational, SymbolKind};
 use crate::model::{Combination, Coordinate, CoordinateId, Dependence, Gap, Loops, Slopes, Tree, Uncounted};
 
 /// A dependent coordinate as it is declared.
@@ -368,40 +369,5 @@ impl<'g, 'm> Solver<'g, 'm> {
         let mut normalizer = Normalizer::with_angles(self.graph, BUDGET, self.tree.base_angles());
         let normal = normalizer.normal(x).map(|normal| normalizer.to_expr(&normal));
         normal.ok().filter(|normal| normal.length() < x.length()).unwrap_or(x)
-    }
-
-    /// The value of an expression where the loops are assembled.
-    fn number(&self, x: Expr<'g>) -> f64 {
-        self.numbers([x])[0]
-    }
-
-    /// The values of expressions where the loops are assembled: parameters without a default count as 1.
-    fn numbers<const N: usize>(&self, values: [Expr<'g>; N]) -> [f64; N] {
-        let all = self.numbers_of(&values);
-        std::array::from_fn(|n| all[n])
-    }
-
-    fn numbers_of(&self, values: &[Expr<'g>]) -> Vec<f64> {
-        let values = self.dependence.written_out(self.graph, &self.tree.with_drives(values));
-        let assembled = self.tree.all_coordinates().zip(&self.assembled);
-        let free = self.free.iter().map(|(&component, &value)| (component, value));
-        let assembled: FxHashMap<ExprId, f64> = assembled
-            .map(|(coordinate, &value)| match &coordinate.changes[..] {
-                // orientations are those of the frames that they are relative to: the scalar part is first
-                [(scalar, _), _, ..] => (scalar.id(), 1.0),
-                _ => (coordinate.position.id(), value),
-            })
-            .chain(free)
-            .collect();
-        let value = |id: ExprId, symbol: &Symbol| match symbol.kind {
-            SymbolKind::Parameter(n) => self.tree.parameters[n].default.unwrap_or(1.0),
-            _ => assembled.get(&id).copied().unwrap_or(0.0),
-        };
-        self.graph.evaluate_at(&values, value)
-    }
-
-    /// Whether all parameters have values, so that the loops can be assembled.
-    fn is_known(&self) -> bool {
-        self.tree.parameters.iter().all(|parameter| parameter.default.is_some())
     }
 }

@@ -1,9 +1,11 @@
 //! The typed scene: what a declaration means, without its text.
 
 mod action;
+mod body;
 mod closure;
 mod combination;
 mod constraint;
+mod coordinate;
 mod dependent;
 mod drive;
 mod figure;
@@ -13,6 +15,7 @@ mod loops;
 mod output;
 mod point;
 mod pose;
+mod rule;
 
 use std::collections::BTreeSet;
 use std::ops::Deref;
@@ -20,9 +23,11 @@ use std::ops::Deref;
 use num_traits::{One, Signed, Zero};
 
 pub(crate) use action::{Action, Place, Push};
+pub(crate) use body::{Body, Heading};
 pub(crate) use closure::{Closure, Row, Tie};
 pub(crate) use combination::Combination;
 pub(crate) use constraint::{Constraint, Law, MAX_CONSTRAINTS};
+pub(crate) use coordinate::{Coordinate, changes};
 pub(crate) use dependent::Dependence;
 
 pub(crate) use drive::Drive;
@@ -35,9 +40,10 @@ pub(crate) use loops::{Gap, Loops, Slopes, Uncounted};
 pub(crate) use output::{Event, Output, OutputShape};
 pub(crate) use point::{Point, along_motion};
 pub(crate) use pose::{Poses, between};
+pub(crate) use rule::{ROUNDING, Requirement, Rule};
 
-use crate::expr::{BaseAngles, Definition, Derivative, Expr, Formula, Graph, Level, ratio};
-use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
+use crate::expr::{BaseAngles, Definition, Expr, Graph, ratio};
+use crate::screw::Vec3;
 use crate::units::Unit;
 
 /// Bodies that hang on each other, and what moves them: the loops of a scene are open.
@@ -132,72 +138,6 @@ pub(crate) struct Input<'g> {
     pub symbol: Expr<'g>,
 }
 
-/// A coordinate and the symbols of its derivatives.
-#[derive(Clone, Debug)]
-pub(crate) struct Coordinate<'g> {
-    /// Name.
-    pub name: String,
-    /// The coordinate; the number 0 for a component of the angular velocity of an
-    /// [orientation](Self::is_of_orientation).
-    pub position: Expr<'g>,
-    /// The components of the state that a unit of its rate changes, and how fast: a column of `K` in `q' = K(q) v`.
-    pub changes: Vec<(Expr<'g>, Expr<'g>)>,
-    /// Its rate.
-    pub rate: Expr<'g>,
-    /// Its second rate, where it is held fixed while other things vary.
-    pub acceleration: Expr<'g>,
-}
-
-impl<'g> Coordinate<'g> {
-    /// A coordinate whose position is one component of the state.
-    pub(crate) fn plain(name: String, [position, rate, acceleration]: [Expr<'g>; 3]) -> Self {
-        Self {
-            name,
-            position,
-            changes: vec![(position, position.graph().one())],
-            rate,
-            acceleration,
-        }
-    }
-
-    /// The component of the angular velocity of a body along one of its axes, for the unit quaternion from body to
-    /// parent, `q' = q (0, w) / 2`. It is the rate of no coordinate, but its screw is that of a joint that turns.
-    pub(crate) fn turn(
-        name: String,
-        quaternion: [Expr<'g>; 4],
-        axis: usize,
-        [rate, acceleration]: [Expr<'g>; 2],
-    ) -> Self {
-        let changes = by_turn(quaternion, axis).map(|x| ratio(1, 2) * x);
-        Self {
-            name,
-            position: rate.graph().zero(),
-            changes: quaternion.into_iter().zip(changes).collect(),
-            rate,
-            acceleration,
-        }
-    }
-
-    /// Whether it is a component of the angular velocity of an orientation.
-    pub(crate) fn is_of_orientation(&self) -> bool {
-        self.changes.len() > 1
-    }
-
-    /// The derivative by the coordinate: where it is one of an angular velocity, that by a turn about its axis.
-    pub(crate) fn derivative(&self) -> Derivative<'g> {
-        Derivative::along(self.changes.iter().copied())
-    }
-}
-
-/// `q (0, e)` for the unit vector `e` of an axis.
-fn by_turn<'g>([w, x, y, z]: [Expr<'g>; 4], axis: usize) -> [Expr<'g>; 4] {
-    match axis {
-        0 => [-x, w, z, -y],
-        1 => [-y, -z, w, x],
-        _ => [-z, y, -x, w],
-    }
-}
-
 /// The constants that a model has beside the places of its coordinates.
 pub(crate) const FACTS: [&str; 8] = [
     "DOF",
@@ -215,130 +155,6 @@ pub(crate) const FACTS: [&str; 8] = [
 pub(crate) fn places(coordinate: &str) -> [String; 2] {
     let name = coordinate.trim_start_matches("r#").replace('.', "_").to_uppercase();
     [name.clone(), format!("DOT_{name}")]
-}
-
-/// A rigid body and the joint that carries it.
-#[derive(Debug)]
-pub(crate) struct Body<'g> {
-    /// Name.
-    pub name: String,
-    /// The body that carries it; none for ground.
-    pub parent: Option<BodyId>,
-    /// Where the joint frame sits in the parent's frame: constant, but for an orientation.
-    pub placement: Transform<'g>,
-    /// The joint's screw axis in the joint frame, normalised; none for a fixed joint.
-    pub screw: Option<Twist<'g>>,
-    /// Of the three joints of an orientation, in a row on bodies without mass, the angular velocity that each adds: all
-    /// of it by the first, whose placement is turned by the quaternion, and none by the others.
-    pub spin: Option<Vec3<'g>>,
-    /// The coordinate that this joint brings into the scene; a driven one has one too.
-    pub coordinate: Option<CoordinateId>,
-    /// The relative joint coordinate in terms of the scene's coordinates.
-    pub motion: Combination,
-    /// How the body is turned.
-    pub heading: Heading<'g>,
-    /// Inertia in the body frame.
-    pub inertia: SpatialInertia<'g>,
-    /// How it looks.
-    pub figures: Vec<Figure<'g>>,
-    /// Force of the joint along its relative coordinate: friction, spring and torque, and whatever holds it.
-    pub force: Expr<'g>,
-    /// The part of the force that is friction and spring, and whatever holds the joint.
-    pub passive: Expr<'g>,
-    /// The rest of it, the torque, as it was written.
-    pub torque: Option<Formula>,
-    /// Potential energy of the joint.
-    pub potential: Expr<'g>,
-    /// Dry friction and stops of the joint.
-    pub law: Option<Law<'g>>,
-}
-
-/// The orientation of a body in its station: the rotation by `turn` about `axis`, after the constant rotation `rest`.
-///
-/// A station is a frame in which a group of bodies turns about one axis only: the ground, or the body before the first
-/// joint of the group. Parallel joints so become one rotation by a sum of angles.
-#[derive(Clone, Debug)]
-pub(crate) struct Heading<'g> {
-    /// The body whose frame is the station; none for ground.
-    pub station: Option<BodyId>,
-    /// Unit vector of the axis in the station, unless nothing turns yet.
-    pub axis: Option<Vec3<'g>>,
-    /// The angle.
-    pub turn: Combination,
-    /// The orientation at angle zero: constant, but for an orientation by a quaternion.
-    pub rest: Mat3<'g>,
-}
-
-impl Heading<'_> {
-    /// Whether a quaternion turns it.
-    pub(crate) fn turns_freely(&self) -> bool {
-        let entries = self.rest.0.iter().flat_map(|row| row.0);
-        entries.into_iter().any(|entry| entry.level() == Level::State)
-    }
-}
-
-/// A condition on parameters that `new` checks.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Rule<'g> {
-    /// What is checked.
-    pub value: Expr<'g>,
-    /// What it must be.
-    pub requirement: Requirement<'g>,
-    /// The parameter, or the expression of parameters, as text.
-    pub name: String,
-    /// The rule as a sentence: `the mass of `upper` must be positive`.
-    pub text: String,
-}
-
-/// What a checked value must be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Requirement<'g> {
-    /// Above zero.
-    Positive,
-    /// Zero or above.
-    NonNegative,
-    /// Zero or above, up to rounding of a difference of numbers of this size.
-    NonNegativeWithin(Expr<'g>),
-}
-
-/// How much of a difference is rounding.
-pub(crate) const ROUNDING: f64 = 1e-12;
-
-impl<'g> Requirement<'g> {
-    /// The number by whose size the rounding is measured.
-    pub(crate) fn scale(self) -> Option<Expr<'g>> {
-        match self {
-            Self::NonNegativeWithin(scale) => Some(scale),
-            Self::Positive | Self::NonNegative => None,
-        }
-    }
-
-    /// Whether a value obeys, where `scale` is the size that the rounding is measured by.
-    pub(crate) fn allows(self, value: f64, scale: f64) -> bool {
-        match self {
-            Self::Positive => value > 0.0,
-            Self::NonNegative => value >= 0.0,
-            Self::NonNegativeWithin(_) => value >= -ROUNDING * scale,
-        }
-    }
-}
-
-/// The positions of coordinates, and how fast they change along a motion.
-pub(crate) fn changes<'g, 'm>(coordinates: impl Iterator<Item = &'m Coordinate<'g>>) -> Vec<(Expr<'g>, Expr<'g>)>
-where
-    'g: 'm,
-{
-    let mut all: Vec<(Expr<'g>, Expr<'g>)> = Vec::new();
-    for coordinate in coordinates {
-        for &(position, factor) in &coordinate.changes {
-            let change = factor * coordinate.rate;
-            match all.iter_mut().find(|(known, _)| *known == position) {
-                Some((_, sum)) => *sum += change,
-                None => all.push((position, change)),
-            }
-        }
-    }
-    all
 }
 
 impl<'g> Tree<'g> {

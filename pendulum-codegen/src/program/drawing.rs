@@ -41,86 +41,21 @@ pub(super) struct Sketch<'g> {
 impl<'g> Sketch<'g> {
     /// The sketch of a model.
     pub(super) fn new(forms: &mut Forms<'g>, model: &Model<'g>) -> Self {
-        let poses = Poses::new(model);
-        let (mut outlines, mut values) = (Vec::new(), Vec::new());
-        let mut show = |name: &str, kind, points: Vec<Vec3<'g>>, radius: Option<Expr<'g>>| {
-            outlines.push(Outline {
-                name: name.trim_start_matches("r#").to_owned(),
-                kind,
-                points: points.len(),
-                radius: radius.is_some(),
-            });
-            values.extend(points.into_iter().flat_map(|point| point.0).chain(radius));
+        let mut shown = Shown {
+            model,
+            poses: Poses::new(model),
+            outlines: Vec::new(),
+            values: Vec::new(),
         };
-        for (n, body) in model.bodies() {
-            for figure in &body.figures {
-                let points = figure.points.iter().map(|&point| poses.point(Some(n), point)).collect();
-                show(&body.name, figure.kind, points, figure.radius);
-            }
+        shown.solids();
+        shown.arms();
+        shown.pivots();
+        shown.springs_and_dampers();
+        shown.points();
+        Self {
+            chosen: form::values(forms, model, &shown.values),
+            outlines: shown.outlines,
         }
-        // of a body without solids, where it reaches the joints that it carries, and those that close loops
-        let moving = model.bodies.iter().filter(|body| body.screw.is_some());
-        let carried = moving.map(|body| (body.parent, body.placement.translation));
-        let closing = || model.closures.iter().flat_map(|closure| &closure.ends);
-        for (owner, at) in carried.chain(closing().map(|end| (end.body, end.at))) {
-            let is_bare = |owner: &Body<'g>| owner.figures.iter().all(|figure| figure.kind == FigureKind::Mass);
-            let owner = owner.filter(|&owner| !model.bodies[owner].figures.is_empty());
-            let owner = owner.filter(|&owner| is_bare(&model.bodies[owner]) && !at.is_zero());
-            if let Some(owner) = owner {
-                let points = [Vec3::zero(model.graph), at].map(|point| poses.point(Some(owner), point));
-                show(&model.bodies[owner].name, FigureKind::Rod, points.into(), None);
-            }
-        }
-        // what moves freely hangs on nothing; the slides of its joint have its name
-        let is_free = |body: &Body<'g>| {
-            let parts = model.bodies.iter().filter(|part| part.name == body.name);
-            parts.filter_map(|part| part.screw).any(|screw| !screw.turns())
-        };
-        for (n, body) in model.bodies() {
-            let turning = body.screw.filter(Twist::turns);
-            let Some(screw) = turning.filter(|_| !body.figures.is_empty() && !is_free(body)) else {
-                continue;
-            };
-            let at = screw.angular.cross(screw.linear);
-            show(&body.name, FigureKind::Pivot, vec![poses.point(Some(n), at)], None);
-        }
-        for closure in &model.closures {
-            let [end, _] = &closure.ends;
-            let pivot = vec![poses.point(end.body, end.at)];
-            show(name_of(model, end.body), FigureKind::Pivot, pivot, None);
-        }
-        for action in &model.actions {
-            let Action::Between { ends, potential, .. } = action else {
-                continue;
-            };
-            let kind = if potential.is_none() {
-                FigureKind::Damper
-            } else {
-                FigureKind::Spring
-            };
-            let name = name_of(model, ends[0].body);
-            show(
-                name,
-                kind,
-                ends.iter().map(|end| poses.point(end.body, end.at)).collect(),
-                None,
-            );
-        }
-        for point in &model.points {
-            let kind = if point.moves {
-                FigureKind::Point
-            } else {
-                FigureKind::Anchor
-            };
-            show(
-                &point.name,
-                kind,
-                vec![poses.point(point.place.body, point.place.at)],
-                None,
-            );
-        }
-        let chosen = form::values(forms, model, &values);
-        Self { outlines, chosen }
     }
 
     /// The drawing; `known` is what its code can read.
@@ -129,6 +64,98 @@ impl<'g> Sketch<'g> {
             outlines: self.outlines,
             block: block(model.graph, &self.chosen.roots, known)?,
         })
+    }
+}
+
+/// Outlines, and the values that they take.
+struct Shown<'m, 'g> {
+    model: &'m Model<'g>,
+    poses: Poses<'g>,
+    outlines: Vec<Outline>,
+    values: Vec<Expr<'g>>,
+}
+
+impl<'g> Shown<'_, 'g> {
+    /// Adds an outline through points of bodies.
+    fn show(&mut self, name: &str, kind: FigureKind, points: &[(Option<BodyId>, Vec3<'g>)], radius: Option<Expr<'g>>) {
+        self.outlines.push(Outline {
+            name: name.trim_start_matches("r#").to_owned(),
+            kind,
+            points: points.len(),
+            radius: radius.is_some(),
+        });
+        let points = points.iter().flat_map(|&(body, at)| self.poses.point(body, at).0);
+        self.values.extend(points.chain(radius));
+    }
+
+    fn solids(&mut self) {
+        for (n, body) in self.model.bodies() {
+            for figure in &body.figures {
+                let points: Vec<_> = figure.points.iter().map(|&at| (Some(n), at)).collect();
+                self.show(&body.name, figure.kind, &points, figure.radius);
+            }
+        }
+    }
+
+    /// Of a body without solids, rods to the joints that it carries, and to those that close loops.
+    fn arms(&mut self) {
+        let model = self.model;
+        let moving = model.bodies.iter().filter(|body| body.screw.is_some());
+        let carried = moving.map(|body| (body.parent, body.placement.translation));
+        let closing = model.closures.iter().flat_map(|closure| &closure.ends);
+        for (owner, at) in carried.chain(closing.map(|end| (end.body, end.at))) {
+            let is_bare = |owner: &Body<'g>| owner.figures.iter().all(|figure| figure.kind == FigureKind::Mass);
+            let owner = owner.filter(|&owner| !model.bodies[owner].figures.is_empty());
+            if let Some(owner) = owner.filter(|&owner| is_bare(&model.bodies[owner]) && !at.is_zero()) {
+                let ends = [Vec3::zero(model.graph), at].map(|end| (Some(owner), end));
+                self.show(&model.bodies[owner].name, FigureKind::Rod, &ends, None);
+            }
+        }
+    }
+
+    fn pivots(&mut self) {
+        let model = self.model;
+        // what moves freely hangs on nothing; the slides of its joint have its name
+        let is_free = |body: &Body<'g>| {
+            let parts = model.bodies.iter().filter(|part| part.name == body.name);
+            parts.filter_map(|part| part.screw).any(|screw| !screw.turns())
+        };
+        for (n, body) in model.bodies() {
+            let turning = body.screw.filter(Twist::turns);
+            if let Some(screw) = turning.filter(|_| !body.figures.is_empty() && !is_free(body)) {
+                let at = screw.angular.cross(screw.linear);
+                self.show(&body.name, FigureKind::Pivot, &[(Some(n), at)], None);
+            }
+        }
+        for closure in &model.closures {
+            let [end, _] = &closure.ends;
+            self.show(name_of(model, end.body), FigureKind::Pivot, &[(end.body, end.at)], None);
+        }
+    }
+
+    fn springs_and_dampers(&mut self) {
+        for action in &self.model.actions {
+            let Action::Between { ends, potential, .. } = action else {
+                continue;
+            };
+            let kind = match potential {
+                None => FigureKind::Damper,
+                Some(_) => FigureKind::Spring,
+            };
+            let name = name_of(self.model, ends[0].body);
+            self.show(name, kind, &ends.each_ref().map(|end| (end.body, end.at)), None);
+        }
+    }
+
+    fn points(&mut self) {
+        for point in &self.model.points {
+            let kind = if point.moves {
+                FigureKind::Point
+            } else {
+                FigureKind::Anchor
+            };
+            self.show(&point.name, kind, &[(point.place.body, point.place.at)], None);
+        }
     }
 }
 

@@ -33,10 +33,11 @@ pub use crate::pass::Operations;
 
 use crate::dynamics::Dynamics;
 use crate::expr::{Expr, ExprId, Graph, Level, Printer};
-use crate::form::Forms;
+use crate::form::{Chosen, Forms};
 use crate::model::{self, Model, Output, Requirement};
 use build::block;
 use drawing::Sketch;
+use routine::Head;
 use table::{Counts, ROUTINES, Request};
 
 /// A scene, ready to be printed in a language.
@@ -156,27 +157,13 @@ impl Program {
     pub(crate) fn new<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Result<Self, NotFinite> {
         let g = model.graph;
         let mut forms = Forms::new(model, dynamics);
-        let mut request = Request {
-            counts: Counts::of(model),
-            words: &model.generate,
-            time_occurs: false,
-        };
-        let mut chosen = Vec::new();
-        for row in ROUTINES {
-            if (row.wanted)(&request, row.word) {
-                let own = (row.form)(&mut forms, model);
-                request.time_occurs |= row.role == Role::Rhs && g.reachable(&own.roots).contains(&model.time.id());
-                chosen.push((row.head(&request.counts), own));
-            }
-        }
-        chosen.extend(output::routines(&mut forms, model));
+        let chosen = chosen(&mut forms, model);
         let deciding = match chosen.iter().find(|(head, _)| head.role == Role::Rhs) {
             Some((_, rhs)) => rhs.roots.clone(),
-            None => model.written_out(
-                forms
-                    .closed()
-                    .map_or(&dynamics.balance.rows, |(balance, _)| &balance.rows),
-            ),
+            None => {
+                let (balance, _) = forms.closed().unwrap_or((&dynamics.balance, &dynamics.lagrangian));
+                model.written_out(&balance.rows)
+            }
         };
         let layout = StateLayout::new(model, &[deciding, model.written_out(&model.watched())].concat());
         let series = model.generate.contains("taylor").then(|| forms.taylor(model));
@@ -272,6 +259,27 @@ impl Quantity {
             default: None,
         }
     }
+}
+
+/// The routines that a scene asks for, each in the form of the least weight.
+fn chosen<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Vec<(Head, Chosen<'g>)> {
+    let mut request = Request {
+        counts: Counts::of(model),
+        words: &model.generate,
+        time_occurs: false,
+    };
+    let mut chosen = Vec::new();
+    // the right-hand side stands first, and shows whether there is a derivative by the time
+    for row in ROUTINES {
+        if (row.wanted)(&request, row.word) {
+            let own = (row.form)(forms, model);
+            let reads_time = || model.graph.reachable(&own.roots).contains(&model.time.id());
+            request.time_occurs |= row.role == Role::Rhs && reads_time();
+            chosen.push((row.head(&request.counts), own));
+        }
+    }
+    chosen.extend(output::routines(forms, model));
+    chosen
 }
 
 /// The expressions of parameters that the routines read.

@@ -10,6 +10,7 @@ mod drawing;
 mod facts;
 mod hybrid;
 mod lanes;
+mod loops;
 mod routines;
 mod series;
 
