@@ -46,7 +46,8 @@ pub(super) fn is_wrench(action: &Action<'_>) -> bool {
     matches!(action, Action::Push(_) | Action::Between { .. })
 }
 
-/// The wrenches of actions on the links, each in the frame and about the origin of its link.
+/// The wrenches of actions on the links, each in the frame and about the origin of its link: `(r x f, f)` of a force f
+/// at r.
 pub(super) fn wrenches<'g>(
     model: &Model<'g>,
     links: &Links<'g>,

@@ -3,6 +3,16 @@
 //!
 //! The links above a joint answer a push through it as one body that gives way at its own joints. No mass matrix is
 //! formed.
+//!
+//! Each quantity of link k stands in its [frame](Frame), about its origin; `X_k` takes motions of the parent to it, and
+//! `X_k^T` wrenches back. `s` is the screw of the joint, `tau` the force along it, `v_J` the velocity that it adds, `I`
+//! the articulated inertia, `p` the wrench that the link takes when nothing gives way, `c` its drift:
+//!
+//! ```text
+//! inwards    U = I s,  d = s^T U,  u = tau - s^T p           I_a = I - U U^T / d,  p_a = p + I c + U u / d
+//!            I_parent += X^T I_a X,  p_parent += X^T p_a
+//! outwards   a' = X a_parent + c,  qdd = (u - U^T a') / d,  a = a' + s qdd
+//! ```
 
 use std::ops::{Add, Mul};
 
@@ -114,6 +124,8 @@ pub(super) fn accelerations<'g>(
 }
 
 impl<'g> Articulation<'g> {
+    /// Inwards: `I`, `U` and `1/d` of each joint. A drive does not give way, `I_a = I`; the three slides of a flight do
+    /// together, by the inverse of a matrix.
     fn new(model: &Model<'g>, links: Vec<Link<'g>>, frames: Vec<Frame<'g>>, flights: Flights<'g>) -> Self {
         let mut carried: Vec<Articulated<'g>> = frames.iter().map(|frame| Articulated::rigid(&frame.inertia)).collect();
         let mut joints: Vec<Option<Joint<'g>>> = vec![None; links.len()];
@@ -146,6 +158,7 @@ impl<'g> Articulation<'g> {
         }
     }
 
+    /// `qdd` of the coordinates for a load.
     fn accelerations(&self, load: Load<'g>) -> Vec<Expr<'g>> {
         let zero = load.ground.linear[0].graph().zero();
         let dof = self.joints.iter().flatten().count() + 3 * self.floating.iter().flatten().count();
@@ -157,8 +170,8 @@ impl<'g> Articulation<'g> {
         accelerations
     }
 
-    /// From the outermost link on: what is left along each joint to accelerate it; of the slides of flights their
-    /// accelerations.
+    /// Inwards: `u = tau - s^T p` of each joint, of the slides of flights their accelerations; with
+    /// `p_a = p + I c + U u / d`, of a driven joint `p + I (c + s qdd)`.
     fn left_to_accelerate(&self, load: &Load<'g>, drives: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let (mut wrenches, mut left) = (load.wrenches.clone(), load.along.clone());
         for k in JointId::all(self.links.len()).rev() {
@@ -186,7 +199,8 @@ impl<'g> Articulation<'g> {
         left
     }
 
-    /// From ground on: what of that accelerates each coordinate, as what carries the joint accelerates too.
+    /// Outwards: `qdd = (u - U^T a') / d` and `a = a' + s qdd`. Where joints follow others, the coordinate is what is
+    /// left of the joint's own when those below are taken off.
     fn accelerate(&self, load: &Load<'g>, left: &[Expr<'g>], accelerations: &mut [Expr<'g>]) {
         let mut motions: Vec<Twist<'g>> = Vec::new();
         for (k, link) in JointId::all(self.links.len()).zip(&self.links) {
@@ -211,7 +225,7 @@ impl<'g> Articulation<'g> {
         }
     }
 
-    /// How what carries a link accelerates it.
+    /// `X a_parent`: of a link with offset `o`, `alpha = R^T alpha_p` and `a = R^T (a_p + alpha_p x o)`.
     fn arriving(&self, k: JointId, motions: &[Twist<'g>], ground: Twist<'g>, left: &[Expr<'g>]) -> Twist<'g> {
         if let Some(flight) = self.flights.from(k) {
             return Twist {
@@ -267,13 +281,13 @@ fn along_joints<'g>(links: &[Link<'g>], mut forces: Vec<Expr<'g>>) -> Vec<Expr<'
     along
 }
 
-/// How a joint accelerates that is driven: by the drive alone.
+/// `s qdd` of a joint that is driven.
 fn driven<'g>(link: &Link<'g>, accelerations: &[Expr<'g>]) -> Twist<'g> {
     let g = link.force.graph();
     link.motion.of(g, |k| accelerations[k]) * link.screw
 }
 
-/// The angular velocity of each link, in its frame.
+/// The angular velocity of each link, in its frame: `w = R^T w_p + w_J`.
 fn spins<'g>(links: &[Link<'g>], frames: &[Frame<'g>]) -> Vec<Vec3<'g>> {
     let mut spins: Vec<Vec3<'g>> = Vec::new();
     for (link, frame) in links.iter().zip(frames) {
@@ -286,7 +300,8 @@ fn spins<'g>(links: &[Link<'g>], frames: &[Frame<'g>]) -> Vec<Vec3<'g>> {
     spins
 }
 
-/// The acceleration of a link when neither its joint nor the link below accelerates: what the rates alone bring.
+/// `c`, the acceleration of a link when neither its joint nor the link below accelerates: `alpha = w x w_J`,
+/// `a = R^T (w_p x (w_p x o)) + 2 w x v_J`.
 fn drift<'g>(link: &Link<'g>, frame: &Frame<'g>, w: Vec3<'g>, spins: &[Vec3<'g>]) -> Twist<'g> {
     let g = link.force.graph();
     let Some(parent) = link.parent else {
@@ -302,6 +317,7 @@ fn drift<'g>(link: &Link<'g>, frame: &Frame<'g>, w: Vec3<'g>, spins: &[Vec3<'g>]
 }
 
 impl<'g> Articulated<'g> {
+    /// `[J, [h]; -[h], m 1]` of a link alone.
     fn rigid(inertia: &MassMoments<'g>) -> Self {
         Self {
             rotation: inertia.rotational(),
@@ -310,6 +326,7 @@ impl<'g> Articulated<'g> {
         }
     }
 
+    /// `U = I s` and `1 / s^T U`.
     fn give_way(&self, link: &Link<'g>) -> Joint<'g> {
         let momentum = *self * link.screw;
         Joint {
@@ -318,7 +335,7 @@ impl<'g> Articulated<'g> {
         }
     }
 
-    /// The inertia that is left when the joint gives way.
+    /// The inertia that is left when the joint gives way: `I_a = I - U U^T / d`.
     fn without(&self, link: &Link<'g>, joint: &Joint<'g>) -> Self {
         let Wrench { moment, force } = joint.momentum;
         let given = joint.mobility * joint.momentum;
@@ -345,7 +362,7 @@ impl<'g> Articulated<'g> {
         }
     }
 
-    /// The same inertia about the origin of the parent, in its frame.
+    /// The same inertia about the origin of the parent, in its frame: `X^T I X`.
     fn to_parent(self, frame: &Frame<'g>) -> Self {
         let [rotation, translation] = [self.rotation, self.translation].map(|tensor| frame.tensor_to_parent(tensor));
         let coupling = frame.matrix_to_parent(self.coupling);

@@ -38,7 +38,12 @@ impl<'g> Coefficients<'g> {
         coefficients
     }
 
-    /// All entries whose outermost body is `x`, of which `n` holds the mass and all that it carries.
+    /// All entries whose outermost body is `x`, in its station, where N is `N_x^+` and g gravity:
+    ///
+    /// ```text
+    /// A_ix  = s_i^T N s_x    C_x = -s_x^T (N g)
+    /// B_ijk = 1/2 (s_j^T N [s_i, s_k] + s_k^T N [s_i, s_j] - s_i^T N [s_k, s_j])
+    /// ```
     fn outermost(&mut self, kinematics: &Kinematics<'g>, x: BodyId, path: &[(BodyId, Twist<'g>)]) {
         let n = kinematics.composite(x);
         let own = path.len() - 1;

@@ -78,7 +78,8 @@ impl<'g> Flight<'g> {
         v[0] * x + v[1] * y + v[2] * z
     }
 
-    /// What accelerations along the axes of the body take, where the link answers to one by `inertia`.
+    /// What accelerations along the axes e of the body take, where the link answers to one by `inertia` M, and m moves
+    /// with the slides alone: `e_i^T M e_j + m`.
     pub(super) fn mass_matrix(&self, inertia: Symmetric3<'g>) -> Vec<Vec<Expr<'g>>> {
         let column = |n: usize| {
             let mut column = self.along_axes(inertia * self.axes[n]);

@@ -23,7 +23,8 @@ pub(crate) struct Kinematics<'g> {
 }
 
 impl<'g> Kinematics<'g> {
-    /// The kinematics of a model.
+    /// The kinematics of a model: poses and screws in stations, and `N_x^+ = N_x + sum N_y^+` over the bodies y that x
+    /// carries, each brought to the station of x.
     pub(crate) fn new(model: &Model<'g>) -> Self {
         let Poses {
             poses,
@@ -67,7 +68,8 @@ impl<'g> Kinematics<'g> {
         self.composites[body]
     }
 
-    /// The screw of the joint of `joint`, in the station of `body`, which it carries or is. A fixed joint has none.
+    /// The screw of the joint of `joint`, in the station of `body`, which it carries or is: `Ad^-1 s` through the
+    /// stations between. A fixed joint has none.
     pub(crate) fn screw(&mut self, joint: BodyId, body: BodyId) -> Option<Twist<'g>> {
         let own = self.screws[joint]?;
         let (Some(base), true) = (self.stations[body], self.stations[joint] != self.stations[body]) else {
@@ -90,7 +92,7 @@ impl<'g> Kinematics<'g> {
         }
     }
 
-    /// Potential energy of all bodies in gravity, zero where all mass is at the origin of ground.
+    /// Potential energy of all bodies in gravity, `-g . sum m r`: zero where all mass is at the origin of ground.
     pub(crate) fn potential(&self) -> Expr<'g> {
         let roots = self
             .composites

@@ -21,6 +21,13 @@ pub(super) struct Motion<'g> {
 }
 
 /// How the links move, for second rates along their joints. What floats falls by itself.
+///
+/// In the frame of the link, with the offset o and the accelerations `a + U r` of the parent, and the velocities `w_J`
+/// and `v_J` that the joint adds:
+///
+/// ```text
+/// w = R^T w_p + w_J    alpha = R^T alpha_p + w x w_J + s_w qdd    a = R^T (a_p + U_p o) + 2 (R^T w_p) x v_J + s_v qdd
+/// ```
 pub(super) fn motions<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],

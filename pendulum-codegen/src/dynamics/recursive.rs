@@ -1,6 +1,7 @@
 //! The faster form for large scenes: the bias by Newton and Euler's recursion, the mass matrix by composite bodies.
 //!
-//! Luh, Walker and Paul (1980) and Walker and Orin (1982), on links in base parameters.
+//! Luh, Walker and Paul (1980) and Walker and Orin (1982), on links in base parameters. Each quantity of a link stands
+//! in its [frame](Frame), about its origin; `X` takes motions of the parent to it, and `X^T` wrenches back.
 
 use super::actions::{is_wrench, wrenches};
 use super::flight::Flights;
@@ -72,6 +73,9 @@ pub(super) fn along_joints<'g>(
 }
 
 /// The wrench that each link takes with all that it carries, by Newton and Euler: beside those that are `given`.
+///
+/// For mass m, first moment h and accelerations `a + U r`, `f = m a + U h`, `n = h x a + integral r x (U r) dm`; and
+/// `F_parent += X^T F`.
 fn wrenches_of<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],
@@ -101,7 +105,8 @@ fn wrenches_of<'g>(
     wrenches
 }
 
-/// The forces along the joints.
+/// The forces along the joints: `tau = s^T F`; of the slides of a flight along the axes of the body, with what slides
+/// alone, `e^T f + m qdd`.
 fn forces<'g>(
     links: &[Link<'g>],
     flights: &Flights<'g>,
@@ -118,7 +123,7 @@ fn forces<'g>(
     forces
 }
 
-/// Each link with all that it carries.
+/// Each link with all that it carries: `I_parent += X^T I X`.
 fn composites<'g>(links: &[Link<'g>], frames: &[Frame<'g>]) -> Vec<MassMoments<'g>> {
     let mut composites: Vec<MassMoments<'g>> = frames.iter().map(|frame| frame.inertia).collect();
     for n in JointId::all(links.len()).rev() {
@@ -129,8 +134,8 @@ fn composites<'g>(links: &[Link<'g>], frames: &[Frame<'g>]) -> Vec<MassMoments<'
     composites
 }
 
-/// `A_ij`: the momentum of all that link j carries, when its joint alone moves at unit rate, along the joint of each
-/// link below.
+/// `A_ij = s_i^T (X^T .. I_j s_j)`: the momentum of all that link j carries, when its joint alone moves at unit rate,
+/// along the joint of each link i below.
 fn mass_matrix<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],

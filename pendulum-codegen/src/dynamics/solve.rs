@@ -68,6 +68,7 @@ impl<'g> Factored<'g> {
         factored
     }
 
+    /// `L_kj = A_kk^-1 A_kj` for the coordinates k of a pivot and those j before, and `A_ij -= L_ki^T A_kj`.
     fn eliminate(&mut self, a: &mut [Vec<Expr<'g>>], pivot: Pivot<'g>) {
         let Range { start, end } = pivot.coordinates;
         let columns: Vec<Vec<Expr<'g>>> = (0..start).map(|j| (start..end).map(|k| a[k][j]).collect()).collect();
@@ -89,6 +90,7 @@ impl<'g> Factored<'g> {
 }
 
 impl<'g> Inverse<'g> for Factored<'g> {
+    /// `L^T D L x = -r`: `y = L^-T r` from the last pivot to the first, then `x = -L^-1 D^-1 y` back again.
     fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let mut x = r.to_vec();
         for Pivot { coordinates, .. } in &self.pivots {

@@ -47,7 +47,11 @@ struct Response<'g> {
 }
 
 impl<'g> Tangent<'g> {
-    /// `wrenches` are what the motions take: of each link with all that it carries.
+    /// The derivatives of `tau_i = s_i^T F_i` for all pairs of links on one path. `wrenches` are the `F` of the
+    /// motions: of each link with all that it carries.
+    ///
+    /// Of a link i below j, the column j is what the composite of j takes more, brought to i, along `s_i`; the column
+    /// i in row j is the response of the joint j to what changes in the motion that arrives through the joint i.
     pub(super) fn new(
         links: &[Link<'g>],
         frames: &[Frame<'g>],
@@ -99,7 +103,8 @@ fn velocity_of_origin<'g>(link: &Link<'g>, frame: &Frame<'g>, motions: &[Motion<
     }
 }
 
-/// The flow of each link with all that it carries.
+/// The flow of each link with all that it carries. Where v is the velocity of the link's origin against that of the
+/// parent, and o its offset, `p' = R p + m v` is added to p of the parent, and `R P R^T + (R h) v^T + o p'^T` to P.
 fn flows<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],
@@ -130,7 +135,8 @@ fn flows<'g>(
 }
 
 impl<'g> Variation<'g> {
-    /// What the coordinate of a joint, and its rate, change in the motion that its link sees arriving.
+    /// The change by the coordinate of a joint with the screw (s_w, s_v) in the motion that arrives at its link: spin
+    /// `w x s_w`, twist `U s_w`, push `a x s_w + U s_v`; and by its rate: `s_w`, `2 w x s_w`, `2 w x s_v`.
     fn by_position_and_rate(screw: &Twist<'g>, motion: &Motion<'g>) -> [Self; 2] {
         let Twist { angular, linear } = *screw;
         let Motion { w, a, field, .. } = *motion;
@@ -147,7 +153,8 @@ impl<'g> Variation<'g> {
         [by_position, by_rate]
     }
 
-    /// The force and the moment that a composite takes more.
+    /// What a composite takes more: the force `m push + twist x h + 2 spin x p` and the moment
+    /// `h x push + J twist + 2 G^T spin`, with the [gyration](Flow::gyration) G.
     fn taken(&self, inertia: &MassMoments<'g>, flow: &Flow<'g>) -> Wrench<'g> {
         let Self { spin, twist, push } = *self;
         let (m, h) = (inertia.mass, inertia.first);
@@ -173,6 +180,7 @@ impl<'g> Flow<'g> {
 }
 
 impl<'g> Response<'g> {
+    /// That of a joint with the screw (s_w, s_v): the wrench `I s`, and by spin `2 (p x s_v + G s_w)`.
     fn of_joint(screw: &Twist<'g>, inertia: &MassMoments<'g>, flow: &Flow<'g>) -> Self {
         Self {
             by_spin: 2 * (flow.momentum.cross(screw.linear) + flow.gyration() * screw.angular),
@@ -197,8 +205,8 @@ impl<'g> Response<'g> {
     }
 }
 
-/// What the link below sees change in the wrench on a link whose coordinate changes: the wrench itself is turned and
-/// moved along.
+/// The change of a wrench on a link, by its coordinate, against the link below: what is taken more, and the wrench
+/// itself turned and moved along, `s_w x n + s_v x f` and `s_w x f`.
 fn seen_below<'g>(screw: &Twist<'g>, wrench: &Wrench<'g>, taken: &Wrench<'g>) -> Wrench<'g> {
     let Twist { angular, linear } = *screw;
     let Wrench { moment, force } = *wrench;
