@@ -68,7 +68,6 @@ pub(super) struct Links<'g> {
 /// The links of a model.
 pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
     let g = model.graph;
-    let (zero, z) = (Vec3::zero(g), Vec3::z(g));
     let mut links: Vec<Link<'g>> = Vec::new();
     let mut owners: Vec<(Option<JointId>, Transform<'g>)> = Vec::new();
     for body in &model.bodies {
@@ -98,32 +97,13 @@ pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
             motion = motion.scaled(-1);
             force = -force;
         }
-        // the axis of a turn passes through w x v; a slide has no place
-        let (place, along_z) = if turns {
-            let Twist { angular: w, linear: v } = screw;
-            let place = w.cross(v);
-            let along_z = Twist {
-                angular: z,
-                linear: w.dot(v) * z,
-            };
-            (place, along_z)
-        } else {
-            let along_z = Twist {
-                angular: zero,
-                linear: z,
-            };
-            (zero, along_z)
-        };
-        let aligned = Transform {
-            rotation: Mat3::with_third_column(direction),
-            translation: place,
-        };
+        let (aligned, screw) = aligned(screw, direction);
         let back = aligned.inverse();
         let inertia = back.inertia(&body.inertia).into();
         links.push(Link {
             parent: owner,
             placement: joint * aligned,
-            screw: along_z,
+            screw,
             inertia,
             motion,
             coordinate,
@@ -134,6 +114,21 @@ pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
     }
     hand_down(&mut links);
     Links { links, owners }
+}
+
+/// The frame whose z axis lies on the axis of a screw, in the direction given, and the screw in that frame.
+fn aligned<'g>(screw: Twist<'g>, direction: Vec3<'g>) -> (Transform<'g>, Twist<'g>) {
+    let g = direction[2].graph();
+    let (zero, z) = (Vec3::zero(g), Vec3::z(g));
+    let Twist { angular: w, linear: v } = screw;
+    // the axis of a turn passes through w x v; a slide has no place
+    let (translation, angular, linear) = if screw.turns() {
+        (w.cross(v), z, w.dot(v) * z)
+    } else {
+        (zero, zero, z)
+    };
+    let rotation = Mat3::with_third_column(direction);
+    (Transform { rotation, translation }, Twist { angular, linear })
 }
 
 /// Each link keeps only what its joint can move against its parent; the rest is carried by the parent just as well.
