@@ -20,6 +20,7 @@ impl Items<'_> {
         );
         let (checked, constants_text, allowed) =
             (count(program.checked.results.len()), &program.constants_text, allowed());
+        let of_any_type = self.with_parameters();
         quote! {
             #allowed
             impl #name {
@@ -60,26 +61,32 @@ impl Items<'_> {
                 }
             }
 
-            #allowed
-            impl<T: ::pendulum_core::real::Real> #name<T> {
-                /// The parameters that the model was built from.
-                pub fn params(&self) -> &#parameters {
-                    &self.params
-                }
-
-                /// The model with other parameters, in the same number type. Its constants are computed anew.
-                ///
-                /// # Errors
-                ///
-                /// Those of `new`.
-                pub fn with_params(
-                    &self,
-                    params: #parameters,
-                ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
-                    Ok(<#name>::new(params)?.cast())
-                }
-            }
+            #of_any_type
         }
+    }
+
+    /// `params` and `with_params` of a model in any number type.
+    fn with_parameters(&self) -> TokenStream {
+        let (name, parameters) = (&self.head.name, self.parameters_name());
+        let methods = quote! {
+            /// The parameters that the model was built from.
+            pub fn params(&self) -> &#parameters {
+                &self.params
+            }
+
+            /// The model with other parameters, in the same number type. Its constants are computed anew.
+            ///
+            /// # Errors
+            ///
+            /// Those of `new`.
+            pub fn with_params(
+                &self,
+                params: #parameters,
+            ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+                Ok(<#name>::new(params)?.cast())
+            }
+        };
+        self.implement(None, &methods)
     }
 
     /// What `new` refuses, from the checked values `r0`, `r1`, ..

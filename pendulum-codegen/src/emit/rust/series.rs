@@ -13,9 +13,8 @@ impl Items<'_> {
     /// `impl TaylorSeries` for the model in any number type, and `impl CastTaylor` for all of them together.
     pub(super) fn series(&self) -> Option<TokenStream> {
         let series = self.program.series.as_ref()?;
-        let (name, allowed, inline) = (&self.head.name, allowed(), inlined_into_lanes());
+        let (inline, core) = (inlined_into_lanes(), quote!(::pendulum_core::taylor));
         let (length, slots) = (self.length(), count(series.products));
-        let (real, core) = (quote!(::pendulum_core::real::Real), quote!(::pendulum_core::taylor));
         let vector = quote!(::pendulum_core::nalgebra::SVector<T, #length>);
         let (start, orders) = (self.start(series), self.orders(series));
         let given = quote!(t: T, x: &mut [#vector], work: &mut Self::Workspace);
@@ -65,9 +64,19 @@ impl Items<'_> {
             #series
         };
         let of_series = self.implement(Some(quote!(#core::TaylorSeries<T, #length>)), &of_series);
+        let of_casts = self.cast_series(&workspace);
         Some(quote! {
             #of_series
             #of_modes
+            #of_casts
+        })
+    }
+
+    /// `impl CastTaylor` for all number types together.
+    fn cast_series(&self, workspace: &TokenStream) -> TokenStream {
+        let (name, length, allowed) = (&self.head.name, self.length(), allowed());
+        let (real, core) = (quote!(::pendulum_core::real::Real), quote!(::pendulum_core::taylor));
+        quote! {
             #allowed
             impl #core::CastTaylor<#length> for #name {
                 type Workspace<T: #real> = #workspace;
@@ -78,7 +87,7 @@ impl Items<'_> {
                     model
                 }
             }
-        })
+        }
     }
 
     /// Order 0, which gives the state of order 1 and what the orders beyond have in common.
