@@ -72,36 +72,18 @@ fn change(link: &mut Body, body: Body, errors: &mut Errors) {
     link.name = name;
     link.parent = parent;
     link.unread = unread.or(link.unread);
-    let BodyFields {
-        properties,
-        joint,
-        coordinate,
-        orientation,
-        position,
-        absolute,
-        depends,
-        near,
-        turned,
-        placed,
-        motion,
-        friction,
-        spring,
-        torque,
-        dry_friction,
-        static_friction,
-        stop,
-    } = fields;
-    if shape.is_some() || properties.solids.is_some() {
+    let mut old = std::mem::take(&mut link.fields);
+    if shape.is_some() || fields.properties.solids.is_some() {
         link.shape = shape;
-        link.fields.properties = properties;
-    } else {
-        let Properties { mass, com, inertia, .. } = properties;
-        replace(&mut link.fields.properties.mass, mass);
-        replace(&mut link.fields.properties.com, com);
-        replace(&mut link.fields.properties.inertia, inertia);
+        old.properties = Properties::default();
     }
-    let old = &mut link.fields;
-    if let Some(joint) = &joint {
+    forget(&mut old, &fields);
+    link.fields = changed(old, fields);
+}
+
+/// Forgets what a link no longer has when its joint or its coordinate is replaced.
+fn forget(old: &mut BodyFields, new: &BodyFields) {
+    if let Some(joint) = &new.joint {
         if joint.is_fixed() || joint.turns_freely() {
             release(old);
         }
@@ -112,35 +94,12 @@ fn change(link: &mut Body, body: Body, errors: &mut Errors) {
             old.position = None;
         }
     }
-    if let Some(Joint { kind, at, rpy }) = joint {
-        let place = old.joint.take();
-        let (old_at, old_rpy) = place.map(|place| (place.at, place.rpy)).unwrap_or_default();
-        // a joint without a place of its own stays where it is
-        let stays = at.is_none() && rpy.is_none();
-        let (at, rpy) = if stays { (old_at, old_rpy) } else { (at, rpy) };
-        old.joint = Some(Joint { kind, at, rpy });
-    }
-    if motion.is_some() {
+    if new.motion.is_some() {
         release(old);
     }
-    if coordinate.is_some() {
+    if new.coordinate.is_some() {
         old.motion = None;
     }
-    replace(&mut old.orientation, orientation);
-    replace(&mut old.position, position);
-    replace(&mut old.depends, depends);
-    replace(&mut old.near, near);
-    replace(&mut old.turned, turned);
-    replace(&mut old.placed, placed);
-    replace(&mut old.coordinate, coordinate);
-    replace(&mut old.absolute, absolute);
-    replace(&mut old.motion, motion);
-    replace(&mut old.friction, friction);
-    replace(&mut old.spring, spring);
-    replace(&mut old.torque, torque);
-    replace(&mut old.dry_friction, dry_friction);
-    replace(&mut old.static_friction, static_friction);
-    replace(&mut old.stop, stop);
 }
 
 /// Forgets what a joint of one coordinate has that moves by itself.
@@ -152,8 +111,39 @@ fn release(fields: &mut BodyFields) {
     fields.stop = None;
 }
 
-fn replace<T>(old: &mut Option<T>, new: Option<T>) {
-    if new.is_some() {
-        *old = new;
+/// The fields of a link, each of which a new one replaces.
+fn changed(old: BodyFields, new: BodyFields) -> BodyFields {
+    BodyFields {
+        properties: Properties {
+            mass: new.properties.mass.or(old.properties.mass),
+            com: new.properties.com.or(old.properties.com),
+            inertia: new.properties.inertia.or(old.properties.inertia),
+            solids: new.properties.solids.or(old.properties.solids),
+        },
+        joint: placed(old.joint, new.joint),
+        coordinate: new.coordinate.or(old.coordinate),
+        orientation: new.orientation.or(old.orientation),
+        position: new.position.or(old.position),
+        absolute: new.absolute.or(old.absolute),
+        depends: new.depends.or(old.depends),
+        near: new.near.or(old.near),
+        turned: new.turned.or(old.turned),
+        placed: new.placed.or(old.placed),
+        motion: new.motion.or(old.motion),
+        friction: new.friction.or(old.friction),
+        spring: new.spring.or(old.spring),
+        torque: new.torque.or(old.torque),
+        dry_friction: new.dry_friction.or(old.dry_friction),
+        static_friction: new.static_friction.or(old.static_friction),
+        stop: new.stop.or(old.stop),
     }
+}
+
+/// The joint of a link: where a new one has no place of its own, it stands where the old one stood.
+fn placed(old: Option<Joint>, new: Option<Joint>) -> Option<Joint> {
+    let Some(mut joint) = new else { return old };
+    if let (Some(old), None, None) = (old, &joint.at, &joint.rpy) {
+        (joint.at, joint.rpy) = (old.at, old.rpy);
+    }
+    Some(joint)
 }
