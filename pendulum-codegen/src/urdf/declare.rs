@@ -1,12 +1,14 @@
 //! A robot as bodies of a scene: text of the language.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use super::read::{Joint, Kind, Link, Mimic, Origin, Robot, Wrong, ZERO};
+use super::names::{TURN, check_names, identifier, part_of};
+use super::number::{ZERO, are_zero};
+use super::read::Wrong;
+use super::robot::{Joint, Kind, Link, Mimic, Origin, Robot};
+use super::tree::{carried_by, is_tree};
 use crate::ast;
 use crate::lower::reserved;
-use crate::parse::is_identifier;
 use crate::words;
 
 /// What a scene says of the joint of a link.
@@ -101,7 +103,7 @@ fn floats(joint: &Joint) -> String {
 
 /// Declares the bodies without mass that slide in the plane of a joint; the last of them carries what turns there.
 fn slides_in_plane(joint: &Joint, carrier: &mut Carrier, text: &mut String) {
-    for axis in in_plane(joint) {
+    for axis in joint.in_plane() {
         let slide = part_of(joint, axis);
         let moving = format!("coordinate: {slide}, joint: prismatic({axis})");
         let Carrier { body, place } = &carrier;
@@ -120,23 +122,6 @@ fn turns_in_plane(joint: &Joint) -> String {
         part_of(joint, TURN),
         list(&joint.axis)
     )
-}
-
-/// The angle of a planar joint.
-const TURN: &str = "turn";
-
-/// The name of a part of a joint that has more than one coordinate.
-fn part_of(joint: &Joint, part: &str) -> String {
-    identifier(&format!("{}_{part}", joint.name))
-}
-
-/// The axes along which a planar joint slides; any where its own is none of the three.
-fn in_plane(joint: &Joint) -> [&'static str; 2] {
-    match joint.axis.each_ref().map(|number| number == ZERO) {
-        [false, ..] => ["y", "z"],
-        [_, false, _] => ["x", "z"],
-        _ => ["x", "y"],
-    }
 }
 
 /// Refuses what a joint of more than one coordinate cannot have.
@@ -177,128 +162,9 @@ fn instead_of_friction(joint: &Joint) -> String {
     if joint.kind != Kind::Planar {
         return "write drag as `force on point: ..`".to_owned();
     }
-    let [first, second] = in_plane(joint).map(|axis| part_of(joint, axis));
+    let [first, second] = joint.in_plane().map(|axis| part_of(joint, axis));
     let body = identifier(&joint.child);
     format!("give a `friction` to the bodies `{first}`, `{second}` and `{body}` of the scene")
-}
-
-/// The joints that carry a link.
-fn carried_by<'r>(robot: &'r Robot, link: &str) -> impl Iterator<Item = &'r Joint> {
-    robot.joints.iter().filter(move |joint| joint.child == link)
-}
-
-/// Whether each link hangs on one joint at most, and all of them on one root.
-fn is_tree(robot: &Robot, wrong: &mut Vec<Wrong>) -> bool {
-    let unknown = unknown_ends(robot);
-    // what hangs on a link by its misspelt name seems to hang on nothing
-    let roots = if unknown.is_empty() { roots(robot) } else { None };
-    let before = wrong.len();
-    wrong.extend(unknown);
-    wrong.extend(loops(robot));
-    wrong.extend(roots);
-    wrong.len() == before
-}
-
-/// Ends of joints that are no links.
-fn unknown_ends(robot: &Robot) -> Vec<Wrong> {
-    let known = |end: &str| robot.links.iter().any(|link| link.name == end);
-    let mut found = Vec::new();
-    for joint in &robot.joints {
-        for end in [&joint.parent, &joint.child].into_iter().filter(|end| !known(end)) {
-            found.push(Wrong {
-                fact: format!("joint `{}` is tied to `{end}`, which is no link", joint.name),
-                help: format!("add `<link name=\"{end}\"/>`, or mend the name"),
-            });
-        }
-    }
-    found
-}
-
-/// Links that hang on more than one joint.
-fn loops(robot: &Robot) -> Vec<Wrong> {
-    let mut found = Vec::new();
-    for Link { name, .. } in &robot.links {
-        let parents: Vec<&str> = carried_by(robot, name).map(|joint| joint.parent.as_str()).collect();
-        if parents.len() > 1 {
-            found.push(Wrong {
-                fact: format!("link `{name}` hangs on `{}`: a loop", parents.join("` and on `")),
-                help: "a URDF file describes a tree: remove all but one of its joints".to_owned(),
-            });
-        }
-    }
-    found
-}
-
-/// More roots than one, or none, or links that hang on none.
-fn roots(robot: &Robot) -> Option<Wrong> {
-    let known: BTreeSet<&str> = robot.links.iter().map(|link| link.name.as_str()).collect();
-    let is_root = |link: &&str| carried_by(robot, link).next().is_none();
-    let roots: BTreeSet<&str> = known.iter().copied().filter(is_root).collect();
-    let (fact, help) = if known.is_empty() {
-        ("it has no link".to_owned(), "add `<link name=\"..\"/>`")
-    } else if let (Some(root), Some(other)) = (roots.first(), roots.iter().nth(1)) {
-        (
-            format!("both `{root}` and `{other}` hang on nothing, so there is more than one root"),
-            "hang one of them on another link, by a joint of type `fixed`",
-        )
-    } else {
-        let reached = reached(robot, roots);
-        let link = known.difference(&reached).next()?;
-        (
-            format!("link `{link}` hangs on itself, by way of the links that carry it"),
-            "follow the parents: each chain must end on one root",
-        )
-    };
-    let help = help.to_owned();
-    Some(Wrong { fact, help })
-}
-
-/// The links that hang on some, and these.
-fn reached<'r>(robot: &'r Robot, mut reached: BTreeSet<&'r str>) -> BTreeSet<&'r str> {
-    let next = |reached: &BTreeSet<&str>| {
-        let leads_on = |joint: &&Joint| reached.contains(&*joint.parent) && !reached.contains(&*joint.child);
-        robot.joints.iter().find(leads_on)
-    };
-    while let Some(joint) = next(&reached) {
-        reached.insert(&joint.child);
-    }
-    reached
-}
-
-/// Two links or two joints that have one name here are an error, be it that of a part.
-fn check_names(robot: &Robot, wrong: &mut Vec<Wrong>) {
-    let planar = robot.joints.iter().filter(|joint| joint.kind == Kind::Planar);
-    let slides = planar.flat_map(|joint| in_plane(joint).map(|axis| (joint, part_of(joint, axis))));
-    let slides = slides.map(|(joint, slide)| (("joint", &joint.name), slide));
-    let links = robot.links.iter();
-    let bodies = links.map(|link| (("link", &link.name), identifier(&link.name)));
-    let coordinates = robot.joints.iter().flat_map(|joint| {
-        let parts = match joint.kind {
-            Kind::Floats => vec!["position", "orientation"],
-            Kind::Planar => [&in_plane(joint)[..], &[TURN]].concat(),
-            _ => return vec![(("joint", &joint.name), identifier(&joint.name))],
-        };
-        let parts = parts
-            .into_iter()
-            .map(|part| (("joint", &joint.name), part_of(joint, part)));
-        parts.collect()
-    });
-    for names in [bodies.chain(slides).collect::<Vec<_>>(), coordinates.collect()] {
-        let mut taken = BTreeMap::new();
-        for (owner, name) in names {
-            let Some(other) = taken.insert(name.clone(), owner).filter(|other| *other != owner) else {
-                continue;
-            };
-            let both = match (other, owner) {
-                ((what, a), (also, b)) if what == also => format!("the {what}s `{a}` and `{b}`"),
-                ((what, a), (other, b)) => format!("the {what} `{a}` and the {other} `{b}`"),
-            };
-            wrong.push(Wrong {
-                fact: format!("{both} have one name here, `{name}`"),
-                help: "rename one of the two".to_owned(),
-            });
-        }
-    }
 }
 
 /// Words of the language are no names of coordinates, unless the scene renames them.
@@ -322,32 +188,15 @@ fn check_reserved(robot: &Robot, replaced: &[Replaced], wrong: &mut Vec<Wrong>) 
     }
 }
 
-/// Names that mean something else, and keywords that no raw identifier has.
-const TAKEN: [&str; 5] = ["ground", "self", "Self", "super", "crate"];
-
-/// A name as an identifier: whatever cannot stand in one becomes `_`.
-fn identifier(name: &str) -> String {
-    let plain = |c: char| if is_identifier(&format!("_{c}")) { c } else { '_' };
-    let mut identifier: String = name.chars().map(plain).collect();
-    if TAKEN.contains(&identifier.as_str()) {
-        identifier.push('_');
-    } else if is_identifier(&format!("r#{identifier}")) && !is_identifier(&identifier) {
-        identifier.insert_str(0, "r#");
-    } else if !is_identifier(&identifier) {
-        identifier.insert(0, '_');
-    }
-    identifier
-}
-
 fn mass(link: &Link) -> String {
     let Some(inertial) = &link.inertial else {
         return String::new();
     };
     let Origin { xyz, rpy } = &inertial.origin;
     let mut text = format!("mass: {}, com: {},", inertial.mass, list(xyz));
-    if !is_zero(&inertial.inertia) {
+    if !are_zero(&inertial.inertia) {
         write!(text, " inertia: {}", list(&inertial.inertia)).expect("memory");
-        if !is_zero(rpy) {
+        if !are_zero(rpy) {
             write!(text, " rpy {}", list(rpy)).expect("memory");
         }
         text.push(',');
@@ -359,7 +208,7 @@ fn mass(link: &Link) -> String {
 fn place(origin: &Origin) -> String {
     let mut text = String::new();
     for (word, numbers) in [("at", &origin.xyz), ("rpy", &origin.rpy)] {
-        if !is_zero(numbers) {
+        if !are_zero(numbers) {
             write!(text, " {word} {}", list(numbers)).expect("memory");
         }
     }
@@ -475,8 +324,4 @@ fn forces(joint: &Joint, item: &ast::Robot) -> String {
 
 fn list(numbers: &[String]) -> String {
     format!("[{}]", numbers.join(", "))
-}
-
-fn is_zero(numbers: &[String]) -> bool {
-    numbers.iter().all(|number| number == ZERO)
 }

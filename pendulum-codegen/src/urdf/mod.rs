@@ -3,8 +3,11 @@
 
 mod declare;
 mod merge;
+mod names;
 mod number;
 mod read;
+mod robot;
+mod tree;
 
 use std::path::Path;
 
@@ -15,6 +18,7 @@ use crate::ast::{Body, BodyFields, Scene};
 use crate::error::{Errors, Reported};
 use crate::parse;
 use declare::Replaced;
+use robot::{Joint, Robot};
 
 /// Gives the text of a file by its name.
 pub(crate) type Files<'f> = dyn Fn(&str) -> Result<String, Unreadable> + 'f;
@@ -50,8 +54,8 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
         return Err(reported);
     }
     // a stop is one of a single coordinate of the state
-    let has_stop = |joint: &read::Joint| robot.limits && !joint.kind.has_many() && joint.mimic.is_none();
-    let is_left = |joint: &read::Joint| joint.limits.is_some() && !has_stop(joint);
+    let has_stop = |joint: &Joint| robot.limits && !joint.kind.has_many() && joint.mimic.is_none();
+    let is_left = |joint: &Joint| joint.limits.is_some() && !has_stop(joint);
     if found.joints.iter().any(is_left) {
         found.left_out.insert("limit".to_owned());
     }
@@ -87,7 +91,7 @@ fn replaced(own: &[Body]) -> Vec<Replaced> {
 }
 
 /// What the documentation of the model says of its robot.
-fn docs(name: &str, robot: &read::Robot) -> Vec<String> {
+fn docs(name: &str, robot: &Robot) -> Vec<String> {
     let left: Vec<String> = robot.left_out.iter().map(|element| format!("`{element}`")).collect();
     let left = match &left[..] {
         [] => String::new(),

@@ -2,6 +2,9 @@
 
 use std::f64::consts::FRAC_PI_4;
 
+/// The number zero, however it was written.
+pub(super) const ZERO: &str = "0";
+
 /// The least angle or length that a file can mean, in rad or m: exporters leave rounding of zeros behind.
 const DUST: f64 = 1e-12;
 
@@ -22,7 +25,7 @@ pub(super) fn number(text: &str) -> Option<String> {
     if value == 0.0 {
         // of a number that is too small some digit is another
         let mut digits = text.chars().take_while(|c| !matches!(c, 'e' | 'E'));
-        return digits.all(|c| !matches!(c, '1'..='9')).then(|| "0".to_owned());
+        return digits.all(|c| !matches!(c, '1'..='9')).then(|| ZERO.to_owned());
     }
     let (sign, digits) = match text.strip_prefix('-') {
         Some(digits) => ("-", digits),
@@ -47,6 +50,11 @@ pub(super) fn is_number(text: &str) -> bool {
     text.parse::<f64>().is_ok() && text.contains(|c: char| c.is_ascii_digit())
 }
 
+/// Whether all of some numbers are zero.
+pub(super) fn are_zero(numbers: &[String]) -> bool {
+    numbers.iter().all(|number| number == ZERO)
+}
+
 /// Whether the language has a number of this size.
 pub(super) fn is_in_range(text: &str) -> bool {
     let size = text.trim().parse().map_or(f64::NAN, f64::abs);
@@ -57,7 +65,7 @@ pub(super) fn is_in_range(text: &str) -> bool {
 pub(super) fn length(text: &str) -> Option<String> {
     let value: f64 = text.parse().ok()?;
     if value.abs() < DUST {
-        Some("0".to_owned())
+        Some(ZERO.to_owned())
     } else {
         number(text)
     }

@@ -1,10 +1,11 @@
-//! The links and joints of a URDF file, with their numbers as text of the language.
+//! Reads the links and joints of a URDF file, with their numbers as text of the language.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use roxmltree::{Document, Error, Node};
 
-use super::number::{angle, is_in_range, is_number, length, number};
+use super::number::{ZERO, angle, are_zero, is_in_range, is_number, length, number};
+use super::robot::{Inertial, Joint, Kind, Link, Mimic, Origin, Robot};
 use crate::words;
 
 /// What is wrong with a file, and what to do about it.
@@ -12,82 +13,6 @@ use crate::words;
 pub(super) struct Wrong {
     pub(super) fact: String,
     pub(super) help: String,
-}
-
-/// A robot as its file describes it.
-#[derive(Debug, Default)]
-pub(super) struct Robot {
-    pub(super) links: Vec<Link>,
-    pub(super) joints: Vec<Joint>,
-    /// Elements that say nothing about the motion, and those that are not taken over.
-    pub(super) left_out: BTreeSet<String>,
-}
-
-/// A link.
-#[derive(Debug)]
-pub(super) struct Link {
-    pub(super) name: String,
-    pub(super) inertial: Option<Inertial>,
-}
-
-/// The mass properties of a link.
-#[derive(Debug)]
-pub(super) struct Inertial {
-    pub(super) origin: Origin,
-    pub(super) mass: String,
-    /// `[ixx, iyy, izz, ixy, ixz, iyz]`
-    pub(super) inertia: [String; 6],
-}
-
-/// A place and an orientation.
-#[derive(Debug)]
-pub(super) struct Origin {
-    pub(super) xyz: [String; 3],
-    pub(super) rpy: [String; 3],
-}
-
-/// A joint.
-#[derive(Debug)]
-pub(super) struct Joint {
-    pub(super) name: String,
-    pub(super) kind: Kind,
-    pub(super) origin: Origin,
-    pub(super) parent: String,
-    pub(super) child: String,
-    pub(super) axis: [String; 3],
-    /// The least and the largest coordinate.
-    pub(super) limits: Option<[String; 2]>,
-    /// Viscous and dry friction.
-    pub(super) damping: Option<String>,
-    pub(super) friction: Option<String>,
-    pub(super) mimic: Option<Mimic>,
-}
-
-/// How a joint moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Fixed,
-    Turns,
-    Slides,
-    /// It moves in all ways.
-    Floats,
-    /// It moves in the plane across its axis.
-    Planar,
-}
-
-impl Kind {
-    /// Whether it has more than one coordinate.
-    pub(super) fn has_many(self) -> bool {
-        matches!(self, Self::Floats | Self::Planar)
-    }
-}
-
-/// A joint that follows another.
-#[derive(Debug)]
-pub(super) struct Mimic {
-    pub(super) joint: String,
-    pub(super) multiplier: String,
-    pub(super) offset: String,
 }
 
 /// Elements that have nothing to do with the motion.
@@ -128,11 +53,8 @@ const AMONG_OTHERS: [(&str, &[&str]); 2] = [("dynamics", &["damping", "friction"
 
 const ROBOT: &str = "a URDF file is `<robot name=\"..\"> .. </robot>`";
 
-/// The number of an attribute that is a zero.
-pub(super) const ZERO: &str = "0";
-
-/// That of the default multiplier.
-pub(super) const ONE: &str = "1.0";
+/// The default multiplier, and a number that is no error of its own.
+const ONE: &str = "1.0";
 
 /// Reads a file. Whatever can be read is returned, beside all that is wrong.
 pub(super) fn read(text: &str) -> (Robot, Vec<Wrong>) {
@@ -221,10 +143,9 @@ impl Reader {
             return None;
         };
         let mass = self.number(mass, "value", owner, None);
-        let entries = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"].map(|entry| self.number(inertia, entry, owner, None));
-        let zero = |x: &String| x == ZERO;
+        let inertia = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"].map(|entry| self.number(inertia, entry, owner, None));
         if mass == ZERO {
-            if !entries.iter().all(zero) {
+            if !are_zero(&inertia) {
                 self.wrong(
                     format!("{owner} has an inertia, but its mass is 0"),
                     "give it its mass in kg",
@@ -232,11 +153,7 @@ impl Reader {
             }
             return None;
         }
-        Some(Inertial {
-            origin,
-            mass,
-            inertia: entries,
-        })
+        Some(Inertial { origin, mass, inertia })
     }
 
     fn joint(&mut self, node: Node<'_, '_>) {
