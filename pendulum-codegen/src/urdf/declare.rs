@@ -58,15 +58,10 @@ pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], w
                 let moves = match &joint.mimic {
                     None => format!("coordinate: {},", identifier(&joint.name)),
                     Some(_) if is_replaced => String::new(),
-                    Some(mimic) => {
-                        let leader = robot.joints.iter().find(|other| other.name == mimic.joint);
-                        let leader = leader.map(|leader| Leader {
-                            joint: leader,
-                            replaced: find(replaced, &leader.child),
-                        });
-                        let leader = leader.ok_or_else(|| nearest_leader(robot, joint, mimic));
-                        followed(joint, mimic, leader, item, wrong)
-                    }
+                    Some(mimic) => followed(robot, joint, mimic, replaced, item).unwrap_or_else(|refused| {
+                        wrong.push(refused);
+                        String::new()
+                    }),
                 };
                 let word = if joint.kind == Kind::Turns {
                     "revolute"
@@ -215,10 +210,39 @@ fn place(origin: &Origin) -> String {
     text
 }
 
-/// A joint that another one follows.
-struct Leader<'r> {
-    joint: &'r Joint,
-    replaced: Option<&'r Replaced>,
+/// The motion of a joint that follows another.
+fn followed(
+    robot: &Robot,
+    joint: &Joint,
+    mimic: &Mimic,
+    replaced: &[Replaced],
+    item: &ast::Robot,
+) -> Result<String, Wrong> {
+    let Some(leader) = robot.joints.iter().find(|other| other.name == mimic.joint) else {
+        let help = match nearest_leader(robot, joint, mimic) {
+            Some(meant) => format!("did you mean `{meant}`? {ANOTHER}"),
+            None => ANOTHER.to_owned(),
+        };
+        return Err(refused(joint, mimic, ", which is no joint", &help));
+    };
+    let replaced = find(replaced, &leader.child);
+    if let Some((why, help)) = obstacle(joint, leader, replaced, item) {
+        return Err(refused(joint, mimic, why, help));
+    }
+    let name = replaced
+        .and_then(|replaced| replaced.coordinate.clone())
+        .unwrap_or_else(|| identifier(&leader.name));
+    let unit = match (joint.kind, leader.kind) {
+        (Kind::Turns, Kind::Slides) => " * 1 rad/m",
+        (Kind::Slides, Kind::Turns) => " * 1 m/rad",
+        _ => "",
+    };
+    let Mimic { multiplier, offset, .. } = mimic;
+    let offset = match offset.as_str() {
+        ZERO => String::new(),
+        offset => format!(" + {offset}"),
+    };
+    Ok(format!("motion: {multiplier} * {name}{unit}{offset},"))
 }
 
 /// The joint that another may follow whose name is almost that of the one it mimics.
@@ -231,72 +255,51 @@ fn nearest_leader<'r>(robot: &'r Robot, joint: &Joint, mimic: &Mimic) -> Option<
     words::advice(&mimic.joint, leaders, &[]).meant
 }
 
-/// The motion of a joint that follows another; where that is none, there may be one that is meant.
-fn followed(
+/// What to do about a joint that cannot lead.
+const ANOTHER: &str = "let it mimic a joint that moves by itself";
+
+/// Why a joint cannot follow another, and what to do about it.
+fn obstacle(
     joint: &Joint,
-    mimic: &Mimic,
-    leader: Result<Leader<'_>, Option<&str>>,
+    leader: &Joint,
+    replaced: Option<&Replaced>,
     item: &ast::Robot,
-    wrong: &mut Vec<Wrong>,
-) -> String {
+) -> Option<(&'static str, &'static str)> {
+    Some(if leader.name == joint.name {
+        ("", "name the joint that it follows")
+    } else if leader.kind == Kind::Fixed {
+        (", which is fixed", ANOTHER)
+    } else if leader.kind.has_many() {
+        (", which has more than one coordinate", ANOTHER)
+    } else if leader.mimic.is_some() {
+        (", which itself mimics another", ANOTHER)
+    } else if replaced.is_some_and(|replaced| replaced.held) {
+        (", which the scene holds, drives or sets free", ANOTHER)
+    } else if dry_friction(joint, item).is_some() {
+        (
+            ", so it has no dry `friction` of its own",
+            "give it to the joint that leads, or leave all out by `urdf(\"..\", without dry_friction)`",
+        )
+    } else {
+        return None;
+    })
+}
+
+/// The error of a joint that cannot follow the one it mimics.
+fn refused(joint: &Joint, mimic: &Mimic, why: &str, help: &str) -> Wrong {
     let (body, parent) = (identifier(&joint.child), identifier(&joint.parent));
-    let is_itself = mimic.joint == joint.name;
-    let whom = if is_itself {
+    let whom = if mimic.joint == joint.name {
         "itself".to_owned()
     } else {
         format!("`{}`", mimic.joint)
     };
-    let mut refuse = |why: &str, help: &str| {
-        let fact = format!("joint `{}` mimics {whom}{why}", joint.name);
-        let instead = format!(
-            "or write `body {body} on {parent} {{ joint: fixed }}` to hold it, `{{ coordinate: .. }}` to let it move"
-        );
-        let help = format!("{help}, {instead}");
-        wrong.push(Wrong { fact, help });
-        String::new()
-    };
-    let another = "let it mimic a joint that moves by itself";
-    let Leader {
-        joint: leader,
-        replaced,
-    } = match leader {
-        Ok(leader) => leader,
-        Err(Some(meant)) => return refuse(", which is no joint", &format!("did you mean `{meant}`? {another}")),
-        Err(None) => return refuse(", which is no joint", another),
-    };
-    if is_itself {
-        return refuse("", "name the joint that it follows");
+    let instead = format!(
+        "or write `body {body} on {parent} {{ joint: fixed }}` to hold it, `{{ coordinate: .. }}` to let it move"
+    );
+    Wrong {
+        fact: format!("joint `{}` mimics {whom}{why}", joint.name),
+        help: format!("{help}, {instead}"),
     }
-    if leader.kind == Kind::Fixed {
-        return refuse(", which is fixed", another);
-    }
-    if leader.kind.has_many() {
-        return refuse(", which has more than one coordinate", another);
-    }
-    if leader.mimic.is_some() {
-        return refuse(", which itself mimics another", another);
-    }
-    if replaced.is_some_and(|replaced| replaced.held) {
-        return refuse(", which the scene holds, drives or sets free", another);
-    }
-    if dry_friction(joint, item).is_some() {
-        let help = "give it to the joint that leads, or leave all out by `urdf(\"..\", without dry_friction)`";
-        return refuse(", so it has no dry `friction` of its own", help);
-    }
-    let multiplier = &mimic.multiplier;
-    let name = replaced
-        .and_then(|replaced| replaced.coordinate.clone())
-        .unwrap_or_else(|| identifier(&leader.name));
-    let unit = match (joint.kind, leader.kind) {
-        (Kind::Turns, Kind::Slides) => " * 1 rad/m",
-        (Kind::Slides, Kind::Turns) => " * 1 m/rad",
-        _ => "",
-    };
-    let offset = match mimic.offset.as_str() {
-        ZERO => String::new(),
-        offset => format!(" + {offset}"),
-    };
-    format!("motion: {multiplier} * {name}{unit}{offset},")
 }
 
 /// The dry friction of a joint, unless it is left out.
