@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span};
 
 use super::Lower;
-use crate::ast::{self, JointKind};
+use crate::ast::{self, JointKind, Read};
 use crate::error::Reported;
 use crate::loops::{Cause, NoPlane};
 use crate::parse::HINGES;
@@ -67,79 +67,10 @@ impl<'g> Lower<'g> {
             return reported;
         }
         let closure = &items.closures[number];
-        let bodies = between(closure, &items.bodies);
-        let assembled = assembled(&bodies);
-        let help = match (no_plane, &closure.joint) {
-            (Some(_), _) if has_orientation(&bodies) => match bodies.iter().find_map(unguessed) {
-                Some(name) => format!(
-                    "where it is assembled, `{name}` is turned by nothing: say how it is turned there, \
-                     `orientation: {name} near [roll, pitch, yaw]` with angles in rad. Or, if it follows from the loop: {HINGES}"
-                ),
-                None => HINGES.to_owned(),
-            },
-            (Some(NoPlane::Joint), Ok(JointKind::Fixed)) => counted("fixed", ["three", "six"], &assembled),
-            (Some(NoPlane::Joint), Ok(JointKind::Prismatic(_))) => counted("prismatic", ["two", "five"], &assembled),
-            (Some(no_plane), _) => no_plane.help(&assembled),
-            (None, _) => format!("check lengths and places, or say where the mechanism can be assembled: {assembled}"),
-        };
-        let (what, help) = match *cause {
-            Cause::TooShort { by } => (
-                format!(
-                    "cannot close: where it is assembled, its sides miss each other by {} m",
-                    readable(by)
-                ),
-                help,
-            ),
-            Cause::AtToggle => (
-                "is at its toggle where it is assembled".to_owned(),
-                format!("there it does not determine what depends: assemble it elsewhere, as by {assembled}"),
-            ),
-            Cause::Undecided => (
-                "can be assembled in two ways, and the guess is as near to both".to_owned(),
-                format!("say in which: {}", dependent(&bodies)),
-            ),
-            Cause::AlwaysOpen { by, unit } => (
-                format!(
-                    "cannot close: its ends are {} {unit} apart wherever it moves",
-                    readable(by)
-                ),
-                help,
-            ),
-            Cause::ClosedByChance => (
-                "closes for the default values of the parameters alone".to_owned(),
-                "give both ends one parameter where they must agree in order to close".to_owned(),
-            ),
-            Cause::NotAssembled { by, unit } => (
-                format!(
-                    "cannot be assembled near the guess: its ends stay {} {unit} apart",
-                    readable(by)
-                ),
-                help,
-            ),
-            Cause::Turned { by } => (
-                format!(
-                    "closes near the guess with its ends turned by {} rad against each other",
-                    readable(by)
-                ),
-                match &closure.joint {
-                    Ok(JointKind::Revolute(_)) => format!(
-                        "say where its axes have one direction: {}, or turn one end over, with `rpy [..]` behind its place",
-                        dependent(&bodies)
-                    ),
-                    _ => format!("say where the two frames coincide: {}", dependent(&bodies)),
-                },
-            ),
-            Cause::Determines(_) | Cause::DeterminesOthers => (
-                "does not determine the coordinates that depend".to_owned(),
-                format!(
-                    "let coordinates of the joints in the loop depend, and assemble it away from its toggle: {}",
-                    dependent(&bodies)
-                ),
-            ),
-        };
         let [a, b] = closure.ends.each_ref().map(|end| &end.body);
-        self.errors
-            .at(at, format_args!("the loop from `{a}` to `{b}` {what}"), help)
+        let fact = format_args!("the loop from `{a}` to `{b}` {}", cause.fact());
+        let help = cause.help(&closure.joint, &between(closure, &items.bodies), no_plane);
+        self.errors.at(at, fact, help)
     }
 }
 
@@ -216,18 +147,83 @@ fn readable(number: f64) -> String {
     }
 }
 
-impl NoPlane {
-    /// What to do about a loop in space that does not close: it may be meant to lie in a plane.
-    fn help(&self, assembled: &str) -> String {
+impl Cause {
+    /// The predicate of the sentence whose subject is the loop.
+    fn fact(&self) -> String {
+        match *self {
+            Self::TooShort { by } => format!(
+                "cannot close: where it is assembled, its sides miss each other by {} m",
+                readable(by)
+            ),
+            Self::AtToggle => "is at its toggle where it is assembled".to_owned(),
+            Self::Undecided => "can be assembled in two ways, and the guess is as near to both".to_owned(),
+            Self::AlwaysOpen { by, unit } => format!(
+                "cannot close: its ends are {} {unit} apart wherever it moves",
+                readable(by)
+            ),
+            Self::ClosedByChance => "closes for the default values of the parameters alone".to_owned(),
+            Self::NotAssembled { by, unit } => format!(
+                "cannot be assembled near the guess: its ends stay {} {unit} apart",
+                readable(by)
+            ),
+            Self::Turned { by } => format!(
+                "closes near the guess with its ends turned by {} rad against each other",
+                readable(by)
+            ),
+            Self::Determines(_) | Self::DeterminesOthers => "does not determine the coordinates that depend".to_owned(),
+        }
+    }
+
+    /// Advice on the loop of these bodies, which the joint does not close.
+    fn help(&self, joint: &Read<JointKind>, bodies: &[&ast::Body], no_plane: Option<&NoPlane>) -> String {
+        let dependent = dependent(bodies);
         match self {
-            Self::Axes => "check lengths, places and axes, and say near which values of all coordinates of the loop it can be assembled; \
-                           where these are right, more of them must depend"
+            Self::TooShort { .. } | Self::AlwaysOpen { .. } | Self::NotAssembled { .. } => match no_plane {
+                Some(no_plane) => no_plane.help(joint, bodies),
+                None => format!(
+                    "check lengths and places, or say where the mechanism can be assembled: {}",
+                    assembled(bodies)
+                ),
+            },
+            Self::AtToggle => format!(
+                "there it does not determine what depends: assemble it elsewhere, as by {}",
+                assembled(bodies)
+            ),
+            Self::Undecided => format!("say in which: {dependent}"),
+            Self::ClosedByChance => "give both ends one parameter where they must agree in order to close".to_owned(),
+            Self::Turned { .. } if matches!(joint, Ok(JointKind::Revolute(_))) => format!(
+                "say where its axes have one direction: {dependent}, or turn one end over, with `rpy [..]` behind its place"
+            ),
+            Self::Turned { .. } => format!("say where the two frames coincide: {dependent}"),
+            Self::Determines(_) | Self::DeterminesOthers => format!(
+                "let coordinates of the joints in the loop depend, and assemble it away from its toggle: {dependent}"
+            ),
+        }
+    }
+}
+
+impl NoPlane {
+    /// Advice on a loop in space that does not close: it may be meant to lie in a plane.
+    fn help(&self, joint: &Read<JointKind>, bodies: &[&ast::Body]) -> String {
+        let assembled = assembled(bodies);
+        match (self, joint) {
+            _ if has_orientation(bodies) => match bodies.iter().find_map(unguessed) {
+                Some(name) => format!(
+                    "where it is assembled, `{name}` is turned by nothing: say how it is turned there, \
+                     `orientation: {name} near [roll, pitch, yaw]` with angles in rad. Or, if it follows from the loop: {HINGES}"
+                ),
+                None => HINGES.to_owned(),
+            },
+            (Self::Axes, _) => "check lengths, places and axes, and say near which values of all coordinates of the loop it can be assembled; \
+                                where these are right, more of them must depend"
                 .to_owned(),
-            Self::Joint => format!(
+            (Self::Joint, Ok(JointKind::Fixed)) => counted("fixed", ["three", "six"], &assembled),
+            (Self::Joint, Ok(JointKind::Prismatic(_))) => counted("prismatic", ["two", "five"], &assembled),
+            (Self::Joint, _) => format!(
                 "give the joint that closes the loop the axis of the others, or say where the mechanism can be assembled: {assembled}"
             ),
-            Self::Apart => "check the places along the axis of the joints, and in which directions they slide: \
-                            the ends do not lie in one plane"
+            (Self::Apart, _) => "check the places along the axis of the joints, and in which directions they slide: \
+                                 the ends do not lie in one plane"
                 .to_owned(),
         }
     }
