@@ -135,12 +135,7 @@ impl<'g> Row<'_, 'g> {
                 rest: before.rest * placement.rotation,
                 ..before
             },
-            _ => Heading {
-                station: self.parent,
-                axis: None,
-                turn: Combination::default(),
-                rest: placement.rotation,
-            },
+            _ => Heading::unturned(self.parent, placement.rotation),
         };
         let force = spin.map_or(g.zero(), |_| -(self.friction * self.coordinates[k].rate));
         let (own, k) = (BodyId::new(self.behind + self.bodies.len()), CoordinateId::new(k));

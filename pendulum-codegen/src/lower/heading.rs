@@ -6,7 +6,7 @@ use crate::ast;
 use crate::error::Reported;
 use crate::loops::parallel;
 use crate::model::{Body, BodyId, Combination, Heading};
-use crate::screw::{Mat3, Twist};
+use crate::screw::{Mat3, Twist, Vec3};
 
 impl<'g> Lower<'g> {
     /// How the joint turns its body, and what its relative coordinate is in the coordinates of the scene.
@@ -20,70 +20,71 @@ impl<'g> Lower<'g> {
     ) -> Result<(Heading<'g>, Combination), Reported> {
         let before = match parent {
             Some(parent) => bodies[parent].heading.clone(),
-            None => Heading {
-                station: None,
-                axis: None,
-                turn: Combination::default(),
-                rest: Mat3::identity(self.graph),
-            },
+            None => Heading::unturned(None, Mat3::identity(self.graph)),
         };
         let rest = before.rest * geometry.placement.rotation;
-        let turning = geometry.screw.filter(Twist::turns);
-        let Some(screw) = turning else {
-            if let Some(word) = &body.fields.absolute {
-                return Err(self.errors.at(
-                    word.span(),
-                    format_args!("the coordinate of `{}` is no angle", body.name),
-                    "`absolute` is for angles measured from ground; leave it out",
-                ));
-            }
-            return Ok((Heading { rest, ..before }, own));
+        let absolute = body.fields.absolute.as_ref();
+        let Some(screw) = geometry.screw.filter(Twist::turns) else {
+            let Some(word) = absolute else {
+                return Ok((Heading { rest, ..before }, own));
+            };
+            let fact = format_args!("the coordinate of `{}` is no angle", body.name);
+            let help = "`absolute` is for angles measured from ground; leave it out";
+            return Err(self.errors.at(word.span(), fact, help));
         };
         let axis = rest * screw.angular;
-        let sign = match before.axis {
-            // the axis stands still in the frame of the body alone
-            _ if before.turns_freely() => None,
-            None => Some(1),
-            Some(group) => parallel(group, axis),
-        };
-        if let Some(word) = &body.fields.absolute
+        let sign = before.sign_about(axis);
+        if let Some(word) = absolute
             && (before.station.is_some() || sign.is_none())
         {
-            let fact = format!(
+            let fact = format_args!(
                 "`{}` cannot be measured from ground: a joint below it turns about another axis",
                 body.name
             );
-            return Err(self.errors.at(
-                word.span(),
-                fact,
-                "leave out `absolute`; the coordinate is then relative to the parent",
-            ));
+            let help = "leave out `absolute`; the coordinate is then relative to the parent";
+            return Err(self.errors.at(word.span(), fact, help));
         }
         let Some(sign) = sign else {
-            let placed = geometry.placement.rotation;
-            let axis = placed * screw.angular;
-            let heading = Heading {
-                station: parent,
-                axis: Some(axis),
-                turn: own.clone(),
-                rest: placed,
-            };
+            let mut heading = Heading::unturned(parent, geometry.placement.rotation);
+            heading.axis = Some(heading.rest * screw.angular);
+            heading.turn = own.clone();
             return Ok((heading, own));
         };
         // turn = turn before + sign * motion; an absolute coordinate is the whole turn, seen along its own axis
-        let (turn, motion) = if body.fields.absolute.is_some() {
+        let (turn, motion) = if absolute.is_some() {
             (own.scaled(sign), own.plus_scaled(-sign, &before.turn))
         } else {
             (before.turn.plus_scaled(sign, &own), own)
         };
-        Ok((
-            Heading {
-                station: before.station,
-                axis: before.axis.or(Some(axis)),
-                turn,
-                rest,
-            },
-            motion,
-        ))
+        let axis = before.axis.or(Some(axis));
+        let heading = Heading {
+            axis,
+            turn,
+            rest,
+            ..before
+        };
+        Ok((heading, motion))
+    }
+}
+
+impl<'g> Heading<'g> {
+    /// An orientation that nothing turns yet in its station.
+    pub(super) fn unturned(station: Option<BodyId>, rest: Mat3<'g>) -> Self {
+        Self {
+            station,
+            axis: None,
+            turn: Combination::default(),
+            rest,
+        }
+    }
+
+    /// The sign of a further turn about an axis; none where that is not the axis of the turns before it.
+    fn sign_about(&self, axis: Vec3<'g>) -> Option<i64> {
+        match self.axis {
+            // the axis stands still in the frame of the body alone
+            _ if self.turns_freely() => None,
+            None => Some(1),
+            Some(group) => parallel(group, axis),
+        }
     }
 }
