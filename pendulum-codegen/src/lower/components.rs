@@ -164,16 +164,19 @@ impl<'g> Lower<'g> {
         Ok(Quantity { value, measure })
     }
 
-    /// Says how to write a component where the name of all of them stands.
+    /// Says how to write a component where the name of all of them stands: of an orientation, a position or a point.
     pub(super) fn not_a_number(&mut self, name: &Ident, is_rate: bool) -> Option<Reported> {
-        let components = self.components.get(&name.to_string())?.clone();
-        let fact = format_args!("`{name}` is {}, not a number", components.kind.one());
-        let help = if is_rate {
-            listed(AXES.into_iter(), |axis| format!("dot({name}).{axis}"))
-        } else {
-            listed(components.values.iter().map(|(axis, _)| *axis), |axis| {
-                format!("{name}.{axis}")
-            })
+        let text = name.to_string();
+        let (kind, axes) = match self.components.get(&text) {
+            Some(own) => (own.kind, own.values.iter().map(|(axis, _)| *axis).collect()),
+            None if self.names.kind(&text) == Some(Kind::Point) => (Kind::Point, AXES.to_vec()),
+            None => return None,
+        };
+        let fact = format_args!("`{name}` is {}, not a number", kind.one());
+        let help = match kind {
+            _ if !is_rate => listed(axes.into_iter(), |axis| format!("{name}.{axis}")),
+            Kind::Point => listed(AXES.into_iter(), |axis| format!("dot({name}.{axis})")),
+            _ => listed(AXES.into_iter(), |axis| format!("dot({name}).{axis}")),
         };
         Some(self.errors.at(name.span(), fact, format!("write {help}")))
     }

@@ -64,12 +64,7 @@ impl<'g> Lower<'g> {
         }
         match self.names.kind(&text) {
             None => {}
-            Some(Kind::Point) => {
-                let fact = format_args!("`{text}` is a point, not a number");
-                let help = format_args!("write `{text}.x`, `{text}.y` or `{text}.z`");
-                return Err(self.errors.at(name.span(), fact, help));
-            }
-            Some(Kind::Orientation | Kind::Position) => {
+            Some(Kind::Orientation | Kind::Position | Kind::Point) => {
                 if let Some(reported) = self.not_a_number(name, false) {
                     return Err(reported);
                 }
@@ -164,13 +159,7 @@ impl<'g> Lower<'g> {
         }
         let unary = UNARY.iter().find(|(known, _)| *known == text).map(|(_, op)| *op);
         if !functions().any(|known| known == text) {
-            if let Some(kind) = self.names.kind(&text) {
-                let fact = format_args!("`{text}` is {}, not a function", kind.one());
-                let help = format_args!("write `{text}` alone, or `{text}*(..)` for a product");
-                return Err(self.errors.at(name.span(), fact, help));
-            }
-            let fact = format_args!("unknown function `{text}` in {}", place.what);
-            return Err(self.errors.unknown(name, fact, functions(), words::FUNCTIONS));
+            return Err(self.no_function(name, place));
         }
         let (count, form) = match text.as_str() {
             "atan2" => (2, "atan2(y, x)".to_owned()),
@@ -196,6 +185,17 @@ impl<'g> Lower<'g> {
             None => values[0].combine(Binary::Atan2, values[1]),
         };
         Ok(Quantity { value, measure })
+    }
+
+    /// Reports a name that is not that of a function.
+    fn no_function(&mut self, name: &Ident, place: &Place<'g>) -> Reported {
+        let Some(kind) = self.names.kind(&name.to_string()) else {
+            let fact = format_args!("unknown function `{name}` in {}", place.what);
+            return self.errors.unknown(name, fact, functions(), words::FUNCTIONS);
+        };
+        let fact = format_args!("`{name}` is {}, not a function", kind.one());
+        let help = format_args!("write `{name}` alone, or `{name}*(..)` for a product");
+        self.errors.at(name.span(), fact, help)
     }
 
     /// What a function of given arguments is measured in.
@@ -231,33 +231,8 @@ impl<'g> Lower<'g> {
         };
         match &argument.kind {
             ExprKind::Name(name) => {
-                let text = name.to_string();
-                if let Some(rate) = self.names.rate(&text) {
+                if let Some(rate) = self.rate_named(name)? {
                     return Ok(rate);
-                }
-                if let Some(reported) = self.broken.get(&text) {
-                    return Err(*reported);
-                }
-                match self.names.kind(&text) {
-                    Some(Kind::Let | Kind::Input) => {}
-                    None if text == "t" => {}
-                    Some(Kind::Orientation | Kind::Position) => {
-                        if let Some(reported) = self.not_a_number(name, true) {
-                            return Err(reported);
-                        }
-                    }
-                    Some(Kind::Point) => {
-                        let fact = format_args!("`{text}` is a point, not a number");
-                        let help = format_args!("write `dot({text}.x)`, `dot({text}.y)` or `dot({text}.z)`");
-                        return Err(self.errors.at(name.span(), fact, help));
-                    }
-                    _ => {
-                        let fact = format!("`{text}` is not a coordinate, so it has no rate");
-                        if text == "q" {
-                            return Err(self.errors.at(name.span(), fact, "write `qd` for a joint's own rate"));
-                        }
-                        return Err(self.errors.unknown(name, fact, self.names.with_rates(), &[]));
-                    }
                 }
             }
             ExprKind::Component(point, _)
@@ -271,6 +246,40 @@ impl<'g> Lower<'g> {
         }
         // what may stand in the argument is what may stand here, and that it has no rates of its own
         let Quantity { value, measure } = self.operation(argument, place)?;
+        self.require_rate(argument, value)?;
+        Ok(Quantity {
+            value: self.along_motion.of(value),
+            measure: measure.rate(),
+        })
+    }
+
+    /// The declared rate of a name; none where it follows from what the name stands for.
+    fn rate_named(&mut self, name: &Ident) -> Result<Option<Quantity<'g>>, Reported> {
+        let text = name.to_string();
+        if let Some(rate) = self.names.rate(&text) {
+            return Ok(Some(rate));
+        }
+        if let Some(reported) = self.broken.get(&text) {
+            return Err(*reported);
+        }
+        match self.names.kind(&text) {
+            Some(Kind::Let | Kind::Input) => Ok(None),
+            None if text == "t" => Ok(None),
+            Some(Kind::Orientation | Kind::Position | Kind::Point) => {
+                self.not_a_number(name, true).map_or(Ok(None), Err)
+            }
+            _ => {
+                let fact = format!("`{text}` is not a coordinate, so it has no rate");
+                if text == "q" {
+                    return Err(self.errors.at(name.span(), fact, "write `qd` for a joint's own rate"));
+                }
+                Err(self.errors.unknown(name, fact, self.names.with_rates(), &[]))
+            }
+        }
+    }
+
+    /// Refuses a value whose rate is unknown or always zero.
+    fn require_rate(&mut self, given: &ast::Expr, value: Expr<'g>) -> Result<(), Reported> {
         let mut symbols = self.graph.symbols_of(&[value]);
         let without_rate = symbols.find(|symbol| {
             matches!(
@@ -282,18 +291,12 @@ impl<'g> Lower<'g> {
             let fact = format_args!("the rate of `{}` is not known here", symbol.name);
             let help = "accelerations are what the equations give, and inputs come from outside; \
                         the rate of an output is the function `.._rate` of the model";
-            return Err(self.errors.on(argument, fact, help));
+            return Err(self.errors.on(given, fact, help));
         }
         if value.level() < Level::State {
-            return Err(self.errors.on(
-                argument,
-                "it does not change, so it has no rate",
-                "leave it out: its rate is zero",
-            ));
+            let fact = "it does not change, so it has no rate";
+            return Err(self.errors.on(given, fact, "leave it out: its rate is zero"));
         }
-        Ok(Quantity {
-            value: self.along_motion.of(value),
-            measure: measure.rate(),
-        })
+        Ok(())
     }
 }
