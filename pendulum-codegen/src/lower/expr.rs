@@ -184,61 +184,66 @@ impl<'g> Lower<'g> {
                 let Quantity { value, measure } = self.operation(a, place)?;
                 Ok(Quantity { value: -value, measure })
             }
-            ExprKind::Binary(operator, a, b) => {
-                let left = self.operation(a, place);
-                let right = match self.rest_of_unit(*operator, a, b, place) {
-                    Some(reported) => Err(reported),
-                    None => self.operation(b, place),
-                };
-                let (left, right) = (left?, right?);
-                if *operator == Operator::Div && right.value.is_zero() {
-                    return Err(self.errors.on(
-                        &**b,
-                        format_args!("division by zero in {}", place.what),
-                        "the divisor must not be the number 0",
-                    ));
-                }
-                let measures = [left.measure, right.measure];
-                let measure = match operator {
-                    Operator::Add => self.require_alike([a, b], measures, "added"),
-                    Operator::Sub => self.require_alike([a, b], measures, "subtracted"),
-                    Operator::Mul => left.measure.times(right.measure, Power::one()),
-                    Operator::Div => left.measure.times(right.measure, -Power::one()),
-                };
-                let (left, right) = (left.value, right.value);
-                let value = match operator {
-                    Operator::Add => left + right,
-                    Operator::Sub => left - right,
-                    Operator::Mul => left * right,
-                    Operator::Div => left / right,
-                };
-                Ok(Quantity { value, measure })
-            }
-            ExprKind::Power(base, exponent) => {
-                let (x, n) = (self.operation(base, place), self.operation(exponent, place));
-                let (Quantity { value: x, measure }, given) = (x?, n?);
-                let n = self.exponent(exponent, given.value, place)?;
-                self.require_plain(exponent, given, "a power");
-                if x.is_zero() && !n.is_positive() && !n.is_zero() {
-                    return Err(self.errors.on(
-                        expr,
-                        format_args!("division by zero in {}", place.what),
-                        "zero has no negative power",
-                    ));
-                }
-                if !n.is_integer() {
-                    self.never_negative(base, x, "a power with a fraction", format_args!("abs(x)^({n})"))?;
-                }
-                let power = n.numer().to_i32().zip(n.denom().to_i32());
-                let power = power.map_or(Power::one(), |(numerator, denominator)| {
-                    Power::new(numerator, denominator)
-                });
-                Ok(Quantity {
-                    value: x.power(n.clone()),
-                    measure: measure.power(power),
-                })
-            }
+            ExprKind::Binary(operator, a, b) => self.binary(*operator, a, b, place),
+            ExprKind::Power(base, exponent) => self.power(expr, base, exponent, place),
         }
+    }
+
+    /// A sum, a difference, a product or a quotient.
+    fn binary(
+        &mut self,
+        operator: Operator,
+        a: &ast::Expr,
+        b: &ast::Expr,
+        place: &Place<'g>,
+    ) -> Result<Quantity<'g>, Reported> {
+        let left = self.operation(a, place);
+        let right = match self.rest_of_unit(operator, a, b, place) {
+            Some(reported) => Err(reported),
+            None => self.operation(b, place),
+        };
+        let (left, right) = (left?, right?);
+        let ([x, y], measures) = ([left.value, right.value], [left.measure, right.measure]);
+        if operator == Operator::Div && y.is_zero() {
+            let fact = format_args!("division by zero in {}", place.what);
+            return Err(self.errors.on(b, fact, "the divisor must not be the number 0"));
+        }
+        let (measure, value) = match operator {
+            Operator::Add => (self.require_alike([a, b], measures, "added"), x + y),
+            Operator::Sub => (self.require_alike([a, b], measures, "subtracted"), x - y),
+            Operator::Mul => (left.measure.times(right.measure, Power::one()), x * y),
+            Operator::Div => (left.measure.times(right.measure, -Power::one()), x / y),
+        };
+        Ok(Quantity { value, measure })
+    }
+
+    /// A power with a number as its exponent.
+    fn power(
+        &mut self,
+        expr: &ast::Expr,
+        base: &ast::Expr,
+        exponent: &ast::Expr,
+        place: &Place<'g>,
+    ) -> Result<Quantity<'g>, Reported> {
+        let (x, n) = (self.operation(base, place), self.operation(exponent, place));
+        let (Quantity { value: x, measure }, given) = (x?, n?);
+        let n = self.exponent(exponent, given.value, place)?;
+        self.require_plain(exponent, given, "a power");
+        if x.is_zero() && !n.is_positive() && !n.is_zero() {
+            let fact = format_args!("division by zero in {}", place.what);
+            return Err(self.errors.on(expr, fact, "zero has no negative power"));
+        }
+        if !n.is_integer() {
+            self.never_negative(base, x, "a power with a fraction", format_args!("abs(x)^({n})"))?;
+        }
+        let power = n.numer().to_i32().zip(n.denom().to_i32());
+        let power = power.map_or(Power::one(), |(numerator, denominator)| {
+            Power::new(numerator, denominator)
+        });
+        Ok(Quantity {
+            value: x.power(n.clone()),
+            measure: measure.power(power),
+        })
     }
 
     /// Refuses what varies and may not stand at a place.
