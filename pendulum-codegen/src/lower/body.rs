@@ -10,9 +10,8 @@ use super::order::Hung;
 use super::written::written;
 use crate::ast;
 use crate::error::Reported;
-use crate::expr::Printer;
+use crate::expr::{Expr, Printer};
 use crate::model::{Body, BodyId, Combination, Coordinate, CoordinateId, Heading};
-use crate::screw::SpatialInertia;
 
 impl<'g> Lower<'g> {
     /// The bodies, each after its parent. Those with an error are left out.
@@ -55,16 +54,7 @@ impl<'g> Lower<'g> {
         coordinates: &[Coordinate<'g>],
         shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
     ) -> Result<Body<'g>, Reported> {
-        let named = body.fields.coordinate.as_ref();
-        let named = named.and_then(|name| coordinates.iter().position(|c| name == &c.name));
-        let (coordinate, own, start) = match &motion {
-            Some(Motion::Following(sum, start)) => (None, sum.clone(), Some(*start)),
-            Some(Motion::Driven(k)) => (Some(*k), Combination::one(*k), None),
-            _ => {
-                let own = named.map(CoordinateId::new);
-                (own, own.map(Combination::one).unwrap_or_default(), None)
-            }
-        };
+        let (coordinate, own, start) = own_motion(body, motion.as_ref(), coordinates);
         // an error in one part is no reason to leave the others unread
         let mass = self.mass_of_body(body, shapes);
         let geometry = self.geometry(&body.name, body.fields.joint.as_ref());
@@ -88,15 +78,8 @@ impl<'g> Lower<'g> {
         let joint = [position, rate].map(|x| Printer::new(self.graph).formula(x.id()));
         let torque = body.fields.torque.as_ref().map(|torque| written(torque, Some(&joint)));
         let ((heading, motion), geometry, forces, law) = (heading?, geometry?, forces?, law?);
-        let mass = mass?;
-        let figures = mass.as_ref().map(|mass| mass.figures.clone()).unwrap_or_default();
-        let inertia = match mass {
-            None => SpatialInertia::zero(self.graph),
-            Some(mass) => {
-                let turns = turns(&heading);
-                mass.of_body(self, &body.name, turns)?
-            }
-        };
+        let mass = mass?.map(|mass| (mass, turns(&heading)));
+        let (inertia, figures) = self.inertia(&body.name, mass)?;
         Ok(Body {
             name: body.name.to_string(),
             parent: parent?,
@@ -165,6 +148,24 @@ impl<'g> Lower<'g> {
             (true, Some(_)) => Ok(()),
         }
     }
+}
+
+/// The coordinate of a joint, if it has one to itself; its motion as a sum of coordinates; and where the sum begins.
+fn own_motion<'g>(
+    body: &ast::Body,
+    motion: Option<&Motion<'g>>,
+    coordinates: &[Coordinate<'g>],
+) -> (Option<CoordinateId>, Combination, Option<Expr<'g>>) {
+    let own = match motion {
+        Some(Motion::Following(sum, start)) => return (None, sum.clone(), Some(*start)),
+        Some(Motion::Driven(k)) => Some(*k),
+        _ => {
+            let named = body.fields.coordinate.as_ref();
+            let named = named.and_then(|name| coordinates.iter().position(|c| name == &c.name));
+            named.map(CoordinateId::new)
+        }
+    };
+    (own, own.map(Combination::one).unwrap_or_default(), None)
 }
 
 /// About which axes a body turns.

@@ -37,11 +37,7 @@ impl<'g> Lower<'g> {
         let friction = self.friction_of_turns(body, slides);
         let (mass, placement, friction, parent) = (mass?, geometry?.placement, friction?, parent?);
         fits?;
-        let figures = mass.as_ref().map(|mass| mass.figures.clone()).unwrap_or_default();
-        let inertia = match mass {
-            None => SpatialInertia::zero(self.graph),
-            Some(mass) => mass.of_body(self, &body.name, Turns::Freely)?,
-        };
+        let (inertia, figures) = self.inertia(&body.name, mass.map(|mass| (mass, Turns::Freely)))?;
         let first = |name: &Option<Ident>, kind| first_of(coordinates, name.as_ref()?, kind);
         let Some(turning) = first(&body.fields.orientation, Kind::Orientation) else {
             return Err(self.missing(body, ORIENTATION));

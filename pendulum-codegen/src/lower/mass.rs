@@ -42,41 +42,36 @@ pub(super) enum Turns<'g> {
     Freely,
 }
 
-impl<'g> Mass<'g> {
-    /// The spatial inertia of a body in its own frame.
-    pub(super) fn of_body(
-        self,
-        lower: &mut Lower<'g>,
+impl<'g> Lower<'g> {
+    /// The spatial inertia of a body in its own frame, and how it looks.
+    pub(super) fn inertia(
+        &mut self,
         body: &Ident,
-        turns: Turns<'g>,
-    ) -> Result<SpatialInertia<'g>, Reported> {
-        let (Some(given), mut rigid) = (self.about_axis, self.rigid) else {
-            return Ok(self.rigid);
+        mass: Option<(Mass<'g>, Turns<'g>)>,
+    ) -> Result<(SpatialInertia<'g>, Vec<Figure<'g>>), Reported> {
+        let Some((mass, turns)) = mass else {
+            return Ok((SpatialInertia::zero(self.graph), Vec::new()));
         };
-        match turns {
-            Turns::Never => {}
-            Turns::About(axis) => {
+        let mut rigid = mass.rigid;
+        match (mass.about_axis, turns) {
+            (None, _) | (_, Turns::Never) => {}
+            (Some(given), Turns::About(axis)) => {
                 if let Some(included) = given.included {
                     let about_com = given.moment - axis.dot(included * axis);
-                    lower.physical_about_axis(body, &given.tokens, given.moment, about_com);
+                    self.physical_about_axis(body, &given.tokens, given.moment, about_com);
                 }
                 rigid.about_origin = rigid.about_origin + Symmetric3::outer(given.moment, axis);
             }
-            Turns::Freely => {
+            (Some(given), Turns::Freely) => {
                 let fact =
                     format!("the inertia of `{body}` is one number, but the body turns about more than one axis");
-                return Err(lower.errors.on(
-                    given.tokens,
-                    fact,
-                    "give the principal moments `[ixx, iyy, izz]`, or all six",
-                ));
+                let help = "give the principal moments `[ixx, iyy, izz]`, or all six";
+                return Err(self.errors.on(given.tokens, fact, help));
             }
         }
-        Ok(rigid)
+        Ok((rigid, mass.figures))
     }
-}
 
-impl<'g> Lower<'g> {
     /// The mass properties of a body or shape. `unread` is there where a field may be missing for being wrong.
     pub(super) fn mass(
         &mut self,
@@ -125,59 +120,48 @@ impl<'g> Lower<'g> {
         let com = com.as_ref().map_or(Ok(Vec3::zero(self.graph)), |v| {
             self.vector(v, &of("centre of mass", "m"))
         });
-        let Some(inertia) = inertia else {
-            let com = com?;
-            let rigid = SpatialInertia::of_body(mass?, com, Symmetric3::zero(self.graph));
-            return Ok(Mass {
-                rigid,
-                about_axis: None,
-                figures: stick(com),
-            });
+        let moments = inertia.as_ref().map(|inertia| self.moments(owner, inertia));
+        let (mass, com, moments) = (mass?, com?, moments.transpose()?);
+        let mut mass = Mass {
+            rigid: SpatialInertia::of_body(mass, com, Symmetric3::zero(self.graph)),
+            about_axis: None,
+            figures: stick(com),
         };
-        let moments = self.moments(owner, inertia, &of("inertia", "kg m^2"));
-        let (mass, com, moments) = (mass?, com?, moments?);
-        let figures = stick(com);
-        let shift = Symmetric3::of_point(mass, com);
-        let none = Symmetric3::zero(self.graph);
-        let mut rigid = SpatialInertia::of_body(mass, com, none);
+        if let Some((inertia, moments)) = inertia.as_ref().zip(moments) {
+            self.add_inertia(&mut mass, owner, inertia, moments);
+        }
+        Ok(mass)
+    }
+
+    /// Adds the rotational inertia of a body to that of its mass at the centre of mass.
+    fn add_inertia(&mut self, mass: &mut Mass<'g>, owner: &Ident, inertia: &Inertia, moments: Moments<'g>) {
+        let about_origin = &mut mass.rigid.about_origin;
+        let shift = *about_origin;
+        // moments about the joint include that of the mass
         if inertia.about_joint {
-            rigid.about_origin = none;
+            *about_origin = Symmetric3::zero(self.graph);
         }
         match moments {
             Moments::AboutAxis(moment) => {
-                self.require(
-                    &inertia.entries[0],
+                let what = format!("the inertia of `{owner}`");
+                self.require(&inertia.entries[0], moment, Requirement::NonNegative, &what);
+                mass.about_axis = Some(AboutAxis {
                     moment,
-                    Requirement::NonNegative,
-                    &of("inertia", "kg m^2").what,
-                );
-                let included = inertia.about_joint.then_some(shift);
-                let about_axis = AboutAxis {
-                    moment,
-                    included,
+                    included: inertia.about_joint.then_some(shift),
                     tokens: inertia.tokens.clone(),
-                };
-                Ok(Mass {
-                    rigid,
-                    about_axis: Some(about_axis),
-                    figures,
-                })
+                });
             }
             Moments::All(moments) => {
-                rigid.about_origin = rigid.about_origin + moments;
+                *about_origin = *about_origin + moments;
                 let about_com = if inertia.about_joint { moments - shift } else { moments };
                 self.physical(owner, inertia, about_com);
-                Ok(Mass {
-                    rigid,
-                    about_axis: None,
-                    figures,
-                })
             }
         }
     }
 
-    fn moments(&mut self, owner: &Ident, inertia: &Inertia, place: &Place<'g>) -> Result<Moments<'g>, Reported> {
-        let entries: Vec<_> = inertia.entries.iter().map(|e| self.expr(e, place)).collect();
+    fn moments(&mut self, owner: &Ident, inertia: &Inertia) -> Result<Moments<'g>, Reported> {
+        let place = Place::fixed(format!("the inertia of `{owner}`")).in_unit("kg m^2");
+        let entries: Vec<_> = inertia.entries.iter().map(|e| self.expr(e, &place)).collect();
         let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
         let zero = self.graph.zero();
         let rpy = inertia.rpy.as_ref().map(|rpy| {
