@@ -5,7 +5,7 @@ use super::expr::{Only, Place};
 use super::joint_units::{JointUnits, is_zero};
 use crate::ast;
 use crate::error::Reported;
-use crate::expr::{Derivative, Expr, Level, SymbolKind};
+use crate::expr::{Derivative, Expr, Level, Rational, SymbolKind};
 use crate::model::{Combination, Coordinate, CoordinateId, Drive};
 
 /// What a joint with a motion does.
@@ -137,31 +137,7 @@ impl<'g> Lower<'g> {
         }
         let mut sum = Combination::default();
         for &(k, position) in coordinates {
-            if let Some(name) = self.orientation_of(position).map(str::to_owned) {
-                let fact = format_args!("the motion of `{}` follows the orientation `{name}`", body.name);
-                let help = "the components of a quaternion are no coordinates of joints: let it follow a joint that turns about one axis";
-                return Err(self.errors.on(motion, fact, help));
-            }
-            let slope = Derivative::by(position).of(law);
-            let Some(factor) = slope.as_number() else {
-                let fact = format_args!(
-                    "the motion of `{}` is no sum of coordinates with numbers as factors",
-                    body.name
-                );
-                let help =
-                    "a joint follows others as in `-a`, `0.5*a + 0.1` or `a - b`, where `a` and `b` are coordinates";
-                return Err(self.errors.on(motion, fact, help));
-            };
-            // dependent angles are known but for whole turns
-            if usize::from(k) >= dof && !factor.is_integer() {
-                let leader = position.as_symbol().map_or("", |symbol| &symbol.name);
-                let fact = format_args!(
-                    "`{}` follows `{leader}`, which depends, by a factor of {factor}",
-                    body.name
-                );
-                let help = "let the factor be a whole number, or let it follow a coordinate without `depends`";
-                return Err(self.errors.on(motion, fact, help));
-            }
+            let factor = self.factor(body, motion, law, position, usize::from(k) >= dof)?;
             sum = sum.plus_multiple(factor, &Combination::one(k));
         }
         let zeros = coordinates
@@ -175,6 +151,37 @@ impl<'g> Lower<'g> {
             return Err(self.errors.on(motion, fact, help));
         }
         Ok(Motion::Following(sum, start))
+    }
+
+    /// The number by which a joint follows a coordinate.
+    fn factor(
+        &mut self,
+        body: &ast::Body,
+        motion: &ast::Expr,
+        law: Expr<'g>,
+        position: Expr<'g>,
+        depends: bool,
+    ) -> Result<&'g Rational, Reported> {
+        let name = &body.name;
+        if let Some(orientation) = self.orientation_of(position).map(str::to_owned) {
+            let fact = format_args!("the motion of `{name}` follows the orientation `{orientation}`");
+            let help = "the components of a quaternion are no coordinates of joints: let it follow a joint that turns about one axis";
+            return Err(self.errors.on(motion, fact, help));
+        }
+        let slope = Derivative::by(position).of(law);
+        let Some(factor) = slope.as_number() else {
+            let fact = format_args!("the motion of `{name}` is no sum of coordinates with numbers as factors");
+            let help = "a joint follows others as in `-a`, `0.5*a + 0.1` or `a - b`, where `a` and `b` are coordinates";
+            return Err(self.errors.on(motion, fact, help));
+        };
+        // dependent angles are known but for whole turns
+        if depends && !factor.is_integer() {
+            let leader = position.as_symbol().map_or("", |symbol| &symbol.name);
+            let fact = format_args!("`{name}` follows `{leader}`, which depends, by a factor of {factor}");
+            let help = "let the factor be a whole number, or let it follow a coordinate without `depends`";
+            return Err(self.errors.on(motion, fact, help));
+        }
+        Ok(factor)
     }
 
     /// Refuses an expression that has fewer continuous derivatives than are needed, for one of which it is taken.
