@@ -285,12 +285,7 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
         }
         "units" => {
             colon(input, &key, errors)?;
-            let word = identifier(input, "`none`", "units: none")?;
-            if word != "none" {
-                let help = "leave it out: units are SI; `units: none` is for equations without dimensions";
-                return Err(at(word.span(), format_args!("unknown units `{word}`"), help));
-            }
-            once(&mut items.without_units, (), &key)?;
+            once(&mut items.without_units, no_units(input)?, &key)?;
         }
         "let" => items.lets.push(declare::named_expression(input, errors)?),
         "input" => items.inputs.push(declare::input(input, docs, errors)?),
@@ -327,13 +322,27 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
         }
         _ => {
             colon(input, &key, errors)?;
-            let form = "generate: [rhs, jacobian, energy]";
-            let inner = brackets(input, "what to generate", form)?;
-            let routines = list(&inner, form, |input| identifier(input, "a routine", form))?;
-            once(&mut items.generate, (key.clone(), routines), &key)?;
+            once(&mut items.generate, (key.clone(), routines(input)?), &key)?;
         }
     }
     Ok(End::Comma)
+}
+
+/// `none`, after the word `units`
+fn no_units(input: ParseStream) -> syn::Result<()> {
+    let word = identifier(input, "`none`", "units: none")?;
+    if word != "none" {
+        let help = "leave it out: units are SI; `units: none` is for equations without dimensions";
+        return Err(at(word.span(), format_args!("unknown units `{word}`"), help));
+    }
+    Ok(())
+}
+
+/// `[routine, ..]`, after the word `generate`
+fn routines(input: ParseStream) -> syn::Result<Vec<Ident>> {
+    let form = "generate: [rhs, jacobian, energy]";
+    let inner = brackets(input, "what to generate", form)?;
+    list(&inner, form, |input| identifier(input, "a routine", form))
 }
 
 /// The word that an item begins with. After a mistake whose meaning is clear the reading goes on.
