@@ -14,9 +14,8 @@
 //! outwards   a' = X a_parent + c,  qdd = (u - U^T a') / d,  a = a' + s qdd
 //! ```
 
-use std::ops::{Add, Mul};
-
 use super::actions::{along_coordinates, is_wrench, wrenches};
+use super::articulated_inertia::{Articulated, Joint};
 use super::flight::Flights;
 use super::frames::{Frame, frames};
 use super::joint::JointId;
@@ -25,25 +24,7 @@ use super::motion::{acceleration_field, inertial_moment};
 use super::solve::{Factored, Inverse, Solver};
 use crate::expr::Expr;
 use crate::model::{Action, Floating, Model};
-use crate::screw::{MassMoments, Mat3, Symmetric3, Twist, Vec3, Wrench};
-
-/// The inertia of a link whose outer joints give way: `moment = rotation alpha + coupling a`, `force = coupling^T alpha
-/// + translation a`.
-#[derive(Clone, Copy, Debug)]
-struct Articulated<'g> {
-    rotation: Symmetric3<'g>,
-    coupling: Mat3<'g>,
-    translation: Symmetric3<'g>,
-}
-
-/// What a joint gives way by.
-#[derive(Clone, Copy, Debug)]
-struct Joint<'g> {
-    /// The articulated inertia times the joint's screw.
-    momentum: Wrench<'g>,
-    /// One over the inertia along the joint.
-    mobility: Expr<'g>,
-}
+use crate::screw::{Twist, Vec3, Wrench};
 
 /// A scene whose joints give way: what its mass matrix is elsewhere.
 ///
@@ -313,91 +294,5 @@ fn drift<'g>(link: &Link<'g>, frame: &Frame<'g>, w: Vec3<'g>, spins: &[Vec3<'g>]
     Twist {
         angular: w.cross(angular),
         linear: swept + w.cross(2 * linear),
-    }
-}
-
-impl<'g> Articulated<'g> {
-    /// `[J, [h]; -[h], m 1]` of a link alone.
-    fn rigid(inertia: &MassMoments<'g>) -> Self {
-        Self {
-            rotation: inertia.rotational(),
-            coupling: Mat3::cross(inertia.first),
-            translation: Symmetric3::diagonal([inertia.mass; 3]),
-        }
-    }
-
-    /// `U = I s` and `1 / s^T U`.
-    fn give_way(&self, link: &Link<'g>) -> Joint<'g> {
-        let momentum = *self * link.screw;
-        Joint {
-            momentum,
-            mobility: momentum.power(&link.screw).recip(),
-        }
-    }
-
-    /// The inertia that is left when the joint gives way: `I_a = I - U U^T / d`.
-    fn without(&self, link: &Link<'g>, joint: &Joint<'g>) -> Self {
-        let Wrench { moment, force } = joint.momentum;
-        let given = joint.mobility * joint.momentum;
-        // a push along the joint meets no resistance any more: exactly, and not up to rounding
-        let (no_turn, no_slide) = (link.turns() && link.pitch().is_zero(), !link.turns());
-        let less = |entry: Expr<'g>, a: Expr<'g>, b: Expr<'g>, vanishes: bool| {
-            let product = a * b;
-            if vanishes {
-                entry.graph().zero()
-            } else {
-                entry - product
-            }
-        };
-        let (rotation, coupling, translation) = (self.rotation.full(), self.coupling, self.translation.full());
-        Self {
-            rotation: Symmetric3::from_fn(|i, j| less(rotation[i][j], moment[i], given.moment[j], no_turn && j == 2)),
-            translation: Symmetric3::from_fn(|i, j| {
-                less(translation[i][j], force[i], given.force[j], no_slide && j == 2)
-            }),
-            coupling: Mat3::from_fn(|i, j| {
-                let vanishes = (no_turn && i == 2) || (no_slide && j == 2);
-                less(coupling[i][j], moment[i], given.force[j], vanishes)
-            }),
-        }
-    }
-
-    /// The same inertia about the origin of the parent, in its frame: `X^T I X`.
-    fn to_parent(self, frame: &Frame<'g>) -> Self {
-        let [rotation, translation] = [self.rotation, self.translation].map(|tensor| frame.tensor_to_parent(tensor));
-        let coupling = frame.matrix_to_parent(self.coupling);
-        // with [o] the cross product by the offset: H' = H + [o] M, J' = J - H [o] + [o] H'^T
-        let o = Mat3::cross(frame.offset);
-        let moved = coupling + o * translation.full();
-        let (left, right) = (coupling * o, o * moved.transpose());
-        Self {
-            rotation: rotation + Symmetric3::from_fn(|i, j| right[i][j] - left[i][j]),
-            coupling: moved,
-            translation,
-        }
-    }
-}
-
-impl Add for Articulated<'_> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self {
-            rotation: self.rotation + other.rotation,
-            coupling: self.coupling + other.coupling,
-            translation: self.translation + other.translation,
-        }
-    }
-}
-
-/// The wrench that an acceleration takes.
-impl<'g> Mul<Twist<'g>> for Articulated<'g> {
-    type Output = Wrench<'g>;
-    fn mul(self, Twist { angular, linear }: Twist<'g>) -> Wrench<'g> {
-        let (turned, coupled) = (self.rotation * angular, self.coupling * linear);
-        let (swept, moved) = (self.coupling.transpose() * angular, self.translation * linear);
-        Wrench {
-            moment: turned + coupled,
-            force: swept + moved,
-        }
     }
 }

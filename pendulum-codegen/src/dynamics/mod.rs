@@ -2,6 +2,7 @@
 
 mod actions;
 mod articulated;
+mod articulated_inertia;
 #[cfg(test)]
 mod base;
 mod canonical;
