@@ -130,6 +130,14 @@ pub(crate) struct Robot {
     pub limits: bool,
     /// Whether its joints have no dry friction.
     pub without_dry_friction: bool,
+    /// Whether each element of its file must be known.
+    pub strict: bool,
+    /// Whether inertias that no body can have become the nearest that one can.
+    pub repair: bool,
+    /// What was repaired.
+    pub repaired: Vec<String>,
+    /// The largest force and rate that its file gives for coordinates, infinite where it gives one alone.
+    pub most: Vec<(String, [f64; 2])>,
     /// What was wrong with the file: some of its bodies may be missing.
     pub unread: Option<Reported>,
 }

@@ -159,9 +159,20 @@ impl<'g> Lower<'g> {
         self.require_motion(scene, &tree.coordinates);
         self.report_refused_defaults(&items.params, &tree.parameters);
         self.report_unused(items);
+        let most = items.robot.iter().flat_map(|robot| &robot.most);
+        let most: BTreeMap<&str, [f64; 2]> = most.map(|(name, most)| (name.as_str(), *most)).collect();
+        let of = |coordinate: &Coordinate<'g>| most.get(coordinate.name.as_str()).copied();
+        let all: Vec<Option<[f64; 2]>> = tree.coordinates.iter().map(of).collect();
+        let is_limited = all.iter().any(Option::is_some);
+        let most = all.into_iter().filter(|_| is_limited);
         let mut model = Model {
             name: scene.head.name.to_string(),
             docs: scene.head.docs.clone(),
+            repaired: items
+                .robot
+                .as_ref()
+                .map_or_else(Vec::new, |robot| robot.repaired.clone()),
+            most: most.map(|most| most.unwrap_or([f64::INFINITY; 2])).collect(),
             lets,
             tree,
             loops,

@@ -85,6 +85,10 @@ pub(crate) struct Model<'g> {
     pub name: String,
     /// Documentation, line by line.
     pub docs: Vec<String>,
+    /// What was repaired in the file of a robot.
+    pub repaired: Vec<String>,
+    /// The largest force and rate of each coordinate, where the file of a robot gives any.
+    pub most: Vec<[f64; 2]>,
     /// Each `let`, as it was written.
     pub lets: Vec<Definition>,
     /// Bodies, and what moves them.
@@ -139,7 +143,7 @@ pub(crate) struct Input<'g> {
 }
 
 /// The constants that a model has beside the places of its coordinates.
-pub(crate) const FACTS: [&str; 8] = [
+pub(crate) const FACTS: [&str; 11] = [
     "DOF",
     "COORDINATES",
     "COST",
@@ -148,6 +152,9 @@ pub(crate) const FACTS: [&str; 8] = [
     "OUTPUTS",
     "EVENTS",
     "DRIVES",
+    "REPAIRED",
+    "EFFORT_LIMITS",
+    "VELOCITY_LIMITS",
 ];
 
 /// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`, of `p.x` `P_X`

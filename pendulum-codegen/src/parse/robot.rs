@@ -24,6 +24,10 @@ pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
         span: path.span(),
         limits: false,
         without_dry_friction: false,
+        strict: false,
+        repair: false,
+        repaired: Vec::new(),
+        most: Vec::new(),
         unread: None,
     };
     while inner.parse::<Option<Token![,]>>()?.is_some() && !inner.is_empty() {
@@ -31,14 +35,16 @@ pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
         let what: Option<Ident> = inner.parse()?;
         match (word.to_string().as_str(), what) {
             ("limits", None) => robot.limits = true,
+            ("strict", None) => robot.strict = true,
+            ("repair", None) => robot.repair = true,
             ("without", Some(what)) if what == "dry_friction" => robot.without_dry_friction = true,
             ("without", Some(what)) if what == "limits" => {
                 let help = "leave it out: limits are stops only where `limits` stands behind the path";
                 return Err(at(what.span(), "limits are left out anyway", help));
             }
             _ => {
-                let help =
-                    "known here: `limits`, which makes stops of the limits of joints, and `without dry_friction`";
+                let help = "known here: `limits`, which makes stops of the limits of joints, `without dry_friction`, `repair`, \
+                     which changes inertias that no body can have, and `strict`, which refuses unknown elements";
                 return Err(at(word.span(), format_args!("unknown word `{word}`"), help));
             }
         }

@@ -36,6 +36,8 @@ impl Program {
             open_loops: Vec::new(),
             uncounted: Vec::new(),
             drives,
+            repaired: Vec::new(),
+            most: Vec::new(),
             laws: Block::zeros(constraints.iter().map(Constraint::numbers).sum()),
             drawing: Some(Drawing::default()),
             series: None,

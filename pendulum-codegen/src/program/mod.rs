@@ -75,6 +75,10 @@ pub struct Program {
     pub uncounted: Vec<String>,
     /// The bodies whose joints are driven.
     pub drives: Vec<String>,
+    /// What was repaired in the file of a robot.
+    pub repaired: Vec<String>,
+    /// The largest force and rate of each coordinate, where the file of a robot gives any.
+    pub most: Vec<[f64; 2]>,
     /// The constraints.
     pub constraints: Vec<Constraint>,
     /// Of each constraint the friction that slips and that sticks, the restitution and the rate below which there is
@@ -206,6 +210,8 @@ impl Program {
                 .map(|own| own.coordinate.name.clone())
                 .collect(),
             drives: model.drives.iter().map(|drive| drive.coordinate.name.clone()).collect(),
+            repaired: model.repaired.clone(),
+            most: model.most.clone(),
             constraints: model.constraints.iter().map(|c| Constraint::new(model, c)).collect(),
             laws: block(g, &laws, &known)?,
             drawing: sketch.map(|sketch| sketch.finish(model, &known)).transpose()?,

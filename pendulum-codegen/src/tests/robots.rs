@@ -17,13 +17,20 @@ fn code(items: &str) -> String {
     code
 }
 
-/// The code of a scene with a robot, without what the documentation says of the file.
+/// The code of a scene with a robot, without what the documentation says of the file, and without its limits.
 fn from_file(items: &str) -> String {
     let code = code(items);
     let (before, note) = code
         .split_once("# [doc = \"\"] # [doc = \" Links and joints from")
         .expect("documentation");
     let (_, after) = note.split_once("\"]").expect("its end");
+    let code = format!("{before}{}", after.trim_start());
+    let Some((before, limits)) = code.split_once("# [doc = r\" The largest force along") else {
+        return code;
+    };
+    let (_, after) = limits.split_once("VELOCITY_LIMITS : ").expect("both");
+    let (_, after) = after.split_once("] = [").expect("its type");
+    let (_, after) = after.split_once("] ;").expect("its end");
     format!("{before}{}", after.trim_start())
 }
 
@@ -392,4 +399,54 @@ fn cargo_builds_anew_when_the_file_changes() {
             .contains("include_bytes")
     );
     assert!(program_in(&folder(), scene("arm.urdf")).is_ok());
+}
+
+#[test]
+fn what_is_fixed_together_is_judged_together() {
+    let code = code("robot: urdf(\"sound_together.urdf\"),");
+    assert!(code.contains("Left out: `tag`."), "{code}");
+}
+
+#[test]
+fn an_inertia_that_no_body_has_becomes_the_nearest_that_one_has() {
+    let robot = "robot: urdf(\"unphysical.urdf\", repair),";
+    let code = code(&format!("{robot} body cap on hand {{ mass: 1, joint: fixed }}"));
+    assert!(code.contains("REPAIRED : [& 'static str ; 2]"), "{code}");
+    assert!(code.contains(" * inertia of `arm`, by "), "{code}");
+    // of the hand 1, 1, 2.5 the moments of mass are 1.25, 1.25, -0.25, and those of the nearest 1.25, 1.25, 0
+    let hand = "body hand on arm { inertia: [1.25, 1.25, 2.5] }";
+    let with = |items: &str| {
+        let text = format!(
+            "pub Arm {{ {robot} {items} generate: [inverse_dynamics], body cap on hand {{ mass: 1, joint: fixed }} }}"
+        );
+        let program = program_in(&folder(), text.parse().expect("tokens")).expect("a scene");
+        program.routines[0].block.clone()
+    };
+    assert_eq!(with(""), with(hand));
+}
+
+#[test]
+fn the_largest_forces_and_rates_are_those_of_the_file() {
+    let lone = "robot: urdf(\"unphysical.urdf\", repair), body cap on hand { joint: fixed, mass: 1 }";
+    let renamed = format!(
+        "{lone} body hand on arm {{ coordinate: bend }} body free on hand {{ mass: 1, com: [0, 1, 0], joint: revolute(x), coordinate: f }}"
+    );
+    let code = code(&renamed);
+    assert!(
+        code.contains("EFFORT_LIMITS : [f64 ; 3] = [87f64 , 12f64 , f64 :: INFINITY]"),
+        "{code}"
+    );
+    assert!(
+        code.contains("VELOCITY_LIMITS : [f64 ; 3] = [2.5f64 , 4f64 , f64 :: INFINITY]"),
+        "{code}"
+    );
+    assert!(
+        !expand(
+            "pub A { body a on ground { mass: 1, joint: prismatic(x), coordinate: x } }"
+                .parse()
+                .expect("tokens")
+        )
+        .to_string()
+        .contains("EFFORT")
+    );
 }

@@ -11,7 +11,7 @@ use crate::ast;
 use crate::lower::reserved;
 use crate::words;
 
-/// What a scene says of the joint of a link.
+/// What a scene says of a link and its joint.
 #[derive(Debug)]
 pub(super) struct Replaced {
     /// The body of the link.
@@ -20,6 +20,12 @@ pub(super) struct Replaced {
     pub(super) coordinate: Option<String>,
     /// Whether the joint is fixed, driven, or has an orientation, so that it has no coordinate.
     pub(super) held: bool,
+    /// Whether the joint is another.
+    pub(super) joint: bool,
+    /// Whether it moves, where the scene says so.
+    pub(super) moves: Option<bool>,
+    /// Whether the scene gives the mass or the inertia.
+    pub(super) weighs: bool,
 }
 
 /// The bodies of a robot: one for each link, in the order of the joints that carry them; first the root, which stands
@@ -81,7 +87,20 @@ pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], w
 /// What the scene says of the joint of a link.
 fn find<'r>(replaced: &'r [Replaced], link: &str) -> Option<&'r Replaced> {
     let link = identifier(link);
-    replaced.iter().find(|replaced| replaced.body == link)
+    replaced.iter().find(|own| own.joint && own.body == link)
+}
+
+/// The largest force and rate of each coordinate of which the file has a finite one.
+pub(super) fn most(robot: &Robot, replaced: &[Replaced]) -> Vec<(String, [f64; 2])> {
+    let limited = robot
+        .joints
+        .iter()
+        .filter(|joint| joint.most.iter().any(|most| most.is_finite()));
+    let named = limited.map(|joint| {
+        let renamed = find(replaced, &joint.child).and_then(|own| own.coordinate.clone());
+        (renamed.unwrap_or_else(|| identifier(&joint.name)), joint.most)
+    });
+    named.collect()
 }
 
 /// The body that carries a joint, and where.
@@ -188,7 +207,10 @@ fn mass(link: &Link) -> String {
         return String::new();
     };
     let Origin { xyz, rpy } = &inertial.origin;
-    let mut text = format!("mass: {}, com: {},", inertial.mass, list(xyz));
+    let mut text = match inertial.mass.as_str() {
+        ZERO => String::new(),
+        mass => format!("mass: {mass}, com: {},", list(xyz)),
+    };
     if !are_zero(&inertial.inertia) {
         write!(text, " inertia: {}", list(&inertial.inertia)).expect("memory");
         if !are_zero(rpy) {

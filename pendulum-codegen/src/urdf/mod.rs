@@ -2,6 +2,8 @@
 //! stood there.
 
 mod declare;
+mod inertia;
+mod matrix;
 mod merge;
 mod names;
 mod number;
@@ -38,11 +40,17 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     let Some(robot) = &scene.items.robot else { return Ok(()) };
     let (name, span) = (robot.path.clone(), robot.span);
     let text = files(&name).map_err(|(fact, help)| errors.at(span, fact, help))?;
-    let (mut found, mut wrong) = read::read(&text);
+    let (mut found, mut wrong) = read::read(&text, robot.strict);
     // what it is that cannot be declared is of interest where all could be read
     let mut ignored = Vec::new();
     let undeclared = if wrong.is_empty() { &mut wrong } else { &mut ignored };
-    let declared = declare::declare(&found, robot, &replaced(&scene.items.bodies), undeclared);
+    let replaced = replaced(&scene.items.bodies);
+    let repaired = if tree::is_tree(&found, &mut Vec::new()) {
+        inertia::check(&mut found, &replaced, robot.repair, undeclared)
+    } else {
+        Vec::new()
+    };
+    let declared = declare::declare(&found, robot, &replaced, undeclared);
     let report = |wrong: read::Wrong| errors.at(span, format_args!("`{name}`: {}", wrong.fact), wrong.help);
     if let Some(reported) = wrong.into_iter().map(report).last() {
         // uses of the coordinates that are known are no errors of their own
@@ -68,7 +76,11 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     })?;
     errors.read_from(span, &name);
     let links = parse::bodies(at(span, tokens), errors)?;
-    scene.head.docs.extend(docs(&name, &found));
+    scene.head.docs.extend(docs(&name, &found, &repaired));
+    if let Some(robot) = &mut scene.items.robot {
+        robot.repaired = repaired;
+        robot.most = declare::most(&found, &replaced);
+    }
     let own = std::mem::take(&mut scene.items.bodies);
     scene.items.bodies = merge::merged(links, own, errors);
     Ok(())
@@ -76,10 +88,22 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
 
 /// What a scene says of joints.
 fn replaced(own: &[Body]) -> Vec<Replaced> {
-    let moves = |fields: &BodyFields| fields.joint.is_some() || fields.coordinate.is_some() || fields.motion.is_some();
-    let replaced = own.iter().filter(|body| moves(&body.fields));
-    let replaced = replaced.map(|Body { name, fields, .. }| Replaced {
+    let changes =
+        |fields: &BodyFields| fields.joint.is_some() || fields.coordinate.is_some() || fields.motion.is_some();
+    let weighs = |body: &Body| {
+        let given = &body.fields.properties;
+        let weighs = given.mass.is_some() || given.inertia.is_some() || given.com.is_some() || given.solids.is_some();
+        weighs || body.shape.is_some()
+    };
+    let replaced = own.iter().filter(|body| changes(&body.fields) || weighs(body));
+    let replaced = replaced.map(|body @ Body { name, fields, .. }| Replaced {
         body: name.to_string(),
+        joint: changes(fields),
+        moves: fields
+            .joint
+            .as_ref()
+            .map(|joint| !joint.is_fixed() || fields.motion.is_some()),
+        weighs: weighs(body),
         coordinate: fields.coordinate.as_ref().map(ToString::to_string),
         held: fields.motion.is_some()
             || fields
@@ -91,13 +115,20 @@ fn replaced(own: &[Body]) -> Vec<Replaced> {
 }
 
 /// What the documentation of the model says of its robot.
-fn docs(name: &str, robot: &Robot) -> Vec<String> {
+fn docs(name: &str, robot: &Robot, repaired: &[String]) -> Vec<String> {
     let left: Vec<String> = robot.left_out.iter().map(|element| format!("`{element}`")).collect();
     let left = match &left[..] {
         [] => String::new(),
         _ => format!(" Left out: {}.", left.join(", ")),
     };
-    vec![String::new(), format!(" Links and joints from `{name}`.{left}")]
+    let mut docs = vec![String::new(), format!(" Links and joints from `{name}`.{left}")];
+    if !repaired.is_empty() {
+        docs.push(String::new());
+        docs.push(" Repaired, as no body has what the file gives:".to_owned());
+        docs.push(String::new());
+        docs.extend(repaired.iter().map(|change| format!(" * {change}")));
+    }
+    docs
 }
 
 /// Tokens that stand on one place.

@@ -1,6 +1,6 @@
 //! Numbers of a URDF file as text of the language.
 
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_PI_4, PI};
 
 /// The number zero, however it was written.
 pub(super) const ZERO: &str = "0";
@@ -88,6 +88,20 @@ pub(super) fn angle(text: &str) -> Option<String> {
     })
 }
 
+/// The value of what [`number`], [`length`] or [`angle`] returned.
+pub(super) fn value(text: &str) -> f64 {
+    let Some(at) = text.find("pi") else {
+        return text.parse().unwrap_or(f64::NAN);
+    };
+    let (before, behind) = (text[..at].trim_end_matches('*'), text[at + 2..].trim_start_matches('/'));
+    let factor = match before {
+        "" => 1.0,
+        "-" => -1.0,
+        factor => factor.parse().unwrap_or(f64::NAN),
+    };
+    factor * PI / behind.parse().unwrap_or(1.0)
+}
+
 /// One unit of the last decimal of a number; 0 where it has so few that it says little.
 fn last_decimal(text: &str) -> f64 {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
@@ -102,7 +116,7 @@ fn last_decimal(text: &str) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{angle, is_number, number};
+    use super::{angle, is_number, number, value};
 
     #[test]
     fn numbers_keep_their_digits() {
@@ -161,6 +175,8 @@ mod tests {
         ];
         for (text, ours) in known {
             assert_eq!(angle(text).as_deref(), Some(ours), "{text}");
+            let given: f64 = text.parse().expect("a number");
+            assert!((value(ours) - given).abs() < 1e-4, "{text}");
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use roxmltree::{Document, Error, Node};
 
-use super::number::{ZERO, angle, are_zero, is_in_range, is_number, length, number};
+use super::number::{ZERO, angle, are_zero, is_in_range, is_number, length, number, value};
 use super::robot::{Inertial, Joint, Kind, Link, Mimic, Origin, Robot};
 use crate::words;
 
@@ -49,16 +49,23 @@ const ATTRIBUTES: [(&str, &[&str]); 7] = [
 ];
 
 /// What is read of elements that have more attributes in practice: those of other programs.
-const AMONG_OTHERS: [(&str, &[&str]); 2] = [("dynamics", &["damping", "friction"]), ("limit", &["lower", "upper"])];
+const AMONG_OTHERS: [(&str, &[&str]); 2] = [
+    ("dynamics", &["damping", "friction"]),
+    ("limit", &["lower", "upper", "effort", "velocity"]),
+];
 
 const ROBOT: &str = "a URDF file is `<robot name=\"..\"> .. </robot>`";
 
 /// The default multiplier, and a number that is no error of its own.
 const ONE: &str = "1.0";
 
-/// Reads a file. Whatever can be read is returned, beside all that is wrong.
-pub(super) fn read(text: &str) -> (Robot, Vec<Wrong>) {
-    let mut reader = Reader::default();
+/// Reads a file, of which each element must be known where `strict`. Whatever can be read is returned, beside all that is
+/// wrong.
+pub(super) fn read(text: &str, strict: bool) -> (Robot, Vec<Wrong>) {
+    let mut reader = Reader {
+        strict,
+        ..Reader::default()
+    };
     match Document::parse(text) {
         Ok(document) => reader.robot(document.root_element()),
         Err(Error::DtdDetected) => reader.wrong(
@@ -76,6 +83,7 @@ pub(super) fn read(text: &str) -> (Robot, Vec<Wrong>) {
 
 #[derive(Debug, Default)]
 struct Reader {
+    strict: bool,
     robot: Robot,
     wrong: Vec<Wrong>,
 }
@@ -144,16 +152,8 @@ impl Reader {
         };
         let mass = self.number(mass, "value", owner, None);
         let inertia = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"].map(|entry| self.number(inertia, entry, owner, None));
-        if mass == ZERO {
-            if !are_zero(&inertia) {
-                self.wrong(
-                    format!("{owner} has an inertia, but its mass is 0"),
-                    "give it its mass in kg",
-                );
-            }
-            return None;
-        }
-        Some(Inertial { origin, mass, inertia })
+        let is_empty = mass == ZERO && are_zero(&inertia);
+        (!is_empty).then_some(Inertial { origin, mass, inertia })
     }
 
     fn joint(&mut self, node: Node<'_, '_>) {
@@ -186,6 +186,10 @@ impl Reader {
                 self.parsed(text, end, &owner, as_place)
             })
         });
+        let most = ["effort", "velocity"].map(|what| {
+            let part = parts.get("limit").filter(|part| part.has_attribute(what));
+            part.map_or(f64::INFINITY, |&part| value(&self.number(part, what, &owner, None)))
+        });
         let [damping, friction] = ["damping", "friction"].map(|what| {
             let part = parts.get("dynamics").filter(|part| part.has_attribute(what));
             let number = part.map(|&part| self.number(part, what, &owner, None));
@@ -209,6 +213,7 @@ impl Reader {
             child,
             // that of the specification, where none is given
             axis: axis.unwrap_or_else(|| ["1", ZERO, ZERO].map(str::to_owned)),
+            most,
             limits: limits.filter(|_| node.attribute("type") != Some("continuous")),
             damping,
             friction,
@@ -256,13 +261,27 @@ impl Reader {
             } else if !is_own || name.name().contains(':') || ELSEWHERE.contains(&name.name()) {
                 self.robot.left_out.insert(name.name().to_owned());
             } else {
-                let line = node.document().text_pos_at(child.range().start).row;
-                let fact = format!("unknown element `{}` in {owner}, line {line}", name.name());
-                let help = format!("remove it, or write what is meant; read are {}", known.join(", "));
-                self.wrong(fact, help);
+                self.unknown_element(child, owner, known);
             }
         }
         found
+    }
+
+    /// Leaves an element out that is not known, unless it seems misspelt, or all must be known.
+    fn unknown_element(&mut self, node: Node<'_, '_>, owner: &str, known: &[&str]) {
+        let name = node.tag_name().name();
+        let meant = words::advice(name, known.iter().copied(), &[]).meant;
+        if !self.strict && meant.is_none() {
+            self.robot.left_out.insert(name.to_owned());
+            return;
+        }
+        let line = node.document().text_pos_at(node.range().start).row;
+        let fact = format!("unknown element `{name}` in {owner}, line {line}");
+        let help = match meant {
+            Some(meant) => format!("did you mean `{meant}`? otherwise remove it"),
+            None => format!("remove it, or leave out `strict`; read are {}", known.join(", ")),
+        };
+        self.wrong(fact, help);
     }
 
     /// The child elements, of which each name may stand once.

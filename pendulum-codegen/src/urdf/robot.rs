@@ -47,6 +47,8 @@ pub(super) struct Joint {
     pub(super) axis: [String; 3],
     /// The least and the largest coordinate.
     pub(super) limits: Option<[String; 2]>,
+    /// The largest force along it, and the largest rate; infinite where none is given.
+    pub(super) most: [f64; 2],
     /// Viscous and dry friction.
     pub(super) damping: Option<String>,
     pub(super) friction: Option<String>,

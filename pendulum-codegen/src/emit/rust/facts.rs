@@ -50,6 +50,12 @@ impl Items<'_> {
         );
         let events = names_of("EVENTS", "The names of the events.", &program.events);
         let drives = names_of("DRIVES", "The bodies whose joints are driven.", &program.drives);
+        let limits = self.limits();
+        let repaired = names_of(
+            "REPAIRED",
+            "What was repaired in the file of the robot.",
+            &program.repaired,
+        );
         quote! {
             impl #name {
                 #(#places)*
@@ -66,8 +72,34 @@ impl Items<'_> {
                 #outputs
                 #events
                 #drives
+                #repaired
+                #limits
             }
         }
+    }
+}
+
+impl Items<'_> {
+    /// The largest force and the largest rate of each coordinate, where the file of a robot gives any.
+    fn limits(&self) -> Option<TokenStream> {
+        let most = &self.program.most;
+        let dof = count(most.len());
+        let [effort, velocity] = [0, 1].map(|n| {
+            let numbers = most.iter().map(|own| match own[n] {
+                most if most.is_finite() => quote!(#most),
+                _ => quote!(f64::INFINITY),
+            });
+            quote!([#(#numbers),*])
+        });
+        let limits = quote! {
+            /// The largest force along each joint that the file of the robot gives, in the order of `COORDINATES`: N m
+            /// where a joint turns, N where it slides; infinite where it gives none.
+            pub const EFFORT_LIMITS: [f64; #dof] = #effort;
+            /// The largest rate of each joint that the file of the robot gives, in the order of `COORDINATES`: rad/s
+            /// where a joint turns, m/s where it slides; infinite where it gives none.
+            pub const VELOCITY_LIMITS: [f64; #dof] = #velocity;
+        };
+        (!most.is_empty()).then_some(limits)
     }
 }
 
