@@ -32,6 +32,11 @@ pub(crate) fn check(
             format!(
                 "give `{name}` an `inertia` about all axes, or solids that have one: a point has none, and a rod none along itself"
             )
+        } else if body.inertia.mass.is_zero() && errors.is_in_file(spans.bodies[n]) {
+            format!(
+                "write `repair` behind the path to hold joints that move no mass, or change `body {name}` in the scene: \
+                 give it mass or make the joint `fixed`"
+            )
         } else if body.inertia.mass.is_zero() {
             format!("give `{name}` mass or make the joint `fixed`")
         } else {

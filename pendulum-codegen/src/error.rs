@@ -90,7 +90,7 @@ impl Errors {
     }
 
     /// Whether what stands on a place comes from a file.
-    fn is_in_file(&self, span: Span) -> bool {
+    pub(crate) fn is_in_file(&self, span: Span) -> bool {
         let ends = |span: Span| {
             let [start, end] = [span.start(), span.end()];
             [start.line, start.column, end.line, end.column]

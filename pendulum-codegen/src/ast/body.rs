@@ -50,6 +50,8 @@ pub(crate) struct Inertia {
     pub rpy: Option<Vector>,
     /// About the origin of the body frame rather than about the centre of mass.
     pub about_joint: bool,
+    /// Whether it has been judged, beside that of what moves with it.
+    pub judged: bool,
     /// The text of the entries.
     pub tokens: TokenStream,
 }
@@ -238,6 +240,11 @@ pub(crate) struct Joint {
 }
 
 impl Joint {
+    /// Whether it says where it is.
+    pub(crate) fn is_placed(&self) -> bool {
+        self.at.is_some() || self.rpy.is_some()
+    }
+
     /// Whether it does not move.
     pub(crate) fn is_fixed(&self) -> bool {
         matches!(self.kind, Ok(JointKind::Fixed))

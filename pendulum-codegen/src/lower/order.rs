@@ -15,16 +15,18 @@ impl Lower<'_> {
         let index = self.body_names(bodies);
         let parents: Vec<_> = bodies.iter().map(|body| self.parent(body, bodies, &index)).collect();
         let mut order: Vec<Hung> = Vec::new();
+        let mut known = vec![false; bodies.len()];
         let mut waiting: Vec<usize> = (0..bodies.len()).collect();
         loop {
             let ready = |n: &usize| match parents[*n] {
-                Ok(Some(parent)) => order.iter().any(|(known, _)| *known == parent),
+                Ok(Some(parent)) => known[parent],
                 Ok(None) | Err(_) => true,
             };
             let (now, later): (Vec<usize>, Vec<usize>) = waiting.iter().partition(|n| ready(n));
             if now.is_empty() {
                 break;
             }
+            now.iter().for_each(|&n| known[n] = true);
             order.extend(now.into_iter().map(|n| (n, parents[n])));
             waiting = later;
         }

@@ -56,10 +56,8 @@ impl<'g> Lower<'g> {
     /// It is that of some mass exactly when `tr(J)/2 - J`, the matrix of second moments, has no negative eigenvalue
     /// (Traversaro et al. 2016), that is, when no principal minor of it is negative.
     pub(super) fn physical(&mut self, owner: &Ident, inertia: &Inertia, about_com: Symmetric3<'g>) {
-        // the links of a robot were judged, those together that move as one
-        let is_judged = self.errors.is_from_file(&inertia.tokens);
         let diagonal = inertia.entries.len() == 3 && inertia.rpy.is_none() && !inertia.about_joint;
-        for (n, (value, scale)) in minors(about_com).into_iter().enumerate().filter(|_| !is_judged) {
+        for (n, (value, scale)) in minors(about_com).into_iter().enumerate().filter(|_| !inertia.judged) {
             let requirement = Requirement::NonNegativeWithin(scale);
             if self.broken_by(value, requirement).is_some() {
                 let (fact, help) = match TRIANGLES.get(n) {

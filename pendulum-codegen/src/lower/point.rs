@@ -1,5 +1,7 @@
 //! Points of bodies.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::Span;
 use syn::Ident;
 
@@ -238,17 +240,23 @@ pub(super) fn square_of(v: Vec3<'_>) -> Expr<'_> {
 /// Which bodies have a joint that moves between them and ground.
 fn moving(items: &ast::Items) -> Vec<bool> {
     let bodies = &items.bodies;
-    let parent = |body: &ast::Body| {
-        let parent = body.parent.as_ref().ok()?;
-        bodies.iter().position(|other| other.name == *parent)
-    };
+    let names: BTreeMap<&Ident, usize> = bodies
+        .iter()
+        .enumerate()
+        .map(|(n, body)| (&body.name, n))
+        .rev()
+        .collect();
+    let parent = |body: &ast::Body| names.get(body.parent.as_ref().ok()?).copied();
+    let parents: Vec<Option<usize>> = bodies.iter().map(parent).collect();
     let own = |body: &ast::Body| body.fields.moves() || items.is_driven(body) || items.follows(body);
     let mut moves: Vec<bool> = bodies.iter().map(own).collect();
-    // as often as the longest chain has bodies
-    for _ in bodies {
-        for (n, body) in bodies.iter().enumerate() {
-            moves[n] |= parent(body).is_some_and(|parent| moves[parent]);
+    loop {
+        let before = moves.clone();
+        for (n, parent) in parents.iter().enumerate() {
+            moves[n] |= parent.is_some_and(|parent| moves[parent]);
+        }
+        if moves == before {
+            return moves;
         }
     }
-    moves
 }

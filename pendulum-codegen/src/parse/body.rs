@@ -339,6 +339,7 @@ impl Parse for Inertia {
             entries,
             rpy,
             about_joint,
+            judged: false,
             tokens,
         })
     }

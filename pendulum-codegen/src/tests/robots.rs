@@ -410,14 +410,16 @@ fn what_is_fixed_together_is_judged_together() {
 #[test]
 fn an_inertia_that_no_body_has_becomes_the_nearest_that_one_has() {
     let robot = "robot: urdf(\"unphysical.urdf\", repair),";
-    let code = code(&format!("{robot} body cap on hand {{ mass: 1, joint: fixed }}"));
+    let code = code(&format!(
+        "{robot} body cap on hand {{ mass: 1, com: [0, 1, 0], joint: revolute(x) }}"
+    ));
     assert!(code.contains("REPAIRED : [& 'static str ; 2]"), "{code}");
     assert!(code.contains(" * inertia of `arm`, by "), "{code}");
-    // of the hand 1, 1, 2.5 the moments of mass are 1.25, 1.25, -0.25, and those of the nearest 1.25, 1.25, 0
-    let hand = "body hand on arm { inertia: [1.25, 1.25, 2.5] }";
+    // of the hand 1, 2, 5 the moments of mass are 3, 2, -1, and those of the nearest 3, 2, 0
+    let hand = "body hand on arm { inertia: [2, 3, 5] }";
     let with = |items: &str| {
         let text = format!(
-            "pub Arm {{ {robot} {items} generate: [inverse_dynamics], body cap on hand {{ mass: 1, joint: fixed }} }}"
+            "pub Arm {{ {robot} {items} generate: [inverse_dynamics], body cap on hand {{ mass: 1, com: [0, 1, 0], joint: revolute(x) }} }}"
         );
         let program = program_in(&folder(), text.parse().expect("tokens")).expect("a scene");
         program.routines[0].block.clone()
@@ -427,7 +429,7 @@ fn an_inertia_that_no_body_has_becomes_the_nearest_that_one_has() {
 
 #[test]
 fn the_largest_forces_and_rates_are_those_of_the_file() {
-    let lone = "robot: urdf(\"unphysical.urdf\", repair), body cap on hand { joint: fixed, mass: 1 }";
+    let lone = "robot: urdf(\"unphysical.urdf\", repair), body cap on hand { mass: 1, com: [0, 1, 0], joint: fixed }";
     let renamed = format!(
         "{lone} body hand on arm {{ coordinate: bend }} body free on hand {{ mass: 1, com: [0, 1, 0], joint: revolute(x), coordinate: f }}"
     );
@@ -440,6 +442,15 @@ fn the_largest_forces_and_rates_are_those_of_the_file() {
         code.contains("VELOCITY_LIMITS : [f64 ; 3] = [2.5f64 , 4f64 , f64 :: INFINITY]"),
         "{code}"
     );
+    // another joint has none of the file, nor has one of the scene its name
+    let held = format!(
+        "{lone} body hand on arm {{ joint: fixed }} body free on hand {{ mass: 1, com: [0, 1, 0], joint: revolute(x), coordinate: wrist }}"
+    );
+    let code = self::code(&held);
+    assert!(
+        code.contains("EFFORT_LIMITS : [f64 ; 2] = [87f64 , f64 :: INFINITY]"),
+        "{code}"
+    );
     assert!(
         !expand(
             "pub A { body a on ground { mass: 1, joint: prismatic(x), coordinate: x } }"
@@ -449,4 +460,55 @@ fn the_largest_forces_and_rates_are_those_of_the_file() {
         .to_string()
         .contains("EFFORT")
     );
+}
+
+#[test]
+fn joints_that_move_no_mass_are_held_where_that_is_said() {
+    let gripper = "robot: urdf(\"massless.urdf\", repair)";
+    let program = |scene: &str| program_in(&folder(), format!("pub Arm {{ {scene} }}").parse().expect("tokens"));
+    let names = |scene: &str| {
+        let slots = program(scene).expect("a program").layout.slots;
+        slots.iter().map(|slot| slot.name.clone()).collect::<Vec<_>>().join(" ")
+    };
+    let repaired = |scene: &str| program(scene).expect("a program").repaired.join(", ");
+    assert_eq!(names(gripper), "shoulder");
+    assert_eq!(
+        repaired(gripper),
+        "joint `claw`, which moves no mass, is held, joint `thumb_claw`, which moves no mass, is held, \
+         joint `axle`, which moves no mass, is held"
+    );
+    // what the scene hangs on a link is moved by the joints below it, and by those that they mimic
+    let tip = "body tip on thumb { mass: 1, com: [0.1, 0, 0], inertia: [1, 1, 1], joint: fixed }";
+    assert_eq!(names(&format!("{gripper}, {tip}")), "shoulder claw");
+    assert_eq!(
+        repaired(&format!("{gripper}, {tip}")),
+        "joint `axle`, which moves no mass, is held"
+    );
+    // so is a link that gets mass, or a joint of the scene
+    let heavy = "body finger on arm { mass: 1, com: [0.1, 0, 0], inertia: [1, 1, 1] }";
+    assert_eq!(names(&format!("{gripper}, {heavy}")), "shoulder claw");
+    let refused = program("robot: urdf(\"massless.urdf\")")
+        .expect_err("no inertia")
+        .to_string();
+    assert!(
+        refused.contains("coordinate `axle` has no inertia") && refused.contains("`repair`"),
+        "{refused}"
+    );
+}
+
+/// What the scene gives is judged with the rest, or by itself; what it changes otherwise does not hide what is wrong.
+#[test]
+fn what_a_scene_changes_is_judged() {
+    let refused = |scene: &str| {
+        let text = format!("pub Arm {{ robot: urdf(\"sensor.urdf\"), {scene} }}");
+        program_in(&folder(), text.parse().expect("tokens")).map_or_else(|errors| errors.to_string(), |_| String::new())
+    };
+    // a sensor that is sound on its arm alone, which the scene gives again
+    let arm = |izz: f64| format!("body arm on base {{ mass: 10, com: [0, 0, 0], inertia: [1, 1, {izz}] }}");
+    assert_eq!(refused(""), "");
+    assert_eq!(refused(&arm(1.0)), "");
+    assert!(refused(&arm(2.5)).contains("triangle inequality"), "that of the scene");
+    // the inertia of the file about a centre of mass of the scene: judged by itself
+    assert!(refused("body hand on arm { com: [0.1, 0, 0] }").contains("triangle inequality"));
+    assert_eq!(refused("body hand on arm { com: [0.1, 0, 0], inertia: [1, 1, 1] }"), "");
 }

@@ -1,12 +1,13 @@
 //! A robot as bodies of a scene: text of the language.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::names::{TURN, check_names, identifier, part_of};
 use super::number::{ZERO, are_zero};
 use super::read::Wrong;
 use super::robot::{Joint, Kind, Link, Mimic, Origin, Robot};
-use super::tree::{carried_by, is_tree};
+use super::tree::{carriers, is_tree};
 use crate::ast;
 use crate::lower::reserved;
 use crate::words;
@@ -24,6 +25,8 @@ pub(super) struct Replaced {
     pub(super) joint: bool,
     /// Whether it moves, where the scene says so.
     pub(super) moves: Option<bool>,
+    /// Whether the joint is another, which stands elsewhere.
+    pub(super) placed: bool,
     /// Whether the scene gives the mass or the inertia.
     pub(super) weighs: bool,
 }
@@ -37,12 +40,14 @@ pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], w
     }
     check_names(robot, wrong);
     check_reserved(robot, replaced, wrong);
-    let is_root = |link: &&Link| carried_by(robot, &link.name).next().is_none();
+    let carriers = carriers(robot);
+    let is_root = |link: &&Link| !carriers.contains_key(link.name.as_str());
+    let links: BTreeMap<&str, &Link> = robot.links.iter().map(|link| (link.name.as_str(), link)).collect();
     for link in robot.links.iter().filter(is_root) {
         writeln!(text, "body {} on ground {{ {} }}", identifier(&link.name), mass(link)).expect("memory");
     }
     for joint in &robot.joints {
-        let Some(link) = robot.links.iter().find(|link| link.name == joint.child) else {
+        let Some(&link) = links.get(joint.child.as_str()) else {
             continue;
         };
         let is_replaced = find(replaced, &link.name).is_some();
@@ -92,15 +97,22 @@ fn find<'r>(replaced: &'r [Replaced], link: &str) -> Option<&'r Replaced> {
 
 /// The largest force and rate of each coordinate of which the file has a finite one.
 pub(super) fn most(robot: &Robot, replaced: &[Replaced]) -> Vec<(String, [f64; 2])> {
-    let limited = robot
+    let mut all = Vec::new();
+    for joint in robot
         .joints
         .iter()
-        .filter(|joint| joint.most.iter().any(|most| most.is_finite()));
-    let named = limited.map(|joint| {
-        let renamed = find(replaced, &joint.child).and_then(|own| own.coordinate.clone());
-        (renamed.unwrap_or_else(|| identifier(&joint.name)), joint.most)
-    });
-    named.collect()
+        .filter(|joint| matches!(joint.kind, Kind::Turns | Kind::Slides))
+    {
+        let own = find(replaced, &joint.child);
+        let renamed = own.and_then(|own| own.coordinate.clone());
+        // neither what follows others, nor what the scene has in its place
+        let is_there = joint.mimic.is_none() || renamed.is_some();
+        let is_same = own.is_none_or(|own| !own.held && own.moves.is_none());
+        if is_there && is_same && joint.most.iter().any(|most| most.is_finite()) {
+            all.push((renamed.unwrap_or_else(|| identifier(&joint.name)), joint.most));
+        }
+    }
+    all
 }
 
 /// The body that carries a joint, and where.

@@ -16,80 +16,114 @@ use super::robot::{Inertial, Joint, Kind, Link, Origin, Robot};
 const ROUNDED: f64 = 1e-6;
 /// And by less than the mass times the square of this length, in m.
 const LEAST_LENGTH: f64 = 1e-6;
+/// Changes below this part of the second moments are the rounding of a repair.
+const DUST: f64 = 1e-13;
 
 /// Mass, first and second moments of mass about the origin of a link, along its axes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Moments {
     mass: f64,
     first: Vector,
     second: Matrix,
 }
 
-/// Links that move as one with the first of them; each with how it is turned in the frame of that, and whether the scene
-/// gives its mass.
+/// A link of a body, and how it is turned in the frame of the first one.
+struct Member<'r> {
+    link: &'r Link,
+    turn: Matrix,
+    /// Whether the scene gives its mass.
+    given: bool,
+}
+
+/// Links that move as one with the first of them.
 struct Group<'r> {
-    links: Vec<(&'r Link, Matrix, bool)>,
+    members: Vec<Member<'r>>,
+    /// Of the links whose mass the file gives.
     moments: Moments,
+    /// Of all links, with what the file has in place of what the scene gives.
+    with_given: Moments,
 }
 
 /// Checks the inertias of all bodies that links make together. Where `repair`, each that no body can have becomes the
 /// nearest that one can: the messages say which, and by how much. The root of the links does not move unless the scene
 /// gives it a joint, nor do those that are fixed to it.
 pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wrong: &mut Vec<Wrong>) -> Vec<String> {
-    for Link { name, inertial } in &robot.links {
-        let mass = inertial.as_ref().map_or(0.0, |inertial| value(&inertial.mass));
-        if mass < 0.0 {
-            wrong.push(Wrong {
-                fact: format!("the mass of `{}` is {mass}", identifier(name)),
-                help: "it must be positive".to_owned(),
-            });
-        }
-    }
-    let mut changes: Vec<(String, Inertial)> = Vec::new();
-    let mut repaired = Vec::new();
-    for group in groups(robot, replaced) {
-        let (first, ..) = group.links[0];
-        let name = identifier(&first.name);
-        if group.moments.mass == 0.0 && trace(&group.moments.second) != 0.0 {
-            wrong.push(Wrong {
-                fact: format!("`{name}` has an inertia, but its mass is 0"),
-                help: "give it its mass in kg".to_owned(),
-            });
+    let replaced: BTreeMap<&str, &Replaced> = replaced.iter().map(|own| (&*own.body, own)).collect();
+    report_negative(robot, &replaced, wrong);
+    let mut repairs = Vec::new();
+    let carrier: BTreeMap<&str, &Joint> = robot.joints.iter().map(|joint| (&*joint.child, joint)).collect();
+    for group in groups(robot, &carrier, &replaced) {
+        let first = &*group.members[0].link.name;
+        let name = identifier(first);
+        if group.moments.mass == 0.0 && group.moments.second.iter().flatten().any(|&x| x != 0.0) {
+            // what the scene gives may carry it
+            if group.members.iter().all(|member| !member.given) {
+                wrong.push(Wrong {
+                    fact: format!("`{name}` has an inertia, but its mass is 0"),
+                    help: "give it its mass in kg".to_owned(),
+                });
+            }
             continue;
         }
-        let Some(excess) = group.excess() else { continue };
-        let with = if group.links.len() > 1 {
+        let (Some(excess), Some(_)) = (group.moments.excess(), group.with_given.excess()) else {
+            continue;
+        };
+        let with = if group.members.len() > 1 {
             " with what is fixed to it"
         } else {
             ""
         };
         let share = percent(excess.missing / excess.total);
-        match group.repaired(&excess) {
-            Some((link, inertial)) if repair => {
-                let link = identifier(link);
-                repaired.push(format!("inertia of `{link}`, by {share} of its second moments of mass"));
-                changes.push((link, inertial));
-            }
-            _ => wrong.push(Wrong {
-                fact: format!(
-                    "no rigid body has the inertia of `{name}`{with}: its principal moments about the centre of mass \
-                     break the triangle inequality, by {share} of the second moments of mass"
-                ),
-                help: format!(
-                    "write `repair` behind the path for the nearest that a body can have, or give `body {name} on {} \
-                     {{ mass: .., com: .., inertia: .. }}` in the scene",
-                    parent(robot, &first.name)
-                ),
-            }),
+        let repaired = group.repaired(&excess);
+        if let Some((link, inertial)) = repaired.as_ref().filter(|_| repair) {
+            repairs.push(((*link).to_owned(), inertial.clone(), share));
+            continue;
+        }
+        let parent = carrier
+            .get(first)
+            .map_or("ground".to_owned(), |joint| identifier(&joint.parent));
+        let give = format!("give `body {name} on {parent} {{ mass: .., com: .., inertia: .. }}` in the scene");
+        wrong.push(Wrong {
+            fact: format!(
+                "no rigid body has the inertia of `{name}`{with}: its principal moments about the centre of mass \
+                 break the triangle inequality, by {share} of the second moments of mass"
+            ),
+            help: match repaired {
+                Some(_) => format!("write `repair` behind the path for the nearest that a body can have, or {give}"),
+                None => format!("{give}: none that a body can have is near"),
+            },
+        });
+    }
+    let places: BTreeMap<String, usize> = robot
+        .links
+        .iter()
+        .enumerate()
+        .map(|(n, link)| (link.name.clone(), n))
+        .collect();
+    let mut messages = Vec::new();
+    for (link, inertial, share) in repairs {
+        let shown = identifier(&link);
+        let shown = shown.trim_start_matches("r#");
+        messages.push(format!(
+            "inertia of `{shown}`, by {share} of its second moments of mass"
+        ));
+        robot.links[places[&link]].inertial = Some(inertial);
+    }
+    messages
+}
+
+/// Reports negative masses but for those in whose place the scene has others.
+fn report_negative(robot: &Robot, replaced: &BTreeMap<&str, &Replaced>, wrong: &mut Vec<Wrong>) {
+    for Link { name, inertial } in &robot.links {
+        let name = identifier(name);
+        let mass = inertial.as_ref().map_or(0.0, |inertial| value(&inertial.mass));
+        if mass < 0.0 && !replaced.get(&*name).is_some_and(|own| own.weighs) {
+            wrong.push(Wrong {
+                fact: format!("the mass of `{name}` is {mass}"),
+                help: "it must be positive".to_owned(),
+            });
         }
     }
-    for (name, inertial) in changes {
-        let link = robot.links.iter_mut().find(|link| identifier(&link.name) == name);
-        if let Some(link) = link {
-            link.inertial = Some(inertial);
-        }
-    }
-    repaired
 }
 
 fn percent(share: f64) -> String {
@@ -101,58 +135,61 @@ fn percent(share: f64) -> String {
     }
 }
 
-fn parent(robot: &Robot, link: &str) -> String {
-    let joint = robot.joints.iter().find(|joint| joint.child == link);
-    joint.map_or("ground".to_owned(), |joint| identifier(&joint.parent))
-}
-
 /// The groups of links that move.
-fn groups<'r>(robot: &'r Robot, replaced: &[Replaced]) -> Vec<Group<'r>> {
-    let find = |link: &str| replaced.iter().find(|own| own.body == identifier(link));
-    let carrier: BTreeMap<&str, &Joint> = robot.joints.iter().map(|joint| (&*joint.child, joint)).collect();
-    let moves = |link: &str| match (find(link).and_then(|own| own.moves), carrier.get(link)) {
-        (Some(moves), _) => moves,
-        (None, joint) => joint.is_some_and(|joint| joint.kind != Kind::Fixed),
-    };
+fn groups<'r>(
+    robot: &'r Robot,
+    carrier: &BTreeMap<&str, &'r Joint>,
+    replaced: &BTreeMap<&str, &Replaced>,
+) -> Vec<Group<'r>> {
     let mut groups: Vec<Group<'r>> = Vec::new();
     let mut places: BTreeMap<&str, (Option<usize>, Matrix, Vector)> = BTreeMap::new();
-    for link in in_order(robot) {
+    for link in in_order(robot, carrier) {
         let name = &*link.name;
-        let (group, turn, shift) = match carrier.get(name).map(|joint| (joint, places[&*joint.parent])) {
-            Some((joint, (group, turn, shift))) if !moves(name) => {
+        let own = replaced.get(&*identifier(name)).copied();
+        let joint = carrier.get(name).copied();
+        let moves = match (own.and_then(|own| own.moves), joint) {
+            (_, Some(joint)) if joint.kind == Kind::Planar => true,
+            (Some(moves), _) => moves,
+            (None, joint) => joint.is_some_and(|joint| joint.kind != Kind::Fixed),
+        };
+        let (group, turn, shift) = match joint.map(|joint| (joint, places[&*joint.parent])) {
+            // what the scene puts elsewhere is judged by itself
+            Some((_, (Some(_), ..))) if own.is_some_and(|own| own.placed) => {
+                (Some(groups.len()), rotation([0.0; 3]), [0.0; 3])
+            }
+            Some((joint, (group, turn, shift))) if !moves => {
                 let (own, at) = place(&joint.origin);
                 (group, product(&turn, &own), add(shift, times(&turn, at)))
             }
             // the root, which stands still, or what begins a body
-            _ => (moves(name).then_some(groups.len()), rotation([0.0; 3]), [0.0; 3]),
+            _ => (moves.then_some(groups.len()), rotation([0.0; 3]), [0.0; 3]),
         };
         places.insert(name, (group, turn, shift));
         let Some(n) = group else { continue };
         if n == groups.len() {
             groups.push(Group {
-                links: Vec::new(),
-                moments: Moments {
-                    mass: 0.0,
-                    first: [0.0; 3],
-                    second: [[0.0; 3]; 3],
-                },
+                members: Vec::new(),
+                moments: Moments::default(),
+                with_given: Moments::default(),
             });
         }
-        // what the scene gives is judged there
-        let given = find(name).is_some_and(|own| own.weighs);
-        if let Some(inertial) = link.inertial.as_ref().filter(|_| !given) {
-            groups[n].moments.add(&Moments::of(inertial).placed(&turn, shift));
+        let given = own.is_some_and(|own| own.weighs);
+        if let Some(inertial) = &link.inertial {
+            let moments = Moments::of(inertial).placed(&turn, shift);
+            groups[n].with_given.add(&moments);
+            if !given {
+                groups[n].moments.add(&moments);
+            }
         }
-        groups[n].links.push((link, turn, given));
+        groups[n].members.push(Member { link, turn, given });
     }
     groups
 }
 
 /// The links, each behind the one that carries it.
-fn in_order(robot: &Robot) -> Vec<&Link> {
-    let mut order: Vec<&Link> = Vec::new();
-    let is_root = |link: &&Link| robot.joints.iter().all(|joint| joint.child != link.name);
-    order.extend(robot.links.iter().filter(is_root));
+fn in_order<'r>(robot: &'r Robot, carrier: &BTreeMap<&str, &Joint>) -> Vec<&'r Link> {
+    let is_root = |link: &&Link| !carrier.contains_key(&*link.name);
+    let mut order: Vec<&Link> = robot.links.iter().filter(is_root).collect();
     let mut children: BTreeMap<&str, Vec<&Link>> = BTreeMap::new();
     let links: BTreeMap<&str, &Link> = robot.links.iter().map(|link| (&*link.name, link)).collect();
     for joint in &robot.joints {
@@ -186,9 +223,49 @@ struct Excess {
 }
 
 impl Group<'_> {
+    /// The heaviest link of which the file gives the mass, with what is missing; none without mass, for which nothing is
+    /// near.
+    fn repaired(&self, excess: &Excess) -> Option<(&str, Inertial)> {
+        let mass = |member: &Member<'_>| {
+            let inertial = member.link.inertial.as_ref();
+            inertial.map_or(0.0, |inertial| value(&inertial.mass))
+        };
+        let own = self.members.iter().filter(|member| !member.given);
+        let heaviest = own.max_by(|a, b| mass(a).total_cmp(&mass(b)))?;
+        let inertial = heaviest.link.inertial.as_ref()?;
+        if mass(heaviest) <= 0.0 || trace(&excess.nearest) <= 0.0 {
+            return None;
+        }
+        // along the axes of its inertia
+        let (own, _) = place(&inertial.origin);
+        let turn = product(&heaviest.turn, &own);
+        let change = turned_over(&product(&transpose(&turn), &product(&excess.change, &turn)), 1.0);
+        let all = sum(&inertia(inertial), &change);
+        // what was zero stays zero, to rounding
+        let rounded = DUST * trace(&excess.nearest);
+        let entries = ENTRIES.map(|(i, j)| (all[i][j], change[i][j]));
+        let entries = entries.iter().zip(&inertial.inertia).map(|((all, change), given)| {
+            if change.abs() <= rounded {
+                given.clone()
+            } else {
+                format!("{all:?}")
+            }
+        });
+        let entries: Vec<String> = entries.collect();
+        Some((
+            &heaviest.link.name,
+            Inertial {
+                inertia: entries.try_into().ok()?,
+                ..inertial.clone()
+            },
+        ))
+    }
+}
+
+impl Moments {
     /// Negative second moments about the centre of mass, if there are any beyond rounding.
     fn excess(&self) -> Option<Excess> {
-        let Moments { mass, first, second } = self.moments;
+        let Self { mass, first, second } = *self;
         if mass <= 0.0 {
             return None;
         }
@@ -196,10 +273,10 @@ impl Group<'_> {
         let (values, axes) = eigen(&central);
         let total: f64 = values.iter().map(|value| value.abs()).sum();
         let rounded = (ROUNDED * total).max(mass * LEAST_LENGTH * LEAST_LENGTH);
-        let missing = -values.iter().fold(0.0, |least: f64, &value| least.min(value));
-        if missing <= rounded {
+        if values.iter().all(|&value| value >= -rounded) {
             return None;
         }
+        let missing = values.iter().map(|value| (-value).max(0.0)).sum();
         let nearest = (0..3).fold([[0.0; 3]; 3], |nearest, n| {
             sum(&nearest, &scaled(&outer(axes[n], axes[n]), values[n].max(0.0)))
         });
@@ -211,47 +288,11 @@ impl Group<'_> {
         })
     }
 
-    /// The heaviest link with what is missing; none without mass, for which nothing is near.
-    fn repaired(&self, excess: &Excess) -> Option<(&str, Inertial)> {
-        let mass = |link: &Link| link.inertial.as_ref().map_or(0.0, |inertial| value(&inertial.mass));
-        let own = self.links.iter().filter(|(.., given)| !given);
-        let (link, turn, _) = own.max_by(|(a, ..), (b, ..)| mass(a).total_cmp(&mass(b)))?;
-        let inertial = link
-            .inertial
-            .as_ref()
-            .filter(|_| mass(link) > 0.0 && trace(&excess.nearest) > 0.0)?;
-        let (own, _) = place(&inertial.origin);
-        // along the axes of the link
-        let change = product(&transpose(turn), &product(&excess.change, turn));
-        let given = inertia(inertial);
-        let given = product(&own, &product(&given, &transpose(&own)));
-        let all = sum(&given, &turned_over(&change));
-        let entries = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| format!("{:?}", all[i][j]));
-        let Origin { xyz, .. } = &inertial.origin;
-        Some((
-            &link.name,
-            Inertial {
-                origin: Origin {
-                    xyz: xyz.clone(),
-                    rpy: ["0"; 3].map(str::to_owned),
-                },
-                mass: inertial.mass.clone(),
-                inertia: entries,
-            },
-        ))
-    }
-}
-
-impl Moments {
     /// Those of a link about its origin.
     fn of(inertial: &Inertial) -> Self {
         let (own, at) = place(&inertial.origin);
         let mass = value(&inertial.mass);
-        let inertia = inertia(inertial);
-        let half = 0.5 * trace(&inertia);
-        let central: Matrix = std::array::from_fn(|i| {
-            std::array::from_fn(|j| if i == j { half - inertia[i][j] } else { -inertia[i][j] })
-        });
+        let central = turned_over(&inertia(inertial), 0.5);
         let turned = product(&own, &product(&central, &transpose(&own)));
         Self {
             mass,
@@ -280,15 +321,18 @@ impl Moments {
     }
 }
 
+/// Rows and columns of the entries of a file.
+const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
 fn inertia(inertial: &Inertial) -> Matrix {
     let [xx, yy, zz, xy, xz, yz] = inertial.inertia.each_ref().map(|text| value(text));
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
-/// The inertia of second moments of mass.
-fn turned_over(second: &Matrix) -> Matrix {
-    let whole = trace(second);
-    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { whole - second[i][j] } else { -second[i][j] }))
+/// `part tr(M) 1 - M`: the inertia of second moments of mass with the whole trace, and back with half of it.
+fn turned_over(matrix: &Matrix, part: f64) -> Matrix {
+    let diagonal = part * trace(matrix);
+    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { diagonal - matrix[i][j] } else { -matrix[i][j] }))
 }
 
 fn sum(a: &Matrix, b: &Matrix) -> Matrix {

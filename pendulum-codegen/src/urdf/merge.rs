@@ -112,7 +112,13 @@ fn release(fields: &mut BodyFields) {
 }
 
 /// The fields of a link, each of which a new one replaces.
-fn changed(old: BodyFields, new: BodyFields) -> BodyFields {
+fn changed(mut old: BodyFields, new: BodyFields) -> BodyFields {
+    // judged was the inertia with the mass of the file, where that is
+    if let Some(inertia) = &mut old.properties.inertia
+        && (new.properties.mass.is_some() || new.properties.com.is_some())
+    {
+        inertia.judged = false;
+    }
     BodyFields {
         properties: Properties {
             mass: new.properties.mass.or(old.properties.mass),
@@ -142,7 +148,7 @@ fn changed(old: BodyFields, new: BodyFields) -> BodyFields {
 /// The joint of a link: where a new one has no place of its own, it stands where the old one stood.
 fn placed(old: Option<Joint>, new: Option<Joint>) -> Option<Joint> {
     let Some(mut joint) = new else { return old };
-    if let (Some(old), None, None) = (old, &joint.at, &joint.rpy) {
+    if let Some(old) = old.filter(|_| !joint.is_placed()) {
         (joint.at, joint.rpy) = (old.at, old.rpy);
     }
     Some(joint)

@@ -3,6 +3,7 @@
 
 mod declare;
 mod inertia;
+mod massless;
 mod matrix;
 mod merge;
 mod names;
@@ -11,15 +12,17 @@ mod read;
 mod robot;
 mod tree;
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::quote;
 
-use crate::ast::{Body, BodyFields, Scene};
+use crate::ast::{self, Body, BodyFields, Scene};
 use crate::error::{Errors, Reported};
 use crate::parse;
 use declare::Replaced;
+use names::identifier;
 use robot::{Joint, Robot};
 
 /// Gives the text of a file by its name.
@@ -45,11 +48,14 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     let mut ignored = Vec::new();
     let undeclared = if wrong.is_empty() { &mut wrong } else { &mut ignored };
     let replaced = replaced(&scene.items.bodies);
-    let repaired = if tree::is_tree(&found, &mut Vec::new()) {
-        inertia::check(&mut found, &replaced, robot.repair, undeclared)
-    } else {
-        Vec::new()
-    };
+    let mut repaired = Vec::new();
+    if tree::is_tree(&found, &mut Vec::new()) {
+        repaired = inertia::check(&mut found, &replaced, robot.repair, undeclared);
+        if robot.repair {
+            let carriers = carriers(&scene.items.bodies, &found);
+            repaired.extend(massless::hold(&mut found, &replaced, &carriers));
+        }
+    }
     let declared = declare::declare(&found, robot, &replaced, undeclared);
     let report = |wrong: read::Wrong| errors.at(span, format_args!("`{name}`: {}", wrong.fact), wrong.help);
     if let Some(reported) = wrong.into_iter().map(report).last() {
@@ -75,7 +81,11 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
         errors.at(span, fact, "look for unusual names and numbers")
     })?;
     errors.read_from(span, &name);
-    let links = parse::bodies(at(span, tokens), errors)?;
+    let mut links = parse::bodies(at(span, tokens), errors)?;
+    let inertias = links
+        .iter_mut()
+        .filter_map(|link| link.fields.properties.inertia.as_mut());
+    inertias.for_each(|inertia| inertia.judged = true);
     scene.head.docs.extend(docs(&name, &found, &repaired));
     if let Some(robot) = &mut scene.items.robot {
         robot.repaired = repaired;
@@ -84,6 +94,14 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     let own = std::mem::take(&mut scene.items.bodies);
     scene.items.bodies = merge::merged(links, own, errors);
     Ok(())
+}
+
+/// The links on which the scene hangs bodies of its own.
+fn carriers(own: &[Body], robot: &Robot) -> BTreeSet<String> {
+    let links: BTreeSet<String> = robot.links.iter().map(|link| identifier(&link.name)).collect();
+    let new = own.iter().filter(|body| !links.contains(&body.name.to_string()));
+    let carriers = new.filter_map(|body| body.parent.as_ref().ok());
+    carriers.map(ToString::to_string).collect()
 }
 
 /// What a scene says of joints.
@@ -103,6 +121,7 @@ fn replaced(own: &[Body]) -> Vec<Replaced> {
             .joint
             .as_ref()
             .map(|joint| !joint.is_fixed() || fields.motion.is_some()),
+        placed: fields.joint.as_ref().is_some_and(ast::Joint::is_placed),
         weighs: weighs(body),
         coordinate: fields.coordinate.as_ref().map(ToString::to_string),
         held: fields.motion.is_some()
@@ -124,7 +143,7 @@ fn docs(name: &str, robot: &Robot, repaired: &[String]) -> Vec<String> {
     let mut docs = vec![String::new(), format!(" Links and joints from `{name}`.{left}")];
     if !repaired.is_empty() {
         docs.push(String::new());
-        docs.push(" Repaired, as no body has what the file gives:".to_owned());
+        docs.push(" Repaired, as no body can have or move what the file gives:".to_owned());
         docs.push(String::new());
         docs.extend(repaired.iter().map(|change| format!(" * {change}")));
     }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use roxmltree::{Document, Error, Node};
 
-use super::number::{ZERO, angle, are_zero, is_in_range, is_number, length, number, value};
+use super::number::{ZERO, angle, are_zero, is_in_range, is_number, length, number};
 use super::robot::{Inertial, Joint, Kind, Link, Mimic, Origin, Robot};
 use crate::words;
 
@@ -188,7 +188,7 @@ impl Reader {
         });
         let most = ["effort", "velocity"].map(|what| {
             let part = parts.get("limit").filter(|part| part.has_attribute(what));
-            part.map_or(f64::INFINITY, |&part| value(&self.number(part, what, &owner, None)))
+            part.map_or(f64::INFINITY, |&part| self.largest(part, what, &owner))
         });
         let [damping, friction] = ["damping", "friction"].map(|what| {
             let part = parts.get("dynamics").filter(|part| part.has_attribute(what));
@@ -346,6 +346,19 @@ impl Reader {
                 ONE.to_owned()
             }
         }
+    }
+
+    /// A limit that may be infinite.
+    fn largest(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> f64 {
+        let text = node.attribute(attribute).unwrap_or_default().trim();
+        if let Some(number) = text.parse().ok().filter(|number: &f64| *number >= 0.0) {
+            return number;
+        }
+        self.wrong(
+            format!("`{attribute}` of {owner} is `{text}`"),
+            "write a number that is not negative, or leave it out",
+        );
+        f64::INFINITY
     }
 
     fn parsed(&mut self, text: &str, attribute: &str, owner: &str, read: fn(&str) -> Option<String>) -> String {

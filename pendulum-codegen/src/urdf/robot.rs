@@ -21,7 +21,7 @@ pub(super) struct Link {
 }
 
 /// The mass properties of a link.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Inertial {
     pub(super) origin: Origin,
     pub(super) mass: String,
@@ -30,7 +30,7 @@ pub(super) struct Inertial {
 }
 
 /// A place and an orientation.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Origin {
     pub(super) xyz: [String; 3],
     pub(super) rpy: [String; 3],

@@ -1,6 +1,6 @@
 //! Whether the links of a robot hang on each other as a tree.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::read::Wrong;
 use super::robot::{Joint, Link, Robot};
@@ -8,21 +8,38 @@ use super::robot::{Joint, Link, Robot};
 /// Whether each link hangs on one joint at most, and all of them on one root.
 pub(super) fn is_tree(robot: &Robot, wrong: &mut Vec<Wrong>) -> bool {
     let unknown = unknown_ends(robot);
+    let carriers = carriers(robot);
     // what hangs on a link by its misspelt name seems to hang on nothing
-    let roots = if unknown.is_empty() { roots(robot) } else { None };
+    let roots = if unknown.is_empty() {
+        roots(robot, &carriers)
+    } else {
+        None
+    };
     let before = wrong.len();
     wrong.extend(unknown);
-    wrong.extend(loops(robot));
+    wrong.extend(loops(robot, &carriers));
     wrong.extend(roots);
     wrong.len() == before
 }
 
+/// The joints that carry each link.
+pub(super) fn carriers(robot: &Robot) -> BTreeMap<&str, Vec<&Joint>> {
+    let mut carriers: BTreeMap<&str, Vec<&Joint>> = BTreeMap::new();
+    for joint in &robot.joints {
+        carriers.entry(&joint.child).or_default().push(joint);
+    }
+    carriers
+}
+
 /// Ends of joints that are no links.
 fn unknown_ends(robot: &Robot) -> Vec<Wrong> {
-    let known = |end: &str| robot.links.iter().any(|link| link.name == end);
+    let known: BTreeSet<&str> = robot.links.iter().map(|link| link.name.as_str()).collect();
     let mut found = Vec::new();
     for joint in &robot.joints {
-        for end in [&joint.parent, &joint.child].into_iter().filter(|end| !known(end)) {
+        for end in [&joint.parent, &joint.child]
+            .into_iter()
+            .filter(|end| !known.contains(end.as_str()))
+        {
             found.push(Wrong {
                 fact: format!("joint `{}` is tied to `{end}`, which is no link", joint.name),
                 help: format!("add `<link name=\"{end}\"/>`, or mend the name"),
@@ -33,10 +50,11 @@ fn unknown_ends(robot: &Robot) -> Vec<Wrong> {
 }
 
 /// Links that hang on more than one joint.
-fn loops(robot: &Robot) -> Vec<Wrong> {
+fn loops(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Vec<Wrong> {
     let mut found = Vec::new();
     for Link { name, .. } in &robot.links {
-        let parents: Vec<&str> = carried_by(robot, name).map(|joint| joint.parent.as_str()).collect();
+        let carriers = carriers.get(name.as_str()).into_iter().flatten();
+        let parents: Vec<&str> = carriers.map(|joint| joint.parent.as_str()).collect();
         if parents.len() > 1 {
             found.push(Wrong {
                 fact: format!("link `{name}` hangs on `{}`: a loop", parents.join("` and on `")),
@@ -48,10 +66,13 @@ fn loops(robot: &Robot) -> Vec<Wrong> {
 }
 
 /// More roots than one, or none, or links that hang on none.
-fn roots(robot: &Robot) -> Option<Wrong> {
+fn roots(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Option<Wrong> {
     let known: BTreeSet<&str> = robot.links.iter().map(|link| link.name.as_str()).collect();
-    let is_root = |link: &&str| carried_by(robot, link).next().is_none();
-    let roots: BTreeSet<&str> = known.iter().copied().filter(is_root).collect();
+    let roots: BTreeSet<&str> = known
+        .iter()
+        .copied()
+        .filter(|link| !carriers.contains_key(link))
+        .collect();
     let (fact, help) = if known.is_empty() {
         ("it has no link".to_owned(), "add `<link name=\"..\"/>`")
     } else if let (Some(root), Some(other)) = (roots.first(), roots.iter().nth(1)) {
@@ -72,18 +93,16 @@ fn roots(robot: &Robot) -> Option<Wrong> {
 }
 
 /// The links that hang on some, and these.
-fn reached<'r>(robot: &'r Robot, mut reached: BTreeSet<&'r str>) -> BTreeSet<&'r str> {
-    let next = |reached: &BTreeSet<&str>| {
-        let leads_on = |joint: &&Joint| reached.contains(&*joint.parent) && !reached.contains(&*joint.child);
-        robot.joints.iter().find(leads_on)
-    };
-    while let Some(joint) = next(&reached) {
-        reached.insert(&joint.child);
+fn reached<'r>(robot: &'r Robot, roots: BTreeSet<&'r str>) -> BTreeSet<&'r str> {
+    let mut children: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for joint in &robot.joints {
+        children.entry(&joint.parent).or_default().push(&joint.child);
+    }
+    let mut next: Vec<&str> = roots.iter().copied().collect();
+    let mut reached = roots;
+    while let Some(link) = next.pop() {
+        let children = children.get(link).into_iter().flatten();
+        next.extend(children.filter(|child| reached.insert(child)));
     }
     reached
-}
-
-/// The joints that carry a link.
-pub(super) fn carried_by<'r>(robot: &'r Robot, link: &str) -> impl Iterator<Item = &'r Joint> {
-    robot.joints.iter().filter(move |joint| joint.child == link)
 }

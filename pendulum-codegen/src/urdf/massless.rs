@@ -1,0 +1,65 @@
+//! Joints that move no mass: their coordinates have no equation of motion.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::declare::Replaced;
+use super::names::identifier;
+use super::robot::{Joint, Kind, Robot};
+
+/// Holds the joints that move no mass, nor do the joints that mimic them; the messages say which. Those that the scene
+/// changes stay, as do those of links on which it hangs a body.
+pub(super) fn hold(robot: &mut Robot, replaced: &[Replaced], carriers: &BTreeSet<String>) -> Vec<String> {
+    let heavy = heavy(robot, replaced, carriers);
+    let moves_mass = |joint: &Joint| heavy.contains(&joint.child);
+    let is_changed = |joint: &Joint| {
+        let child = identifier(&joint.child);
+        replaced.iter().any(|own| own.joint && own.body == child)
+    };
+    let stays = |joint: &Joint| joint.kind == Kind::Fixed || moves_mass(joint) || is_changed(joint);
+    let leader = |joint: &Joint| joint.mimic.as_ref().map(|mimic| mimic.joint.clone());
+    // a joint that others mimic moves what they move
+    let needed: BTreeSet<String> = robot
+        .joints
+        .iter()
+        .filter(|joint| stays(joint))
+        .filter_map(leader)
+        .collect();
+    let held: Vec<bool> = robot
+        .joints
+        .iter()
+        .map(|joint| !stays(joint) && !needed.contains(&joint.name))
+        .collect();
+    let mut messages = Vec::new();
+    for (joint, _) in robot.joints.iter_mut().zip(held).filter(|(_, held)| *held) {
+        joint.kind = Kind::Fixed;
+        joint.mimic = None;
+        joint.damping = None;
+        joint.friction = None;
+        messages.push(format!(
+            "joint `{}`, which moves no mass, is held",
+            identifier(&joint.name)
+        ));
+    }
+    messages
+}
+
+/// The links that have mass, or carry some.
+fn heavy(robot: &Robot, replaced: &[Replaced], carriers: &BTreeSet<String>) -> BTreeSet<String> {
+    let above: BTreeMap<&str, &str> = robot
+        .joints
+        .iter()
+        .map(|joint| (&*joint.child, &*joint.parent))
+        .collect();
+    let mut heavy = BTreeSet::new();
+    for link in &robot.links {
+        let name = identifier(&link.name);
+        let weighs = replaced.iter().any(|own| own.weighs && own.body == name);
+        let mut at = Some(&*link.name).filter(|_| link.inertial.is_some() || weighs || carriers.contains(&name));
+        while let Some(link) = at
+            && heavy.insert(link.to_owned())
+        {
+            at = above.get(link).copied();
+        }
+    }
+    heavy
+}
