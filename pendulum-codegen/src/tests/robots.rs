@@ -512,3 +512,34 @@ fn what_a_scene_changes_is_judged() {
     assert!(refused("body hand on arm { com: [0.1, 0, 0] }").contains("triangle inequality"));
     assert_eq!(refused("body hand on arm { com: [0.1, 0, 0], inertia: [1, 1, 1] }"), "");
 }
+
+#[test]
+fn joints_follow_those_that_follow() {
+    let inertia = "mass: 1, com: [0, 0, 0], inertia: [1, 1, 1]";
+    let by_hand = format!(
+        "body palm on ground {{ }} body first on palm {{ {inertia}, joint: revolute(x), coordinate: a }}
+         body second on palm {{ {inertia}, joint: revolute(x), motion: 0.25 - a/2 }}
+         body rack on palm {{ joint: prismatic(x), motion: 0.125 + a/4 * 1 m/rad }}"
+    );
+    assert_same("robot: urdf(\"mimic_chain.urdf\"),", &by_hand);
+    // a joint that others mimic stays, though it moves no mass
+    assert_same("robot: urdf(\"mimic_chain.urdf\", repair),", &by_hand);
+    let free = "body first on palm { joint: fixed } body rack on palm { coordinate: b }";
+    let text = format!("pub A {{ robot: urdf(\"mimic_chain.urdf\"), {free} }}");
+    let slots = program_in(&folder(), text.parse().expect("tokens"))
+        .expect("a program")
+        .layout
+        .slots;
+    assert_eq!(slots.len(), 1);
+    let text = std::fs::read_to_string(folder().join("mimic_chain.urdf")).expect("a file");
+    let around = text.replace("<child link=\"first\"/>", "<child link=\"first\"/><mimic joint=\"c\"/>");
+    let read = |_: &str| Ok(around.clone());
+    let scene = "pub A { robot: urdf(\"around.urdf\") }".parse().expect("tokens");
+    let refused = crate::pipeline::program(scene, &read)
+        .expect_err("a circle")
+        .to_string();
+    assert!(
+        refused.contains("mimics `c`, which mimics itself by way of others"),
+        "{refused}"
+    );
+}

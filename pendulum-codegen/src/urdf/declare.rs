@@ -252,31 +252,50 @@ fn followed(
     replaced: &[Replaced],
     item: &ast::Robot,
 ) -> Result<String, Wrong> {
-    let Some(leader) = robot.joints.iter().find(|other| other.name == mimic.joint) else {
-        let help = match nearest_leader(robot, joint, mimic) {
-            Some(meant) => format!("did you mean `{meant}`? {ANOTHER}"),
-            None => ANOTHER.to_owned(),
+    let mut followers = vec![(joint, mimic)];
+    let (leader, replaced) = loop {
+        let (last, mimic) = followers[followers.len() - 1];
+        let Some(leader) = robot.joints.iter().find(|other| other.name == mimic.joint) else {
+            let help = match nearest_leader(robot, last, mimic) {
+                Some(meant) => format!("did you mean `{meant}`? {ANOTHER}"),
+                None => ANOTHER.to_owned(),
+            };
+            return Err(refused(last, mimic, ", which is no joint", &help));
         };
-        return Err(refused(joint, mimic, ", which is no joint", &help));
+        let replaced = find(replaced, &leader.child);
+        match &leader.mimic {
+            // until one moves by itself, or comes again
+            Some(next)
+                if matches!(leader.kind, Kind::Turns | Kind::Slides)
+                    && replaced.is_none()
+                    && followers.len() <= robot.joints.len() =>
+            {
+                followers.push((leader, next));
+            }
+            _ => break (leader, replaced),
+        }
     };
-    let replaced = find(replaced, &leader.child);
     if let Some((why, help)) = obstacle(joint, leader, replaced, item) {
         return Err(refused(joint, mimic, why, help));
     }
-    let name = replaced
+    let mut motion = replaced
         .and_then(|replaced| replaced.coordinate.clone())
         .unwrap_or_else(|| identifier(&leader.name));
-    let unit = match (joint.kind, leader.kind) {
-        (Kind::Turns, Kind::Slides) => " * 1 rad/m",
-        (Kind::Slides, Kind::Turns) => " * 1 m/rad",
-        _ => "",
-    };
-    let Mimic { multiplier, offset, .. } = mimic;
-    let offset = match offset.as_str() {
-        ZERO => String::new(),
-        offset => format!(" + {offset}"),
-    };
-    Ok(format!("motion: {multiplier} * {name}{unit}{offset},"))
+    let mut kind = leader.kind;
+    for (follower, Mimic { multiplier, offset, .. }) in followers.into_iter().rev() {
+        let unit = match (follower.kind, kind) {
+            (Kind::Turns, Kind::Slides) => " * 1 rad/m",
+            (Kind::Slides, Kind::Turns) => " * 1 m/rad",
+            _ => "",
+        };
+        let offset = match offset.as_str() {
+            ZERO => String::new(),
+            offset => format!(" + {offset}"),
+        };
+        motion = format!("{multiplier} * ({motion}){unit}{offset}");
+        kind = follower.kind;
+    }
+    Ok(format!("motion: {motion},"))
 }
 
 /// The joint that another may follow whose name is almost that of the one it mimics.
@@ -305,8 +324,8 @@ fn obstacle(
         (", which is fixed", ANOTHER)
     } else if leader.kind.has_many() {
         (", which has more than one coordinate", ANOTHER)
-    } else if leader.mimic.is_some() {
-        (", which itself mimics another", ANOTHER)
+    } else if leader.mimic.is_some() && replaced.is_none() {
+        (", which mimics itself by way of others", ANOTHER)
     } else if replaced.is_some_and(|replaced| replaced.held) {
         (", which the scene holds, drives or sets free", ANOTHER)
     } else if dry_friction(joint, item).is_some() {

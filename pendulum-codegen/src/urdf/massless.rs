@@ -16,14 +16,21 @@ pub(super) fn hold(robot: &mut Robot, replaced: &[Replaced], carriers: &BTreeSet
         replaced.iter().any(|own| own.joint && own.body == child)
     };
     let stays = |joint: &Joint| joint.kind == Kind::Fixed || moves_mass(joint) || is_changed(joint);
-    let leader = |joint: &Joint| joint.mimic.as_ref().map(|mimic| mimic.joint.clone());
     // a joint that others mimic moves what they move
-    let needed: BTreeSet<String> = robot
+    let leaders: BTreeMap<&str, &str> = robot
         .joints
         .iter()
-        .filter(|joint| stays(joint))
-        .filter_map(leader)
+        .filter_map(|joint| Some((&*joint.name, &*joint.mimic.as_ref()?.joint)))
         .collect();
+    let mut needed = BTreeSet::new();
+    for joint in robot.joints.iter().filter(|joint| stays(joint)) {
+        let mut at = leaders.get(&*joint.name);
+        while let Some(leader) = at
+            && needed.insert((*leader).to_owned())
+        {
+            at = leaders.get(leader);
+        }
+    }
     let held: Vec<bool> = robot
         .joints
         .iter()
