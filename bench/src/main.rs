@@ -11,6 +11,7 @@ mod methods;
 mod peers;
 mod python;
 mod report;
+mod robots;
 mod rust;
 mod scaling;
 mod sweeps;
@@ -23,7 +24,7 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// What can be measured: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 7] = [
+const MEASUREMENTS: [(&str, Measurement); 8] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),
     ("scaling", scaling::measure),
@@ -31,6 +32,7 @@ const MEASUREMENTS: [(&str, Measurement); 7] = [
     ("methods", methods::measure),
     ("sweeps", sweeps::measure),
     ("linkages", linkages::measure),
+    ("robots", robots::measure),
 ];
 
 fn main() -> ExitCode {

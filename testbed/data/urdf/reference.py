@@ -139,9 +139,10 @@ def reference(robot, random):
     return {"coordinates": names, "samples": samples}
 
 
-def freely(robot, random):
+def freely(robot, random, change=lambda model: None):
     """A robot that flies, or has joints of more than one coordinate. None of them has friction."""
     model = pin.buildModelFromXML(ET.tostring(meant(robot), encoding="unicode"))
+    change(model)
     data = model.createData()
     moving = [joint for joint in robot.iter("joint") if joint.get("type") not in (None, "fixed")]
     assert all(joint.find("mimic") is None for joint in moving)
@@ -272,4 +273,5 @@ def main():
     pathlib.Path("reference.json").write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
 
-main()
+if __name__ == "__main__":
+    main()
