@@ -417,6 +417,9 @@ fn an_inertia_that_no_body_has_becomes_the_nearest_that_one_has() {
     assert!(code.contains(" * inertia of `arm`, by "), "{code}");
     // of the hand 1, 2, 5 the moments of mass are 3, 2, -1, and those of the nearest 3, 2, 0
     let hand = "body hand on arm { inertia: [2, 3, 5] }";
+    // all products of inertia act, and have no rounding
+    let robot =
+        &format!("{robot} body base on ground {{ inertia: [1, 1, 1], joint: free, orientation: o, position: p }}");
     let with = |items: &str| {
         let text = format!(
             "pub Arm {{ {robot} {items} generate: [inverse_dynamics], body cap on hand {{ mass: 1, com: [0, 1, 0], joint: revolute(x) }} }}"

@@ -50,10 +50,6 @@ pub(super) fn eigen(matrix: &Matrix) -> (Vector, [Vector; 3]) {
     let (mut a, mut axes) = (*matrix, rotation([0.0; 3]));
     for _ in 0..SWEEPS {
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-            // nothing to do, and no rounding
-            if a[p][q] == 0.0 {
-                continue;
-            }
             let angle = 0.5 * (2.0 * a[p][q]).atan2(a[q][q] - a[p][p]);
             let (s, c) = angle.sin_cos();
             let mut turn = rotation([0.0; 3]);
