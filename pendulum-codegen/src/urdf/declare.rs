@@ -7,7 +7,7 @@ use super::names::{TURN, check_names, identifier, part_of};
 use super::number::{ZERO, are_zero};
 use super::read::Wrong;
 use super::robot::{Joint, Kind, Link, Mimic, Origin, Robot};
-use super::tree::{carriers, is_tree};
+use super::tree::carrier;
 use crate::ast;
 use crate::lower::reserved;
 use crate::words;
@@ -35,13 +35,10 @@ pub(super) struct Replaced {
 /// on the ground. The joints of some links are `replaced`, so it does not matter what they follow.
 pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], wrong: &mut Vec<Wrong>) -> String {
     let mut text = String::new();
-    if !is_tree(robot, wrong) {
-        return text;
-    }
     check_names(robot, wrong);
     check_reserved(robot, replaced, wrong);
-    let carriers = carriers(robot);
-    let is_root = |link: &&Link| !carriers.contains_key(link.name.as_str());
+    let carrier = carrier(robot);
+    let is_root = |link: &&Link| !carrier.contains_key(link.name.as_str());
     let links: BTreeMap<&str, &Link> = robot.links.iter().map(|link| (link.name.as_str(), link)).collect();
     for link in robot.links.iter().filter(is_root) {
         writeln!(text, "body {} on ground {{ {} }}", identifier(&link.name), mass(link)).expect("memory");

@@ -6,11 +6,12 @@
 use std::collections::BTreeMap;
 
 use super::declare::Replaced;
-use super::matrix::{Matrix, Vector, add, eigen, outer, product, rotation, scaled, times, trace, transpose};
+use super::matrix::{Matrix, Vector, add, eigen, outer, product, rotation, scaled, sum, times, trace, transpose};
 use super::names::identifier;
 use super::number::value;
 use super::read::Wrong;
 use super::robot::{Inertial, Joint, Kind, Link, Origin, Robot};
+use super::tree::carrier;
 
 /// Below zero by less than this part of their sum, eigenvalues are rounded: files have six digits.
 const ROUNDED: f64 = 1e-6;
@@ -50,8 +51,8 @@ struct Group<'r> {
 pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wrong: &mut Vec<Wrong>) -> Vec<String> {
     let replaced: BTreeMap<&str, &Replaced> = replaced.iter().map(|own| (&*own.body, own)).collect();
     report_negative(robot, &replaced, wrong);
-    let mut repairs = Vec::new();
-    let carrier: BTreeMap<&str, &Joint> = robot.joints.iter().map(|joint| (&*joint.child, joint)).collect();
+    let (mut repairs, mut messages) = (BTreeMap::new(), Vec::new());
+    let carrier = carrier(robot);
     for group in groups(robot, &carrier, &replaced) {
         let first = &*group.members[0].link.name;
         let name = identifier(first);
@@ -76,7 +77,12 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
         let share = percent(excess.missing / excess.total);
         let repaired = group.repaired(&excess);
         if let Some((link, inertial)) = repaired.as_ref().filter(|_| repair) {
-            repairs.push(((*link).to_owned(), inertial.clone(), share));
+            let shown = identifier(link);
+            let shown = shown.trim_start_matches("r#");
+            messages.push(format!(
+                "inertia of `{shown}`, by {share} of its second moments of mass"
+            ));
+            repairs.insert((*link).to_owned(), inertial.clone());
             continue;
         }
         let parent = carrier
@@ -94,20 +100,10 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
             },
         });
     }
-    let places: BTreeMap<String, usize> = robot
-        .links
-        .iter()
-        .enumerate()
-        .map(|(n, link)| (link.name.clone(), n))
-        .collect();
-    let mut messages = Vec::new();
-    for (link, inertial, share) in repairs {
-        let shown = identifier(&link);
-        let shown = shown.trim_start_matches("r#");
-        messages.push(format!(
-            "inertia of `{shown}`, by {share} of its second moments of mass"
-        ));
-        robot.links[places[&link]].inertial = Some(inertial);
+    for link in &mut robot.links {
+        if let Some(inertial) = repairs.remove(&link.name) {
+            link.inertial = Some(inertial);
+        }
     }
     messages
 }
@@ -333,8 +329,4 @@ fn inertia(inertial: &Inertial) -> Matrix {
 fn turned_over(matrix: &Matrix, part: f64) -> Matrix {
     let diagonal = part * trace(matrix);
     std::array::from_fn(|i| std::array::from_fn(|j| if i == j { diagonal - matrix[i][j] } else { -matrix[i][j] }))
-}
-
-fn sum(a: &Matrix, b: &Matrix) -> Matrix {
-    std::array::from_fn(|i| add(a[i], b[i]))
 }

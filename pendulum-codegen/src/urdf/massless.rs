@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::declare::Replaced;
 use super::names::identifier;
 use super::robot::{Joint, Kind, Robot};
+use super::tree::carrier;
 
 /// Holds the joints that move no mass, nor do the joints that mimic them; the messages say which. Those that the scene
 /// changes stay, as do those of links on which it hangs a body.
@@ -52,11 +53,7 @@ pub(super) fn hold(robot: &mut Robot, replaced: &[Replaced], carriers: &BTreeSet
 
 /// The links that have mass, or carry some.
 fn heavy(robot: &Robot, replaced: &[Replaced], carriers: &BTreeSet<String>) -> BTreeSet<String> {
-    let above: BTreeMap<&str, &str> = robot
-        .joints
-        .iter()
-        .map(|joint| (&*joint.child, &*joint.parent))
-        .collect();
+    let carrier = carrier(robot);
     let mut heavy = BTreeSet::new();
     for link in &robot.links {
         let name = identifier(&link.name);
@@ -65,7 +62,7 @@ fn heavy(robot: &Robot, replaced: &[Replaced], carriers: &BTreeSet<String>) -> B
         while let Some(link) = at
             && heavy.insert(link.to_owned())
         {
-            at = above.get(link).copied();
+            at = carrier.get(link).map(|joint| &*joint.parent);
         }
     }
     heavy

@@ -8,6 +8,10 @@ pub(super) fn add(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|i| a[i] + b[i])
 }
 
+pub(super) fn sum(a: &Matrix, b: &Matrix) -> Matrix {
+    std::array::from_fn(|i| add(a[i], b[i]))
+}
+
 pub(super) fn scaled(a: &Matrix, factor: f64) -> Matrix {
     a.map(|row| row.map(|x| factor * x))
 }
@@ -63,7 +67,7 @@ pub(super) fn eigen(matrix: &Matrix) -> (Vector, [Vector; 3]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{eigen, outer, product, rotation, scaled, transpose};
+    use super::{eigen, outer, product, rotation, scaled, sum, transpose};
 
     #[test]
     fn eigenvalues_and_axes_make_the_matrix_again() {
@@ -73,9 +77,7 @@ mod tests {
             let matrix = product(&turn, &product(&diagonal, &transpose(&turn)));
             let (mut found, axes) = eigen(&matrix);
             let again = (0..3).map(|n| scaled(&outer(axes[n], axes[n]), found[n]));
-            let again = again.fold([[0.0; 3]; 3], |sum, one| {
-                std::array::from_fn(|i| std::array::from_fn(|j| sum[i][j] + one[i][j]))
-            });
+            let again = again.fold([[0.0; 3]; 3], |before, one| sum(&before, &one));
             for (row, of_matrix) in again.iter().zip(&matrix) {
                 assert!(
                     row.iter().zip(of_matrix).all(|(a, b)| (a - b).abs() < 1e-14),

@@ -48,15 +48,15 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     let mut ignored = Vec::new();
     let undeclared = if wrong.is_empty() { &mut wrong } else { &mut ignored };
     let replaced = replaced(&scene.items.bodies);
-    let mut repaired = Vec::new();
-    if tree::is_tree(&found, &mut Vec::new()) {
+    let (mut repaired, mut declared) = (Vec::new(), String::new());
+    if tree::is_tree(&found, undeclared) {
         repaired = inertia::check(&mut found, &replaced, robot.repair, undeclared);
         if robot.repair {
             let carriers = carriers(&scene.items.bodies, &found);
             repaired.extend(massless::hold(&mut found, &replaced, &carriers));
         }
+        declared = declare::declare(&found, robot, &replaced, undeclared);
     }
-    let declared = declare::declare(&found, robot, &replaced, undeclared);
     let report = |wrong: read::Wrong| errors.at(span, format_args!("`{name}`: {}", wrong.fact), wrong.help);
     if let Some(reported) = wrong.into_iter().map(report).last() {
         // uses of the coordinates that are known are no errors of their own

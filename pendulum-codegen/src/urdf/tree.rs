@@ -22,8 +22,13 @@ pub(super) fn is_tree(robot: &Robot, wrong: &mut Vec<Wrong>) -> bool {
     wrong.len() == before
 }
 
+/// The joint that carries each link of a tree but the root.
+pub(super) fn carrier(robot: &Robot) -> BTreeMap<&str, &Joint> {
+    robot.joints.iter().map(|joint| (&*joint.child, joint)).collect()
+}
+
 /// The joints that carry each link.
-pub(super) fn carriers(robot: &Robot) -> BTreeMap<&str, Vec<&Joint>> {
+fn carriers(robot: &Robot) -> BTreeMap<&str, Vec<&Joint>> {
     let mut carriers: BTreeMap<&str, Vec<&Joint>> = BTreeMap::new();
     for joint in &robot.joints {
         carriers.entry(&joint.child).or_default().push(joint);

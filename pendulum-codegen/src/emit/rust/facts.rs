@@ -77,9 +77,7 @@ impl Items<'_> {
             }
         }
     }
-}
 
-impl Items<'_> {
     /// The largest force and the largest rate of each coordinate, where the file of a robot gives any.
     fn limits(&self) -> Option<TokenStream> {
         let most = &self.program.most;
