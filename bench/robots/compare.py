@@ -1,6 +1,6 @@
 """The robots of example-robot-data, or those of the folder $ROBOTS, in Pinocchio.
 
-`compare.py files` prints the folder and the URDF files. `compare.py compare FOLDER` reads `task.json` there, compiles
+`compare.py files` prints the folder, and each URDF file with its root link. `compare.py compare FOLDER` reads `task.json` there, compiles
 the C code beside it, and writes `errors.json`: for each robot the largest error of the accelerations and the energies at
 random states, relative to the largest of each state, and the largest force that is left when the accelerations are put
 into Pinocchio's equations, relative to the largest force in them.
@@ -28,7 +28,10 @@ ROBOTS = Path(os.environ.get("ROBOTS", reference.ROBOTS))
 def files():
     print(ROBOTS)
     for path in sorted(ROBOTS.rglob("*.urdf")):
-        print(path.relative_to(ROBOTS))
+        robot = ET.parse(path).getroot()
+        carried = {child.get("link") for child in robot.iter("child")}
+        roots = [link.get("name") for link in robot.findall("link") if link.get("name") not in carried]
+        print(path.relative_to(ROBOTS), *roots[:1], sep="\t")
 
 
 def repaired(model):

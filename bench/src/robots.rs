@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 use std::error::Error;
+use std::ffi::OsStr;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
@@ -16,7 +17,8 @@ use crate::machine;
 use crate::python::python;
 use crate::report::{list, number, table, write};
 
-/// What is said of a file, from the least on; a root that is named `{root}` is set free.
+/// Ways to read a file, from the least on: a name, words behind its path, and a body of the scene, in which `{root}` is the
+/// root link.
 const WAYS: [(&str, &str, &str); 5] = [
     ("as it is", "", ""),
     ("`without dry_friction`", ", without dry_friction", ""),
@@ -38,6 +40,15 @@ struct Compared {
     refused: Option<String>,
 }
 
+/// A file of a robot.
+struct File {
+    /// Its path in the folder of all.
+    name: String,
+    path: PathBuf,
+    /// The link that hangs on none, if there is a link.
+    root: Option<String>,
+}
+
 /// A robot as it was read.
 struct Taken {
     way: usize,
@@ -48,54 +59,32 @@ struct Taken {
 pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folder = root.join("out/robots");
-    fs::create_dir_all(&folder)?;
-    let script = root.join("bench/robots/compare.py");
-    let output = Command::new(python(&root)).arg(&script).arg("files").output()?;
+    let script = |arguments: &[&OsStr]| {
+        let mut script = Command::new(python(&root));
+        script.arg(root.join("bench/robots/compare.py")).args(arguments);
+        script
+    };
+    let output = script(&["files".as_ref()]).output()?;
     if !output.status.success() {
         return Err("compare.py failed; `.venv/bin/pip install pin example-robot-data`, or set PYTHON".into());
     }
-    let text = String::from_utf8(output.stdout)?;
-    let mut files = text.lines();
-    let robots = Path::new(files.next().ok_or("no folder")?);
-    let files: Vec<&str> = files.collect();
+    let files = files(&String::from_utf8(output.stdout)?)?;
+    let taken = files.iter().map(take).collect::<Result<Vec<_>, _>>()?;
     let mut tasks = Vec::new();
-    let mut taken = Vec::new();
-    for (n, &file) in files.iter().enumerate() {
-        let found = take(&robots.join(file))?;
-        if let Ok(Taken { way, program, .. }) = &found {
-            let name = format!("r{n}");
-            // what is compared has no dry friction
-            let compared = if WAYS[*way].1.contains("without") {
-                program
-            } else {
-                &declared(
-                    &robots.join(file),
-                    &format!("{}, without dry_friction", WAYS[*way].1),
-                    WAYS[*way].2,
-                )?
-                .map_err(|errors| errors.to_string())?
-            };
-            let sources = c(compared);
-            write(folder.join(&name).join("robot.h"), &sources.header)?;
-            write(folder.join(&name).join("robot.c"), &sources.source)?;
-            tasks.push(task(file, &name, compared, *way, &robots.join(file))?);
+    for (n, (file, taken)) in files.iter().zip(&taken).enumerate() {
+        if let Ok(taken) = taken {
+            tasks.push(task(file, taken, &folder, format!("r{n}"))?);
         }
-        taken.push(found);
     }
-    fs::write(folder.join("task.json"), serde_json::to_string(&tasks)?)?;
-    let status = Command::new(python(&root))
-        .arg(&script)
-        .arg("compare")
-        .arg(&folder)
-        .status()?;
-    if !status.success() {
+    write(folder.join("task.json"), &serde_json::to_string(&tasks)?)?;
+    if !script(&["compare".as_ref(), folder.as_os_str()]).status()?.success() {
         return Err("compare.py failed".into());
     }
     let compared: BTreeMap<String, Compared> = serde_json::from_str(&fs::read_to_string(folder.join("errors.json"))?)?;
     let rows: Vec<Vec<String>> = files
         .iter()
         .zip(&taken)
-        .map(|(file, taken)| row(file, taken, compared.get(*file)))
+        .map(|(file, taken)| row(file, taken, compared.get(&file.name)))
         .collect();
     let head = [
         "file",
@@ -120,18 +109,31 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A file in the first way in which it is read, or the errors of the last.
-fn take(path: &Path) -> Result<Result<Taken, Errors>, Box<dyn Error>> {
+/// The folder of all files, then each with its root.
+fn files(text: &str) -> Result<Vec<File>, Box<dyn Error>> {
+    let mut lines = text.lines();
+    let robots = Path::new(lines.next().ok_or("no folder")?);
+    let files = lines.map(|line| {
+        let mut parts = line.split('\t').map(str::to_owned);
+        let name = parts.next().unwrap_or_default();
+        let path = robots.join(&name);
+        let root = parts.next();
+        File { name, path, root }
+    });
+    Ok(files.collect())
+}
+
+/// A file in the first way in which it is read, or the errors of the last without a free root.
+fn take(file: &File) -> Result<Result<Taken, Errors>, Box<dyn Error>> {
     let mut refused = None;
     for (way, (_, words, body)) in WAYS.iter().enumerate() {
         let since = Instant::now();
-        match declared(path, words, body)? {
+        match declared(file, words, body)? {
             Ok(program) => {
                 let seconds = since.elapsed().as_secs_f64();
                 return Ok(Ok(Taken { way, program, seconds }));
             }
-            // a free root moves what nothing else does
-            Err(errors) if body.is_empty() || refused.is_none() => refused = Some(errors),
+            Err(errors) if body.is_empty() => refused = Some(errors),
             Err(_) => {}
         }
     }
@@ -139,52 +141,47 @@ fn take(path: &Path) -> Result<Result<Taken, Errors>, Box<dyn Error>> {
 }
 
 /// The scene of a file.
-fn declared(path: &Path, words: &str, body: &str) -> Result<Result<Program, Errors>, Box<dyn Error>> {
-    let folder = path.parent().ok_or("no folder")?;
-    let name = path.file_name().and_then(|name| name.to_str()).ok_or("no name")?;
-    let body = body.replace("{root}", &root_of(path)?);
+fn declared(file: &File, words: &str, body: &str) -> Result<Result<Program, Errors>, Box<dyn Error>> {
+    let folder = file.path.parent().ok_or("no folder")?;
+    let name = file.path.file_name().and_then(|name| name.to_str()).ok_or("no name")?;
+    let body = body.replace("{root}", file.root.as_deref().unwrap_or("none"));
     let text =
         format!("Robot {{ robot: urdf(\"{name}\"{words}), {body} gravity: [0, 0, -9.81], generate: [rhs, energy] }}");
     Ok(program_in(folder, text.parse()?))
 }
 
-/// The link that hangs on none.
-fn root_of(path: &Path) -> Result<String, Box<dyn Error>> {
-    let text = fs::read_to_string(path)?;
-    let named = |element: &str, attribute: &str| -> Vec<String> {
-        let start = format!("<{element} ");
-        let values = text.split(start.as_str()).skip(1).filter_map(|rest| {
-            let (_, value) = rest.split_once('>')?.0.split_once(&format!("{attribute}=\""))?;
-            Some(value.split('"').next()?.to_owned())
-        });
-        values.collect()
+/// Writes the C code of a robot, and tells Pinocchio what it is.
+fn task(file: &File, taken: &Taken, folder: &Path, name: String) -> Result<Value, Box<dyn Error>> {
+    let (_, words, body) = WAYS[taken.way];
+    // what is compared has no dry friction
+    let without = match words.contains("without") {
+        true => None,
+        false => Some(
+            declared(file, &format!("{words}, without dry_friction"), body)?.map_err(|errors| errors.to_string())?,
+        ),
     };
-    let children = named("child", "link");
-    let root = named("link", "name").into_iter().find(|link| !children.contains(link));
-    Ok(root.unwrap_or_else(|| "none".to_owned()))
-}
-
-/// What Pinocchio must know of a robot.
-fn task(file: &str, name: &str, program: &Program, way: usize, path: &Path) -> Result<Value, Box<dyn Error>> {
+    let program = without.as_ref().unwrap_or(&taken.program);
+    let sources = c(program);
+    write(folder.join(&name).join("robot.h"), &sources.header)?;
+    write(folder.join(&name).join("robot.c"), &sources.source)?;
     let held = program
         .repaired
         .iter()
         .filter_map(|repair| repair.strip_prefix("joint `"));
     let held: Vec<&str> = held.filter_map(|rest| rest.split('`').next()).collect();
-    let (_, words, body) = WAYS[way];
     Ok(json!({
-        "file": file,
+        "file": file.name,
         "name": name,
         "repair": words.contains("repair"),
         "held": held,
-        "free": if body.is_empty() { None } else { Some(root_of(path)?) },
+        "free": file.root.as_ref().filter(|_| !body.is_empty()),
         "length": program.layout.len(),
         "constants": program.constants.results.len(),
     }))
 }
 
-fn row(file: &str, taken: &Result<Taken, Errors>, compared: Option<&Compared>) -> Vec<String> {
-    let name = file.rsplit('/').next().unwrap_or(file).to_owned();
+fn row(file: &File, taken: &Result<Taken, Errors>, compared: Option<&Compared>) -> Vec<String> {
+    let name = file.name.rsplit('/').next().unwrap_or_default().to_owned();
     let Taken { way, program, seconds } = match taken {
         Ok(taken) => taken,
         Err(errors) => {
