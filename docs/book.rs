@@ -27,6 +27,7 @@ pages! {
     pictures: "src/recipes/pictures.md",
     poincare_section: "src/recipes/poincare-section.md",
     points: "src/recipes/points.md",
+    saturation: "src/recipes/saturation.md",
     stiff_friction: "src/recipes/stiff-friction.md",
     sweep: "src/recipes/sweep.md",
     units: "src/recipes/units.md",

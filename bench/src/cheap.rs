@@ -109,6 +109,14 @@ impl<const SINES: bool, const DIVISIONS: bool> Real for Cheap<SINES, DIVISIONS> 
         }
     }
 
+    fn at_least(self, low: Self) -> Self {
+        Self(self.0.at_least(low.0))
+    }
+
+    fn at_most(self, high: Self) -> Self {
+        Self(self.0.at_most(high.0))
+    }
+
     fn atan2(self, x: Self) -> Self {
         Self(self.0.atan2(x.0))
     }

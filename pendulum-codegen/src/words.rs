@@ -401,10 +401,7 @@ pub(crate) const FUNCTIONS: &Synonyms = &[
     (&["fabs"], "abs"),
     (&["max"], "write `(a + b + abs(a - b))/2`"),
     (&["min"], "write `(a + b - abs(a - b))/2`"),
-    (
-        &["clamp", "saturate", "sat"],
-        "it has corners: write `limit*tanh(x/limit)`, which is smooth",
-    ),
+    (&["saturate", "saturation", "sat", "limit", "limiter", "bound"], "clamp"),
     (
         &["floor", "ceil", "round", "mod", "rem", "fract"],
         "it jumps: the language has smooth functions and `abs`",

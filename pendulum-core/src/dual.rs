@@ -168,6 +168,20 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     }
 
     #[inline]
+    fn at_least(self, low: Self) -> Self {
+        let larger = over(self.value, low.value);
+        let other = T::from_f64(1.0) - larger;
+        self.join(low, self.value.at_least(low.value), |da, db| larger * da + other * db)
+    }
+
+    #[inline]
+    fn at_most(self, high: Self) -> Self {
+        let smaller = over(high.value, self.value);
+        let other = T::from_f64(1.0) - smaller;
+        self.join(high, self.value.at_most(high.value), |da, db| smaller * da + other * db)
+    }
+
+    #[inline]
     fn atan2(self, x: Self) -> Self {
         let (a, b) = (self.value, x.value);
         let square = a * a + b * b;
@@ -185,6 +199,11 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
             by_base * da + value * a.powf(varies).ln() * db
         })
     }
+}
+
+/// 1 where `a` is larger, 0 where `b` is, and a half where they are equal.
+fn over<T: Real>(a: T, b: T) -> T {
+    T::from_f64(0.5) + T::from_f64(0.5) * (a - b).signum()
 }
 
 #[cfg(test)]
@@ -222,6 +241,10 @@ mod tests {
             |x, y| Real::tanh(x * y),
             |x, y| Real::abs(-x * y),
             |x, y| Real::signum(x * y),
+            |x, y| Real::at_least(x, y),
+            |x, y| Real::at_least(y, x),
+            |x, y| Real::at_most(x, y),
+            |x, y| Real::at_most(y, x),
             |x, y| Real::atan2(x, y),
             |x, y| Real::atan2(-x, -y),
             |x, y| Real::powf(x, y),

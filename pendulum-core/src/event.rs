@@ -45,6 +45,7 @@ pub struct Event<'e, T, const N: usize> {
     pub(crate) terminal: bool,
     at_start: bool,
     pub(crate) reset: Option<Reset<'e, T, N>>,
+    restarts: bool,
 }
 
 /// The function that passes zero.
@@ -86,6 +87,7 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
             terminal: false,
             at_start: false,
             reset: None,
+            restarts: false,
         }
     }
 
@@ -146,13 +148,55 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
         self
     }
 
+    /// Ends the step there, and begins the next one anew: for a kink of the right-hand side, such as a controller that
+    /// saturates. A step across a kink loses the order of the method.
+    ///
+    /// Where it occurs again so soon that rounding errors may be the cause, it is recorded and the step goes on.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    ///
+    /// // a cart that is pulled back by 1 N at most: at constant force from 1.1 m to 0.1 m, then as by a spring
+    /// let cart = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], (-10.0 * x[0]).clamp(-1.0, 1.0)]));
+    /// let (t, fall, rate) = (1.5, 2.0_f64.sqrt(), 10.0_f64.sqrt());
+    /// let (sin, cos) = f64::sin_cos(rate * (t - fall));
+    /// let error = |events: &[Event<f64, 2>]| -> Result<f64, SolveError<f64, 2>> {
+    ///     let solution = Rk4::new(0.0125).solve_with(&cart, 0.0, t, [1.1, 0.0], events)?;
+    ///     Ok((solution.last().1[0] - (0.1 * cos - fall / rate * sin)).abs())
+    /// };
+    /// let saturates = Event::new(|_t, x: &SVector<f64, 2>| 1.0 - (10.0 * x[0]).abs()).restart();
+    /// assert!(error(&[])? > 1e-6 && error(&[saturates])? < 1e-8);
+    /// # use pendulum_core::SolveError;
+    /// # Ok::<(), SolveError<f64, 2>>(())
+    /// ```
+    #[must_use]
+    pub fn restart(mut self) -> Self {
+        self.restarts = true;
+        self
+    }
+
     /// Whether it occurs at the start of the integration, where its function is zero there.
     pub(crate) fn occurs_at_start(&self) -> bool {
         self.at_start || !self.terminal
     }
 
-    /// Whether it ends the integration or resets the state.
+    /// Whether the step ends there.
     pub(crate) fn acts(&self) -> bool {
+        self.restarts || self.changes()
+    }
+
+    /// Whether it is a kink of the right-hand side, and nothing more.
+    pub(crate) fn is_kink(&self) -> bool {
+        self.restarts && !self.changes()
+    }
+
+    /// Whether the integration begins anew there.
+    pub(crate) fn begins_anew(&self) -> bool {
+        self.restarts || self.reset.is_some()
+    }
+
+    /// Whether it ends the integration or resets the state.
+    pub(crate) fn changes(&self) -> bool {
         self.terminal || self.reset.is_some()
     }
 }
@@ -163,6 +207,7 @@ impl<T, const N: usize> fmt::Debug for Event<'_, T, N> {
             .field("direction", &self.direction)
             .field("terminal", &self.terminal)
             .field("resets", &self.reset.is_some())
+            .field("restarts", &self.restarts)
             .finish_non_exhaustive()
     }
 }

@@ -79,6 +79,11 @@ impl<T: Real> Neg for Dual<T> {
     }
 }
 
+/// 1 where `a` is larger, 0 where `b` is, and a half where they are equal.
+fn over<T: Real>(a: T, b: T) -> T {
+    T::from_f64(0.5) + T::from_f64(0.5) * (a - b).signum()
+}
+
 impl<T: Real> Real for Dual<T> {
     fn from_f64(v: f64) -> Self {
         Self::new(T::from_f64(v), T::default())
@@ -111,6 +116,14 @@ impl<T: Real> Real for Dual<T> {
     }
     fn signum(self) -> Self {
         self.chain(self.value.signum(), T::default())
+    }
+    fn at_least(self, low: Self) -> Self {
+        let larger = over(self.value, low.value);
+        let slope = larger * self.slope + (T::from_f64(1.0) - larger) * low.slope;
+        Self::new(self.value.at_least(low.value), slope)
+    }
+    fn at_most(self, high: Self) -> Self {
+        -(-self).at_least(-high)
     }
     fn atan2(self, x: Self) -> Self {
         let norm2 = self.value * self.value + x.value * x.value;

@@ -168,6 +168,14 @@ impl<const LENGTH: usize> Real for Series<LENGTH> {
         Self::from_f64(Real::signum(self.0[0]))
     }
 
+    fn at_least(self, low: Self) -> Self {
+        if self.0[0] < low.0[0] { low } else { self }
+    }
+
+    fn at_most(self, high: Self) -> Self {
+        if self.0[0] > high.0[0] { high } else { self }
+    }
+
     /// The imaginary part of `ln(z)` about `z_0`, with `z = x + iy`.
     fn atan2(self, x: Self) -> Self {
         let (y0, x0) = (self.0[0], x.0[0]);

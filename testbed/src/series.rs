@@ -161,6 +161,20 @@ mechanism! {
 }
 
 mechanism! {
+    /// Torques between limits, of which one moves.
+    pub Clamped {
+        units: none,
+        gravity: [0, -9.81, 0],
+        generate: [taylor],
+        body bob on ground {
+            mass: 1.3, com: [0.1, -0.8, 0], inertia: 0.2,
+            joint: revolute(z), coordinate: theta,
+            torque: clamp(-3*theta - dot(theta)^2, -1, 1.5) + clamp(2*sin(theta), -cos(t), 0.7),
+        }
+    }
+}
+
+mechanism! {
     /// The angle of a moving point.
     pub Angle {
         units: none,

@@ -39,7 +39,7 @@ mechanism! {
             solids: [rod(double, [0, 0, 0], [0, -x, 0])],
             joint: revolute(z),
             coordinate: out,
-            torque: r#in * sin(3*t) + r#loop * cos(q) - 0.02 * dot(int) * atan2(sin(q), 2 + cos(q)) * sqrt(1 + qd^2),
+            torque: r#in * sin(3*t) + clamp(r#in * qd, -x, x) + r#loop * cos(q) - 0.02 * dot(int) * atan2(sin(q), 2 + cos(q)) * sqrt(1 + qd^2),
         }
     }
 }
@@ -188,7 +188,8 @@ fn functions_of_the_platform_are_called() {
             by_inputs.as_slice(),
             &energies,
         ];
-        [motion.concat(), by_parameters.as_slice().to_vec()].concat()
+        let saturation = [model.saturation_1(t, &x)];
+        [&motion.concat()[..], by_parameters.as_slice(), &saturation].concat()
     });
 }
 

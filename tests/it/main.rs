@@ -4,6 +4,7 @@
 mod balls;
 mod c_code;
 mod canonical;
+mod clamp;
 mod closed_loops;
 mod compile_errors;
 mod double_pendulum;

@@ -42,7 +42,7 @@ macro_rules! as_by_the_right_hand_side {
 as_by_the_right_hand_side! {
     mechanisms: Pendulums, Elbow, Slides, Spring;
     robots: Ur5, Panda;
-    functions: Tangent, Exponential, Logarithm, Root, Powers, Quotient, Saturated, Angle, Drag, Driven;
+    functions: Tangent, Exponential, Logarithm, Root, Powers, Quotient, Saturated, Clamped, Angle, Drag, Driven;
 }
 
 fn pendulums(gamma: f64) -> Pendulums {

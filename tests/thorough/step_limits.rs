@@ -84,7 +84,7 @@ impl Real for Counted {
         (count(SINCOS, sin), Self(cos))
     }
 
-    functions! { tan(); exp(); ln(); sqrt(); tanh(); abs(); signum(); atan2(x); powf(exponent); }
+    functions! { tan(); exp(); ln(); sqrt(); tanh(); abs(); signum(); at_least(low); at_most(high); atan2(x); powf(exponent); }
 }
 
 impl Lanes for Counted {

@@ -56,6 +56,22 @@ impl<'g> Expr<'g> {
             Binary::Mul => self.times(other),
             Binary::Div => self.over(other),
             Binary::Atan2 => self.exactly(op, other),
+            Binary::Max | Binary::Min => self.extreme(op, other),
+        }
+    }
+
+    /// The larger or the smaller of two.
+    fn extreme(self, op: Binary, other: Self) -> Self {
+        match (self.as_number(), other.as_number()) {
+            _ if self == other => self,
+            (Some(a), Some(b)) => {
+                if (a < b) == (op == Binary::Max) {
+                    other
+                } else {
+                    self
+                }
+            }
+            _ => self.exactly(op, other),
         }
     }
 

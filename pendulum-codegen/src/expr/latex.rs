@@ -133,7 +133,7 @@ fn call(function: &str, raised: &str, arguments: &[Formula], closed: bool) -> St
 }
 
 fn function_name(function: &str) -> String {
-    if FUNCTIONS.contains(&function) {
+    if FUNCTIONS.contains(&function) || ["max", "min"].contains(&function) {
         return format!("\\{function}");
     }
     format!("\\operatorname{{{function}}}")

@@ -23,8 +23,8 @@ struct Field {
 }
 
 /// Kinds of random numbers beside those of functions.
-const ATAN2: u64 = 100;
-const POWER: u64 = 101;
+const BINARY: u64 = 100;
+const POWER: u64 = 99;
 const QUATERNION: u64 = 102;
 
 /// The cosine and the sine of an angle.
@@ -59,7 +59,7 @@ impl Graph {
                 Node::Binary(Binary::Sub, a, b) => field.minus(of(*a), of(*b)),
                 Node::Binary(Binary::Mul, a, b) => field.times(of(*a), of(*b)),
                 Node::Binary(Binary::Div, a, b) => field.times(of(*a), field.inverse(of(*b))?),
-                Node::Binary(Binary::Atan2, a, b) => field.random(field.random(ATAN2, of(*a)), of(*b)),
+                Node::Binary(op, a, b) => field.random(field.random(BINARY + *op as u64, of(*a)), of(*b)),
                 Node::Power(a, n) => match (n.numer().to_i64(), n.denom().to_u64()) {
                     (Some(n), Some(1)) => field.power_of(of(*a), n)?,
                     (Some(n), Some(2)) => field.power_of(field.root(of(*a))?, n)?,

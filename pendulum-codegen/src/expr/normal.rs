@@ -150,9 +150,9 @@ impl<'g> Normalizer<'g> {
                 let reciprocal = self.reciprocal(&known(self, b))?;
                 self.product(&known(self, a), &reciprocal)?
             }
-            Node::Binary(op @ Binary::Atan2, a, b) => {
+            Node::Binary(op @ (Binary::Atan2 | Binary::Max | Binary::Min), a, b) => {
                 let (a, b) = (self.written(&known(self, a))?, self.written(&known(self, b))?);
-                Poly::atom(a.combine(op, b))
+                self.leaf(a.combine(op, b))?
             }
             Node::Power(a, exponent) => self.power(&known(self, a), exponent)?,
         })

@@ -117,4 +117,13 @@ binary! {
     Div: "/", Division, |a, b| a / b, |_, b| b.powi(-1), |a, b| -a * b.powi(-2);
     /// The angle of the point (right, left), as `left.atan2(right)`.
     Atan2: "atan2", Function, f64::atan2, |y, x| x / (y.powi(2) + x.powi(2)), |y, x| -y / (y.powi(2) + x.powi(2));
+    /// The larger of two; the left one if they are equal, or if it is NaN.
+    Max: "max", Function, |a, b| if a < b { b } else { a }, over, |a, b| over(b, a);
+    /// The smaller of two; the left one if they are equal, or if it is NaN.
+    Min: "min", Function, |a, b| if a > b { b } else { a }, |a, b| over(b, a), over;
+}
+
+/// 1 where `a` is larger, 0 where `b` is, and a half where they are equal.
+pub(crate) fn over<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
+    super::ratio(1, 2) * (1 + (a - b).apply(Unary::Sign))
 }

@@ -28,16 +28,21 @@ impl<'g> Expr<'g> {
                 varying.insert(x);
                 match x.node() {
                     Node::Unary(Unary::Sign, _) => -1,
+                    Node::Binary(Binary::Max | Binary::Min, ..) => of_operands(x, &known).min(0),
                     Node::Unary(Unary::Abs, _) | Node::Binary(Binary::Mul, ..) | Node::Power(..) => {
                         of_product(x, &known)
                     }
-                    _ => x.operands().map(|operand| known[&operand]).min().unwrap_or(SMOOTH),
+                    _ => of_operands(x, &known),
                 }
             };
             known.insert(x, own);
         }
         known[&self]
     }
+}
+
+fn of_operands<'g>(x: Expr<'g>, known: &FxHashMap<Expr<'g>, i64>) -> i64 {
+    x.operands().map(|operand| known[&operand]).min().unwrap_or(SMOOTH)
 }
 
 /// Of a product: each `|u|^p u^n` in it has one continuous derivative less than `p + n`, rounded up, unless `p` is

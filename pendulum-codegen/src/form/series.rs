@@ -169,6 +169,11 @@ impl<'g, 's> Recurrences<'g, 's> {
             Node::Binary(Binary::Mul, a, b) => self.product(a, b),
             Node::Binary(Binary::Div, a, b) => self.quotient(z, a, b),
             Node::Binary(Binary::Atan2, y, x) => self.angle(z, y, x),
+            // the larger or the smaller of two is one of them near by
+            Node::Binary(op @ (Binary::Max | Binary::Min), a, b) => {
+                let [left, right] = op.derivatives(a, b);
+                left * self.coefficient(a) + right * self.coefficient(b)
+            }
             Node::Power(u, n) => self.power(z, u, n),
         }
     }

@@ -245,7 +245,7 @@ impl<'g> Lower<'g> {
     }
 
     /// Checks a number now, or says what `new` must check: `fact` and `help` are for the first, `rule` for the other.
-    fn obeys(
+    pub(super) fn obeys(
         &mut self,
         at: &impl ToTokens,
         (value, requirement): (Expr<'g>, Requirement<'g>),

@@ -107,23 +107,39 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Refuses a bare number of radians that is more than a turn, since it may be in degrees.
+    /// Refuses bare numbers of radians that are more than a turn, alone or as terms of a sum, since they may be in
+    /// degrees.
     pub(super) fn not_degrees(&mut self, e: &ast::Expr, given: Quantity<'g>, what: &str) {
-        let number = given.value.as_number().and_then(ToPrimitive::to_f64);
-        if let (Measure::Number, Some(angle)) = (given.measure, number.filter(|angle| angle.abs() > TAU)) {
-            let (fact, help) = if self.errors.is_from_file(e) {
-                let radians = (angle.to_radians() * 1e4).round() / 1e4;
-                let help = format!(
-                    "write {radians} there for {angle} degrees; where {angle} rad are meant, write `{angle} rad` in the scene, \
-                     in a `body` of this name, which changes that of the file"
-                );
-                (format!("{what} is {angle}, more than a turn: angles are in rad"), help)
-            } else {
-                let help = format!("write `{angle} deg` for degrees, or `{angle} rad` if it is meant");
-                (format!("{what} is more than a turn: angles are in rad"), help)
-            };
-            self.errors.on(e, fact, help);
+        if let Some(angle) = beyond_a_turn(given) {
+            return self.more_than_a_turn(e, angle, what);
         }
+        let mut terms = Vec::new();
+        gather_terms(e, &mut terms);
+        for term in terms {
+            let value = match &term.kind {
+                ExprKind::Number(_) => self.operation(term, &Place::fixed(what)).ok(),
+                ExprKind::Name(name) => self.names.value(&name.to_string()),
+                _ => None,
+            };
+            if let Some(angle) = value.and_then(beyond_a_turn) {
+                self.more_than_a_turn(term, angle, &format!("a term of {what}"));
+            }
+        }
+    }
+
+    fn more_than_a_turn(&mut self, e: &ast::Expr, angle: f64, what: &str) {
+        let (fact, help) = if self.errors.is_from_file(e) {
+            let radians = (angle.to_radians() * 1e4).round() / 1e4;
+            let help = format!(
+                "write {radians} there for {angle} degrees; where {angle} rad are meant, write `{angle} rad` in the scene, \
+                 in a `body` of this name, which changes that of the file"
+            );
+            (format!("{what} is {angle}, more than a turn: angles are in rad"), help)
+        } else {
+            let help = format!("write `{angle} deg` for degrees, or `{angle} rad` if it is meant");
+            (format!("{what} is more than a turn: angles are in rad"), help)
+        };
+        self.errors.on(e, fact, help);
     }
 
     /// What to do about a value that is measured in something else than is needed.
@@ -162,6 +178,24 @@ impl<'g> Lower<'g> {
                 "`{digits} {name}` has the unit {name}; its product with the {kind} `{name}` is `{digits}*{name}`"
             ))
         })
+    }
+}
+
+/// A bare number that is more radians than a turn.
+fn beyond_a_turn(given: Quantity<'_>) -> Option<f64> {
+    let number = given.value.as_number().and_then(ToPrimitive::to_f64);
+    number.filter(|angle| given.measure == Measure::Number && angle.abs() > TAU)
+}
+
+/// The terms of a sum.
+fn gather_terms<'a>(e: &'a ast::Expr, terms: &mut Vec<&'a ast::Expr>) {
+    match &e.kind {
+        ExprKind::Neg(a) => gather_terms(a, terms),
+        ExprKind::Binary(Operator::Add | Operator::Sub, a, b) => {
+            gather_terms(a, terms);
+            gather_terms(b, terms);
+        }
+        _ => terms.push(e),
     }
 }
 

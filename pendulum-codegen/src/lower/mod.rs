@@ -2,6 +2,7 @@
 
 mod action;
 mod body;
+mod clamp;
 mod close;
 mod components;
 mod constraint;
@@ -92,6 +93,8 @@ struct Lower<'g> {
     components: BTreeMap<String, Components<'g>>,
     /// How the solids look that were read last.
     figures: Vec<Figure<'g>>,
+    /// Values that saturate, each with its limits.
+    clamps: Vec<[Expr<'g>; 3]>,
     /// The names of the bodies.
     body_names: Vec<String>,
     /// For each body of the text what its joint does, where it has a motion.
@@ -123,6 +126,7 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
         components: BTreeMap::new(),
         body_names: scene.items.bodies.iter().map(|body| body.name.to_string()).collect(),
         figures: Vec::new(),
+        clamps: Vec::new(),
         motions: Vec::new(),
         bodies: Vec::new(),
         margins: Vec::new(),
@@ -151,10 +155,11 @@ impl<'g> Lower<'g> {
             tree.points.iter().for_each(|point| self.names.mark_used(&point.name));
         }
         tree.actions = self.actions(items, &tree.points);
-        self.check_functions(items);
         let loops = self.close(items, &mut tree);
         let outputs = self.outputs(items, &Poses::new(&tree));
-        let events = self.events(&items.events);
+        let mut events = self.events(&items.events);
+        events.extend(self.saturations());
+        self.check_functions(items);
         let constraints = constrain(&mut tree, walls);
         self.require_motion(scene, &tree.coordinates);
         self.report_refused_defaults(&items.params, &tree.parameters);

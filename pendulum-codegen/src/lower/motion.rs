@@ -199,20 +199,23 @@ impl<'g> Lower<'g> {
             return Ok(value);
         }
         let corner = corner(given).unwrap_or(given);
-        let fact = format_args!(
-            "{} is not smooth where `abs`, or the root of a square, passes 0: the {what} jumps there",
-            place.what
-        );
-        let help = "`sqrt(x^2 + eps^2)` is a smooth `abs(x)`, and `abs(x)^3` is smooth enough";
+        let is_clamp = matches!(&corner.kind, ast::ExprKind::Call(name, _) if name == "clamp");
+        let (at, help) = if is_clamp {
+            ("`clamp` reaches a limit", "`limit*tanh(x/limit)` saturates smoothly")
+        } else {
+            let help = "`sqrt(x^2 + eps^2)` is a smooth `abs(x)`, and `abs(x)^3` is smooth enough";
+            ("`abs`, or the root of a square, passes 0", help)
+        };
+        let fact = format_args!("{} is not smooth where {at}: the {what} jumps there", place.what);
         Err(self.errors.on(corner, fact, help))
     }
 }
 
-/// The first call of `abs` in an expression, or of a root.
+/// The first call of `abs` or `clamp` in an expression, or of a root.
 fn corner(expr: &ast::Expr) -> Option<&ast::Expr> {
     use ast::ExprKind::{Binary, Call, Component, Measured, Name, Neg, Number, Power, RateComponent};
     match &expr.kind {
-        Call(name, _) if name == "abs" || name == "sqrt" => Some(expr),
+        Call(name, _) if ["abs", "clamp", "sqrt"].iter().any(|known| name == known) => Some(expr),
         Call(_, arguments) => arguments.iter().find_map(corner),
         Neg(a) => corner(a),
         Binary(_, a, b) | Power(a, b) => corner(a).or_else(|| corner(b)),

@@ -27,7 +27,7 @@ fn functions() -> impl Iterator<Item = &'static str> {
     UNARY
         .iter()
         .map(|(name, _)| *name)
-        .chain(["sqrt", "atan2", "dot", "distance", "margin"])
+        .chain(["sqrt", "atan2", "clamp", "dot", "distance", "margin"])
 }
 
 /// The number with a unit that a product ends in.
@@ -143,6 +143,7 @@ impl<'g> Lower<'g> {
                 self.permit(rate.value, name.span(), place)?;
                 return Ok(rate);
             }
+            "clamp" => return self.clamp(expr, arguments, place),
             "margin" => {
                 return Ok(Quantity {
                     value: self.margin(expr, arguments, place)?,

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Lower;
+use super::clamp::saturation;
 use super::expr::{Only, Place};
 use super::scope::Kind;
 use crate::ast::{self, ExprKind, OutputValue};
@@ -97,6 +98,7 @@ impl<'g> Lower<'g> {
                 name: event.name.to_string(),
                 docs: event.docs.clone(),
                 value,
+                is_kink: false,
             });
         }
         events
@@ -110,6 +112,10 @@ impl<'g> Lower<'g> {
         for (_, coordinate) in items.bodies.iter().flat_map(|body| body.fields.slots()) {
             let constants = places(&coordinate);
             taken.extend(constants.map(|constant| (constant, format!("coordinate `{coordinate}`"))));
+        }
+        for n in 0..self.clamps.len() {
+            let functions = program::functions_of_event(&saturation(n));
+            taken.extend(functions.map(|function| (function, "a `clamp`".to_owned())));
         }
         let is_hybrid = items.is_hybrid();
         for (ident, kind) in outputs.chain(events) {

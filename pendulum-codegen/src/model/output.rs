@@ -37,6 +37,8 @@ pub(crate) struct Event<'g> {
     pub docs: Vec<String>,
     /// What passes zero.
     pub value: Expr<'g>,
+    /// Whether the motion has a kink there.
+    pub is_kink: bool,
 }
 
 impl Output<'_> {

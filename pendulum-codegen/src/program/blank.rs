@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use syn::Ident;
 
-use super::output::{Observed, functions_of_event, functions_of_output, is_function};
+use super::output::{Event, Observed, functions_of_event, functions_of_output, is_function};
 use super::routine::Head;
 use super::table::{Counts, ROUTINES, Request, words};
 use super::{Block, Constraint, Drawing, Equations, Program, Quantity, Routine, Series, Slot, SlotKind, StateLayout};
@@ -89,8 +89,12 @@ impl Program {
         }
         let events = items.events.iter();
         let events = events.filter(|event| functions_of_event(&event.name).iter().all(&mut is_new));
-        self.events = events.map(|event| event.name.to_string()).collect();
-        heads.extend(self.events.iter().map(|name| Head::of_event(name, &[])));
+        let events = events.map(|event| Event {
+            name: event.name.to_string(),
+            is_kink: false,
+        });
+        self.events = events.collect();
+        heads.extend(self.events.iter().map(|event| Head::of_event(&event.name, &[])));
         self.outputs = outputs.iter().flat_map(model::Output::labels).collect();
         let computes = |head: &Head| head.shapes.iter().all(|shape| !shape.is_empty());
         self.routines = heads.into_iter().filter(computes).map(Routine::blank).collect();

@@ -21,6 +21,7 @@ pub(crate) use build::NotFinite;
 pub use drawing::{Drawing, Outline};
 pub use equations::{ConstraintForce, Equations, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout};
+pub use output::Event;
 pub(crate) use output::{functions_of_event, functions_of_output, is_function};
 pub use routine::{Argument, Cost, Role, Routine, Shape};
 pub use series::Series;
@@ -65,8 +66,8 @@ pub struct Program {
     pub routines: Vec<Routine>,
     /// The names of the components of all outputs.
     pub outputs: Vec<String>,
-    /// The names of the events.
-    pub events: Vec<String>,
+    /// The events.
+    pub events: Vec<Event>,
     /// The bodies that close each loop.
     pub loops: Vec<[String; 2]>,
     /// The numbers of those that have no closed form.
@@ -200,7 +201,7 @@ impl Program {
             constants_text: constants.iter().map(|constant| printer.print(constant.id())).collect(),
             routines: routines.collect::<Result<_, _>>()?,
             outputs: model.outputs.iter().flat_map(Output::labels).collect(),
-            events: model.events.iter().map(|event| event.name.clone()).collect(),
+            events: model.events.iter().map(Event::of).collect(),
             loops: model.closures.iter().map(|closure| closure.bodies(model)).collect(),
             open_loops: model.loops.gaps.iter().map(|gap| gap.number).collect(),
             uncounted: model

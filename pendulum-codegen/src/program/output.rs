@@ -4,7 +4,7 @@ use super::routine::{Argument, Head, Role, Shape};
 use super::table::ROUTINES;
 use crate::expr::{Expr, SymbolKind};
 use crate::form::{self, Chosen, Forms};
-use crate::model::{Model, Output, OutputShape};
+use crate::model::{self, Model, Output, OutputShape};
 
 /// Functions that every model may have beside its routines.
 const OTHERS: [&str; 16] = [
@@ -39,6 +39,24 @@ pub(crate) fn functions_of_output(name: &impl ToString) -> [String; 3] {
     let name = name.to_string();
     let plain = name.trim_start_matches("r#").to_owned();
     [name, format!("{plain}_rate"), format!("{plain}_and_jacobian")]
+}
+
+/// A function of a model whose zeros are events.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Event {
+    /// Its name.
+    pub name: String,
+    /// Whether the motion has a kink there, at which a step should end.
+    pub is_kink: bool,
+}
+
+impl Event {
+    pub(super) fn of(event: &model::Event<'_>) -> Self {
+        Self {
+            name: event.name.clone(),
+            is_kink: event.is_kink,
+        }
+    }
 }
 
 /// The functions of an event: its value, and what finds its zeros.

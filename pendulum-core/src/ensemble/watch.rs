@@ -162,9 +162,9 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         self.observers.iter().any(Observer::keeps_all)
     }
 
-    /// With events that set another state.
+    /// With events that set another state, or at which steps are taken again.
     fn is_alone(&self, index: usize) -> bool {
-        self.events[index].iter().any(|event| event.reset.is_some())
+        self.events[index].iter().any(Event::begins_anew)
     }
 
     fn run<C, S>(

@@ -14,6 +14,10 @@ use crate::system::{IntoState, System};
 /// The steps end at the times `t0 + i h`, computed without accumulating rounding errors; the last step is shortened to
 /// end at `t1` exactly. A restart within a step does not move these times.
 ///
+/// Nothing checks the error: steps that are too long for a motion give wrong numbers without an error. Compare with half
+/// the step, or with a method that takes a tolerance; [`max_stable_step`](crate::stability::max_stable_step) tells beyond
+/// which step a motion blows up.
+///
 /// The only setting is `h`, which must be positive, even backward in time, and large enough for the times to resolve.
 /// [`solve`](Method::solve) keeps ten million points at most; [`stepper`](Method::stepper) has no such limit.
 #[derive(Clone, Copy, Debug, PartialEq)]

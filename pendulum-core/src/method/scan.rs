@@ -40,6 +40,7 @@ const DEPTH: usize = 2;
 const NOISE: f64 = 1e-9;
 
 /// The places at which a function was evaluated in a step, with its values; kept for its memory.
+#[derive(Clone)]
 pub(super) struct Scan<T> {
     samples: Vec<(T, T)>,
     coarse: Vec<(T, T)>,

@@ -19,6 +19,7 @@ const MOST_HURRIED: usize = 1000;
 const TOO_MANY: f64 = 1e7;
 
 /// What is known of the events where the last step ended.
+#[derive(Clone)]
 pub(crate) struct Search<'w, 'e, T, const N: usize> {
     events: &'w [Event<'e, T, N>],
     seen: Vec<Seen<T>>,
@@ -87,6 +88,11 @@ fn not_finite<T: Float>(event: usize, t: T) -> Reason {
     Reason::EventNotFinite { event, t }
 }
 
+/// The time between two events that are too near to each other, where `scale` is that of times.
+fn hurried<T: Float>(scale: T) -> T {
+    T::from_f64(HURRIED) * T::EPSILON.sqrt() * scale
+}
+
 impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
     pub(crate) fn new(events: &'w [Event<'e, T, N>], t: T, x: &SVector<T, N>) -> Result<Self, Reason> {
         let mut seen = Vec::with_capacity(events.len());
@@ -124,7 +130,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         x: &SVector<T, N>,
         fired: &[(Found<T>, T)],
     ) -> Result<(), Reason> {
-        let hurried = T::from_f64(HURRIED) * T::EPSILON.sqrt() * scale;
+        let hurried = hurried(scale);
         for (index, seen) in self.seen.iter_mut().enumerate() {
             seen.value = value(self.events, index, t, x)?;
             seen.side = Side::of(seen.value);
@@ -133,7 +139,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
                 let soon = since.filter(|&since| since <= hurried);
                 seen.hurried = soon.map_or(0, |_| seen.hurried + 1);
                 let arrives_nowhere = |since: T| (t1 - t).abs() > since * T::from_f64(TOO_MANY);
-                if self.events[index].acts() && seen.hurried >= MOST_HURRIED && soon.is_some_and(arrives_nowhere) {
+                if self.events[index].changes() && seen.hurried >= MOST_HURRIED && soon.is_some_and(arrives_nowhere) {
                     return Err(Reason::EventsAccumulate { event: index });
                 }
                 // Rounding errors may have left it on either side, but a jump did not.
@@ -161,6 +167,24 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
             Some(acted) if (t - acted).abs() <= near => Err(Reason::EventsAccumulate { event: index }),
             _ => Ok(()),
         }
+    }
+
+    /// Whether the step ends at an event. At one that only restarts, it does not where the last time was so near that
+    /// rounding errors may have brought the event back.
+    pub(super) fn acts(&self, found: &Found<T>, dense: &Dense<'_, T, N>) -> bool {
+        let (event, t) = (self.event(found), dense.time(found.theta));
+        let scale = t.abs().max(dense.step().h.abs());
+        let is_new = |acted: T| (t - acted).abs() > hurried(scale);
+        event.acts() && (event.changes() || self.seen[found.index].acted.is_none_or(is_new))
+    }
+
+    /// The kink that a step comes to before anything else at which it ends, and where in fractions of the step.
+    pub(super) fn first_kink(&self, dense: &Dense<'_, T, N>) -> Option<(&'w Event<'e, T, N>, T)> {
+        let mut ahead = self.clone();
+        let found = ahead.look(dense);
+        let first = found.into_iter().find(|found| self.acts(found, dense))?;
+        let is_kink = matches!(first.what, What::Passage(_)) && self.event(&first).is_kink();
+        is_kink.then(|| (&self.events[first.index], first.theta))
     }
 
     /// The event that was found.
@@ -201,7 +225,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
                 report(theta, What::Passage(passage));
             }
         };
-        let wanted = if event.acts() {
+        let wanted = if event.changes() {
             Wanted::First(*direction)
         } else {
             Wanted::All

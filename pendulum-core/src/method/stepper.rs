@@ -1,5 +1,7 @@
 //! The engine of all methods: stepping without a record, and without a heap.
 
+#[cfg(feature = "std")]
+mod kink;
 mod switching;
 
 use core::fmt;

@@ -106,6 +106,9 @@ where
             }
             continue;
         }
+        if events.iter().any(Event::is_kink) {
+            reached.x = stepper.end_at_kink(&search, step).x1;
+        }
         let Some(stop) = see(&mut search, &stepper.dense(), observer, placed)? else {
             continue;
         };
@@ -132,7 +135,7 @@ pub(crate) fn see<T: Float, const N: usize>(
     let found = search.look(dense);
     let step = dense.step();
     let at_start = Early::at((step.t0, step.x0));
-    let acts = |found: &&Found<T>| matches!(found.what, What::Passage(_)) && search.event(found).acts();
+    let acts = |found: &&Found<T>| matches!(found.what, What::Passage(_)) && search.acts(found, dense);
     let Some(cut) = found.iter().find(acts).map(|found| found.theta) else {
         let occurred: Vec<_> = found
             .iter()
@@ -299,7 +302,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
             self.fired.push((found, (event.function)(self.t, &self.x)));
         }
         observer.event(occurrence);
-        if !event.acts() {
+        if !event.changes() {
             return Ok(());
         }
         search.check_progress(found.index, self.t, self.resolution())?;

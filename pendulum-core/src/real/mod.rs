@@ -78,6 +78,14 @@ pub trait Real:
     /// It differs from `f64::signum` because a friction law such as `-mu * signum(qd)` must vanish at rest.
     fn signum(self) -> Self;
 
+    /// The larger of two numbers; `self` if they are equal, or if it is NaN.
+    ///
+    /// It differs from `f64::max`, which would hide a NaN.
+    fn at_least(self, low: Self) -> Self;
+
+    /// The smaller of two numbers; `self` if they are equal, or if it is NaN.
+    fn at_most(self, high: Self) -> Self;
+
     /// The angle of the point `(x, self)`, in radians in (-pi, pi].
     fn atan2(self, x: Self) -> Self;
 

@@ -50,6 +50,16 @@ macro_rules! scalar {
                 }
             }
 
+            #[inline]
+            fn at_least(self, low: Self) -> Self {
+                if self < low { low } else { self }
+            }
+
+            #[inline]
+            fn at_most(self, high: Self) -> Self {
+                if self > high { high } else { self }
+            }
+
             // An instruction, where there is one; the bits are the same, since roots are rounded correctly.
             #[cfg(feature = "std")]
             forward!($float::sqrt, sqrt() -> Self);

@@ -125,6 +125,9 @@ impl Writer<'_> {
             Term::Unary(Unary::Sign, a) => (self.call("pendulum_signum", &[a]), Atom),
             Term::Unary(op, a) => (self.call_platform(op.spelling(), &[a]), Atom),
             Term::Binary(Binary::Atan2, a, b) => (self.call_platform("atan2", &[a, b]), Atom),
+            Term::Binary(op @ (Binary::Max | Binary::Min), a, b) => {
+                (self.call(&format!("pendulum_{}", op.spelling()), &[a, b]), Atom)
+            }
             Term::Binary(op, a, b) => {
                 let (own, right) = match op {
                     Binary::Add | Binary::Sub => (Sum, Product),

@@ -182,7 +182,7 @@ impl Writer<'_> {
                 let (left, right, own) = match op {
                     Binary::Add | Binary::Sub => (Sum, Product, Sum),
                     Binary::Mul | Binary::Div => (Product, Precedence::Unary, Product),
-                    Binary::Atan2 => (Atom, Sum, Atom),
+                    Binary::Atan2 | Binary::Max | Binary::Min => (Atom, Sum, Atom),
                 };
                 let (a, b) = (self.within(a, left), self.within(b, right));
                 let tokens = match op {
@@ -191,6 +191,8 @@ impl Writer<'_> {
                     Binary::Mul => quote!(#a * #b),
                     Binary::Div => quote!(#a / #b),
                     Binary::Atan2 => quote!(#a.atan2(#b)),
+                    Binary::Max => quote!(#a.at_least(#b)),
+                    Binary::Min => quote!(#a.at_most(#b)),
                 };
                 (tokens, own)
             }

@@ -48,7 +48,8 @@ impl Items<'_> {
             "The names of the components of all outputs.",
             &program.outputs,
         );
-        let events = names_of("EVENTS", "The names of the events.", &program.events);
+        let events: Vec<String> = program.events.iter().map(|event| event.name.clone()).collect();
+        let events = names_of("EVENTS", "The names of the events.", &events);
         let drives = names_of("DRIVES", "The bodies whose joints are driven.", &program.drives);
         let limits = self.limits();
         let repaired = names_of(

@@ -203,9 +203,13 @@ impl Items<'_> {
         if events.is_empty() {
             return None;
         }
-        let plain = || events.iter().map(|event| event.trim_start_matches("r#"));
+        let plain = || events.iter().map(|event| event.name.trim_start_matches("r#"));
         let names: Vec<Ident> = plain().map(|event| format_ident!("{event}_event")).collect();
-        let values = events.iter().map(|event| format_ident!("{event}"));
+        let events = events.iter().map(|event| {
+            let value = format_ident!("{}", event.name);
+            let restart = event.is_kink.then(|| quote!(.restart()));
+            quote!(::pendulum_core::Event::new(|t, x| self.#value(t, x)) #restart)
+        });
         let docs = plain().map(|event| {
             format!("Event `{event}`: each zero of the function [`{event}`](Self::{event}), in both directions.")
         });
@@ -214,7 +218,7 @@ impl Items<'_> {
                 #(
                     #[doc = #docs]
                     pub fn #names(&self) -> ::pendulum_core::Event<'_, T, #length> {
-                        ::pendulum_core::Event::new(|t, x| self.#values(t, x))
+                        #events
                     }
                 )*
 

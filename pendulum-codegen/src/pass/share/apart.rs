@@ -97,9 +97,9 @@ impl<'g> Apart<'g> {
                 let divisor = self.unsigned(b);
                 (self.parts.item(Item::Quotient(numerator, divisor), false), negative)
             }
-            Node::Binary(Binary::Atan2, a, b) => {
+            Node::Binary(op @ (Binary::Atan2 | Binary::Max | Binary::Min), a, b) => {
                 let (a, b) = (self.unsigned(a), self.unsigned(b));
-                (self.parts.item(Item::Atan2(a, b), false), false)
+                (self.parts.item(Item::Function(op, a, b), false), false)
             }
             Node::Power(a, n) if !is_product(n) => self.power(a, n),
             Node::Binary(Binary::Mul | Binary::Div, ..) | Node::Power(..) => {

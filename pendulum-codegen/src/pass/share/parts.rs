@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::expr::{ExprId, Rational, Unary};
+use crate::expr::{Binary, ExprId, Rational, Unary};
 
 /// The number of an item.
 pub(super) type Ref = usize;
@@ -18,7 +18,8 @@ pub(super) enum Item {
     Product(Vec<Operand>),
     Unary(Unary, Ref),
     Quotient(Ref, Ref),
-    Atan2(Ref, Ref),
+    /// A function of two: no operator.
+    Function(Binary, Ref, Ref),
     Power(Ref, Rational),
 }
 
@@ -83,7 +84,7 @@ impl Parts {
                         stack.extend(operands.iter().map(|(item, _)| *item));
                     }
                     Item::Unary(_, a) | Item::Power(a, _) => stack.push(*a),
-                    Item::Quotient(a, b) | Item::Atan2(a, b) => stack.extend([*a, *b]),
+                    Item::Quotient(a, b) | Item::Function(_, a, b) => stack.extend([*a, *b]),
                 }
             }
         }

@@ -58,7 +58,7 @@ impl<'g> Rebuilding<'g, '_> {
             Item::Leaf(id) => (graph.expr(*id), false),
             Item::Unary(op, a) => (value(a).apply(*op), false),
             Item::Quotient(a, b) => (value(a).exactly(Binary::Div, value(b)), false),
-            Item::Atan2(a, b) => (value(a).combine(Binary::Atan2, value(b)), false),
+            Item::Function(op, a, b) => (value(a).combine(*op, value(b)), false),
             Item::Power(a, n) => (value(a).power(n.clone()), false),
             Item::Sum(operands) => self.build_sum(operands),
             Item::Product(factors) => self.build_product(factors),

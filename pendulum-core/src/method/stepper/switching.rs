@@ -126,7 +126,7 @@ where
     }
 
     /// The states within the last step, before it is cut off.
-    fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T, N>, &mut Statistics) {
+    pub(super) fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T, N>, &mut Statistics) {
         let coefficients = if self.modes.is_dense {
             self.smooth.scheme.coefficients()
         } else {
@@ -144,7 +144,7 @@ where
     }
 
     /// Takes a step again, to the time `t` within it; whether that was possible.
-    fn retake(&mut self, whole: &Step<T, N>, t: T) -> bool {
+    pub(super) fn retake(&mut self, whole: &Step<T, N>, t: T) -> bool {
         if t == self.smooth.last.t1 {
             return true;
         }

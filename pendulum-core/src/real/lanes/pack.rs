@@ -115,6 +115,16 @@ impl<R: Register> Real for Pack<R> {
     }
 
     #[inline]
+    fn at_least(self, low: Self) -> Self {
+        self.zip(low, Real::at_least)
+    }
+
+    #[inline]
+    fn at_most(self, high: Self) -> Self {
+        self.zip(high, Real::at_most)
+    }
+
+    #[inline]
     fn atan2(self, x: Self) -> Self {
         self.zip(x, Real::atan2)
     }

@@ -60,6 +60,18 @@ static inline double pendulum_abs(double x) {
     return x > 0.0 ? x : 0.0 - x;
 }
 
+//! pendulum_max
+// The larger of two; the left one if they are equal, or if it is NaN.
+static inline double pendulum_max(double a, double b) {
+    return a < b ? b : a;
+}
+
+//! pendulum_min
+// The smaller of two; the left one if they are equal, or if it is NaN.
+static inline double pendulum_min(double a, double b) {
+    return a > b ? b : a;
+}
+
 //! pendulum_signum
 // The sign: -1, 0 or 1. Zeros and NaN are returned as they are.
 static inline double pendulum_signum(double x) {
