@@ -14,7 +14,7 @@ fuzz_target!(|bytes: &[u8]| -> Corpus {
     if let Err(errors) = pendulum_codegen::program(tokens.clone()) {
         assert!(errors.iter().next().is_some(), "refused without an error");
         for error in errors.iter() {
-            assert!(error.to_string().contains("\nhelp: "), "no help: {error}");
+            assert!(error.to_string().contains("]\nhelp: "), "no code, or no help: {error}");
         }
     }
     let items = pendulum_codegen::expand(tokens).to_string();

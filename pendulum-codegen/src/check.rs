@@ -3,7 +3,7 @@
 use rustc_hash::FxHashSet;
 
 use crate::dynamics::{Dynamics, Entries, derived};
-use crate::error::Errors;
+use crate::error::{Code, Errors};
 use crate::expr::{ExprId, Normalizer, SymbolKind, vanishing_pivot};
 use crate::lower::Spans;
 use crate::model::{CoordinateId, Model};
@@ -45,7 +45,7 @@ pub(crate) fn check(
                  check where its mass and its axis are"
             )
         };
-        errors.at(spans.bodies[n], fact, help);
+        errors.at(Code::SingularMassMatrix, spans.bodies[n], fact, help);
     }
     report_walls(model, spans, &mut errors);
     if errors.is_empty() {
@@ -71,6 +71,7 @@ fn report_walls(model: &Model<'_>, spans: &Spans, errors: &mut Errors) {
                 wall.name
             );
             errors.at(
+                Code::NoGap,
                 span,
                 fact,
                 "build it from coordinates, or from points of bodies that move by themselves",
@@ -118,7 +119,7 @@ fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'
             let fact = format_args!("{kind} `{name}` changes nothing");
             let help =
                 "it drops out of the equations of motion: remove it, or check the axes and points where it is used";
-            errors.at(*span, fact, help);
+            errors.at(Code::Unused, *span, fact, help);
         }
     }
 }

@@ -45,5 +45,5 @@ mod urdf;
 mod words;
 
 pub use emit::c::{Sources, c, opencl};
-pub use error::Errors;
+pub use error::{Code, Errors};
 pub use files::{expand, expand_in, program, program_in};

@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use crate::ast::Scene;
 use crate::dynamics::Dynamics;
 use crate::emit::rust;
-use crate::error::Errors;
+use crate::error::{Code, Errors};
 use crate::expr::Graph;
 use crate::lower::Lowered;
 use crate::program::{NotFinite, Program};
@@ -51,6 +51,6 @@ fn compile(scene: &mut Scene, files: &Files<'_>, mut errors: Errors) -> Result<P
     Program::new(&model, &dynamics).map_err(|NotFinite(constant)| {
         let fact = format!("the constant `{constant}` has no finite value in double precision");
         let help = "choose other units or other numbers: it overflows, or divides by something that vanishes";
-        Errors::one(scene.head.name.span(), fact, help)
+        Errors::one(Code::NumberRange, scene.head.name.span(), fact, help)
     })
 }

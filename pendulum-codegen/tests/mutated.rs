@@ -16,7 +16,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use pendulum_codegen::{expand, program};
+use pendulum_codegen::{Code, expand, program};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use declarations::declarations;
@@ -177,8 +177,8 @@ fn kind(seed: u64, input: &str) -> Kind {
         if errors.peek().is_none() {
             return Kind::Failure("refused without an error".to_owned());
         }
-        if let Some(error) = errors.find(|error| !error.to_string().contains("\nhelp: ")) {
-            return Kind::Failure(format!("no help: {error}"));
+        if let Some(error) = errors.find(|error| !is_complete(&error.to_string())) {
+            return Kind::Failure(format!("no code, or no help: {error}"));
         }
     }
     if let Err(error) = syn::parse2::<syn::File>(items.clone()) {
@@ -195,6 +195,15 @@ fn kind(seed: u64, input: &str) -> Kind {
         }
     }
     if is_refused { Kind::Refused } else { Kind::Accepted }
+}
+
+/// Whether a message has a code at the end of its first line, and a line with help.
+fn is_complete(message: &str) -> bool {
+    let Some((fact, rest)) = message.split_once('\n') else {
+        return false;
+    };
+    let code = fact.rsplit_once(" [").and_then(|(_, code)| code.strip_suffix(']'));
+    code.is_some_and(|code| Code::ALL.iter().any(|known| known.text() == code)) && rest.starts_with("help: ")
 }
 
 /// The time that this thread has run; where the system does not say, what has passed.

@@ -9,6 +9,7 @@ use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 
 use expect_test::expect_file;
+use pendulum_codegen::Code;
 
 use declarations::declarations;
 
@@ -17,10 +18,7 @@ mod declarations;
 
 #[test]
 fn wrong_declarations_are_explained() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
-    let kinds = paths(&folder);
-    assert!(kinds.iter().all(|kind| kind.is_dir()), "cases stand in folders by kind");
-    let files: Vec<PathBuf> = kinds.iter().flat_map(|kind| paths(kind)).collect();
+    let files = files();
     let (cases, expected): (Vec<_>, Vec<_>) = files
         .iter()
         .partition(|path| path.extension().is_some_and(|e| e == "rs"));
@@ -35,6 +33,30 @@ fn wrong_declarations_are_explained() {
     };
     let wrong: Vec<_> = cases.into_iter().filter(|case| differs(case)).collect();
     assert!(wrong.is_empty(), "{} cases differ: {wrong:#?}", wrong.len());
+}
+
+#[test]
+fn each_code_has_a_case() {
+    let expected = files()
+        .into_iter()
+        .filter(|path| path.extension().is_some_and(|e| e == "stderr"));
+    let all: String = expected
+        .map(|path| fs::read_to_string(path).expect("messages"))
+        .collect();
+    let without: Vec<&str> = Code::ALL
+        .iter()
+        .map(|code| code.text())
+        .filter(|code| !all.contains(&format!(" [{code}]\n")))
+        .collect();
+    assert!(without.is_empty(), "no case has the codes {without:?}");
+}
+
+/// Cases and their expected messages.
+fn files() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
+    let kinds = paths(&folder);
+    assert!(kinds.iter().all(|kind| kind.is_dir()), "cases stand in folders by kind");
+    kinds.iter().flat_map(|kind| paths(kind)).collect()
 }
 
 /// What stands in a folder, in order.

@@ -10,7 +10,7 @@ use super::point::{Declared, square_of};
 use super::scope::Kind;
 use super::written::written;
 use crate::ast::{self, ActionKind, Read};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, SymbolKind, ratio};
 use crate::model::{self, Action, CoordinateId, Point, Push, Requirement};
 use crate::screw::Vec3;
@@ -71,9 +71,8 @@ impl<'g> Lower<'g> {
         let value = self.smooth(e, value, 1, &place, "force")?;
         if !value.is_zero() && !self.has_rates(value) {
             let help = "the force is minus its derivative by the rate: write `c/2*dot(theta)^2` for viscous friction";
-            return Err(self
-                .errors
-                .on(e, "the dissipation depends on no rate, so nothing is lost", help));
+            let fact = "the dissipation depends on no rate, so nothing is lost";
+            return Err(self.errors.on(Code::NoEffect, e, fact, help));
         }
         Ok(Action::Dissipation(value))
     }
@@ -120,7 +119,7 @@ impl<'g> Lower<'g> {
             ),
             _ => format!("push a point: `point middle on {body},` and `force on middle: [fx, fy, fz]`"),
         };
-        Err(self.errors.at(name.span(), fact, help))
+        Err(self.errors.at(Code::WrongKind, name.span(), fact, help))
     }
 
     /// The force on a point, and the number of the body in whose frame it is given.
@@ -203,9 +202,8 @@ impl<'g> Lower<'g> {
         let coordinates: Vec<String> = coordinates.map(Ident::to_string).collect();
         if self.points.contains_key(&name.to_string()) {
             let fact = format_args!("`{name}` is a point, not a coordinate");
-            return Err(self
-                .errors
-                .at(name.span(), fact, format_args!("write `force on {name}: [fx, fy, fz]`")));
+            let help = format_args!("write `force on {name}: [fx, fy, fz]`");
+            return Err(self.errors.at(Code::WrongKind, name.span(), fact, help));
         }
         let driven = items
             .bodies
@@ -213,14 +211,17 @@ impl<'g> Lower<'g> {
             .any(|body| body.name == *name && body.fields.motion.is_some());
         if driven {
             let fact = format_args!("the joint of `{name}` is driven, so no force along it changes the motion");
-            return Err(self
-                .errors
-                .at(name.span(), fact, "remove the force, or drive the joint by a `torque`"));
+            let help = "remove the force, or drive the joint by a `torque`";
+            return Err(self.errors.at(Code::NoEffect, name.span(), fact, help));
         }
         let fact = format_args!("no coordinate named `{name}`");
-        Err(self
-            .errors
-            .unknown(name, fact, coordinates.iter().map(String::as_str), &[]))
+        Err(self.errors.unknown(
+            Code::UnknownName,
+            name,
+            fact,
+            coordinates.iter().map(String::as_str),
+            &[],
+        ))
     }
 
     /// Refuses what acts on points that cannot move, or between points of one body.
@@ -228,7 +229,9 @@ impl<'g> Lower<'g> {
         let same = ends.windows(2).any(|pair| pair[0].body == pair[1].body);
         if same && ends[0].moves {
             let fact = "the two points belong to one body, so their distance never changes";
-            return Err(self.errors.at(at.span(), fact, "name points of two bodies"));
+            return Err(self
+                .errors
+                .at(Code::NoEffect, at.span(), fact, "name points of two bodies"));
         }
         if ends.iter().any(|end| end.moves) {
             return Ok(());
@@ -237,7 +240,9 @@ impl<'g> Lower<'g> {
             [_] => format!("`{at}` does not move, so a force on it changes nothing"),
             _ => "neither point moves, so a force between them changes nothing".to_owned(),
         };
-        Err(self.errors.at(at.span(), fact, "name a point of a body that moves"))
+        Err(self
+            .errors
+            .at(Code::NoEffect, at.span(), fact, "name a point of a body that moves"))
     }
 
     fn has_rates(&self, x: Expr<'g>) -> bool {

@@ -9,7 +9,7 @@ use super::motion::Motion;
 use super::order::Hung;
 use super::written::written;
 use crate::ast;
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, Printer};
 use crate::model::{Body, BodyId, Combination, Coordinate, CoordinateId, Heading};
 
@@ -112,6 +112,7 @@ impl<'g> Lower<'g> {
         }
         if let (false, Some(motion)) = (moves, &body.fields.motion) {
             return Err(self.errors.on(
+                Code::Motion,
                 motion,
                 format_args!("the joint of `{name}` is fixed, so it cannot follow a motion"),
                 "remove the motion, or give the joint an axis: `joint: prismatic(x)`",
@@ -119,11 +120,13 @@ impl<'g> Lower<'g> {
         }
         match (moves, &body.fields.coordinate) {
             (true, None) => Err(self.errors.at(
+                Code::JointCoordinate,
                 name.span(),
                 format_args!("the joint of `{name}` moves but has no coordinate"),
                 "add `coordinate: name`, or `motion: e(t)` for a driven joint, or make the joint `fixed`",
             )),
             (false, Some(coordinate)) => Err(self.errors.at(
+                Code::JointCoordinate,
                 coordinate.span(),
                 format_args!("the joint of `{name}` is fixed, so `{coordinate}` cannot change"),
                 "remove the coordinate, or give the joint an axis: `joint: revolute(z)`",
@@ -131,6 +134,7 @@ impl<'g> Lower<'g> {
             (false, None) => {
                 if let Some(stop) = &body.fields.stop {
                     self.errors.on(
+                        Code::NoConstraint,
                         &stop.tokens,
                         format_args!("the joint of `{name}` is fixed, so it needs no stop"),
                         "remove it, or give the joint an axis and a coordinate",
@@ -138,6 +142,7 @@ impl<'g> Lower<'g> {
                 }
                 if let Some(force) = body.fields.acting() {
                     self.errors.on(
+                        Code::NoEffect,
                         force,
                         format_args!("the joint of `{name}` is fixed, so no force can act along it"),
                         "remove it, or give the joint an axis and a coordinate",

@@ -5,7 +5,7 @@ use super::expr::{Only, Place};
 use super::measure::Quantity;
 use super::written::written;
 use crate::ast;
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Binary, Expr, Level, SymbolKind, Unary, ratio};
 use crate::model::{Event, Requirement};
 
@@ -19,7 +19,9 @@ impl<'g> Lower<'g> {
     ) -> Result<Quantity<'g>, Reported> {
         let [x, low, high] = arguments else {
             let fact = format_args!("`clamp` takes 3 arguments, not {}", arguments.len());
-            return Err(self.errors.on(expr, fact, "write `clamp(x, low, high)`"));
+            return Err(self
+                .errors
+                .on(Code::Arguments, expr, fact, "write `clamp(x, low, high)`"));
         };
         let given = [x, low, high].map(|e| self.operation(e, place));
         let [value, from, to] = given;
@@ -40,6 +42,7 @@ impl<'g> Lower<'g> {
         );
         let checked = (to - from, Requirement::Positive);
         self.obeys(
+            Code::OutOfBounds,
             expr,
             checked,
             [&fact, "write `clamp(x, low, high)`, the lower limit first", &rule],

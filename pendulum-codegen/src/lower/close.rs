@@ -10,7 +10,7 @@ use super::expr::Place;
 use super::joint::rotation;
 use super::joint_units::JointUnits;
 use crate::ast::{self, ExprKind, JointKind};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, Level, SymbolKind, ratio};
 use crate::loops::{self, Cause, Closed, Declared, Loop, NoPlane, Open};
 use crate::model::{self, BodyId, Closure, Combination, Coordinate, Loops, Tie, Tree};
@@ -91,7 +91,8 @@ impl<'g> Lower<'g> {
         };
         if let Some(near) = items.bodies.iter().find_map(guesses) {
             let help = "leave it out: `near` says where closed loops are assembled, and there are none";
-            self.errors.on(near, "there is nothing to assemble", help);
+            self.errors
+                .on(Code::LoopCount, near, "there is nothing to assemble", help);
         }
     }
 
@@ -101,14 +102,14 @@ impl<'g> Lower<'g> {
         if let Some(word) = words.into_iter().find(|word| **word == "canonical") {
             let fact = "a scene with loops that have no closed form has no canonical equations: more positions than momenta are in its state";
             let help = "leave out `canonical`, or let other coordinates depend; explicit methods, `Rodas5P` and `Taylor` keep the loops closed";
-            self.errors.at(word.span(), fact, help);
+            self.errors.at(Code::NotGenerated, word.span(), fact, help);
         }
         if let Some(first) = constraints_of(items).first() {
             let fact = "dry friction, stops and walls are not supported in a scene with loops that have no closed form";
             let help = "let other coordinates depend, so that the loops are triangles, or write smooth laws: viscous friction, and a `potential` \
                         in the place of a stop or a wall";
             let help = self.left_out(first, help);
-            self.errors.on(first, fact, help);
+            self.errors.on(Code::NoConstraint, first, fact, help);
         }
     }
 
@@ -153,7 +154,7 @@ impl<'g> Lower<'g> {
             [] => "no loop is closed here: `close a at [..] to b at [..]: revolute(z)`".to_owned(),
             known => format!("write {}", known.join(" or ")),
         };
-        Err(self.errors.on(expr, fact, help))
+        Err(self.errors.on(Code::Arguments, expr, fact, help))
     }
 
     /// Where a coordinate is when the loops are assembled: 0 if left out.
@@ -207,7 +208,7 @@ impl<'g> Lower<'g> {
                 held,
                 "let another coordinate of the loop depend; a `wall` limits anything",
             );
-            self.errors.on(held, fact, help);
+            self.errors.on(Code::NoConstraint, held, fact, help);
         }
     }
 
@@ -237,7 +238,7 @@ impl<'g> Lower<'g> {
         if *owner == closure.ends[1].body {
             let fact = format_args!("`{owner}` is tied to itself");
             let help = "name two bodies: `close coupler at [b, 0, 0] to rocker at [c, 0, 0]: revolute(z)`";
-            return Err(self.errors.at(closure.ends[1].body.span(), fact, help));
+            return Err(self.errors.at(Code::LoopJoint, closure.ends[1].body.span(), fact, help));
         }
         let tie = match self.read(&closure.joint)? {
             JointKind::Revolute(axis) => Tie::Revolute(self.axis(owner, axis)?),
@@ -247,7 +248,7 @@ impl<'g> Lower<'g> {
             _ => {
                 let fact = "no joint of this kind closes a loop";
                 let help = "write `revolute(z)`, `prismatic(x)`, `ball` or `fixed`";
-                return Err(self.errors.at(closure.word.span(), fact, help));
+                return Err(self.errors.at(Code::LoopJoint, closure.word.span(), fact, help));
             }
         };
         let closure_span = closure.word.span();
@@ -337,7 +338,7 @@ impl<'g> Lower<'g> {
                     "write `coordinate: {name} depends near {found:.2}`, or, for the other assembly, let the numbers of all \
                      coordinates of the loop be near that"
                 );
-                return Err(self.errors.at(depends.span(), fact, help));
+                return Err(self.errors.at(Code::AmbiguousLoop, depends.span(), fact, help));
             }
         }
         Ok(())
@@ -355,7 +356,9 @@ impl<'g> Lower<'g> {
         };
         let [a, b] = items.closures[n].ends.each_ref().map(|end| &end.body);
         let fact = format_args!("the loop from `{a}` to `{b}` is closed twice at the same place");
-        Err(self.errors.at(closures[n].1, fact, "leave out one of the two"))
+        Err(self
+            .errors
+            .at(Code::GivenTwice, closures[n].1, fact, "leave out one of the two"))
     }
 }
 

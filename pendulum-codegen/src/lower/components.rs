@@ -7,7 +7,7 @@ use super::expr::Place;
 use super::measure::{Measure, Quantity};
 use super::scope::Kind;
 use crate::ast;
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, SymbolKind};
 use crate::model::Coordinate;
 
@@ -118,7 +118,7 @@ impl<'g> Lower<'g> {
                 let fact = format_args!("{} has no `{axis}`", components.kind.one());
                 let known = components.values.iter().map(|(axis, _)| *axis);
                 let help = format!("write {}", listed(known, |axis| format!("{name}.{axis}")));
-                Err(self.errors.at(axis.span(), fact, help))
+                Err(self.errors.at(Code::UnknownName, axis.span(), fact, help))
             }
         })
     }
@@ -148,7 +148,7 @@ impl<'g> Lower<'g> {
                 Some(Kind::Coordinate) => format!("write `dot({name})`"),
                 _ => "name the `orientation` of a ball or free joint".to_owned(),
             };
-            return Err(self.errors.at(name.span(), fact, help));
+            return Err(self.errors.at(Code::WrongKind, name.span(), fact, help));
         };
         let found = components.rates.iter().find(|(known, _)| axis == known);
         let [_, measure] = components.measures();
@@ -158,7 +158,7 @@ impl<'g> Lower<'g> {
                 "write {}",
                 listed(AXES.into_iter(), |axis| format!("dot({name}).{axis}"))
             );
-            return Err(self.errors.at(axis.span(), fact, help));
+            return Err(self.errors.at(Code::UnknownName, axis.span(), fact, help));
         };
         let value = self.permit(value, name.span(), place)?;
         Ok(Quantity { value, measure })
@@ -178,7 +178,10 @@ impl<'g> Lower<'g> {
             Kind::Point => listed(AXES.into_iter(), |axis| format!("dot({name}.{axis})")),
             _ => listed(AXES.into_iter(), |axis| format!("dot({name}).{axis}")),
         };
-        Some(self.errors.at(name.span(), fact, format!("write {help}")))
+        Some(
+            self.errors
+                .at(Code::WrongKind, name.span(), fact, format!("write {help}")),
+        )
     }
 }
 

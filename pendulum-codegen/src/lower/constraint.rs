@@ -11,7 +11,7 @@ use super::joint_units::JointUnits;
 use super::measure::Measure;
 use super::written::written;
 use crate::ast::{self, ExprKind};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, Level, Printer, SymbolKind};
 use crate::model::{Action, BodyId, Combination, Constraint, Law, MAX_CONSTRAINTS, Requirement, Rule, Tree};
 
@@ -43,7 +43,7 @@ impl<'g> Lower<'g> {
             let fact = "dry friction, stops and walls are not supported in a scene with ball or free joints";
             let help = "write smooth laws: viscous friction, and a `potential` in the place of a stop or a wall";
             let help = self.left_out(first, help);
-            self.errors.on(first, fact, help);
+            self.errors.on(Code::NoConstraint, first, fact, help);
         }
         if let Some(ninth) = constraints.get(MAX_CONSTRAINTS) {
             let fact = format_args!(
@@ -51,7 +51,7 @@ impl<'g> Lower<'g> {
                 constraints.len()
             );
             let help = self.left_out(ninth, "leave some out, or write smooth laws");
-            self.errors.on(ninth, fact, help);
+            self.errors.on(Code::TooManyConstraints, ninth, fact, help);
         }
     }
 
@@ -88,7 +88,7 @@ impl<'g> Lower<'g> {
             };
             let fact = format_args!("`{name}` has `static_friction`, but no `dry_friction`");
             let help = "add `dry_friction: e`, the friction while it slips, or rename it to that if both are the same";
-            return Err(self.errors.on(at_rest, fact, help));
+            return Err(self.errors.on(Code::Constraint, at_rest, fact, help));
         };
         let slipping = self.positive(kinetic, &place("dry friction"), Requirement::NonNegative);
         let at_rest = fields.static_friction.as_ref();
@@ -100,7 +100,12 @@ impl<'g> Lower<'g> {
             let help = "it takes at least as much to start a motion as to go on: swap the two, or leave it out";
             let rule = format!("the static friction of `{name}` must not be below its dry friction");
             let difference = law.sticking - law.slipping;
-            self.obeys(at_rest, (difference, Requirement::NonNegative), [&fact, help, &rule])?;
+            self.obeys(
+                Code::Constraint,
+                at_rest,
+                (difference, Requirement::NonNegative),
+                [&fact, help, &rule],
+            )?;
         }
         Ok(())
     }
@@ -136,7 +141,7 @@ impl<'g> Lower<'g> {
         } else {
             "write `stop: [low, high]`, the lower limit first".to_owned()
         };
-        self.obeys(&stop.tokens, checked, [&fact, &help, &rule])?;
+        self.obeys(Code::Constraint, &stop.tokens, checked, [&fact, &help, &rule])?;
         (law.low, law.high) = (Some(low), Some(high));
         Ok(())
     }
@@ -158,7 +163,12 @@ impl<'g> Lower<'g> {
             let rule = format!("{} must lie between 0 and 1", place.what);
             for checked in [value, 1 - value] {
                 let fact = format!("{} is {}", place.what, written(e, None));
-                self.obeys(e, (checked, Requirement::NonNegative), [&fact, help, &rule])?;
+                self.obeys(
+                    Code::Constraint,
+                    e,
+                    (checked, Requirement::NonNegative),
+                    [&fact, help, &rule],
+                )?;
             }
             law.restitution = value;
         }
@@ -179,10 +189,12 @@ impl<'g> Lower<'g> {
             // messages of the core have no other word for a constraint
             if coordinates.contains(&name) {
                 let fact = format_args!("`{name}` is a coordinate, and the name of a wall as well");
-                self.errors.at(name.span(), fact, "choose another name");
+                self.errors
+                    .at(Code::NameTaken, name.span(), fact, "choose another name");
             } else if items.walls[..n].iter().any(|other| other.name == *name) {
                 let fact = format_args!("wall `{name}` is declared twice");
-                self.errors.at(name.span(), fact, "rename one of the two");
+                self.errors
+                    .at(Code::NameTaken, name.span(), fact, "rename one of the two");
             }
             walls.extend(self.wall(wall).ok());
         }
@@ -195,7 +207,7 @@ impl<'g> Lower<'g> {
             return Err(wall.unread.unwrap_or_else(|| {
                 let help = format_args!("write `wall {name} {{ gap: tip.y, restitution: 0.5 }}`");
                 self.errors
-                    .at(name.span(), format_args!("wall `{name}` has no gap"), help)
+                    .at(Code::NoGap, name.span(), format_args!("wall `{name}` has no gap"), help)
             }));
         };
         let mut law = self.free();
@@ -247,12 +259,13 @@ impl<'g> Lower<'g> {
     /// Checks a number now, or says what `new` must check: `fact` and `help` are for the first, `rule` for the other.
     pub(super) fn obeys(
         &mut self,
+        code: Code,
         at: &impl ToTokens,
         (value, requirement): (Expr<'g>, Requirement<'g>),
         [fact, help, rule]: [&str; 3],
     ) -> Result<(), Reported> {
         if self.broken_by(value, requirement).is_some() {
-            return Err(self.errors.on(at, fact, help));
+            return Err(self.errors.on(code, at, fact, help));
         }
         if value.level() == Level::Parameter {
             self.rule(Rule {

@@ -9,7 +9,7 @@ use super::measure::Measure;
 use super::scope::Kind;
 use super::written::written;
 use crate::ast::{self, ExprKind, Read};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Definition, Expr, Level, SymbolKind};
 use crate::model::{Coordinate, Input, Parameter};
 use crate::units::Unit;
@@ -68,7 +68,7 @@ impl<'g> Lower<'g> {
                     unit.text
                 );
                 let help = "write an angular rate as `30 turn/s` or `30 rpm`, and a frequency as `30 Hz`";
-                return Err(self.errors.on(default, fact, help));
+                return Err(self.errors.on(Code::UnitMismatch, default, fact, help));
             }
         }
         self.expr(default, &place)

@@ -10,7 +10,7 @@ use proc_macro2::Span;
 use super::Lower;
 use super::measure::{Measure, Quantity};
 use crate::ast::{self, ExprKind, Operator, Vector};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, Level, MOST_POWER, Rational, Symbol, SymbolKind};
 use crate::screw::Vec3;
 use crate::units::Power;
@@ -116,9 +116,8 @@ impl<'g> Lower<'g> {
         let value = quantity.value;
         if value.depth() > MOST_DEPTH {
             let fact = format_args!("{} has more than {MOST_DEPTH} operations in one another", place.what);
-            return Err(self
-                .errors
-                .on(expr, fact, "write it with fewer `let`s that use each other"));
+            let help = "write it with fewer `let`s that use each other";
+            return Err(self.errors.on(Code::TooLong, expr, fact, help));
         }
         if value.level() > place.most {
             let symbols = self.graph.reachable(&[value]).into_iter().map(|id| self.graph.expr(id));
@@ -131,16 +130,15 @@ impl<'g> Lower<'g> {
             } else {
                 "build it from numbers and parameters: it is computed once, when the model is built"
             };
-            return Err(self
-                .errors
-                .on(expr, format_args!("{} may not depend on {on}", place.what), help));
+            let fact = format_args!("{} may not depend on {on}", place.what);
+            return Err(self.errors.on(Code::Dependence, expr, fact, help));
         }
         let double = value.constant();
         let vanishes = double == Some(0.0) && value.as_number().is_some() && !value.is_zero();
         if vanishes || double.is_some_and(|value| !value.is_finite()) {
             let fact = format_args!("{} has no value in double precision", place.what);
             let help = "its size must lie between 1e-300 and 1e300";
-            return Err(self.errors.on(expr, fact, help));
+            return Err(self.errors.on(Code::NumberRange, expr, fact, help));
         }
         self.fits(expr, quantity, place);
         Ok(quantity)
@@ -158,9 +156,8 @@ impl<'g> Lower<'g> {
         let value = quantity.value;
         if value.as_number().is_none() && value.constant().is_some_and(|value| !value.is_finite()) {
             let help = "look for a division by zero or the root or logarithm of a negative number";
-            return Err(self
-                .errors
-                .on(expr, format_args!("a part of {} has no finite value", place.what), help));
+            let fact = format_args!("a part of {} has no finite value", place.what);
+            return Err(self.errors.on(Code::Undefined, expr, fact, help));
         }
         Ok(quantity)
     }
@@ -206,7 +203,9 @@ impl<'g> Lower<'g> {
         let ([x, y], measures) = ([left.value, right.value], [left.measure, right.measure]);
         if operator == Operator::Div && y.is_zero() {
             let fact = format_args!("division by zero in {}", place.what);
-            return Err(self.errors.on(b, fact, "the divisor must not be the number 0"));
+            return Err(self
+                .errors
+                .on(Code::Undefined, b, fact, "the divisor must not be the number 0"));
         }
         let (measure, value) = match operator {
             Operator::Add => (self.require_alike([a, b], measures, "added"), x + y),
@@ -231,7 +230,9 @@ impl<'g> Lower<'g> {
         self.require_plain(exponent, given, "a power");
         if x.is_zero() && !n.is_positive() && !n.is_zero() {
             let fact = format_args!("division by zero in {}", place.what);
-            return Err(self.errors.on(expr, fact, "zero has no negative power"));
+            return Err(self
+                .errors
+                .on(Code::Undefined, expr, fact, "zero has no negative power"));
         }
         if !n.is_integer() {
             self.never_negative(base, x, "a power with a fraction", format_args!("abs(x)^({n})"))?;
@@ -256,7 +257,7 @@ impl<'g> Lower<'g> {
             None => Ok(value),
             Some(symbol) => {
                 let fact = format_args!("{} may not depend on `{}`", place.what, symbol.name);
-                Err(self.errors.at(span, fact, place.only.help()))
+                Err(self.errors.at(Code::Dependence, span, fact, place.only.help()))
             }
         }
     }
@@ -266,7 +267,7 @@ impl<'g> Lower<'g> {
         let Some(n) = value.as_number() else {
             let help = "write an integer or a fraction, such as `x^2` or `x^(1/2)`; `exp(b*ln(a))` is a to the power b";
             let fact = format_args!("a power in {} is not a number", place.what);
-            return Err(self.errors.on(given, fact, help));
+            return Err(self.errors.on(Code::Exponent, given, fact, help));
         };
         let small = |n: &BigInt| n.abs().to_i64().is_some_and(|n| n <= MOST_POWER);
         if small(n.numer()) && small(n.denom()) {
@@ -274,7 +275,7 @@ impl<'g> Lower<'g> {
         }
         let fact = format_args!("a power in {} is {n}", place.what);
         let help = format_args!("numerator and denominator go up to {MOST_POWER}; `exp(b*ln(a))` is a to the power b");
-        Err(self.errors.on(given, fact, help))
+        Err(self.errors.on(Code::Exponent, given, fact, help))
     }
 
     /// Refuses a coordinate or a rate where a negative number has no value.
@@ -294,6 +295,6 @@ impl<'g> Lower<'g> {
         };
         let fact = format_args!("{what} has no value where `{x}` is negative");
         let help = format!("write `{instead}`").replace("(x)", &format!("({x})"));
-        Err(self.errors.on(given, fact, help))
+        Err(self.errors.on(Code::Undefined, given, fact, help))
     }
 }

@@ -12,7 +12,7 @@ use super::measure::{Measure, Quantity};
 use super::scope::Kind;
 use super::written::written;
 use crate::ast::{self, ExprKind, Measured, Operator};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Level, ratio};
 use crate::units::{Dimension, Power, Scale, Unit};
 
@@ -26,9 +26,8 @@ impl<'g> Lower<'g> {
     ) -> Result<Quantity<'g>, Reported> {
         if !self.has_units && !unit.dimension.is_one() {
             let help = "leave out the unit; angles may be in `deg` or `turn`";
-            return Err(self
-                .errors
-                .on(e, "there are no units in a scene with `units: none`", help));
+            let fact = "there are no units in a scene with `units: none`";
+            return Err(self.errors.on(Code::UnitMismatch, e, fact, help));
         }
         for name in unit.names() {
             // a name of another dimension cannot be meant where the unit fits
@@ -38,7 +37,7 @@ impl<'g> Lower<'g> {
                 let kind = self.names.kind(name).map_or_else(String::new, Kind::one);
                 let fact = format_args!("`{name}` after a number is a unit, but here it is also {kind}");
                 let help = format_args!("write a product as `2*{name}`, or rename `{name}` to use the unit");
-                return Err(self.errors.on(e, fact, help));
+                return Err(self.errors.on(Code::WrongKind, e, fact, help));
             }
         }
         let Scale { number: scale, pi } = &unit.scale;
@@ -103,7 +102,7 @@ impl<'g> Lower<'g> {
     /// Notes an error of units, in a scene that has any.
     fn misfit(&mut self, e: &ast::Expr, fact: impl Display, help: String) {
         if self.has_units {
-            self.errors.on(e, fact, help);
+            self.errors.on(Code::UnitMismatch, e, fact, help);
         }
     }
 
@@ -139,7 +138,7 @@ impl<'g> Lower<'g> {
             let help = format!("write `{angle} deg` for degrees, or `{angle} rad` if it is meant");
             (format!("{what} is more than a turn: angles are in rad"), help)
         };
-        self.errors.on(e, fact, help);
+        self.errors.on(Code::Degrees, e, fact, help);
     }
 
     /// What to do about a value that is measured in something else than is needed.

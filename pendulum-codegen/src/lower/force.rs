@@ -5,7 +5,7 @@ use super::expr::Place;
 use super::joint_units::JointUnits;
 use super::measure::Quantity;
 use crate::ast;
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, Level, ratio};
 use crate::model::{Requirement, Rule};
 
@@ -97,11 +97,12 @@ impl<'g> Lower<'g> {
         instead: &str,
     ) -> Result<Expr<'g>, Reported> {
         self.expr(stiffness, place).and_then(|value| match value.constant() {
-            Some(number) if number < 0.0 => {
-                Err(self
-                    .errors
-                    .on(stiffness, format_args!("{} is {number}", place.what), instead))
-            }
+            Some(number) if number < 0.0 => Err(self.errors.on(
+                Code::OutOfBounds,
+                stiffness,
+                format_args!("{} is {number}", place.what),
+                instead,
+            )),
             _ => {
                 if value.level() == Level::Parameter {
                     self.for_defaults.push(Rule {

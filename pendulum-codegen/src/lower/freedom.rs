@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use super::Lower;
 use crate::ast::{self, JointKind};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::parse::HINGES;
 
 /// What a joint may lack, and what to do about it.
@@ -40,7 +40,7 @@ impl<'g> Lower<'g> {
         let fact = format_args!("the joint of `{}` does not {what}", body.name);
         let help =
             "`joint: ball` has an `orientation`, `joint: free` a `position` too, and other joints a `coordinate`";
-        Err(self.errors.at(name.span(), fact, help))
+        Err(self.errors.at(Code::JointCoordinate, name.span(), fact, help))
     }
 
     /// What a joint that turns about all axes must have, and what makes no sense there.
@@ -52,7 +52,7 @@ impl<'g> Lower<'g> {
         for (tokens, what, help) in senseless(body, slides) {
             if let Some(tokens) = tokens {
                 let fact = format_args!("the {kind} joint of `{}` {what}", body.name);
-                fits = fits.and(Err(self.errors.on(tokens, fact, help)));
+                fits = fits.and(Err(self.errors.on(Code::FreeRotation, tokens, fact, help)));
             }
         }
         fits
@@ -64,17 +64,16 @@ impl<'g> Lower<'g> {
         let kind = if slides { "free" } else { "ball" };
         let joint = format!("the {kind} joint of `{name}` has an orientation");
         if let Some(depends) = &fields.depends {
-            return self
-                .errors
-                .at(depends.span(), format_args!("{joint}, which cannot depend"), HINGES);
+            let fact = format_args!("{joint}, which cannot depend");
+            return self.errors.at(Code::FreeRotation, depends.span(), fact, HINGES);
         }
         let help = match (&fields.orientation, slides) {
             (Some(_), _) => "leave out `coordinate`",
             (None, true) => "write `orientation: o, position: p`; components are `o.w` and `p.x`",
             (None, false) => "write `orientation: o`; its components are `o.w`, `o.x`, `o.y` and `o.z`",
         };
-        self.errors
-            .at(coordinate.span(), format_args!("{joint}, and not one coordinate"), help)
+        let fact = format_args!("{joint}, and not one coordinate");
+        self.errors.at(Code::FreeRotation, coordinate.span(), fact, help)
     }
 
     fn check_orientation(&mut self, body: &ast::Body) -> Result<(), Reported> {
@@ -100,7 +99,7 @@ impl<'g> Lower<'g> {
                     body.name
                 );
                 let help = "leave it out, or make the joint `free`";
-                Err(self.errors.at(position.span(), fact, help))
+                Err(self.errors.at(Code::JointCoordinate, position.span(), fact, help))
             }
             None if slides && fields.coordinate.is_none() && fields.motion.is_none() => {
                 Err(self.missing(body, POSITION))
@@ -113,7 +112,7 @@ impl<'g> Lower<'g> {
     pub(super) fn missing(&mut self, body: &ast::Body, [what, help]: [&str; 2]) -> Reported {
         body.unread.unwrap_or_else(|| {
             let fact = format_args!("the joint of `{}` has no {what}", body.name);
-            self.errors.at(body.name.span(), fact, help)
+            self.errors.at(Code::JointCoordinate, body.name.span(), fact, help)
         })
     }
 }

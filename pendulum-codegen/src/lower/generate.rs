@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Lower;
 use crate::ast::Items;
+use crate::error::Code;
 use crate::program;
 use crate::words;
 
@@ -25,7 +26,8 @@ impl Lower<'_> {
         };
         if list.is_empty() && items.outputs.is_empty() && items.events.is_empty() {
             let help = "write `generate: [rhs, jacobian, energy]`, or leave it out";
-            self.errors.at(word.span(), "nothing is generated", help);
+            self.errors
+                .at(Code::NotGenerated, word.span(), "nothing is generated", help);
         }
         let words = program::words();
         let mut outputs = BTreeSet::new();
@@ -33,51 +35,53 @@ impl Lower<'_> {
             let name = ident.to_string();
             let Some(&word) = words.iter().find(|word| **word == name) else {
                 let fact = format_args!("`{name}` cannot be generated");
-                self.errors.unknown(ident, fact, words.iter().copied(), words::ROUTINES);
+                self.errors
+                    .unknown(Code::UnknownWord, ident, fact, words.iter().copied(), words::ROUTINES);
                 continue;
             };
             if !outputs.insert(word) {
                 self.errors.at(
+                    Code::GivenTwice,
                     ident.span(),
                     format_args!("`{name}` is listed twice"),
                     "keep one of the two",
                 );
-            } else if word == "parameter_jacobian" && !has.parameters {
-                self.errors.at(
-                    ident.span(),
-                    "there are no parameters to derive by",
-                    "declare the quantities of interest in `params { .. }`; numbers are constants",
-                );
-            } else if word == "drive_forces" && !has.drives {
-                self.errors.at(
-                    ident.span(),
-                    "no joint is driven by the time",
-                    "write a motion with `t`, such as `motion: a*sin(w*t)`, or leave it out",
-                );
-            } else if word == "loop_wrenches" && !has.loops {
-                self.errors.at(
-                    ident.span(),
-                    "no loop is closed",
-                    "tie two bodies by `close a at [..] to b at [..]: revolute(z)`, or leave it out",
-                );
-            } else if word == "canonical" && has.orientations {
-                self.errors.at(
-                    ident.span(),
-                    "a scene with orientations has no canonical equations: angular velocities are the rates of no coordinates",
-                    "leave out `canonical`; explicit methods, `Rodas5P` and `Taylor` put orientations back to unit length",
-                );
-            } else if has.inputs
-                && let Some(what) = motion_under_inputs(word)
-            {
-                self.errors.at(
-                    ident.span(),
-                    format_args!("{what} not known: their law is given after the code is written"),
-                    format_args!("leave out `{word}`, or write the law into a `torque` in place of the input"),
-                );
+            } else if let Some((fact, help)) = hindrance(word, has) {
+                self.errors.at(Code::NotGenerated, ident.span(), fact, help);
             }
         }
         outputs
     }
+}
+
+/// Why a scene does not have a routine, and what to do about it.
+fn hindrance(word: &str, has: Has) -> Option<(String, String)> {
+    let (fact, help) = match word {
+        "parameter_jacobian" if !has.parameters => (
+            "there are no parameters to derive by",
+            "declare the quantities of interest in `params { .. }`; numbers are constants",
+        ),
+        "drive_forces" if !has.drives => (
+            "no joint is driven by the time",
+            "write a motion with `t`, such as `motion: a*sin(w*t)`, or leave it out",
+        ),
+        "loop_wrenches" if !has.loops => (
+            "no loop is closed",
+            "tie two bodies by `close a at [..] to b at [..]: revolute(z)`, or leave it out",
+        ),
+        "canonical" if has.orientations => (
+            "a scene with orientations has no canonical equations: angular velocities are the rates of no coordinates",
+            "leave out `canonical`; explicit methods, `Rodas5P` and `Taylor` put orientations back to unit length",
+        ),
+        _ => {
+            let what = motion_under_inputs(word).filter(|_| has.inputs)?;
+            return Some((
+                format!("{what} not known: their law is given after the code is written"),
+                format!("leave out `{word}`, or write the law into a `torque` in place of the input"),
+            ));
+        }
+    };
+    Some((fact.to_owned(), help.to_owned()))
 }
 
 /// What a word of `generate` asks for that takes the inputs as functions of the time.

@@ -3,7 +3,7 @@
 use super::Lower;
 use super::joint::Geometry;
 use crate::ast;
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::loops::parallel;
 use crate::model::{Body, BodyId, Combination, Heading};
 use crate::screw::{Mat3, Twist, Vec3};
@@ -30,7 +30,7 @@ impl<'g> Lower<'g> {
             };
             let fact = format_args!("the coordinate of `{}` is no angle", body.name);
             let help = "`absolute` is for angles measured from ground; leave it out";
-            return Err(self.errors.at(word.span(), fact, help));
+            return Err(self.errors.at(Code::Absolute, word.span(), fact, help));
         };
         let axis = rest * screw.angular;
         let sign = before.sign_about(axis);
@@ -42,7 +42,7 @@ impl<'g> Lower<'g> {
                 body.name
             );
             let help = "leave out `absolute`; the coordinate is then relative to the parent";
-            return Err(self.errors.at(word.span(), fact, help));
+            return Err(self.errors.at(Code::Absolute, word.span(), fact, help));
         }
         let Some(sign) = sign else {
             let mut heading = Heading::unturned(parent, geometry.placement.rotation);

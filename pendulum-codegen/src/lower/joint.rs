@@ -6,7 +6,7 @@ use super::Lower;
 use super::expr::Place;
 use super::measure::Measure;
 use crate::ast::{self, Axis, ExprKind, JointKind, Measured, Read};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, Level, Printer, ratio};
 use crate::model::{Requirement, Rule};
 use crate::screw::{Mat3, Transform, Twist, Vec3};
@@ -115,7 +115,7 @@ impl<'g> Lower<'g> {
                     let Measured { digits, unit, .. } = &**measured;
                     let fact = format_args!("the pitch of the joint of `{body}` does not say for which angle it is");
                     let help = format_args!("write `{digits} {0}/turn` or `{digits} {0}/rad`", unit.text);
-                    self.errors.on(pitch, fact, help);
+                    self.errors.on(Code::UnitMismatch, pitch, fact, help);
                 }
                 let pitch = self.expr(pitch, &place("pitch").in_unit("m/rad"));
                 let angular = self.axis(body, axis)?;
@@ -133,6 +133,7 @@ impl<'g> Lower<'g> {
                 let direction = if angular.is_zero() { linear } else { angular };
                 let Some(length) = self.inverse_length(body, direction) else {
                     return Err(self.errors.on(
+                        Code::OutOfBounds,
                         tokens,
                         format_args!("the screw of the joint of `{body}` is zero"),
                         "give it a direction to turn about or to slide along",
@@ -155,6 +156,7 @@ impl<'g> Lower<'g> {
                 let (vector, _) = self.direction(given.components.each_ref(), &place)?;
                 let Some(length) = self.inverse_length(body, vector) else {
                     return Err(self.errors.on(
+                        Code::OutOfBounds,
                         &**given,
                         format_args!("the axis of the joint of `{body}` is zero"),
                         "give it a direction; any length will do",

@@ -7,7 +7,7 @@ use super::Lower;
 use super::expr::Place;
 use super::joint::rotation;
 use crate::ast::{Inertia, Properties};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::Expr;
 use crate::model::{Figure, FigureKind, Requirement};
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
@@ -66,7 +66,7 @@ impl<'g> Lower<'g> {
                 let fact =
                     format!("the inertia of `{body}` is one number, but the body turns about more than one axis");
                 let help = "give the principal moments `[ixx, iyy, izz]`, or all six";
-                return Err(self.errors.on(given.tokens, fact, help));
+                return Err(self.errors.on(Code::MassProperties, given.tokens, fact, help));
             }
         }
         Ok((rigid, mass.figures))
@@ -88,6 +88,7 @@ impl<'g> Lower<'g> {
         if let Some(other) = mass.as_ref().or(com).or(inertia) {
             let help = "give either solids, or mass, com and inertia";
             return Err(self.errors.at(
+                Code::MassProperties,
                 other.span(),
                 format_args!("`{owner}` is given by its solids already"),
                 help,
@@ -112,7 +113,8 @@ impl<'g> Lower<'g> {
         let zero = self.graph.zero();
         if let (None, Some(com), None) = (mass, com, unread) {
             let fact = format!("`{owner}` has a centre of mass but no mass");
-            self.errors.on(com, fact, "give it `mass: ..`, or remove `com`");
+            self.errors
+                .on(Code::MassProperties, com, fact, "give it `mass: ..`, or remove `com`");
         }
         let mass = mass
             .as_ref()
@@ -177,6 +179,7 @@ impl<'g> Lower<'g> {
             _ => {
                 let help = "give one number (planar scenes), `[ixx, iyy, izz]`, or `[ixx, iyy, izz, ixy, ixz, iyz]`";
                 Err(self.errors.on(
+                    Code::Arguments,
                     &inertia.tokens,
                     format_args!("the inertia of `{owner}` has {} entries", entries.len()),
                     help,

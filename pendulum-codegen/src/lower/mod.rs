@@ -37,7 +37,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::Span;
 
 use crate::ast::{Items, Read, Scene, Vector};
-use crate::error::{Errors, Reported};
+use crate::error::{Code, Errors, Reported};
 use crate::expr::{Definition, Derivative, Expr, Graph, SymbolKind};
 use crate::model::{BodyId, Coordinate, Figure, Model, Poses, Rule, Tree, along_motion};
 use crate::screw::Vec3;
@@ -248,28 +248,32 @@ impl<'g> Lower<'g> {
         }
         let name = &scene.head.name;
         let is_driven = scene.items.bodies.iter().any(|body| body.fields.motion.is_some());
-        let (fact, help) = if is_driven {
+        let (code, fact, help) = if is_driven {
             (
+                Code::NothingMoves,
                 format!("only driven joints move in `{name}`, so it has no state"),
                 "give one joint a coordinate in place of its motion",
             )
         } else if !scene.items.closures.is_empty() {
             (
+                Code::NothingMoves,
                 format!("closed loops leave nothing in `{name}` that moves by itself"),
                 "close fewer loops, or give one more body a joint whose coordinate does not depend",
             )
         } else if scene.items.bodies.is_empty() {
             (
+                Code::NoScene,
                 format!("`{name}` has no body"),
                 "add `body name on ground { mass: .., joint: .., coordinate: .. }`",
             )
         } else {
             (
+                Code::NothingMoves,
                 format!("nothing in `{name}` can move"),
                 "give one body a joint that is not `fixed`, and a coordinate",
             )
         };
-        self.errors.at(name.span(), fact, help);
+        self.errors.at(code, name.span(), fact, help);
     }
 
     /// Everything must be used. After another error a name may be unused only because its use could not be read.

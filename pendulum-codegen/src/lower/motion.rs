@@ -4,7 +4,7 @@ use super::Lower;
 use super::expr::{Only, Place};
 use super::joint_units::{JointUnits, is_zero};
 use crate::ast;
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Derivative, Expr, Level, Rational, SymbolKind};
 use crate::model::{Combination, Coordinate, CoordinateId, Drive};
 
@@ -84,21 +84,21 @@ impl<'g> Lower<'g> {
             let fact =
                 format_args!("the joint of `{name}` has a motion, so `{coordinate}` is no coordinate of the state");
             let help = "give it either `coordinate: name`, to move by itself, or `motion: e`, to follow the time";
-            self.errors.at(coordinate.span(), fact, help);
+            self.errors.at(Code::JointCoordinate, coordinate.span(), fact, help);
         }
         if law.as_ref().is_ok_and(|&law| !self.coordinates_of(law).is_empty()) {
             return law;
         }
         if let Some(stop) = &body.fields.stop {
             let fact = format_args!("the joint of `{name}` is driven, so no stop can end its motion");
-            self.errors
-                .on(&stop.tokens, fact, "remove the stop, or drive the joint by a `torque`");
+            let help = "remove the stop, or drive the joint by a `torque`";
+            self.errors.on(Code::NoConstraint, &stop.tokens, fact, help);
         }
         if let Some(force) = body.fields.acting() {
             let fact =
                 format_args!("the joint of `{name}` is driven, so no force or friction along it changes the motion");
-            self.errors
-                .on(force, fact, "remove it, or drive the joint by a `torque`");
+            let help = "remove it, or drive the joint by a `torque`";
+            self.errors.on(Code::NoEffect, force, fact, help);
         }
         self.smooth(motion, law?, 2, &place, "acceleration")
     }
@@ -132,8 +132,8 @@ impl<'g> Lower<'g> {
                 "the joint of `{}` follows others, so it has neither dry friction nor stops",
                 body.name
             );
-            self.errors
-                .on(constrained, fact, "give them to a joint that it follows");
+            let help = "give them to a joint that it follows";
+            self.errors.on(Code::NoConstraint, constrained, fact, help);
         }
         let mut sum = Combination::default();
         for &(k, position) in coordinates {
@@ -148,7 +148,7 @@ impl<'g> Lower<'g> {
         if start.level() >= Level::State {
             let fact = format_args!("the motion of `{}` depends on the time and on other joints", body.name);
             let help = "let it follow either; two bodies in a row, one without mass, do both";
-            return Err(self.errors.on(motion, fact, help));
+            return Err(self.errors.on(Code::Motion, motion, fact, help));
         }
         Ok(Motion::Following(sum, start))
     }
@@ -166,20 +166,20 @@ impl<'g> Lower<'g> {
         if let Some(orientation) = self.orientation_of(position).map(str::to_owned) {
             let fact = format_args!("the motion of `{name}` follows the orientation `{orientation}`");
             let help = "the components of a quaternion are no coordinates of joints: let it follow a joint that turns about one axis";
-            return Err(self.errors.on(motion, fact, help));
+            return Err(self.errors.on(Code::Motion, motion, fact, help));
         }
         let slope = Derivative::by(position).of(law);
         let Some(factor) = slope.as_number() else {
             let fact = format_args!("the motion of `{name}` is no sum of coordinates with numbers as factors");
             let help = "a joint follows others as in `-a`, `0.5*a + 0.1` or `a - b`, where `a` and `b` are coordinates";
-            return Err(self.errors.on(motion, fact, help));
+            return Err(self.errors.on(Code::Motion, motion, fact, help));
         };
         // dependent angles are known but for whole turns
         if depends && !factor.is_integer() {
             let leader = position.as_symbol().map_or("", |symbol| &symbol.name);
             let fact = format_args!("`{name}` follows `{leader}`, which depends, by a factor of {factor}");
             let help = "let the factor be a whole number, or let it follow a coordinate without `depends`";
-            return Err(self.errors.on(motion, fact, help));
+            return Err(self.errors.on(Code::Motion, motion, fact, help));
         }
         Ok(factor)
     }
@@ -207,7 +207,7 @@ impl<'g> Lower<'g> {
             ("`abs`, or the root of a square, passes 0", help)
         };
         let fact = format_args!("{} is not smooth where {at}: the {what} jumps there", place.what);
-        Err(self.errors.on(corner, fact, help))
+        Err(self.errors.on(Code::NotSmooth, corner, fact, help))
     }
 }
 

@@ -7,7 +7,7 @@ use super::expr::Place;
 use super::measure::{Measure, Quantity};
 use super::scope::Kind;
 use crate::ast::{self, ExprKind, Measured, Operator};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Binary, Expr, Level, SymbolKind, Unary};
 use crate::units::{self, Dimension, Power};
 use crate::words;
@@ -72,28 +72,29 @@ impl<'g> Lower<'g> {
             Some(Kind::Parameter) => {
                 let fact = format_args!("{} may not depend on `{text}`", place.what);
                 let help = "write a number; a `let` names what depends on parameters";
-                return Err(self.errors.at(name.span(), fact, help));
+                return Err(self.errors.at(Code::Dependence, name.span(), fact, help));
             }
             Some(_) => {
                 let fact = format_args!("`{text}` is used before it is defined");
-                return Err(self
-                    .errors
-                    .at(name.span(), fact, "a `let` may use only what stands before it"));
+                let help = "a `let` may use only what stands before it";
+                return Err(self.errors.at(Code::Circle, name.span(), fact, help));
             }
         }
         let fact = format!("unknown symbol `{text}` in {}", place.what);
         if let Some(coordinate) = self.names.rate_meant(&text) {
             let help = format_args!("write `dot({coordinate})` for the rate of `{coordinate}`");
-            return Err(self.errors.at(name.span(), fact, help));
+            return Err(self.errors.at(Code::UnknownName, name.span(), fact, help));
         }
         if self.body_names.contains(&text) {
             let help = format_args!(
                 "a body is no number: declare a point, `point {text}_end on {text} at [x, y, z],`, or write `rotation({text})`"
             );
-            return Err(self.errors.at(name.span(), fact, help));
+            return Err(self.errors.at(Code::WrongKind, name.span(), fact, help));
         }
         if functions().any(|function| function == text) {
-            return Err(self.errors.at(name.span(), fact, format_args!("write `{text}(x)`")));
+            return Err(self
+                .errors
+                .at(Code::WrongKind, name.span(), fact, format_args!("write `{text}(x)`")));
         }
         let more: &[&str] = match (place.most, place.joint) {
             (Level::State, Some(_)) => &["t", "q", "qd", "pi"],
@@ -101,7 +102,9 @@ impl<'g> Lower<'g> {
             _ => &["pi"],
         };
         let known = self.names.known(|value| value.level() <= place.most, more);
-        Err(self.errors.unknown(name, fact, known, words::SYMBOLS))
+        Err(self
+            .errors
+            .unknown(Code::UnknownName, name, fact, known, words::SYMBOLS))
     }
 
     /// Notes an unknown name that is meant to be of the unit of a number before it, as in `2 N*m` and `9.81 m/s2`.
@@ -125,7 +128,7 @@ impl<'g> Lower<'g> {
         let number = last_measured(before).filter(|_| !is_known)?;
         let help = units::help_in_product(number, is_divisor, &text)?;
         let fact = format_args!("unknown symbol `{text}` in {}", place.what);
-        Some(self.errors.at(name.span(), fact, help))
+        Some(self.errors.at(Code::UnknownUnit, name.span(), fact, help))
     }
 
     /// A function of its arguments.
@@ -169,7 +172,9 @@ impl<'g> Lower<'g> {
         if arguments.len() != count {
             let plural = if count == 1 { "" } else { "s" };
             let fact = format_args!("`{text}` takes {count} argument{plural}, not {}", arguments.len());
-            return Err(self.errors.on(expr, fact, format_args!("write `{form}`")));
+            return Err(self
+                .errors
+                .on(Code::Arguments, expr, fact, format_args!("write `{form}`")));
         }
         let given: Vec<_> = arguments.iter().map(|a| self.operation(a, place)).collect();
         let given: Vec<Quantity<'g>> = given.into_iter().collect::<Result<_, _>>()?;
@@ -192,11 +197,13 @@ impl<'g> Lower<'g> {
     fn no_function(&mut self, name: &Ident, place: &Place<'g>) -> Reported {
         let Some(kind) = self.names.kind(&name.to_string()) else {
             let fact = format_args!("unknown function `{name}` in {}", place.what);
-            return self.errors.unknown(name, fact, functions(), words::FUNCTIONS);
+            return self
+                .errors
+                .unknown(Code::UnknownFunction, name, fact, functions(), words::FUNCTIONS);
         };
         let fact = format_args!("`{name}` is {}, not a function", kind.one());
         let help = format_args!("write `{name}` alone, or `{name}*(..)` for a product");
-        self.errors.at(name.span(), fact, help)
+        self.errors.at(Code::WrongKind, name.span(), fact, help)
     }
 
     /// What a function of given arguments is measured in.
@@ -225,6 +232,7 @@ impl<'g> Lower<'g> {
     fn dot(&mut self, expr: &ast::Expr, arguments: &[ast::Expr], place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
         let [argument] = arguments else {
             return Err(self.errors.on(
+                Code::Arguments,
                 expr,
                 "`dot` takes one quantity",
                 "write `dot(theta)` for the rate of `theta`",
@@ -241,7 +249,7 @@ impl<'g> Lower<'g> {
             {
                 let fact = format_args!("`{point}` does not move, so it has no rate");
                 let help = "leave it out, or name a point of a body that moves";
-                return Err(self.errors.at(point.span(), fact, help));
+                return Err(self.errors.at(Code::NoRate, point.span(), fact, help));
             }
             _ => {}
         }
@@ -272,9 +280,13 @@ impl<'g> Lower<'g> {
             _ => {
                 let fact = format!("`{text}` is not a coordinate, so it has no rate");
                 if text == "q" {
-                    return Err(self.errors.at(name.span(), fact, "write `qd` for a joint's own rate"));
+                    return Err(self
+                        .errors
+                        .at(Code::NoRate, name.span(), fact, "write `qd` for a joint's own rate"));
                 }
-                Err(self.errors.unknown(name, fact, self.names.with_rates(), &[]))
+                Err(self
+                    .errors
+                    .unknown(Code::NoRate, name, fact, self.names.with_rates(), &[]))
             }
         }
     }
@@ -292,11 +304,13 @@ impl<'g> Lower<'g> {
             let fact = format_args!("the rate of `{}` is not known here", symbol.name);
             let help = "accelerations are what the equations give, and inputs come from outside; \
                         the rate of an output is the function `.._rate` of the model";
-            return Err(self.errors.on(given, fact, help));
+            return Err(self.errors.on(Code::NoRate, given, fact, help));
         }
         if value.level() < Level::State {
             let fact = "it does not change, so it has no rate";
-            return Err(self.errors.on(given, fact, "leave it out: its rate is zero"));
+            return Err(self
+                .errors
+                .on(Code::NoRate, given, fact, "leave it out: its rate is zero"));
         }
         Ok(())
     }

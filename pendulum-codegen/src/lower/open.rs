@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span};
 
 use super::Lower;
 use crate::ast::{self, JointKind, Read};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::loops::{Cause, NoPlane};
 use crate::parse::HINGES;
 
@@ -22,7 +22,7 @@ impl<'g> Lower<'g> {
             };
             let fact = format!("{}, but closed loops determine {many}", depend(given));
             let help = "leave out `depends` where a joint moves by itself, or close another loop: `close a at [..] to b at [..]: revolute(z)`";
-            return Err(self.errors.at(word.span(), fact, help));
+            return Err(self.errors.at(Code::LoopCount, word.span(), fact, help));
         }
         if given == needed {
             return Ok(());
@@ -49,7 +49,7 @@ impl<'g> Lower<'g> {
                 first_coordinate(independent).map_or("phi".to_owned(), Ident::to_string)
             )
         };
-        Err(self.errors.at(at, fact, help))
+        Err(self.errors.at(Code::LoopCount, at, fact, help))
     }
 
     /// Reports what keeps a loop open.
@@ -70,7 +70,7 @@ impl<'g> Lower<'g> {
         let [a, b] = closure.ends.each_ref().map(|end| &end.body);
         let fact = format_args!("the loop from `{a}` to `{b}` {}", cause.fact());
         let help = cause.help(&closure.joint, &between(closure, &items.bodies), no_plane);
-        self.errors.at(at, fact, help)
+        self.errors.at(cause.code(), at, fact, help)
     }
 }
 
@@ -148,6 +148,17 @@ fn readable(number: f64) -> String {
 }
 
 impl Cause {
+    fn code(&self) -> Code {
+        match self {
+            Self::TooShort { .. } | Self::AlwaysOpen { .. } | Self::ClosedByChance | Self::NotAssembled { .. } => {
+                Code::OpenLoop
+            }
+            Self::Undecided | Self::Turned { .. } => Code::AmbiguousLoop,
+            Self::AtToggle => Code::SingularLoop,
+            Self::Determines(_) | Self::DeterminesOthers => Code::LoopCount,
+        }
+    }
+
     /// The predicate of the sentence whose subject is the loop.
     fn fact(&self) -> String {
         match *self {

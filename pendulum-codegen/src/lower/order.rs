@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Lower;
 use crate::ast;
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 
 /// A declared body by its number, and the one that carries it: none for ground.
 pub(super) type Hung = (usize, Result<Option<usize>, Reported>);
@@ -35,7 +35,7 @@ impl Lower<'_> {
             if let (true, Ok(parent)) = (hangs_on_itself(&parents, n), &bodies[n].parent) {
                 let fact = format_args!("`{}` hangs on itself", bodies[n].name);
                 let help = "follow the parents: each chain must end on `ground`";
-                circle = Some(self.errors.at(parent.span(), fact, help));
+                circle = Some(self.errors.at(Code::Circle, parent.span(), fact, help));
             }
         }
         order.extend(
@@ -51,10 +51,11 @@ impl Lower<'_> {
         for (n, body) in bodies.iter().enumerate() {
             let (name, span) = (body.name.to_string(), body.name.span());
             if name == "ground" {
-                self.errors.at(span, "`ground` is there already", "choose another name");
+                let fact = "`ground` is there already";
+                self.errors.at(Code::NameTaken, span, fact, "choose another name");
             } else if index.insert(name, n).is_some() {
                 let fact = format_args!("body `{}` is declared twice", body.name);
-                self.errors.at(span, fact, "rename one of the two");
+                self.errors.at(Code::NameTaken, span, fact, "rename one of the two");
             }
         }
         index
@@ -79,7 +80,9 @@ impl Lower<'_> {
             .filter(|name| body.name != name);
         let known: Vec<String> = others.chain(["ground".to_owned()]).collect();
         let fact = format_args!("no body named `{parent}`");
-        Err(self.errors.unknown(parent, fact, known.iter().map(String::as_str), &[]))
+        Err(self
+            .errors
+            .unknown(Code::UnknownName, parent, fact, known.iter().map(String::as_str), &[]))
     }
 }
 

@@ -7,7 +7,7 @@ use super::clamp::saturation;
 use super::expr::{Only, Place};
 use super::scope::Kind;
 use crate::ast::{self, ExprKind, OutputValue};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, Level};
 use crate::model::{Event, FACTS, Output, OutputShape, Poses, places};
 use crate::program;
@@ -59,12 +59,13 @@ impl<'g> Lower<'g> {
                 ] = &arguments[..]
                 else {
                     let fact = "`rotation` takes the name of a body";
-                    return Err(self.errors.on(e, fact, "write `rotation(body)`"));
+                    return Err(self.errors.on(Code::Arguments, e, fact, "write `rotation(body)`"));
                 };
                 let Some(n) = self.body_named(body, bodies)? else {
+                    let fact = "`ground` does not turn";
                     return Err(self
                         .errors
-                        .at(body.span(), "`ground` does not turn", "name a body that moves"));
+                        .at(Code::Arguments, body.span(), fact, "name a body that moves"));
                 };
                 let rotation = poses.rotation(self.placed(Some(n)).flatten());
                 Ok((
@@ -89,6 +90,7 @@ impl<'g> Lower<'g> {
             if value.level() < Level::State {
                 let fact = format_args!("event `{}` never occurs: its function is constant", event.name);
                 self.errors.at(
+                    Code::Unused,
                     event.name.span(),
                     fact,
                     "build it from coordinates, points, rates or the time",
@@ -134,7 +136,8 @@ impl<'g> Lower<'g> {
                     }
                 };
                 let fact = format_args!("{kind} `{ident}` needs the name `{function}`, which {owner} has already");
-                self.errors.at(ident.span(), fact, "choose another name");
+                self.errors
+                    .at(Code::NameTaken, ident.span(), fact, "choose another name");
                 break;
             }
         }

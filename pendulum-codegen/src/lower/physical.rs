@@ -9,7 +9,7 @@ use syn::Ident;
 use super::Lower;
 use super::expr::Place;
 use crate::ast::{self, Inertia};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, Level, Printer, Symbol, SymbolKind};
 use crate::model::{Parameter, Requirement, Rule};
 use crate::screw::Symmetric3;
@@ -38,8 +38,8 @@ impl<'g> Lower<'g> {
             "must not be negative"
         };
         if let Some(number) = self.broken_by(value, requirement) {
-            self.errors
-                .on(at, format_args!("{what} is {number}"), format_args!("it {must}"));
+            let fact = format_args!("{what} is {number}");
+            self.errors.on(Code::OutOfBounds, at, fact, format_args!("it {must}"));
         } else if value.level() == Level::Parameter {
             let name = Printer::new(self.graph).print(value.id());
             self.rule(Rule {
@@ -82,7 +82,7 @@ impl<'g> Lower<'g> {
                             .to_owned(),
                     ),
                 };
-                self.errors.on(&inertia.tokens, fact, help);
+                self.errors.on(Code::NotARigidBody, &inertia.tokens, fact, help);
                 return;
             }
             if value.level() == Level::Parameter {
@@ -116,6 +116,7 @@ impl<'g> Lower<'g> {
                 "the inertia of `{owner}` about its joint is too small: {number} is left about the centre of mass"
             );
             self.errors.on(
+                Code::NotARigidBody,
                 at,
                 fact,
                 "it must be at least the mass times the squared distance of the centre of mass from the axis",
@@ -158,7 +159,8 @@ impl<'g> Lower<'g> {
             }
             if let Some(Ok(default)) = &param.default {
                 let fact = format!("the default of `{}` is refused: {}", parameter.name, rule.text);
-                self.errors.on(default, fact, "give another default, or none");
+                self.errors
+                    .on(Code::RefusedDefault, default, fact, "give another default, or none");
             }
         }
     }

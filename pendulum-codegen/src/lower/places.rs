@@ -2,6 +2,7 @@
 
 use super::Lower;
 use crate::ast;
+use crate::error::Code;
 use crate::model::{FACTS, places};
 
 impl Lower<'_> {
@@ -18,7 +19,8 @@ impl Lower<'_> {
                     "coordinate `{slot}` needs the constant `{constant}` for its place in the state, \
                      but {owner} has that name"
                 );
-                self.errors.at(ident.span(), fact, "rename the coordinate");
+                self.errors
+                    .at(Code::NameTaken, ident.span(), fact, "rename the coordinate");
             }
             taken.extend(own.map(|constant| (constant, format!("`{slot}`"))));
         }

@@ -3,7 +3,7 @@
 use syn::Ident;
 
 use super::Lower;
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, Level, Normalizer, Unary, ratio};
 use crate::model::{Requirement, Rule};
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
@@ -22,6 +22,7 @@ impl<'g> Lower<'g> {
     ) -> Result<SpatialInertia<'g>, Reported> {
         if corners.len() < 3 {
             return Err(self.errors.on(
+                Code::DegenerateSolid,
                 tokens,
                 format_args!("a plate of `{owner}` has {} corners", corners.len()),
                 "a plate needs three corners or more",
@@ -30,6 +31,7 @@ impl<'g> Lower<'g> {
         let numbers: Vec<_> = corners.iter().map(|&(x, y)| x.constant().zip(y.constant())).collect();
         if !may_be_simple(&numbers) {
             return Err(self.errors.on(
+                Code::DegenerateSolid,
                 tokens,
                 format_args!("the sides of a plate of `{owner}` cross or touch"),
                 "list the corners in order around the plate, each once",
@@ -50,6 +52,7 @@ impl<'g> Lower<'g> {
         let [twice_area, x, y, xx, yy, xy] = sums;
         if Normalizer::new(self.graph, BUDGET).is_zero(twice_area) == Ok(true) {
             return Err(self.errors.on(
+                Code::DegenerateSolid,
                 tokens,
                 format_args!("a plate of `{owner}` has no area"),
                 "list the corners in order around the plate, each once",

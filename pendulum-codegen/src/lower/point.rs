@@ -10,7 +10,7 @@ use super::expr::Place;
 use super::measure::{Measure, Quantity};
 use super::scope::Kind;
 use crate::ast;
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, SymbolKind};
 use crate::model::{self, BodyId};
 use crate::screw::Vec3;
@@ -115,14 +115,13 @@ impl<'g> Lower<'g> {
         let text = name.to_string();
         if let (Some(kind), Some(owner)) = (self.names.kind(&text), self.owner(name, bodies)) {
             let fact = format_args!("`{name}` is {}, not a body", kind.one());
-            return Err(self
-                .errors
-                .at(name.span(), fact, format_args!("write `{owner}`, to which it belongs")));
+            let help = format_args!("write `{owner}`, to which it belongs");
+            return Err(self.errors.at(Code::WrongKind, name.span(), fact, help));
         }
         let known: Vec<String> = bodies.iter().map(|body| body.name.to_string()).collect();
         let known = known.iter().map(String::as_str).chain(["ground"]);
         let fact = format_args!("no body named `{name}`");
-        Err(self.errors.unknown(name, fact, known, &[]))
+        Err(self.errors.unknown(Code::UnknownName, name, fact, known, &[]))
     }
 
     /// The body to which a point belongs, or what its joint has: a coordinate, an orientation or a position.
@@ -155,19 +154,21 @@ impl<'g> Lower<'g> {
         if let Some(kind) = self.names.kind(&text) {
             let fact = format_args!("`{text}` is {}, not a point", kind.one());
             let help = format_args!("declare a point: `point {text}_end on body at [x, y, z],`");
-            return Err(self.errors.at(name.span(), fact, help));
+            return Err(self.errors.at(Code::WrongKind, name.span(), fact, help));
         }
         let fact = format_args!("no point named `{text}`");
         if text == "ground" || self.body_names.contains(&text) {
             let help = format_args!("a body is no point: declare one, `point {text}_end on {text} at [x, y, z],`");
-            return Err(self.errors.at(name.span(), fact, help));
+            return Err(self.errors.at(Code::WrongKind, name.span(), fact, help));
         }
         let known: Vec<String> = self.points.keys().cloned().collect();
         if known.is_empty() {
             let help = format_args!("declare it: `point {text} on body at [x, y, z],`");
-            return Err(self.errors.at(name.span(), fact, help));
+            return Err(self.errors.at(Code::UnknownName, name.span(), fact, help));
         }
-        Err(self.errors.unknown(name, fact, known.iter().map(String::as_str), &[]))
+        Err(self
+            .errors
+            .unknown(Code::UnknownName, name, fact, known.iter().map(String::as_str), &[]))
     }
 
     /// `point.x`, `orientation.w` or `position.x`
@@ -185,13 +186,13 @@ impl<'g> Lower<'g> {
         if let Some(kind) = self.names.kind(&point.to_string()).filter(|kind| *kind != Kind::Point) {
             let fact = format_args!("`{point}` is {}, and only points have components", kind.one());
             let help = format_args!("`dot({point})` is the rate of `{point}`; a point `p` has `p.x`, `p.y` and `p.z`");
-            return Err(self.errors.at(point.span(), fact, help));
+            return Err(self.errors.at(Code::WrongKind, point.span(), fact, help));
         }
         let declared = self.point_named(point)?;
         let Some(n) = ["x", "y", "z"].iter().position(|known| axis == known) else {
             let fact = format_args!("a point has no `{axis}`");
             let help = format_args!("write `{point}.x`, `{point}.y` or `{point}.z`");
-            return Err(self.errors.at(axis.span(), fact, help));
+            return Err(self.errors.at(Code::UnknownName, axis.span(), fact, help));
         };
         Ok(Quantity {
             value: self.permit(declared.position[n], point.span(), place)?,
@@ -213,7 +214,7 @@ impl<'g> Lower<'g> {
         let names: Option<Vec<Ident>> = arguments.iter().map(name).collect();
         let Some([first, second]) = names.as_deref().and_then(|names| <&[Ident; 2]>::try_from(names).ok()) else {
             let fact = "`distance` takes the names of two points";
-            return Err(self.errors.on(expr, fact, "write `distance(a, b)`"));
+            return Err(self.errors.on(Code::Arguments, expr, fact, "write `distance(a, b)`"));
         };
         let [a, b] = self.ends([first, second], expr.span())?;
         let square = self.permit(square_of(b.position - a.position), expr.span(), place)?;
@@ -226,7 +227,7 @@ impl<'g> Lower<'g> {
         let ends = [a?, b?];
         if first == second {
             let fact = format_args!("`{first}` stands at both ends");
-            return Err(self.errors.at(span, fact, "name two points"));
+            return Err(self.errors.at(Code::Arguments, span, fact, "name two points"));
         }
         Ok(ends)
     }

@@ -6,7 +6,7 @@ use proc_macro2::Span;
 use syn::Ident;
 
 use super::measure::{Measure, Quantity};
-use crate::error::Errors;
+use crate::error::{Code, Errors};
 use crate::expr::Expr;
 
 /// The names of a scene. Everything that can stand in an expression shares one space of names.
@@ -98,10 +98,10 @@ impl<'g> Names<'g> {
         let (text, span, order) = (ident.to_string(), ident.span(), self.0.len());
         if let Some(meaning) = reserved(&text) {
             let fact = format_args!("`{text}` is a word of the language: {meaning}");
-            errors.at(span, fact, "choose another name");
+            errors.at(Code::NameTaken, span, fact, "choose another name");
         } else if let Some(first) = self.0.get(&text) {
             let fact = format_args!("the name `{text}` is declared twice, first as {}", first.kind.one());
-            errors.at(span, fact, "rename one of the two");
+            errors.at(Code::NameTaken, span, fact, "rename one of the two");
         } else {
             let name = Name {
                 kind,
@@ -221,7 +221,7 @@ impl<'g> Names<'g> {
                 Kind::Let => format!("`let {text}`"),
                 kind => format!("{kind} `{text}`"),
             };
-            errors.at(name.span, format_args!("{what} is never used"), help);
+            errors.at(Code::Unused, name.span, format_args!("{what} is never used"), help);
         }
     }
 }

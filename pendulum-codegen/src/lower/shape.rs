@@ -7,7 +7,7 @@ use syn::Ident;
 use super::Lower;
 use super::mass::Mass;
 use crate::ast;
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 
 impl<'g> Lower<'g> {
     pub(super) fn shapes(&mut self, declared: &[ast::Shape]) -> BTreeMap<String, Result<Mass<'g>, Reported>> {
@@ -16,6 +16,7 @@ impl<'g> Lower<'g> {
             let mass = self.mass(&shape.name, &shape.properties, shape.unread);
             if shapes.insert(shape.name.to_string(), mass).is_some() {
                 self.errors.at(
+                    Code::NameTaken,
                     shape.name.span(),
                     format_args!("shape `{}` is declared twice", shape.name),
                     "rename one of the two",
@@ -42,6 +43,7 @@ impl<'g> Lower<'g> {
         };
         if has_own {
             return Err(self.errors.at(
+                Code::MassProperties,
                 shape.span(),
                 format_args!("`{}` has a shape and mass properties of its own", body.name),
                 "give either the shape, or mass, com and inertia, or solids",
@@ -51,7 +53,9 @@ impl<'g> Lower<'g> {
             Some(mass) => mass.clone().map(Some),
             None => {
                 let fact = format_args!("no shape named `{shape}`");
-                Err(self.errors.unknown(shape, fact, shapes.keys().map(String::as_str), &[]))
+                Err(self
+                    .errors
+                    .unknown(Code::UnknownName, shape, fact, shapes.keys().map(String::as_str), &[]))
             }
         }
     }
@@ -69,6 +73,7 @@ impl<'g> Lower<'g> {
             .filter(|shape| !used.contains(&shape.name.to_string()))
         {
             self.errors.at(
+                Code::Unused,
                 shape.name.span(),
                 format_args!("shape `{}` is never used", shape.name),
                 "remove it, or give it to a body: `body b on ground: shape { .. }`",

@@ -6,7 +6,7 @@ use syn::Ident;
 use super::Lower;
 use super::expr::Place;
 use crate::ast::{self, Read, Solid, SolidKind, Vector};
-use crate::error::Reported;
+use crate::error::{Code, Reported};
 use crate::expr::{Expr, ratio};
 use crate::model::{Figure, FigureKind, Requirement};
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
@@ -28,6 +28,7 @@ impl<'g> Lower<'g> {
             let help =
                 "list one or more, such as `point(m, [0, -l, 0])`, or leave the field out for a body without mass";
             return Err(self.errors.at(
+                Code::Arguments,
                 owner.span(),
                 format_args!("the list of solids of `{owner}` is empty"),
                 help,
@@ -148,6 +149,7 @@ impl<'g> Lower<'g> {
         let length2 = axis.dot(axis);
         if length2.is_zero() {
             return Err(self.errors.at(
+                Code::DegenerateSolid,
                 solid.word.span(),
                 format_args!("{} has no length", solid.what),
                 "give two different ends, or write a disk",

@@ -6,7 +6,7 @@ use syn::{Ident, Token, token};
 use super::token::{colon, identifier, list, parentheses};
 use super::{read, skip_to};
 use crate::ast::{Action, ActionKind, Expr, Read};
-use crate::error::{Errors, at};
+use crate::error::{Code, Errors, at};
 
 /// What follows the word of the item.
 pub(super) fn action(input: ParseStream, word: Ident, errors: &mut Errors) -> syn::Result<Action> {
@@ -35,7 +35,7 @@ fn force(input: ParseStream, errors: &mut Errors) -> syn::Result<ActionKind> {
             let fact = "a force acts along a coordinate, or on a point";
             let help = "write `force theta: e`, or `force on tip: [fx, fy, fz]`; \
                         a moment `m` about the x axis of a body with the orientation `o` is `dissipation: -m*dot(o).x`";
-            return Err(at(name.span(), fact, help));
+            return Err(at(Code::Syntax, name.span(), fact, help));
         }
         colon(input, &name, errors)?;
         return Ok(ActionKind::Along {
@@ -47,11 +47,13 @@ fn force(input: ParseStream, errors: &mut Errors) -> syn::Result<ActionKind> {
     let next = input.fork().parse::<Ident>();
     if next.is_ok_and(|next| next == "at") {
         let help = format!("declare the point: `point tip on {point} at [x, y, z],` and write `{form}`");
-        return Err(at(input.span(), "a force acts on a point by its name", help));
+        let fact = "a force acts on a point by its name";
+        return Err(at(Code::Syntax, input.span(), fact, help));
     }
     if !input.peek(Token![:]) {
         let fact = format_args!("expected a colon after `{point}`");
         return Err(at(
+            Code::Syntax,
             input.span(),
             fact,
             format_args!("write `force on {point}: [fx, fy, fz]`"),
@@ -81,7 +83,7 @@ fn spring(input: ParseStream, word: &Ident, errors: &mut Errors) -> syn::Result<
             Ok([stiffness, length]) => Ok((stiffness, length)),
             Err(_) => {
                 let fact = "a spring has a stiffness and a length at rest";
-                Err(at(span, fact, format_args!("write `{form}`")))
+                Err(at(Code::Arguments, span, fact, format_args!("write `{form}`")))
             }
         }
     })();
@@ -106,7 +108,7 @@ fn between(input: ParseStream, word: &Ident, form: &str, errors: &mut Errors) ->
             // the rest of the item is read no more
             skip_to(input, |input| input.peek(Token![:]));
             let fact = format_args!("a {word} of the scene acts between two points");
-            return Err(at(word.span(), fact, format_args!("write `{form}`")));
+            return Err(at(Code::Syntax, word.span(), fact, format_args!("write `{form}`")));
         };
         Ok(())
     };

@@ -8,7 +8,7 @@ use syn::{bracketed, token};
 use super::expr::recorded;
 use super::token::{brackets, list};
 use crate::ast::{Expr, Vector};
-use crate::error::on;
+use crate::error::{Code, on};
 
 /// An argument of a solid or of a joint.
 pub(super) enum Argument {
@@ -71,7 +71,7 @@ impl Parse for Vector {
             Ok(components) => Ok(Self { components, tokens }),
             Err(_) => {
                 let fact = format!("a vector has three components, not {count}");
-                Err(on(tokens, fact, "write `[x, y, z]`"))
+                Err(on(Code::Arguments, tokens, fact, "write `[x, y, z]`"))
             }
         }
     }

@@ -11,7 +11,7 @@ use super::solid::solids;
 use super::token::{braces, colon, identifier, is_field, list, parentheses, starts_item};
 use super::{End, ITEMS, docs, each, once, skip_to};
 use crate::ast::{Body, BodyFields, Expr, Inertia, Properties, Read, Shape, Vector};
-use crate::error::{Errors, at, on};
+use crate::error::{Code, Errors, at, on};
 use crate::words::{self, Advice, advice};
 
 /// A field that is being read into a `T`, after its name and the colon.
@@ -58,7 +58,7 @@ const BODY_FIELDS: [Row<BodyFields>; 11] = [
         if field.input.peek(Bracket) {
             let help = "along a joint acts one number; a moment `m` about the x axis of a body with the orientation `o` is \
                         `dissipation: -m*dot(o).x,` among the items of the scene";
-            return Err(at(field.key.span(), "a torque is no list", help));
+            return Err(at(Code::Arguments, field.key.span(), "a torque is no list", help));
         }
         field.value(&mut body.torque)
     }),
@@ -118,13 +118,15 @@ fn parent(input: ParseStream, name: &Ident) -> Read<Ident> {
     skip_to(input, |input| input.peek(Brace) || input.peek(Token![:]));
     if name == "on" {
         return Err(at(
+            Code::Syntax,
             name.span(),
             "the body has no name",
             "write `body name on ground { .. }`",
         ));
     }
     let help = format!("write `body {name} on ground {{ .. }}`, or name the body that carries it");
-    Err(at(name.span(), format_args!("body `{name}` hangs on nothing"), help))
+    let fact = format_args!("body `{name}` hangs on nothing");
+    Err(at(Code::Syntax, name.span(), fact, help))
 }
 
 /// `name { fields }`, after the word `shape`
@@ -159,7 +161,7 @@ fn key(input: ParseStream, owner: &Ident, known: &[&'static str], errors: &mut E
     docs(input)?;
     let mut key = input.call(Ident::parse_any).map_err(|e| {
         let help = format_args!("known here: {}", known.join(", "));
-        at(e.span(), "expected a field", help)
+        at(Code::Syntax, e.span(), "expected a field", help)
     })?;
     let text = key.to_string();
     if !known.contains(&text.as_str()) {
@@ -167,14 +169,17 @@ fn key(input: ParseStream, owner: &Ident, known: &[&'static str], errors: &mut E
         let means_field = input.peek(Token![:]) && words::synonym(&text, words::FIELDS).is_some();
         if ITEMS.contains(&text.as_str()) && text != "let" && !means_field {
             let help = format!("write it outside of the braces of `{owner}`");
-            return Err(at(key.span(), format_args!("`{text}` is an item of the scene"), help));
+            let fact = format_args!("`{text}` is an item of the scene");
+            return Err(at(Code::Misplaced, key.span(), fact, help));
         }
         if is_field(&text) {
             let help = "a shape has mass properties only; write it in the braces of a body";
-            return Err(at(key.span(), format_args!("`{text}` is a field of a body"), help));
+            let fact = format_args!("`{text}` is a field of a body");
+            return Err(at(Code::Misplaced, key.span(), fact, help));
         }
         let Advice { meant, help } = advice(&text, known.iter().copied(), words::FIELDS);
-        let error = at(key.span(), format_args!("unknown field `{text}`"), help);
+        let fact = format_args!("unknown field `{text}`");
+        let error = at(Code::UnknownWord, key.span(), fact, help);
         let meant = meant.ok_or_else(|| error.clone())?;
         errors.push(error);
         key = Ident::new(meant, key.span());
@@ -243,7 +248,7 @@ impl Field<'_> {
                 "write `{form}`: the state to start from is given where the scene is solved; \
                  a joint frame that sits elsewhere is `joint: .. {place}`"
             );
-            return Err(at(self.key.span(), fact, help));
+            return Err(at(Code::Syntax, self.key.span(), fact, help));
         }
         let name = identifier(self.input, &format!("the name of {what}"), form)?;
         if self.input.peek(Ident) && !starts_item(self.input) {
@@ -254,17 +259,24 @@ impl Field<'_> {
                 "depends" if self.key == "position" => {
                     let help = "write slides in its place, on bodies without mass, and hinges for the orientation: \
                                 `joint: prismatic(x), coordinate: u depends near 0.3`, and so on";
-                    at(word.span(), format_args!("{what} cannot depend"), help)
+                    let fact = format_args!("{what} cannot depend");
+                    at(Code::FreeRotation, word.span(), fact, help)
                 }
-                "depends" => at(word.span(), format_args!("{what} cannot depend"), HINGES),
+                "depends" => at(
+                    Code::FreeRotation,
+                    word.span(),
+                    format_args!("{what} cannot depend"),
+                    HINGES,
+                ),
                 "near" if self.input.peek(Bracket) => return once(near, self.input.parse()?, &word),
                 "near" => {
                     let fact = format_args!("the guess for {what} has three numbers");
-                    at(word.span(), fact, format_args!("write `{guessed}`"))
+                    at(Code::Arguments, word.span(), fact, format_args!("write `{guessed}`"))
                 }
                 _ => {
                     let fact = format_args!("unexpected `{word}` after the {}", self.key);
-                    at(word.span(), fact, format_args!("write `{form}`, and a comma"))
+                    let help = format_args!("write `{form}`, and a comma");
+                    at(Code::Syntax, word.span(), fact, help)
                 }
             });
         }
@@ -284,7 +296,7 @@ impl Field<'_> {
                     let fact = format_args!("unexpected `{word}` after the coordinate");
                     let help = "it is relative to the parent, or measured from ground with the word `absolute`; \
                                 `depends near 0.3` is for one that closed loops determine";
-                    return Err(at(word.span(), fact, help));
+                    return Err(at(Code::Syntax, word.span(), fact, help));
                 }
             }
         }
@@ -300,7 +312,8 @@ impl Field<'_> {
         };
         let [stiffness, rest] = <[Expr; 2]>::try_from(numbers).map_err(|_| {
             let help = format_args!("write `{form}`");
-            at(span, "a spring has a stiffness and a rest position", help)
+            let fact = "a spring has a stiffness and a rest position";
+            at(Code::Arguments, span, fact, help)
         })?;
         once(&mut body.spring, (stiffness, rest), self.key)
     }
@@ -314,7 +327,8 @@ impl Parse for Inertia {
             Argument::Points(_, tokens) => {
                 let help =
                     "write the six `[ixx, iyy, izz, ixy, ixz, iyz]`, with the off-diagonal entries of the matrix";
-                return Err(on(tokens, "an inertia is not written as a matrix", help));
+                let fact = "an inertia is not written as a matrix";
+                return Err(on(Code::Arguments, tokens, fact, help));
             }
         };
         let tokens = tokens.unwrap_or_else(|| entries[0].tokens.clone());
@@ -328,6 +342,7 @@ impl Parse for Inertia {
             let joint: Option<Ident> = input.parse()?;
             if word != "about" || joint.is_none_or(|joint| joint != "joint") {
                 return Err(at(
+                    Code::Syntax,
                     word.span(),
                     format_args!("unexpected `{word}` after the inertia"),
                     "write `rpy [roll, pitch, yaw]`, `about joint`, or nothing for the centre of mass",

@@ -8,7 +8,7 @@ use syn::{Ident, Token};
 use super::token::{colon, identifier, starts_item};
 use super::{joint, once};
 use crate::ast::{Closure, End, Vector};
-use crate::error::{Errors, at};
+use crate::error::{Code, Errors, at};
 
 const FORM: &str = "close coupler at [b, 0, 0] to rocker at [c, 0, 0]: revolute(z)";
 
@@ -23,7 +23,7 @@ pub(super) fn close(input: ParseStream, word: Ident, errors: &mut Errors) -> syn
         no_place(input, &first)?;
         let span = to.map_or(input.span(), |to| to.span());
         let fact = format_args!("expected `to`, and what `{}` is tied to", first.body);
-        return Err(at(span, fact, format_args!("write `{FORM}`")));
+        return Err(at(Code::Syntax, span, fact, format_args!("write `{FORM}`")));
     }
     let second = end(input)?;
     no_place(input, &second)?;
@@ -32,13 +32,14 @@ pub(super) fn close(input: ParseStream, word: Ident, errors: &mut Errors) -> syn
             "expected a colon and the joint that ties `{}` and `{}`",
             first.body, second.body
         );
-        return Err(at(input.span(), fact, format_args!("write `{FORM}`")));
+        return Err(at(Code::Syntax, input.span(), fact, format_args!("write `{FORM}`")));
     }
     colon(input, &second.body, errors)?;
     let joint = joint::kind(input, &second.body, FORM, &CLOSING)?;
     if input.peek(Ident) && !starts_item(input) {
         let fact = "the joint of a loop has no place of its own";
         return Err(at(
+            Code::Syntax,
             input.span(),
             fact,
             format_args!("the places stand behind the bodies: write `{FORM}`"),
@@ -55,7 +56,7 @@ pub(super) fn close(input: ParseStream, word: Ident, errors: &mut Errors) -> syn
 fn no_place(input: ParseStream, end: &End) -> syn::Result<()> {
     if input.peek(Bracket) {
         let fact = format_args!("expected `at` before the place on `{}`", end.body);
-        return Err(at(input.span(), fact, format_args!("write `{FORM}`")));
+        return Err(at(Code::Syntax, input.span(), fact, format_args!("write `{FORM}`")));
     }
     Ok(())
 }

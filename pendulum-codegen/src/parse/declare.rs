@@ -8,7 +8,7 @@ use syn::{Ident, Token, token};
 use super::token::{braces, brackets, identifier, list, parentheses};
 use super::{docs, read, skip_to};
 use crate::ast::{Event, Expr, Input, Let, Output, OutputValue, Param, Read};
-use crate::error::{Errors, at};
+use crate::error::{Code, Errors, at};
 use crate::units::Unit;
 
 /// The braces of `params { .. }`.
@@ -16,6 +16,7 @@ pub(super) fn params<'a>(input: &ParseBuffer<'a>, errors: &mut Errors) -> syn::R
     let ahead = input.fork();
     if ahead.parse::<Option<Token![:]>>()?.is_some() && ahead.peek(syn::token::Brace) {
         errors.at(
+            Code::Syntax,
             input.span(),
             "`params` takes no colon",
             "write `params { m: kg = 1.0 }`",
@@ -37,13 +38,14 @@ pub(super) fn param(input: ParseStream, errors: &mut Errors) -> syn::Result<Para
     if (input.peek(Token![pub]) || input.peek(Token![let])) && input.peek2(Ident) {
         let word = input.call(Ident::parse_any)?;
         let fact = format_args!("a parameter takes no `{word}`");
-        errors.at(word.span(), fact, "leave it out");
+        errors.at(Code::NotInLanguage, word.span(), fact, "leave it out");
     }
     let name = identifier(input, "the name of a parameter", "name: unit = default")?;
     let unit = unit(input, "parameter", &name, "kg");
     if input.peek(Token![:]) && unit.is_ok() {
         let help = format!("write `{name}: unit = default`");
         errors.at(
+            Code::Syntax,
             input.span(),
             format_args!("expected `=` before the default of `{name}`"),
             help,
@@ -72,7 +74,8 @@ pub(super) fn input(input: ParseStream, docs: Vec<String>, errors: &mut Errors) 
     let unit = unit(input, "input", &name, "N");
     if input.peek(Token![=]) && unit.is_ok() {
         let help = "leave it out: the value is given at each evaluation";
-        errors.at(input.span(), format_args!("input `{name}` has no default"), help);
+        let fact = format_args!("input `{name}` has no default");
+        errors.at(Code::Syntax, input.span(), fact, help);
         skip_to(input, |input| input.peek(Token![,]));
     }
     Ok(Input { docs, name, unit })
@@ -83,14 +86,16 @@ pub(super) fn named_expression(input: ParseStream, errors: &mut Errors) -> syn::
     let name = identifier(input, "a name", "let name = expression")?;
     if input.peek(Token![:]) {
         let help = format!("write `let {name} = ..`; units stand in `params` and at inputs only");
-        errors.at(input.span(), format_args!("`let {name}` takes no unit"), help);
+        let fact = format_args!("`let {name}` takes no unit");
+        errors.at(Code::Syntax, input.span(), fact, help);
         skip_to(input, |input| input.peek(Token![=]) || input.peek(Token![,]));
     }
     let value = if input.parse::<Option<Token![=]>>()?.is_some() {
         read(input, |_| false)
     } else {
         let help = format!("write `let {name} = expression`");
-        let error = at(input.span(), format_args!("expected `=` after `let {name}`"), help);
+        let fact = format_args!("expected `=` after `let {name}`");
+        let error = at(Code::Syntax, input.span(), fact, help);
         skip_to(input, |input| input.peek(Token![,]));
         Err(error)
     };
@@ -110,7 +115,7 @@ pub(super) fn output(input: ParseStream, docs: Vec<String>) -> syn::Result<Outpu
         let list = list(&inner, "[e, e]", |input| input.parse::<Expr>())?;
         if list.is_empty() {
             let fact = format_args!("output `{name}` has no components");
-            return Err(at(span, fact, "list one or more expressions"));
+            return Err(at(Code::Arguments, span, fact, "list one or more expressions"));
         }
         Ok(OutputValue::List(list))
     });
@@ -136,6 +141,7 @@ fn valued<T>(
     } else {
         let help = format_args!("write `{kind} {name}: expression`");
         Err(at(
+            Code::Syntax,
             input.span(),
             format_args!("expected a colon after `{kind} {name}`"),
             help,
@@ -151,6 +157,7 @@ fn unit(input: ParseStream, kind: &str, name: &Ident, such: &str) -> Read<Unit> 
     }
     skip_to(input, |input| input.peek(Token![=]) || input.peek(Token![,]));
     Err(at(
+        Code::MissingUnit,
         name.span(),
         format_args!("{kind} `{name}` has no unit"),
         format_args!("write `{name}: {such}`, or `{name}: 1` for a plain number"),

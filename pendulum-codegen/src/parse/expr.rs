@@ -9,7 +9,7 @@ use syn::{Ident, Lit, Token, token};
 use super::foreign;
 use super::token::{end_of, identifier, list, parentheses, starts_item, unexpected};
 use crate::ast::{Expr, ExprKind, Measured, Operator};
-use crate::error::at;
+use crate::error::{Code, at};
 use crate::expr::{Rational, ratio};
 use crate::units::Unit;
 
@@ -28,7 +28,7 @@ impl Parse for Expr {
             let help = format!(
                 "up to {MOST_TOKENS} tokens and {MOST_NESTING} levels may stand here; name its parts with `let`"
             );
-            return Err(at(input.span(), fact, help));
+            return Err(at(Code::TooLong, input.span(), fact, help));
         }
         let expr = sum(input)?;
         let about = input.cursor().ident().is_some_and(|(word, _)| word == "about");
@@ -230,6 +230,7 @@ fn number(input: ParseStream) -> syn::Result<ExprKind> {
         Lit::Float(n) => (n.base10_digits(), n.suffix()),
         _ => {
             return Err(at(
+                Code::NotInLanguage,
                 literal.span(),
                 "expected a number",
                 "text, characters and booleans have no place in an expression",
@@ -239,10 +240,11 @@ fn number(input: ParseStream) -> syn::Result<ExprKind> {
     let count = digits.bytes().take_while(|digit| !b"eE".contains(digit));
     if count.filter(u8::is_ascii_digit).count() > MOST_DIGITS {
         let help = format!("up to {MOST_DIGITS} may stand here; a double holds 17");
-        return Err(at(literal.span(), "a number has too many digits", help));
+        return Err(at(Code::TooLong, literal.span(), "a number has too many digits", help));
     }
     let number = decimal(digits).ok_or_else(|| {
         at(
+            Code::NumberRange,
             literal.span(),
             "the number is out of range",
             "write a number between 1e-300 and 1e300, or 0",

@@ -8,7 +8,7 @@ use syn::{Lit, Token, token};
 
 use super::token::{is_keyword, parentheses};
 use crate::ast::ExprKind;
-use crate::error::{at, on};
+use crate::error::{Code, at, on};
 use crate::units::{self, Unit};
 use crate::words::{SYMBOLS, synonym};
 
@@ -20,7 +20,8 @@ pub(super) fn no_operand(input: ParseStream) -> syn::Error {
             return is_keyword(&keyword);
         }
         let help = "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0";
-        return at(span, format_args!("`{keyword}` has no place in an expression"), help);
+        let fact = format_args!("`{keyword}` has no place in an expression");
+        return at(Code::NotInLanguage, span, fact, help);
     }
     let (fact, help) = if input.peek(Token![*]) {
         (
@@ -41,7 +42,7 @@ pub(super) fn no_operand(input: ParseStream) -> syn::Error {
             "write a number, a name, a function such as `sin(theta)`, or a formula of these",
         )
     };
-    at(span, fact, help)
+    at(Code::Syntax, span, fact, help)
 }
 
 /// Refuses `f64::sin` and `std::f64::consts::PI`, of which `first` was read.
@@ -61,7 +62,8 @@ pub(super) fn no_path(input: ParseStream, first: &Ident) -> syn::Result<()> {
         Some(sentence) if sentence.contains(' ') => sentence.to_owned(),
         meaning => format!("write `{}` alone", meaning.unwrap_or(&last.to_string())),
     };
-    Err(on(text, "paths have no place in an expression", help))
+    let fact = "paths have no place in an expression";
+    Err(on(Code::NotInLanguage, text, fact, help))
 }
 
 /// Refuses what may follow an operand elsewhere: `theta.sin()`, `3 Nm`.
@@ -80,7 +82,8 @@ pub(super) fn nothing_after(input: ParseStream, kind: &ExprKind, operand: &Token
     {
         let help = units::help_after_number(&number, &unit.to_string());
         let help = help.unwrap_or_else(|| format!("write a product as `{number}*{unit}`, and units as in `90 deg`"));
-        return Err(at(unit.span(), format_args!("`{unit}` is not a unit"), help));
+        let fact = format_args!("`{unit}` is not a unit");
+        return Err(at(Code::UnknownUnit, unit.span(), fact, help));
     }
     Ok(())
 }
@@ -114,7 +117,7 @@ fn method(input: ParseStream, operand: &TokenStream) -> syn::Error {
             "write one name; `dot(theta)` is the rate of `theta`".to_owned(),
         ),
     };
-    on(text, fact, help)
+    on(Code::NotInLanguage, text, fact, help)
 }
 
 /// Refuses letters after a number that are no unit.
@@ -123,9 +126,10 @@ pub(super) fn no_suffix(literal: &Lit, digits: &str, suffix: &str) -> syn::Resul
         return Ok(());
     }
     if let Some(help) = units::help_after_number(&digits, suffix) {
-        return Err(at(literal.span(), format_args!("`{suffix}` is not a unit"), help));
+        let fact = format_args!("`{suffix}` is not a unit");
+        return Err(at(Code::UnknownUnit, literal.span(), fact, help));
     }
     let fact = format_args!("a number takes no suffix `{suffix}`");
     let help = "leave it out: the generated code is generic over the number type";
-    Err(at(literal.span(), fact, help))
+    Err(at(Code::NotInLanguage, literal.span(), fact, help))
 }

@@ -8,7 +8,7 @@ use super::argument::Argument;
 use super::once;
 use super::token::{identifier, list, parentheses, starts_item};
 use crate::ast::{Axis, Expr, Joint, JointKind, Read, Vector};
-use crate::error::{at, on};
+use crate::error::{Code, at, on};
 use crate::words::{self, Advice, advice};
 
 /// The word of a joint, how it is written, and how its arguments are read: none if they do not fit.
@@ -48,7 +48,7 @@ pub(super) fn joint(input: ParseStream, body: &Ident) -> syn::Result<Joint> {
             other => {
                 let fact = format!("unexpected `{other}` after the joint");
                 let Advice { help, .. } = advice(other, ["at", "rpy"], words::AFTER_JOINT);
-                return Err(at(word.span(), fact, help));
+                return Err(at(Code::Syntax, word.span(), fact, help));
             }
         }
     }
@@ -64,7 +64,8 @@ pub(super) fn kind(
 ) -> syn::Result<Read<JointKind>> {
     if input.peek(Bracket) {
         let help = "more axes are more bodies, one on the other and without mass; `ball` turns about all axes";
-        return Err(at(input.span(), "a body has one joint, and not a list", help));
+        let fact = "a body has one joint, and not a list";
+        return Err(at(Code::Arguments, input.span(), fact, help));
     }
     let word = identifier(input, "a joint", form)?;
     let form = JOINTS.into_iter().find(|(known, ..)| word == known);
@@ -85,7 +86,8 @@ fn unknown(word: &Ident, known: &[&'static str]) -> syn::Error {
         Some(_) => advice("", known.iter().copied(), &[]),
         None => advice(&text, known.iter().copied(), words::JOINTS),
     };
-    at(word.span(), format_args!("unknown joint `{word}`"), help)
+    let fact = format_args!("unknown joint `{word}`");
+    at(Code::UnknownWord, word.span(), fact, help)
 }
 
 fn of_arguments(body: &Ident, word: &Ident, arguments: Vec<JointArgument>, known: &[&'static str]) -> Read<JointKind> {
@@ -106,6 +108,7 @@ fn of_arguments(body: &Ident, word: &Ident, arguments: Vec<JointArgument>, known
     };
     kind.ok_or_else(|| {
         at(
+            Code::Arguments,
             word.span(),
             format_args!("a {word} joint takes other arguments"),
             format_args!("write `{form}`{axis}"),
@@ -158,11 +161,13 @@ impl Arguments<'_> {
         Some(match argument.vector() {
             Ok(vector) => Ok(Axis::Vector(Box::new(vector))),
             Err(Argument::Scalar(e)) => Err(on(
+                Code::Arguments,
                 e,
                 format_args!("the joint of `{}` has no such axis", self.body),
                 "an axis is x, y, z, -x, -y, -z or a vector `[x, y, z]`",
             )),
             Err(_) => Err(at(
+                Code::Arguments,
                 self.word.span(),
                 format_args!("the axis of the joint of `{}` is no vector", self.body),
                 "write `[x, y, z]`",

@@ -25,7 +25,7 @@ use syn::token::Brace;
 use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced};
 
 use crate::ast::{Body, Head, Items, Read, Scene};
-use crate::error::{Errors, Reported, at, on};
+use crate::error::{Code, Errors, Reported, at, on};
 use crate::words::{self, Advice, advice};
 use token::{brackets, colon, identifier, list, starts_known, unexpected};
 
@@ -66,7 +66,7 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     let mut errors = Errors::default();
     if let Some(bracket) = too_deep(tokens.clone()) {
         let help = format!("up to {MOST_LEVELS} levels may stand here; name parts of expressions with `let`");
-        errors.at(bracket, "brackets are nested too deep", help);
+        errors.at(Code::TooLong, bracket, "brackets are nested too deep", help);
         return (None, errors);
     }
     let scene = (|whole: ParseStream| {
@@ -87,7 +87,7 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
                     format!("write `{name} {{ body .. }}`"),
                 ),
             };
-            return Err(at(name.span(), fact, help));
+            return Err(at(Code::NoScene, name.span(), fact, help));
         }
         let inner;
         braced!(inner in input);
@@ -95,7 +95,7 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
         each(&inner, &mut errors, |input, errors| item(input, &mut items, errors));
         if !input.is_empty() {
             let help = "write another `mechanism!` for another scene";
-            errors.at(input.span(), "one declaration holds one scene", help);
+            errors.at(Code::Syntax, input.span(), "one declaration holds one scene", help);
         }
         Ok(Scene { head, items })
     })
@@ -136,35 +136,40 @@ fn too_deep(tokens: TokenStream) -> Option<Span> {
 
 fn head(input: ParseStream) -> syn::Result<Head> {
     let docs = docs(input)?;
-    let vis = input.parse::<Visibility>()?.into_token_stream();
+    let vis = input.parse::<Visibility>().map_err(|error| {
+        let fact = "expected the visibility of the scene";
+        at(Code::Syntax, error.span(), fact, "write `pub`, `pub(crate)` or nothing")
+    })?;
     let (span, ahead) = (input.span(), input.fork().call(Ident::parse_any));
-    if let Ok(word) = ahead {
-        if ITEMS.iter().any(|item| word == item) {
-            let help = "write `mechanism! { pub Name { .. } }`, with the items in the inner braces";
-            return Err(at(span, "the scene has no name", help));
-        }
-        if ["struct", "enum", "mod", "fn", "impl", "type"]
-            .iter()
-            .any(|keyword| word == keyword)
-        {
-            let help = format!("leave out `{word}`: write `pub Name {{ .. }}`");
-            return Err(at(span, "expected the name of the scene", help));
-        }
+    let unnamed = |help: String| at(Code::NoScene, span, "expected the name of the scene", help);
+    let form = "mechanism! { pub DoublePendulum { body .. } }";
+    let word = ahead.map_err(|_| unnamed(format!("write `{form}`")))?;
+    if ITEMS.iter().any(|item| word == item) {
+        let help = "write `mechanism! { pub Name { .. } }`, with the items in the inner braces";
+        return Err(at(Code::NoScene, span, "the scene has no name", help));
     }
-    let name = identifier(
-        input,
-        "the name of the scene",
-        "mechanism! { pub DoublePendulum { body .. } }",
-    )?;
+    if ["struct", "enum", "mod", "fn", "impl", "type"]
+        .iter()
+        .any(|keyword| word == keyword)
+    {
+        return Err(unnamed(format!("leave out `{word}`: write `pub Name {{ .. }}`")));
+    }
+    let name = identifier(input, "the name of the scene", form)?;
     if USED.iter().any(|used| name == used) {
         let fact = format!("`{name}` is a name that the generated code uses itself");
-        return Err(at(span, fact, "choose another name, such as `DoublePendulum`"));
+        let help = "choose another name, such as `DoublePendulum`";
+        return Err(at(Code::NameTaken, span, fact, help));
     }
     if HIDDEN.iter().any(|hidden| name == hidden) {
         let fact = format!("`{name}` would hide the trait of `pendulum_core::prelude`, and its methods with it");
-        return Err(at(span, fact, "choose another name, such as `DoublePendulum`"));
+        let help = "choose another name, such as `DoublePendulum`";
+        return Err(at(Code::NameTaken, span, fact, help));
     }
-    Ok(Head { docs, vis, name })
+    Ok(Head {
+        docs,
+        vis: vis.into_token_stream(),
+        name,
+    })
 }
 
 /// How an item ends.
@@ -251,10 +256,10 @@ fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
             }),
             ..
         }) if path.is_ident("doc") => Ok(text.value()),
-        _ => Err(on(attribute, FACT, HELP)),
+        _ => Err(on(Code::NotInLanguage, attribute, FACT, HELP)),
     };
     let attributes = input.call(Attribute::parse_outer);
-    let attributes = attributes.map_err(|error| at(error.span(), FACT, HELP))?;
+    let attributes = attributes.map_err(|error| at(Code::NotInLanguage, error.span(), FACT, HELP))?;
     attributes.into_iter().map(line).collect()
 }
 
@@ -262,6 +267,7 @@ fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
 fn once<T>(place: &mut Option<T>, value: T, key: &Ident) -> syn::Result<()> {
     if place.is_some() {
         return Err(at(
+            Code::GivenTwice,
             key.span(),
             format_args!("`{key}` is given twice"),
             "keep one of the two",
@@ -333,7 +339,8 @@ fn no_units(input: ParseStream) -> syn::Result<()> {
     let word = identifier(input, "`none`", "units: none")?;
     if word != "none" {
         let help = "leave it out: units are SI; `units: none` is for equations without dimensions";
-        return Err(at(word.span(), format_args!("unknown units `{word}`"), help));
+        let fact = format_args!("unknown units `{word}`");
+        return Err(at(Code::UnknownWord, word.span(), fact, help));
     }
     Ok(())
 }
@@ -349,7 +356,7 @@ fn routines(input: ParseStream) -> syn::Result<Vec<Ident>> {
 fn item_key(input: ParseStream, errors: &mut Errors) -> syn::Result<Ident> {
     let key = input.call(Ident::parse_any).map_err(|e| {
         let help = format_args!("known here: {}", ITEMS.join(", "));
-        at(e.span(), "expected an item of the scene", help)
+        at(Code::Syntax, e.span(), "expected an item of the scene", help)
     })?;
     let text = key.to_string();
     let is_item = ITEMS.contains(&text.as_str());
@@ -365,15 +372,16 @@ fn item_key(input: ParseStream, errors: &mut Errors) -> syn::Result<Ident> {
             _ => "",
         };
         let help = format!("write it in the braces of a body: `body name on ground {{ {text}: .. }}`{between}");
-        return Err(at(key.span(), format_args!("`{text}` is a field of a body"), help));
+        let fact = format_args!("`{text}` is a field of a body");
+        return Err(at(Code::Misplaced, key.span(), fact, help));
     }
     let fact = format!("unknown item `{text}`");
     if input.peek(Token![=]) {
         let help = format!("write `let {text} = ..` to name an expression");
-        return Err(at(key.span(), fact, help));
+        return Err(at(Code::UnknownWord, key.span(), fact, help));
     }
     let Advice { meant, help } = advice(&text, ITEMS, words::ITEMS);
-    let error = at(key.span(), fact, help);
+    let error = at(Code::UnknownWord, key.span(), fact, help);
     let meant = meant.ok_or_else(|| error.clone())?;
     errors.push(error);
     Ok(Ident::new_raw(meant, key.span()).unraw())

@@ -6,7 +6,7 @@ use syn::{Ident, Token, token};
 use super::token::identifier;
 use super::{read, skip_to};
 use crate::ast::{Point, Vector};
-use crate::error::at;
+use crate::error::{Code, at};
 
 /// `name on body at [x, y, z]`, after the word `point`
 pub(super) fn point(input: ParseStream) -> syn::Result<Point> {
@@ -18,6 +18,7 @@ pub(super) fn point(input: ParseStream) -> syn::Result<Point> {
     } else {
         skip_to(input, |input| input.peek(Token![,]));
         Err(at(
+            Code::Syntax,
             name.span(),
             format_args!("point `{name}` belongs to no body"),
             format_args!("write `{form}`, with a body or `ground` behind `on`"),
@@ -26,14 +27,14 @@ pub(super) fn point(input: ParseStream) -> syn::Result<Point> {
     let mut place = None;
     if input.peek(token::Bracket) {
         let fact = format_args!("expected `at` before the place of `{name}`");
-        return Err(at(input.span(), fact, format_args!("write `{form}`")));
+        return Err(at(Code::Syntax, input.span(), fact, format_args!("write `{form}`")));
     }
     if let Some((word, _)) = input.cursor().ident()
         && body.is_ok()
     {
         if word != "at" {
             let fact = format_args!("unexpected `{word}` after the body of `{name}`");
-            return Err(at(word.span(), fact, format_args!("write `{form}`")));
+            return Err(at(Code::Syntax, word.span(), fact, format_args!("write `{form}`")));
         }
         input.parse::<Ident>()?;
         place = Some(read::<Vector>(input, |_| false));

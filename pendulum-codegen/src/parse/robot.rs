@@ -5,7 +5,7 @@ use syn::{Ident, LitStr, Token};
 
 use super::token::{end_of, identifier, parentheses};
 use crate::ast::Robot;
-use crate::error::at;
+use crate::error::{Code, at};
 
 /// `urdf("path", words)`
 pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
@@ -13,12 +13,15 @@ pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
     let help = format!("write `{FORM}`");
     let word = identifier(input, "`urdf`", FORM)?;
     if word != "urdf" {
-        return Err(at(word.span(), format_args!("unknown kind of robot `{word}`"), help));
+        let fact = format_args!("unknown kind of robot `{word}`");
+        return Err(at(Code::UnknownWord, word.span(), fact, help));
     }
-    let inner = parentheses(input)?.ok_or_else(|| at(word.span(), "`urdf` takes the path of a file", &help))?;
-    let path: LitStr = inner
-        .parse()
-        .map_err(|error| at(error.span(), "the path of a URDF file stands in quotes", &help))?;
+    let inner = parentheses(input)?
+        .ok_or_else(|| at(Code::Arguments, word.span(), "`urdf` takes the path of a file", &help))?;
+    let path: LitStr = inner.parse().map_err(|error| {
+        let fact = "the path of a URDF file stands in quotes";
+        at(Code::Syntax, error.span(), fact, &help)
+    })?;
     let mut robot = Robot {
         path: path.value(),
         span: path.span(),
@@ -40,12 +43,13 @@ pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
             ("without", Some(what)) if what == "dry_friction" => robot.without_dry_friction = true,
             ("without", Some(what)) if what == "limits" => {
                 let help = "leave it out: limits are stops only where `limits` stands behind the path";
-                return Err(at(what.span(), "limits are left out anyway", help));
+                return Err(at(Code::UnknownWord, what.span(), "limits are left out anyway", help));
             }
             _ => {
                 let help = "known here: `limits`, which makes stops of the limits of joints, `without dry_friction`, `repair`, \
                      which changes inertias that no body can have, and `strict`, which refuses unknown elements";
-                return Err(at(word.span(), format_args!("unknown word `{word}`"), help));
+                let fact = format_args!("unknown word `{word}`");
+                return Err(at(Code::UnknownWord, word.span(), fact, help));
             }
         }
     }

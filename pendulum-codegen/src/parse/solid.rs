@@ -7,7 +7,7 @@ use syn::parse::{Parse, ParseStream};
 use super::argument::Argument;
 use super::token::{brackets, list, parentheses};
 use crate::ast::{Expr, Read, Solid, SolidKind, Vector};
-use crate::error::{at, on};
+use crate::error::{Code, at, on};
 use crate::words::{self, Advice, advice};
 
 /// The word of a solid, how it is written, and how its arguments after the mass are read: none if they do not fit.
@@ -53,7 +53,7 @@ fn call(input: ParseStream) -> syn::Result<(Ident, Vec<Argument>)> {
     let help = "write one such as `point(m, [0, -l, 0])`";
     let word = input
         .call(Ident::parse_any)
-        .map_err(|e| at(e.span(), "expected a solid", help))?;
+        .map_err(|e| at(Code::Syntax, e.span(), "expected a solid", help))?;
     let known = SOLIDS.into_iter().find(|(known, ..)| word == known);
     let form = known.map_or("point(m, [0, -l, 0])", |(_, form, _)| form);
     let arguments = match parentheses(input)? {
@@ -66,7 +66,8 @@ fn call(input: ParseStream) -> syn::Result<(Ident, Vec<Argument>)> {
 fn solid(owner: &Ident, word: Ident, arguments: Vec<Argument>) -> Read<Solid> {
     let Some((_, form, read)) = SOLIDS.into_iter().find(|(known, ..)| word == known) else {
         let Advice { help, .. } = advice(&word.to_string(), SOLIDS.map(|(known, ..)| known), words::SOLIDS);
-        return Err(at(word.span(), format_args!("unknown solid `{word}`"), help));
+        let fact = format_args!("unknown solid `{word}`");
+        return Err(at(Code::UnknownWord, word.span(), fact, help));
     };
     let mut arguments = Arguments {
         what: format!("a {word} of `{owner}`"),
@@ -75,6 +76,7 @@ fn solid(owner: &Ident, word: Ident, arguments: Vec<Argument>) -> Read<Solid> {
     };
     let wrong = || {
         at(
+            Code::Arguments,
             word.span(),
             format_args!("a {word} takes other arguments"),
             format_args!("write `{form}`"),
@@ -106,7 +108,7 @@ impl Arguments {
         let argument = self.rest.next()?;
         Some(argument.vector().map_err(|other| {
             let fact = format_args!("expected a point in {}", self.what);
-            on(other, fact, "write its three coordinates `[x, y, z]`")
+            on(Code::Arguments, other, fact, "write its three coordinates `[x, y, z]`")
         }))
     }
 
@@ -122,7 +124,8 @@ impl Arguments {
         let corner = |point: Vec<Expr>| {
             <[Expr; 2]>::try_from(point).map_err(|_| {
                 let help = format_args!("write `{}`", self.form);
-                on(&tokens, "a corner of a plate has two coordinates", help)
+                let fact = "a corner of a plate has two coordinates";
+                on(Code::Arguments, &tokens, fact, help)
             })
         };
         let corners = points.into_iter().map(corner).collect();

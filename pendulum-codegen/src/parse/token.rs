@@ -5,7 +5,7 @@ use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, Token, braced, bracketed, parenthesized, token};
 
 use super::ITEMS;
-use crate::error::{Errors, at};
+use crate::error::{Code, Errors, at};
 
 /// The fields of bodies: where one of these words stands, something new begins.
 pub(super) const FIELDS: [&str; 15] = [
@@ -42,6 +42,7 @@ pub(super) fn identifier(input: ParseStream, what: &str, form: &str) -> syn::Res
         return Err(is_keyword(&keyword));
     }
     Err(at(
+        Code::Syntax,
         input.span(),
         format_args!("expected {what}"),
         format_args!("write `{form}`"),
@@ -63,7 +64,8 @@ pub(super) fn is_keyword(word: &Ident) -> syn::Error {
     } else {
         "choose another name".to_owned()
     };
-    at(word.span(), format_args!("`{word}` is a keyword of Rust"), help)
+    let fact = format_args!("`{word}` is a keyword of Rust");
+    at(Code::NameTaken, word.span(), fact, help)
 }
 
 /// The colon after a word. An equals sign in its place is an error after which the reading goes on.
@@ -72,6 +74,7 @@ pub(super) fn colon(input: ParseStream, after: &Ident, errors: &mut Errors) -> s
         return Ok(());
     }
     let error = at(
+        Code::Syntax,
         input.span(),
         format_args!("expected a colon after `{after}`"),
         format_args!("write `{after}: ..`"),
@@ -87,6 +90,7 @@ pub(super) fn colon(input: ParseStream, after: &Ident, errors: &mut Errors) -> s
 pub(super) fn braces<'a>(input: &ParseBuffer<'a>, what: &str, form: &str) -> syn::Result<ParseBuffer<'a>> {
     if !input.peek(token::Brace) {
         return Err(at(
+            Code::Syntax,
             input.span(),
             format_args!("expected {what} in braces"),
             format_args!("write `{form}`"),
@@ -101,7 +105,7 @@ pub(super) fn braces<'a>(input: &ParseBuffer<'a>, what: &str, form: &str) -> syn
 pub(super) fn brackets<'a>(input: &ParseBuffer<'a>, what: &str, form: &str) -> syn::Result<ParseBuffer<'a>> {
     if !input.peek(token::Bracket) {
         let fact = format_args!("expected {what} in square brackets");
-        return Err(at(input.span(), fact, format_args!("write `{form}`")));
+        return Err(at(Code::Syntax, input.span(), fact, format_args!("write `{form}`")));
     }
     let inner;
     bracketed!(inner in input);
@@ -128,7 +132,7 @@ pub(super) fn list<T>(
     while !input.is_empty() {
         if let Some(label) = label(input) {
             let fact = format_args!("`{label}:` has no place here: the order tells the entries apart");
-            return Err(at(label.span(), fact, format_args!("write `{form}`")));
+            return Err(at(Code::Arguments, label.span(), fact, format_args!("write `{form}`")));
         }
         entries.push(entry(input)?);
         if !input.is_empty() && input.parse::<Option<Token![,]>>()?.is_none() {
@@ -176,27 +180,39 @@ pub(super) fn end_of(input: ParseStream) -> syn::Result<()> {
 /// Something stands where a comma or an operator should.
 pub(super) fn unexpected(input: ParseStream) -> syn::Error {
     let mark = input.cursor().punct().map(|(punct, _)| punct.as_char());
-    let (fact, help) = match mark {
-        _ if starts_item(input) => ("expected a comma", "items and entries end in a comma"),
-        _ if input.peek(Token![as]) => ("numbers have one type", "leave out `as`"),
-        Some(';') => ("expected a comma, not a semicolon", "items and entries end in a comma"),
+    let (code, fact, help) = match mark {
+        _ if starts_item(input) => (Code::Syntax, "expected a comma", "items and entries end in a comma"),
+        _ if input.peek(Token![as]) => (Code::NotInLanguage, "numbers have one type", "leave out `as`"),
+        Some(';') => (
+            Code::Syntax,
+            "expected a comma, not a semicolon",
+            "items and entries end in a comma",
+        ),
         Some(':') => (
+            Code::Syntax,
             "a colon has no place here",
             "units stand in `params` and at inputs only",
         ),
         Some('=') if !input.peek(Token![==]) => (
+            Code::Syntax,
             "an equals sign has no place here",
             "it gives a parameter its default and a `let` its value; the state is given where the scene is solved",
         ),
         Some('<' | '>' | '=' | '!') => (
+            Code::NotInLanguage,
             "conditions have no place here",
             "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0",
         ),
-        Some('%' | '&' | '|' | '?' | '@' | '~' | '$') => ("this is not an operator", "operators are + - * / ^"),
+        Some('%' | '&' | '|' | '?' | '@' | '~' | '$') => (
+            Code::NotInLanguage,
+            "this is not an operator",
+            "operators are + - * / ^",
+        ),
         _ => (
+            Code::Syntax,
             "expected a comma or an operator",
             "items end in a comma; products need a `*`, functions parentheses",
         ),
     };
-    at(input.span(), fact, help)
+    at(code, input.span(), fact, help)
 }

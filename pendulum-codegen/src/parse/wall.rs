@@ -8,7 +8,7 @@ use super::expr::recorded;
 use super::token::{braces, brackets, colon, identifier, list, parentheses, starts_item, unexpected};
 use super::{End, docs, each, once};
 use crate::ast::{Expr, Stop, Wall, WallFields};
-use crate::error::{Errors, at};
+use crate::error::{Code, Errors, at};
 use crate::words::{self, Advice, advice};
 
 const FORM: &str = "wall floor { gap: tip.y, restitution: 0.5 }";
@@ -29,10 +29,11 @@ fn field(input: ParseStream, fields: &mut WallFields, errors: &mut Errors) -> sy
     let help = format!("known here: {}", FIELDS.join(", "));
     let mut key = input
         .call(Ident::parse_any)
-        .map_err(|e| at(e.span(), "expected a field", &help))?;
+        .map_err(|e| at(Code::Syntax, e.span(), "expected a field", &help))?;
     if !FIELDS.iter().any(|known| key == known) {
         let Advice { meant, help } = advice(&key.to_string(), FIELDS, words::WALL);
-        let error = at(key.span(), format_args!("unknown field `{key}`"), help);
+        let fact = format_args!("unknown field `{key}`");
+        let error = at(Code::UnknownWord, key.span(), fact, help);
         let meant = meant.ok_or_else(|| error.clone())?;
         errors.push(error);
         key = Ident::new(meant, key.span());
@@ -56,6 +57,7 @@ impl Parse for Stop {
         })?;
         let limits = <[Expr; 2]>::try_from(limits).map_err(|_| {
             at(
+                Code::Arguments,
                 span,
                 "a stop has a lower and an upper limit",
                 format_args!("write `{STOP}`"),
@@ -66,7 +68,7 @@ impl Parse for Stop {
             let word: Ident = input.parse()?;
             if word != "restitution" {
                 let fact = format_args!("unexpected `{word}` after the stop");
-                return Err(at(word.span(), fact, format_args!("write `{STOP}`")));
+                return Err(at(Code::Syntax, word.span(), fact, format_args!("write `{STOP}`")));
             }
             let mut numbers = match parentheses(input)? {
                 Some(inner) => list(&inner, STOP, Expr::parse)?.into_iter(),
@@ -77,6 +79,7 @@ impl Parse for Stop {
                 _ => {
                     let fact = "a restitution is one number, and perhaps the rate below which nothing rebounds";
                     return Err(at(
+                        Code::Arguments,
                         word.span(),
                         fact,
                         format_args!("write `{STOP}`, or `restitution(0.5, 0.01)`"),

@@ -7,7 +7,7 @@ use syn::{Ident, Lit, LitFloat, LitInt, Token, token};
 
 use super::dimension::Power;
 use super::{Dimension, Unit, names};
-use crate::error::at;
+use crate::error::{Code, at};
 use crate::parse::starts_item;
 
 /// The most names of a unit.
@@ -86,22 +86,23 @@ impl Unit {
                 let fact = "expected a unit, not a value";
                 let value = one.to_token_stream().to_string().replace(' ', "");
                 let help = format!("write the unit first, such as `kg = {value}`, or `1 = {value}` for a plain number");
-                return Err(at(one.span(), fact, help));
+                return Err(at(Code::MissingUnit, one.span(), fact, help));
             }
             self.text.push('1');
             return Ok(());
         }
         if input.peek(token::Paren) {
             let help = "a `/` takes the next name only: `N/(m s)` is `N/m/s`";
-            return Err(at(input.span(), "a unit has no parentheses", help));
+            return Err(at(Code::UnknownUnit, input.span(), "a unit has no parentheses", help));
         }
         let Ok(name) = input.parse::<Ident>() else {
             let help = "write an SI unit such as `kg m^2`, `N m s`, `m/s^2`, or `1` for a plain number";
-            return Err(at(input.span(), "expected a unit", help));
+            return Err(at(Code::MissingUnit, input.span(), "expected a unit", help));
         };
         let text = name.to_string();
         if names::dimension(&text).is_none() {
             return Err(at(
+                Code::UnknownUnit,
                 name.span(),
                 format_args!("unknown unit `{text}`"),
                 names::help(&text),
@@ -119,11 +120,12 @@ impl Unit {
     /// A name that was read, and the power after it.
     fn named(&mut self, input: ParseStream, name: &str, span: Span, sign: i32) -> syn::Result<()> {
         let Some((dimension, scale)) = names::meaning(name) else {
-            return Err(at(span, format_args!("unknown unit `{name}`"), names::help(name)));
+            let fact = format_args!("unknown unit `{name}`");
+            return Err(at(Code::UnknownUnit, span, fact, names::help(name)));
         };
         if self.names().count() == MOST_NAMES {
             let fact = format_args!("a unit has more than {MOST_NAMES} names");
-            return Err(at(span, fact, "write powers, such as `m^2`"));
+            return Err(at(Code::UnknownUnit, span, fact, "write powers, such as `m^2`"));
         }
         self.text.push_str(name);
         let power = sign * self.power(input)?;
@@ -142,7 +144,7 @@ impl Unit {
         let exponent = input.parse::<LitInt>().ok().and_then(|n| n.base10_parse::<i32>().ok());
         let power = exponent.filter(|n| (1..=9).contains(n)).ok_or_else(|| {
             let fact = "the power of a unit is not a whole number from 1 to 9";
-            at(span, fact, "write such as `m^2` or `s^-1`")
+            at(Code::UnknownUnit, span, fact, "write such as `m^2` or `s^-1`")
         })?;
         let power = if negative { -power } else { power };
         self.text.push_str(&format!("^{power}"));

@@ -9,6 +9,7 @@ use super::read::Wrong;
 use super::robot::{Joint, Kind, Link, Mimic, Origin, Robot};
 use super::tree::carrier;
 use crate::ast;
+use crate::error::Code;
 use crate::lower::reserved;
 use crate::words;
 
@@ -153,6 +154,7 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
     let is_planar = *kind == Kind::Planar;
     if is_planar && axis.iter().filter(|number| *number == ZERO).count() != 2 {
         wrong.push(Wrong {
+            code: Code::FileJoint,
             fact: format!(
                 "joint `{name}` is `planar`, and its axis {} is none of those of its frame",
                 list(axis)
@@ -165,6 +167,7 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
     for (attribute, force) in [("damping", joint.damping.as_ref()), ("friction", dry)] {
         if force.is_some() {
             wrong.push(Wrong {
+                code: Code::FileJoint,
                 fact: format!(
                     "joint `{name}` is `{word}`, and its `{attribute}` one number for ways that slide and that turn"
                 ),
@@ -174,6 +177,7 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
     }
     if let Some(mimic) = &joint.mimic {
         wrong.push(Wrong {
+            code: Code::FileJoint,
             fact: format!("joint `{name}` is `{word}`, so it cannot mimic `{}`", mimic.joint),
             help: "remove `mimic`, or let the joint turn about an axis or slide along one".to_owned(),
         });
@@ -205,6 +209,7 @@ fn check_reserved(robot: &Robot, replaced: &[Replaced], wrong: &mut Vec<Wrong>) 
         }
         let (body, parent) = (identifier(&joint.child), identifier(&joint.parent));
         wrong.push(Wrong {
+            code: Code::FileNames,
             fact: format!("joint `{coordinate}` has the name of a word of the language: {meaning}"),
             help: format!("write `body {body} on {parent} {{ coordinate: {instead} }}` in the scene, which renames it"),
         });
@@ -347,6 +352,7 @@ fn refused(joint: &Joint, mimic: &Mimic, why: &str, help: &str) -> Wrong {
         "or write `body {body} on {parent} {{ joint: fixed }}` to hold it, `{{ coordinate: .. }}` to let it move"
     );
     Wrong {
+        code: Code::FileJoint,
         fact: format!("joint `{}` mimics {whom}{why}", joint.name),
         help: format!("{help}, {instead}"),
     }

@@ -12,6 +12,7 @@ use super::number::value;
 use super::read::Wrong;
 use super::robot::{Inertial, Joint, Kind, Link, Origin, Robot};
 use super::tree::carrier;
+use crate::error::Code;
 
 /// Below zero by less than this part of their sum, eigenvalues are rounded: files have six digits.
 const ROUNDED: f64 = 1e-6;
@@ -60,6 +61,7 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
             // what the scene gives may carry it
             if group.members.iter().all(|member| !member.given) {
                 wrong.push(Wrong {
+                    code: Code::FileInertia,
                     fact: format!("`{name}` has an inertia, but its mass is 0"),
                     help: "give it its mass in kg".to_owned(),
                 });
@@ -90,6 +92,7 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
             .map_or("ground".to_owned(), |joint| identifier(&joint.parent));
         let give = format!("give `body {name} on {parent} {{ mass: .., com: .., inertia: .. }}` in the scene");
         wrong.push(Wrong {
+            code: Code::FileInertia,
             fact: format!(
                 "no rigid body has the inertia of `{name}`{with}: its principal moments about the centre of mass \
                  break the triangle inequality, by {share} of the second moments of mass"
@@ -115,6 +118,7 @@ fn report_negative(robot: &Robot, replaced: &BTreeMap<&str, &Replaced>, wrong: &
         let mass = inertial.as_ref().map_or(0.0, |inertial| value(&inertial.mass));
         if mass < 0.0 && !replaced.get(&*name).is_some_and(|own| own.weighs) {
             wrong.push(Wrong {
+                code: Code::FileInertia,
                 fact: format!("the mass of `{name}` is {mass}"),
                 help: "it must be positive".to_owned(),
             });

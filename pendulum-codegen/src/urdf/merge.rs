@@ -1,7 +1,7 @@
 //! Bodies of a scene that change bodies of its robot.
 
 use crate::ast::{Body, BodyFields, Joint, JointKind, Properties};
-use crate::error::{Errors, Reported};
+use crate::error::{Code, Errors, Reported};
 use crate::words;
 
 /// The bodies of a scene: those of its robot, changed by those of the same name, and then the others.
@@ -48,7 +48,7 @@ fn check_new(body: &Body, links: &[Body], errors: &mut Errors) -> Option<Reporte
     let help = format_args!(
         "write `body {meant} on {parent} {{ .. }}` to change that link; a new body here has a joint: `joint: fixed`"
     );
-    Some(errors.at(name.span(), fact, help))
+    Some(errors.at(Code::FileChange, name.span(), fact, help))
 }
 
 /// Replaces what `body` names in a link.
@@ -67,7 +67,7 @@ fn change(link: &mut Body, body: Body, errors: &mut Errors) {
         let help = format_args!(
             "write `body {name} on {carrier} {{ .. }}` to change it, or choose another name for a new body"
         );
-        errors.at(parent.span(), fact, help);
+        errors.at(Code::FileChange, parent.span(), fact, help);
     }
     link.name = name;
     link.parent = parent;

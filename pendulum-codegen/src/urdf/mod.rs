@@ -1,6 +1,7 @@
 //! A robot from a URDF file, as bodies of the scene: what the file says is written in the language, and read as if it
 //! stood there.
 
+mod attribute;
 mod declare;
 mod inertia;
 mod massless;
@@ -19,7 +20,7 @@ use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::ast::{self, Body, BodyFields, Scene};
-use crate::error::{Errors, Reported};
+use crate::error::{Code, Errors, Reported};
 use crate::parse;
 use declare::Replaced;
 use names::identifier;
@@ -42,7 +43,7 @@ pub(crate) fn read(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) ->
 fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), Reported> {
     let Some(robot) = &scene.items.robot else { return Ok(()) };
     let (name, span) = (robot.path.clone(), robot.span);
-    let text = files(&name).map_err(|(fact, help)| errors.at(span, fact, help))?;
+    let text = files(&name).map_err(|(fact, help)| errors.at(Code::NoFile, span, fact, help))?;
     let (mut found, mut wrong) = read::read(&text, robot.strict);
     // what it is that cannot be declared is of interest where all could be read
     let mut ignored = Vec::new();
@@ -57,7 +58,7 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
         }
         declared = declare::declare(&found, robot, &replaced, undeclared);
     }
-    let report = |wrong: read::Wrong| errors.at(span, format_args!("`{name}`: {}", wrong.fact), wrong.help);
+    let report = |wrong: read::Wrong| errors.at(wrong.code, span, format_args!("`{name}`: {}", wrong.fact), wrong.help);
     if let Some(reported) = wrong.into_iter().map(report).last() {
         // uses of the coordinates that are known are no errors of their own
         let links = declared
@@ -78,7 +79,7 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     }
     let tokens: TokenStream = declared.parse().map_err(|error| {
         let fact = format_args!("`{name}` has something that is no Rust: {error}");
-        errors.at(span, fact, "look for unusual names and numbers")
+        errors.at(Code::NotUrdf, span, fact, "look for unusual names and numbers")
     })?;
     errors.read_from(span, &name);
     let mut links = parse::bodies(at(span, tokens), errors)?;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::read::Wrong;
 use super::robot::{Joint, Kind, Robot};
+use crate::error::Code;
 use crate::parse::is_identifier;
 
 /// Names that mean something else, and keywords that no raw identifier has.
@@ -60,6 +61,7 @@ pub(super) fn check_names(robot: &Robot, wrong: &mut Vec<Wrong>) {
                 ((what, a), (other, b)) => format!("the {what} `{a}` and the {other} `{b}`"),
             };
             wrong.push(Wrong {
+                code: Code::FileNames,
                 fact: format!("{both} have one name here, `{name}`"),
                 help: "rename one of the two".to_owned(),
             });

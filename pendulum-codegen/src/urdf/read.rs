@@ -4,13 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use roxmltree::{Document, Error, Node};
 
-use super::number::{ZERO, angle, are_zero, is_in_range, is_number, length, number};
+use super::number::{ZERO, angle, are_zero, length};
 use super::robot::{Inertial, Joint, Kind, Link, Mimic, Origin, Robot};
+use crate::error::Code;
 use crate::words;
 
 /// What is wrong with a file, and what to do about it.
 #[derive(Debug)]
 pub(super) struct Wrong {
+    pub(super) code: Code,
     pub(super) fact: String,
     pub(super) help: String,
 }
@@ -57,7 +59,7 @@ const AMONG_OTHERS: [(&str, &[&str]); 2] = [
 const ROBOT: &str = "a URDF file is `<robot name=\"..\"> .. </robot>`";
 
 /// The default multiplier, and a number that is no error of its own.
-const ONE: &str = "1.0";
+pub(super) const ONE: &str = "1.0";
 
 /// Reads a file, of which each element must be known where `strict`. Whatever can be read is returned, beside all that is
 /// wrong.
@@ -66,45 +68,50 @@ pub(super) fn read(text: &str, strict: bool) -> (Robot, Vec<Wrong>) {
         strict,
         ..Reader::default()
     };
-    match Document::parse(text) {
-        Ok(document) => reader.robot(document.root_element()),
-        Err(Error::DtdDetected) => reader.wrong(
-            "it has a document type, `<!DOCTYPE ..>`, which is not read",
+    let (fact, help) = match Document::parse(text) {
+        Ok(document) => {
+            reader.robot(document.root_element());
+            return (reader.robot, reader.wrong);
+        }
+        Err(Error::DtdDetected) => (
+            "it has a document type, `<!DOCTYPE ..>`, which is not read".to_owned(),
             "remove it, and write out the entities that it declares",
         ),
-        Err(Error::NoRootNode) => reader.wrong("it has no element", ROBOT),
+        Err(Error::NoRootNode) => ("it has no element".to_owned(), ROBOT),
         Err(Error::UnclosedRootNode | Error::UnexpectedEndOfStream) => {
-            reader.wrong("it ends within an element", "end it with `</robot>`");
+            ("it ends within an element".to_owned(), "end it with `</robot>`")
         }
-        Err(error) => reader.wrong(format!("it is no XML: {error}"), "mend it at this line and column"),
-    }
+        Err(error) => (format!("it is no XML: {error}"), "mend it at this line and column"),
+    };
+    reader.wrong(Code::NotUrdf, fact, help);
     (reader.robot, reader.wrong)
 }
 
 #[derive(Debug, Default)]
-struct Reader {
+pub(super) struct Reader {
     strict: bool,
     robot: Robot,
     wrong: Vec<Wrong>,
 }
 
 impl Reader {
-    fn wrong(&mut self, fact: impl Into<String>, help: impl Into<String>) {
+    pub(super) fn wrong(&mut self, code: Code, fact: impl Into<String>, help: impl Into<String>) {
         let (fact, help) = (fact.into(), help.into());
-        self.wrong.push(Wrong { fact, help });
+        self.wrong.push(Wrong { code, fact, help });
     }
 
     fn robot(&mut self, root: Node<'_, '_>) {
         let is_xacro = |node: &Node<'_, '_>| node.tag_name().namespace().is_some_and(|space| space.contains("xacro"));
         if root.descendants().any(|node| is_xacro(&node)) {
             return self.wrong(
+                Code::NotUrdf,
                 "it is a xacro file, not yet a URDF file",
                 "expand it first: `xacro robot.urdf.xacro > robot.urdf`",
             );
         }
         if !root.has_tag_name("robot") {
             let fact = format!("it holds a `{}` in the place of a robot", root.tag_name().name());
-            return self.wrong(fact, ROBOT);
+            return self.wrong(Code::NotUrdf, fact, ROBOT);
         }
         for node in self.children(root, "the robot", &["link", "joint"]) {
             match node.tag_name().name() {
@@ -124,7 +131,11 @@ impl Reader {
         let mut seen = BTreeSet::new();
         for name in names(&self.robot) {
             if !seen.insert(name.clone()) {
-                self.wrong(format!("{what} `{name}` is there twice"), "rename one of the two");
+                self.wrong(
+                    Code::FileNames,
+                    format!("{what} `{name}` is there twice"),
+                    "rename one of the two",
+                );
             }
         }
     }
@@ -145,6 +156,7 @@ impl Reader {
         let (Some(&mass), Some(&inertia)) = (parts.get("mass"), parts.get("inertia")) else {
             let missing = if parts.contains_key("mass") { "inertia" } else { "mass" };
             self.wrong(
+                Code::FileNumber,
                 format!("the inertial of {owner} has no `{missing}`"),
                 "complete it, or remove `inertial` for a link without mass",
             );
@@ -168,7 +180,11 @@ impl Reader {
         let [parent, child] = ["parent", "child"].map(|end| match parts.get(end) {
             Some(&part) => self.text(part, "link", &format!("the {end} of {owner}")),
             None => {
-                self.wrong(format!("{owner} has no {end}"), format!("add `<{end} link=\"..\"/>`"));
+                self.wrong(
+                    Code::FileNumber,
+                    format!("{owner} has no {end}"),
+                    format!("add `<{end} link=\"..\"/>`"),
+                );
                 None
             }
         });
@@ -230,7 +246,11 @@ impl Reader {
             "planar" => Kind::Planar,
             _ => {
                 let known = "known are fixed, revolute, continuous, prismatic, floating and planar";
-                self.wrong(format!("{owner} is `{word}`, which is not read"), known);
+                self.wrong(
+                    Code::FileJoint,
+                    format!("{owner} is `{word}`, which is not read"),
+                    known,
+                );
                 return None;
             }
         })
@@ -281,7 +301,7 @@ impl Reader {
             Some(meant) => format!("did you mean `{meant}`? otherwise remove it"),
             None => format!("remove it, or leave out `strict`; read are {}", known.join(", ")),
         };
-        self.wrong(fact, help);
+        self.wrong(Code::FileElement, fact, help);
     }
 
     /// The child elements, of which each name may stand once.
@@ -290,7 +310,11 @@ impl Reader {
         for part in self.children(node, owner, known) {
             let name = part.tag_name().name();
             if parts.insert(name, part).is_some() {
-                self.wrong(format!("{owner} has two elements `{name}`"), "keep one of the two");
+                self.wrong(
+                    Code::FileElement,
+                    format!("{owner} has two elements `{name}`"),
+                    "keep one of the two",
+                );
             }
             self.check_attributes(part, owner);
         }
@@ -324,69 +348,6 @@ impl Reader {
 
     fn unknown_attribute(&mut self, attribute: &str, element: &str, owner: &str, help: String) {
         let fact = format!("`{element}` of {owner} has an unknown attribute `{attribute}`");
-        self.wrong(fact, help);
-    }
-
-    fn text(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> Option<String> {
-        let text = node.attribute(attribute).map(str::trim).filter(|text| !text.is_empty());
-        if text.is_none() {
-            let line = node.document().text_pos_at(node.range().start).row;
-            self.wrong(format!("{owner} has no `{attribute}`, line {line}"), "add it");
-        }
-        text.map(str::to_owned)
-    }
-
-    /// The number of an attribute, or what holds where it is left out.
-    fn number(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str, default: Option<&str>) -> String {
-        match node.attribute(attribute).or(default) {
-            Some(text) => self.parsed(text, attribute, owner, number),
-            None => {
-                let element = node.tag_name().name();
-                self.wrong(format!("`{element}` of {owner} has no `{attribute}`"), "add it");
-                ONE.to_owned()
-            }
-        }
-    }
-
-    /// A limit that may be infinite.
-    fn largest(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> f64 {
-        let text = node.attribute(attribute).unwrap_or_default().trim();
-        if let Some(number) = text.parse().ok().filter(|number: &f64| *number >= 0.0) {
-            return number;
-        }
-        self.wrong(
-            format!("`{attribute}` of {owner} is `{text}`"),
-            "write a number that is not negative, or leave it out",
-        );
-        f64::INFINITY
-    }
-
-    fn parsed(&mut self, text: &str, attribute: &str, owner: &str, read: fn(&str) -> Option<String>) -> String {
-        let (what, help) = match read(text.trim()) {
-            Some(read) if read == ZERO || is_in_range(text) => return read,
-            _ if is_number(text) => ("out of range", "write a number between 1e-300 and 1e300, or 0"),
-            _ => ("no number", "write a decimal number such as 0.25 or 1e-3"),
-        };
-        self.wrong(format!("`{attribute}` of {owner} is `{text}`, which is {what}"), help);
-        // no zero, which may be an error of its own
-        ONE.to_owned()
-    }
-
-    fn triple(
-        &mut self,
-        node: Node<'_, '_>,
-        attribute: &str,
-        owner: &str,
-        read: fn(&str) -> Option<String>,
-    ) -> Option<[String; 3]> {
-        let text = node.attribute(attribute).unwrap_or_default();
-        let parts: Vec<&str> = text.split_whitespace().collect();
-        let Ok(parts) = <[&str; 3]>::try_from(parts) else {
-            let element = node.tag_name().name();
-            let fact = format!("`{attribute}` in `{element}` of {owner} is `{text}`");
-            self.wrong(fact, "write three numbers with spaces between them");
-            return None;
-        };
-        Some(parts.map(|part| self.parsed(part, attribute, owner, read)))
+        self.wrong(Code::FileElement, fact, help);
     }
 }

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::read::Wrong;
 use super::robot::{Joint, Link, Robot};
+use crate::error::Code;
 
 /// Whether each link hangs on one joint at most, and all of them on one root.
 pub(super) fn is_tree(robot: &Robot, wrong: &mut Vec<Wrong>) -> bool {
@@ -46,6 +47,7 @@ fn unknown_ends(robot: &Robot) -> Vec<Wrong> {
             .filter(|end| !known.contains(end.as_str()))
         {
             found.push(Wrong {
+                code: Code::FileTree,
                 fact: format!("joint `{}` is tied to `{end}`, which is no link", joint.name),
                 help: format!("add `<link name=\"{end}\"/>`, or mend the name"),
             });
@@ -62,6 +64,7 @@ fn loops(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Vec<Wrong> {
         let parents: Vec<&str> = carriers.map(|joint| joint.parent.as_str()).collect();
         if parents.len() > 1 {
             found.push(Wrong {
+                code: Code::FileTree,
                 fact: format!("link `{name}` hangs on `{}`: a loop", parents.join("` and on `")),
                 help: "a URDF file describes a tree: remove all but one of its joints".to_owned(),
             });
@@ -94,7 +97,11 @@ fn roots(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Option<Wrong>
         )
     };
     let help = help.to_owned();
-    Some(Wrong { fact, help })
+    Some(Wrong {
+        code: Code::FileTree,
+        fact,
+        help,
+    })
 }
 
 /// The links that hang on some, and these.

@@ -26,5 +26,11 @@ mechanism! {
 }
 
 mechanism! {
+    pub(in) Arm {
+        body a on ground { mass: 1, joint: revolute(z), coordinate: th }
+    }
+}
+
+mechanism! {
 
 }

@@ -5,6 +5,10 @@ use quote::ToTokens;
 
 use crate::words::{Advice, Synonyms, advice};
 
+pub use code::Code;
+
+mod code;
+
 /// The errors found so far, in the order of their places in the source.
 #[derive(Debug, Default)]
 pub struct Errors {
@@ -19,30 +23,43 @@ pub struct Reported(());
 
 impl Errors {
     /// One error on one place.
-    pub fn one(span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
-        Self::from(at(span, fact, help))
+    pub fn one(code: Code, span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
+        Self::from(at(code, span, fact, help))
     }
 
     /// Notes an error on a whole syntax node: what is wrong, and what to do about it.
-    pub fn on(&mut self, node: impl ToTokens, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Reported {
-        self.push(on(node, fact, help))
+    pub fn on(
+        &mut self,
+        code: Code,
+        node: impl ToTokens,
+        fact: impl std::fmt::Display,
+        help: impl std::fmt::Display,
+    ) -> Reported {
+        self.push(on(code, node, fact, help))
     }
 
     /// Notes an error on one place.
-    pub fn at(&mut self, span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Reported {
-        self.push(at(span, fact, help))
+    pub fn at(
+        &mut self,
+        code: Code,
+        span: Span,
+        fact: impl std::fmt::Display,
+        help: impl std::fmt::Display,
+    ) -> Reported {
+        self.push(at(code, span, fact, help))
     }
 
     /// Notes an error on a word that is not among the `known` ones.
     pub(crate) fn unknown<'a>(
         &mut self,
+        code: Code,
         word: &Ident,
         fact: impl std::fmt::Display,
         known: impl IntoIterator<Item = &'a str>,
         synonyms: &'static Synonyms,
     ) -> Reported {
         let Advice { help, .. } = advice(&word.to_string(), known, synonyms);
-        self.at(word.span(), fact, help)
+        self.at(code, word.span(), fact, help)
     }
 
     /// Notes an error.
@@ -153,15 +170,20 @@ impl From<syn::Error> for Errors {
 }
 
 /// An error on a whole syntax node.
-pub(crate) fn on(node: impl ToTokens, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> syn::Error {
-    syn::Error::new_spanned(node, message(fact, help))
+pub(crate) fn on(
+    code: Code,
+    node: impl ToTokens,
+    fact: impl std::fmt::Display,
+    help: impl std::fmt::Display,
+) -> syn::Error {
+    syn::Error::new_spanned(node, message(code, fact, help))
 }
 
 /// An error on one place.
-pub(crate) fn at(span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> syn::Error {
-    syn::Error::new(span, message(fact, help))
+pub(crate) fn at(code: Code, span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> syn::Error {
+    syn::Error::new(span, message(code, fact, help))
 }
 
-fn message(fact: impl std::fmt::Display, help: impl std::fmt::Display) -> String {
-    format!("{fact}\nhelp: {help}")
+fn message(code: Code, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> String {
+    format!("{fact} [{code}]\nhelp: {help}")
 }

@@ -1,0 +1,105 @@
+//! Codes of errors: one for each kind of mistake, with a page of the book that explains it.
+
+macro_rules! codes {
+    ($($(#[$section:meta])* $name:ident $text:literal $title:literal,)*) => {
+        /// Kind of a mistake in a declaration. Its text, such as `M203`, ends the first line of each message; the
+        /// page `docs/src/errors/M203.md` of the book has the meaning, a wrong example and a right one.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum Code {
+            $(#[doc = $title] $name,)*
+        }
+
+        impl Code {
+            /// All codes, in the order of their numbers.
+            pub const ALL: &[Self] = &[$(Self::$name),*];
+
+            /// The text in messages, such as `M203`.
+            pub const fn text(self) -> &'static str {
+                match self {
+                    $(Self::$name => $text,)*
+                }
+            }
+
+            /// Title of the page in the book.
+            pub const fn title(self) -> &'static str {
+                match self {
+                    $(Self::$name => $title,)*
+                }
+            }
+        }
+    };
+}
+
+codes! {
+    // Reading the declaration.
+    Syntax "M001" "Something else is expected here",
+    UnknownWord "M002" "A word that the language does not have",
+    Misplaced "M003" "A field among the items, or an item among the fields",
+    GivenTwice "M004" "A field, item or routine given twice",
+    Arguments "M005" "Arguments of another number or shape",
+    NotInLanguage "M006" "Rust that is not in the language",
+    TooLong "M007" "A declaration beyond the limits of size",
+    NoScene "M008" "A scene without a name or a body",
+    // Names.
+    UnknownName "M101" "A name that is not declared",
+    UnknownFunction "M102" "A function that the language does not have",
+    NameTaken "M103" "A name that is taken",
+    WrongKind "M104" "A name that stands for something else",
+    Unused "M105" "A declaration without effect",
+    Circle "M106" "Declarations that need each other, or a later one",
+    // Units and numbers.
+    UnknownUnit "M201" "A unit that cannot be read",
+    MissingUnit "M202" "A parameter or input without a unit",
+    UnitMismatch "M203" "Units that do not fit",
+    Degrees "M204" "An angle that looks like degrees",
+    NumberRange "M205" "A number outside of double precision",
+    // Expressions.
+    Undefined "M301" "An expression without a value",
+    Dependence "M302" "A dependence that is not possible here",
+    NotSmooth "M303" "A kink where the motion must be smooth",
+    Exponent "M304" "An exponent that is not a small number",
+    NoRate "M305" "A rate that is not known",
+    // Bodies.
+    MassProperties "M401" "Mass properties that do not belong together",
+    OutOfBounds "M402" "A number that is physically impossible",
+    NotARigidBody "M403" "An inertia that no rigid body has",
+    SingularMassMatrix "M404" "A mass matrix that is singular in every state",
+    JointCoordinate "M405" "A joint and a coordinate that do not fit",
+    FreeRotation "M406" "A ball or free joint used like one with a single coordinate",
+    Absolute "M407" "An angle that cannot be measured from ground",
+    DegenerateSolid "M408" "A solid without length, area or inside",
+    RefusedDefault "M409" "A default that the model refuses",
+    NothingMoves "M410" "A scene without a degree of freedom",
+    // Forces, motions and what is generated.
+    NoEffect "M501" "A force that cannot act",
+    Motion "M502" "A motion that no joint can follow",
+    NotGenerated "M503" "A routine that this scene does not have",
+    // Dry friction, stops and walls.
+    Constraint "M601" "Dry friction, a stop or a wall that contradicts itself",
+    TooManyConstraints "M602" "More dry friction, stops and walls than the solver takes",
+    NoGap "M603" "A wall that nothing can open or close",
+    NoConstraint "M604" "Dry friction, a stop or a wall where none can be",
+    // Closed loops.
+    LoopCount "M701" "Loops and dependent coordinates that do not match",
+    OpenLoop "M702" "A loop that cannot be assembled",
+    AmbiguousLoop "M703" "A loop that can be assembled in more than one way",
+    SingularLoop "M704" "A loop that is singular where it is assembled",
+    LoopJoint "M705" "A joint that closes no loop",
+    // Robots from files.
+    NoFile "M801" "A robot file that cannot be opened",
+    NotUrdf "M802" "A robot file that is no URDF",
+    FileElement "M803" "An element or attribute that is not read",
+    FileNumber "M804" "A value of a robot file that is wrong or missing",
+    FileTree "M805" "Links that form no tree",
+    FileInertia "M806" "An inertia in a robot file that no body has",
+    FileJoint "M807" "A joint of a robot file that cannot be read",
+    FileNames "M808" "Names of a robot file that collide",
+    FileChange "M809" "A change to a robot that is not possible",
+}
+
+impl std::fmt::Display for Code {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.text())
+    }
+}

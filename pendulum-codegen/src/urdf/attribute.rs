@@ -1,0 +1,91 @@
+//! The values of attributes in a URDF file.
+
+use roxmltree::Node;
+
+use super::number::{ZERO, is_in_range, is_number, number};
+use super::read::{ONE, Reader};
+use crate::error::Code;
+
+impl Reader {
+    pub(super) fn text(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> Option<String> {
+        let text = node.attribute(attribute).map(str::trim).filter(|text| !text.is_empty());
+        if text.is_none() {
+            let line = node.document().text_pos_at(node.range().start).row;
+            self.wrong(
+                Code::FileNumber,
+                format!("{owner} has no `{attribute}`, line {line}"),
+                "add it",
+            );
+        }
+        text.map(str::to_owned)
+    }
+
+    /// The number of an attribute, or what holds where it is left out.
+    pub(super) fn number(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str, default: Option<&str>) -> String {
+        match node.attribute(attribute).or(default) {
+            Some(text) => self.parsed(text, attribute, owner, number),
+            None => {
+                let element = node.tag_name().name();
+                self.wrong(
+                    Code::FileNumber,
+                    format!("`{element}` of {owner} has no `{attribute}`"),
+                    "add it",
+                );
+                ONE.to_owned()
+            }
+        }
+    }
+
+    /// A limit that may be infinite.
+    pub(super) fn largest(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> f64 {
+        let text = node.attribute(attribute).unwrap_or_default().trim();
+        if let Some(number) = text.parse().ok().filter(|number: &f64| *number >= 0.0) {
+            return number;
+        }
+        self.wrong(
+            Code::FileNumber,
+            format!("`{attribute}` of {owner} is `{text}`"),
+            "write a number that is not negative, or leave it out",
+        );
+        f64::INFINITY
+    }
+
+    pub(super) fn parsed(
+        &mut self,
+        text: &str,
+        attribute: &str,
+        owner: &str,
+        read: fn(&str) -> Option<String>,
+    ) -> String {
+        let (what, help) = match read(text.trim()) {
+            Some(read) if read == ZERO || is_in_range(text) => return read,
+            _ if is_number(text) => ("out of range", "write a number between 1e-300 and 1e300, or 0"),
+            _ => ("no number", "write a decimal number such as 0.25 or 1e-3"),
+        };
+        self.wrong(
+            Code::FileNumber,
+            format!("`{attribute}` of {owner} is `{text}`, which is {what}"),
+            help,
+        );
+        // no zero, which may be an error of its own
+        ONE.to_owned()
+    }
+
+    pub(super) fn triple(
+        &mut self,
+        node: Node<'_, '_>,
+        attribute: &str,
+        owner: &str,
+        read: fn(&str) -> Option<String>,
+    ) -> Option<[String; 3]> {
+        let text = node.attribute(attribute).unwrap_or_default();
+        let parts: Vec<&str> = text.split_whitespace().collect();
+        let Ok(parts) = <[&str; 3]>::try_from(parts) else {
+            let element = node.tag_name().name();
+            let fact = format!("`{attribute}` in `{element}` of {owner} is `{text}`");
+            self.wrong(Code::FileNumber, fact, "write three numbers with spaces between them");
+            return None;
+        };
+        Some(parts.map(|part| self.parsed(part, attribute, owner, read)))
+    }
+}
