@@ -236,6 +236,13 @@ pub enum Reason {
         /// The name of a constraint that changes.
         constraint: Name,
     },
+    /// The right-hand side jumps, or has noise, so that steps become too short or too many.
+    Jump {
+        /// The component of the derivative of the state that jumps the most.
+        component: usize,
+        /// By how much, in its own unit.
+        by: f64,
+    },
     /// The end was not reached within the number of steps allowed, rejected ones included.
     TooManySteps {
         /// The number of steps allowed.
@@ -327,6 +334,13 @@ impl fmt::Display for Reason {
                  if a moving wall presses against what cannot move, let one of the two yield; \
                  if its rebounds are too fast, set or raise `slow`; \
                  if it has friction, check that its force is larger than rounding errors"
+            ),
+            Self::Jump { component, by } => write!(
+                f,
+                "component {component} of the derivative of the state jumps by {by:.3e} about here, and no step across a \
+                 jump meets the tolerance; if a law switches, let it pass from one value to the other within a width, as \
+                 by `clamp` or `tanh`; if it is sampled or has noise, solve from one sample to the next with constant \
+                 inputs; dry friction is `dry_friction`"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,

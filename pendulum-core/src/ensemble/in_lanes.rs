@@ -13,7 +13,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, InMode};
 use crate::method::{
-    Adaptive, Estimates, Method, NonFinite, Pace, Scheme, Stalled, StepControl, StepFailure, is_within_tolerance,
+    Adaptive, Estimates, Method, NonFinite, Pace, Scheme, Stalled, StepControl, StepFailure, is_within_tolerance, jump,
     place, toggle,
 };
 use crate::real::lanes::{Kernel, LaneElement, Lanes};
@@ -476,7 +476,8 @@ where
         reason: Reason,
     ) {
         let t = members.t[lane];
-        let reason = toggle::behind(reason, &model_of(self.models, index).cast::<T>(), t, &x);
+        let model = model_of(self.models, index).cast::<T>();
+        let reason = jump::behind(toggle::behind(reason, &model, t, &x), &model, t, &x);
         self.stopped.push(Stopped { index, t, reason });
         self.leave(members, (lane, index), x);
     }

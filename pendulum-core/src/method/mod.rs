@@ -9,6 +9,7 @@ mod gauss;
 mod grid;
 mod hermite;
 mod input;
+pub(crate) mod jump;
 mod operations;
 mod radau;
 mod rosenbrock;

@@ -6,6 +6,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, InMode, Modes};
 use crate::method::grid::Grid;
+use crate::method::jump;
 use crate::method::scheme::{Accepted, NonFinite, Scheme, Stalled, StepFailure};
 use crate::method::step_control::{Pace, StepControl, is_within_tolerance};
 use crate::method::toggle;
@@ -112,7 +113,8 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         }
         .map_err(|reason| {
             self.last = Step::at_rest(self.t(), self.x());
-            toggle::behind(reason, system, self.t(), &self.x())
+            let reason = toggle::behind(reason, system, self.t(), &self.x());
+            jump::behind(reason, system, self.t(), &self.x())
         })?;
         self.statistics.accepted += 1;
         Ok(())
