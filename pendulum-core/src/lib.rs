@@ -150,6 +150,8 @@ pub mod prelude {
     #[cfg(feature = "std")]
     pub use crate::{Ensemble, Event, ObservedEnsemble, Solution, shapes::Shapes as _};
     // Their methods alone: the names stay free.
+    #[doc(hidden)]
+    pub use crate::system::Absent as _;
     pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
     pub use crate::{Plant as _, PlantCanonical as _, PlantJacobian as _, taylor::HybridSeries as _};
     pub use nalgebra::{SMatrix, SVector};

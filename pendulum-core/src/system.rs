@@ -5,12 +5,15 @@
 //! one more for each orientation: its position is a unit quaternion, its rate the angular velocity along the axes of
 //! the body.
 
+mod absent;
 mod assembly;
 mod differences;
 mod function;
 mod plant;
 mod state;
 
+#[doc(hidden)]
+pub use absent::Absent;
 #[doc(hidden)]
 pub use assembly::assemble;
 pub(crate) use assembly::{close, open};
