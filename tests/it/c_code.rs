@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use pendulum_codegen::Sources;
-use pendulum_codegen::program::{Argument, Program, Shape};
+use pendulum_codegen::program::{Argument, Program, Routine, Shape};
 
 /// The order of the series, the highest.
 pub(crate) const ORDER: usize = 24;
@@ -81,7 +81,7 @@ fn evaluation(program: &Program, name: &str) -> String {
             };
         }
         if routine.shapes == [Shape::Scalar] {
-            calls += &format!("out[{at}] = {name}_{}({arguments});\n", routine.name);
+            calls += &format!("out[{at}] = {name}_{}({arguments});\n", function(routine));
             at += 1;
             continue;
         }
@@ -92,7 +92,7 @@ fn evaluation(program: &Program, name: &str) -> String {
                 shape => shape.len(),
             };
         }
-        calls += &format!("{name}_{}({arguments});\n", routine.name);
+        calls += &format!("{name}_{}({arguments});\n", function(routine));
     }
     if program.inputs.is_empty() {
         // results may overwrite the state; the right-hand side comes first
@@ -135,4 +135,12 @@ fn evaluation(program: &Program, name: &str) -> String {
         .replace("MORE", &(1 + length).to_string())
         .replace("OUT", &at.to_string())
         .replace("name", name)
+}
+
+/// The name of the function in C, which is that in Rust.
+fn function(routine: &Routine) -> &str {
+    match routine.name.as_str() {
+        "jacobian" => "rhs_and_jacobian",
+        name => name,
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::Scene;
 use super::block::{Calls, number, statements};
+use super::names::{identifiers, words};
 use super::template::{fill, lines};
 use crate::program::{Condition, FINITE_CONSTANT, FINITE_PARAMETER, Quantity, ROUNDING, SlotKind};
 
@@ -23,8 +24,8 @@ impl Scene<'_> {
         let state = units.chain(units_of_rates).zip(names);
         let state = state.map(|((n, of, unit), name)| format!("x[{n}]  {of}{name}, in {unit}"));
         let meanings = program.constants_text.iter().enumerate();
-        let codes = (1..).zip(self.rules());
-        let code = |(n, rule)| format!("/// {rule}\n{}_RULE_{n} = {n},", self.name.to_uppercase());
+        let codes = (1..).zip(self.codes()).zip(self.rules());
+        let code = |((n, code), rule): ((usize, String), String)| format!("/// {rule}\n{code} = {n},");
         let platform = functions(calls).filter(|(head, _)| head.contains(':'));
         let values = [
             ("docs", program.docs.join("\n")),
@@ -45,11 +46,13 @@ impl Scene<'_> {
     /// The source, and the functions that it calls.
     pub(super) fn source(&self) -> (String, Calls) {
         let (program, mut calls) = (self.program, Calls::new());
-        let refuse = |n, holds| format!("if (!({holds})) return {}_RULE_{n};\n", self.name.to_uppercase());
-        let finite = |(n, field)| refuse(n, format!("pendulum_is_finite(params->{field})"));
+        let refuse = |code: &str, holds| format!("if (!({holds})) return {code};\n");
+        let codes = self.codes();
+        let (codes, of_rules) = codes.split_at(self.parameters.len());
+        let finite = |(code, field): (&String, &String)| refuse(code, format!("pendulum_is_finite(params->{field})"));
         let (mut checks, checked) = self.code(&program.checked, &mut calls);
         checks += &statements(&checked, |n| format!("const double r{n}"));
-        for (n, rule) in (self.parameters.len() + 1..).zip(&program.rules) {
+        for (code, rule) in of_rules.iter().zip(&program.rules) {
             let holds = match rule.condition {
                 Condition::Positive => format!("r{} > 0.0", rule.value),
                 Condition::NonNegative => format!("r{} >= 0.0", rule.value),
@@ -58,7 +61,7 @@ impl Scene<'_> {
                     format!("r{} >= {} * pendulum_abs(r{scale})", rule.value, number(-ROUNDING))
                 }
             };
-            checks += &refuse(n, holds);
+            checks += &refuse(code, holds);
         }
         let (code, constants) = self.code(&program.constants, &mut calls);
         let texts = self.rules().into_iter().chain([FINITE_CONSTANT.to_owned()]);
@@ -66,7 +69,7 @@ impl Scene<'_> {
             ("routines", self.routines(&mut calls)),
             ("functions", functions(&calls).map(|(_, code)| code).collect()),
             ("defaults", self.defaults(include_str!("templates/defaults.c"))),
-            ("finite", (1..).zip(&self.parameters).map(finite).collect()),
+            ("finite", codes.iter().zip(&self.parameters).map(finite).collect()),
             ("checks", checks),
             ("code", code + &statements(&constants, |n| format!("k[{n}]"))),
             ("texts", lines(texts.map(|text| format!("{text:?},")))),
@@ -90,6 +93,22 @@ impl Scene<'_> {
         let template = include_str!("templates/inputs.h");
         let template = if self.inputs.is_empty() { "" } else { template };
         self.fill(template, &[("fields", fields(&self.program.inputs, &self.inputs))])
+    }
+
+    /// The names of the codes of errors, in the order of [`rules`](Self::rules): of the parameter, or the combination of
+    /// parameters, and of what is wrong with it.
+    fn codes(&self) -> Vec<String> {
+        let finite = self
+            .program
+            .parameters
+            .iter()
+            .map(|parameter| (&parameter.name, "NOT_FINITE"));
+        let rules = self.program.rules.iter().map(|rule| match rule.condition {
+            Condition::Positive => (&rule.name, "NOT_POSITIVE"),
+            Condition::NonNegative | Condition::NonNegativeWithin(_) => (&rule.name, "NEGATIVE"),
+        });
+        let code = |(name, what): (&String, &str)| format!("{}_{}_{what}", self.name, words(name)).to_uppercase();
+        identifiers(&finite.chain(rules).map(code).collect::<Vec<_>>())
     }
 
     /// What parameters must obey, as text.

@@ -30,6 +30,15 @@ pub(super) fn snake_case(name: &str) -> String {
     text + if is_header { "_" } else { "" }
 }
 
+/// The names and numbers of an expression, with underscores between them.
+pub(super) fn words(expression: &str) -> String {
+    let text = ascii(expression);
+    let words = text
+        .split(|letter: char| !letter.is_ascii_alphanumeric())
+        .filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("_")
+}
+
 /// A name of Rust with its letters beyond ASCII as numbers: `θ` as `u03b8`.
 fn ascii(name: &str) -> String {
     let spelled = |letter: char| match u32::from(letter) {

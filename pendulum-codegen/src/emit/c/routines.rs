@@ -111,7 +111,12 @@ impl Scene<'_> {
         });
         let more: String = arguments.chain(results).collect();
         let kind = outs(routine).next().map_or("double", |_| "void");
-        let name = format!("{kind} @name@_{}", routine.name);
+        // as in Rust, where the function by this name returns the matrix alone
+        let name = match routine.name.as_str() {
+            "jacobian" => "rhs_and_jacobian",
+            name => name,
+        };
+        let name = format!("{kind} @name@_{name}");
         let prototype = format!("{name}(const @name@_model *model, double t, const double x[@length@]{more})");
         self.fill(&prototype, &[]).trim_end().to_owned()
     }
