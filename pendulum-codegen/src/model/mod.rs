@@ -4,6 +4,7 @@ mod action;
 mod body;
 mod closure;
 mod combination;
+mod constants;
 mod constraint;
 mod coordinate;
 mod dependent;
@@ -26,6 +27,7 @@ pub(crate) use action::{Action, Place, Push};
 pub(crate) use body::{Body, Heading};
 pub(crate) use closure::{Closure, Row, Tie};
 pub(crate) use combination::Combination;
+pub(crate) use constants::{FACTS, places};
 pub(crate) use constraint::{Constraint, Law, MAX_CONSTRAINTS};
 pub(crate) use coordinate::{Coordinate, changes};
 pub(crate) use dependent::Dependence;
@@ -140,28 +142,6 @@ pub(crate) struct Input<'g> {
     pub unit: Unit,
     /// Its symbol.
     pub symbol: Expr<'g>,
-}
-
-/// The constants that a model has beside the places of its coordinates.
-pub(crate) const FACTS: [&str; 11] = [
-    "DOF",
-    "COORDINATES",
-    "COST",
-    "LAYOUT",
-    "EQUATIONS",
-    "OUTPUTS",
-    "EVENTS",
-    "DRIVES",
-    "REPAIRED",
-    "EFFORT_LIMITS",
-    "VELOCITY_LIMITS",
-];
-
-/// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`, of `p.x` `P_X`
-/// and `DOT_P_X`, and of an orientation the first of them.
-pub(crate) fn places(coordinate: &str) -> [String; 2] {
-    let name = coordinate.trim_start_matches("r#").replace('.', "_").to_uppercase();
-    [name.clone(), format!("DOT_{name}")]
 }
 
 impl<'g> Tree<'g> {

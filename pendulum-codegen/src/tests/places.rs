@@ -41,5 +41,7 @@ fn no_two_constants_have_the_same_name() {
             "{errors}"
         );
     }
-    assert_eq!(errors(["theta", "\u{3b8}"]), None);
+    let spelled = errors(["theta", "\u{3b8}"]).expect("a clash");
+    assert!(spelled.contains("needs the constant `THETA`"), "{spelled}");
+    assert_eq!(errors(["x1", "\u{3b8}"]), None);
 }

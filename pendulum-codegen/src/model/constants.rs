@@ -1,0 +1,60 @@
+//! The constants of a model.
+
+/// The constants that a model has beside the places of its coordinates.
+pub(crate) const FACTS: [&str; 11] = [
+    "DOF",
+    "COORDINATES",
+    "COST",
+    "LAYOUT",
+    "EQUATIONS",
+    "OUTPUTS",
+    "EVENTS",
+    "DRIVES",
+    "REPAIRED",
+    "EFFORT_LIMITS",
+    "VELOCITY_LIMITS",
+];
+
+/// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`, of `p.x` `P_X`
+/// and `DOT_P_X`, and of an orientation the first of them.
+///
+/// Greek letters are spelled out, for `rustc` warns of capitals that look like the small letters.
+pub(crate) fn places(coordinate: &str) -> [String; 2] {
+    let name = coordinate.trim_start_matches("r#").replace('.', "_");
+    let spelled = name
+        .chars()
+        .map(|letter| match GREEK.iter().find(|(greek, _)| *greek == letter) {
+            Some((_, name)) => (*name).to_owned(),
+            None => letter.to_string(),
+        });
+    let name = spelled.collect::<String>().to_uppercase();
+    [name.clone(), format!("DOT_{name}")]
+}
+
+/// Small Greek letters and their names.
+const GREEK: [(char, &str); 24] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('ι', "iota"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('ν', "nu"),
+    ('ξ', "xi"),
+    ('ο', "omicron"),
+    ('π', "pi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('υ', "upsilon"),
+    ('φ', "phi"),
+    ('χ', "chi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+];
