@@ -67,6 +67,8 @@ pub(crate) struct Items {
     pub closures: Vec<Closure>,
     /// Whether there are more, which could not be read.
     pub unread_closures: bool,
+    /// How often the word `clamp` stands in the scene.
+    pub clamps: usize,
     /// The word `generate`, and what to generate.
     pub generate: Option<(Ident, Vec<Ident>)>,
 }

@@ -8,6 +8,7 @@ use crate::ast;
 use crate::error::{Code, Reported};
 use crate::expr::{Binary, Expr, Level, SymbolKind, Unary, ratio};
 use crate::model::{Event, Requirement};
+use crate::program;
 
 impl<'g> Lower<'g> {
     /// `clamp(x, low, high)`
@@ -72,7 +73,7 @@ impl<'g> Lower<'g> {
         self.clamps.iter().enumerate().map(move |(n, &[x, low, high])| {
             let (middle, reach) = (half() * (low + high), half() * (high - low));
             Event {
-                name: saturation(n),
+                name: program::saturation(n),
                 docs: vec![
                     "The distance of the argument of a `clamp` from its nearer limit, positive between them."
                         .to_owned(),
@@ -82,9 +83,4 @@ impl<'g> Lower<'g> {
             }
         })
     }
-}
-
-/// The name of an event.
-pub(super) fn saturation(n: usize) -> String {
-    format!("saturation_{}", n + 1)
 }

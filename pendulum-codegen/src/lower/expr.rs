@@ -1,7 +1,6 @@
 //! Expressions of the language to expressions of the graph.
 
 use std::borrow::Cow;
-use std::fmt::Display;
 
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -11,7 +10,7 @@ use super::Lower;
 use super::measure::{Measure, Quantity};
 use crate::ast::{self, ExprKind, Operator, Vector};
 use crate::error::{Code, Reported};
-use crate::expr::{Expr, Level, MOST_POWER, Rational, Symbol, SymbolKind};
+use crate::expr::{Expr, Level, MOST_POWER, Rational, Symbol, SymbolKind, ratio};
 use crate::screw::Vec3;
 use crate::units::Power;
 
@@ -235,7 +234,9 @@ impl<'g> Lower<'g> {
                 .on(Code::Undefined, expr, fact, "zero has no negative power"));
         }
         if !n.is_integer() {
-            self.never_negative(base, x, "a power with a fraction", format_args!("abs(x)^({n})"))?;
+            let less = n - ratio(1, 1);
+            let instead = |x: &str| format!("`abs({x})^({n})`, or `{x}*abs({x})^({less})` to keep its sign");
+            self.never_negative(base, x, "a power with a fraction", instead)?;
         }
         let power = n.numer().to_i32().zip(n.denom().to_i32());
         let power = power.map_or(Power::one(), |(numerator, denominator)| {
@@ -284,7 +285,7 @@ impl<'g> Lower<'g> {
         given: &ast::Expr,
         value: Expr<'g>,
         what: &str,
-        instead: impl Display,
+        instead: impl Fn(&str) -> String,
     ) -> Result<(), Reported> {
         let Some(Symbol {
             name: x,
@@ -294,7 +295,7 @@ impl<'g> Lower<'g> {
             return Ok(());
         };
         let fact = format_args!("{what} has no value where `{x}` is negative");
-        let help = format!("write `{instead}`").replace("(x)", &format!("({x})"));
+        let help = format!("write {}", instead(x));
         Err(self.errors.on(Code::Undefined, given, fact, help))
     }
 }

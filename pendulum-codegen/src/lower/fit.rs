@@ -13,7 +13,7 @@ use super::scope::Kind;
 use super::written::written;
 use crate::ast::{self, ExprKind, Measured, Operator};
 use crate::error::{Code, Reported};
-use crate::expr::{Level, ratio};
+use crate::expr::{Level, Rational, ratio};
 use crate::units::{Dimension, Power, Scale, Unit};
 
 impl<'g> Lower<'g> {
@@ -76,7 +76,7 @@ impl<'g> Lower<'g> {
             short(e),
             given.measure
         );
-        let help = self.help(e, given.measure, Measure::ONE);
+        let help = self.help(e, given.measure, Measure::ONE, None);
         self.misfit(e, fact, help);
     }
 
@@ -94,7 +94,7 @@ impl<'g> Lower<'g> {
         let other = JointUnits::other(unit).filter(|(other, _)| given.measure == Measure::of(other));
         let help = match other {
             Some((other, way)) => format!("{other} belongs to joints that {way}"),
-            None => self.help(e, given.measure, needed),
+            None => self.help(e, given.measure, needed, Some(unit)),
         };
         self.misfit(e, fact, help);
     }
@@ -141,8 +141,8 @@ impl<'g> Lower<'g> {
         self.errors.on(Code::Degrees, e, fact, help);
     }
 
-    /// What to do about a value that is measured in something else than is needed.
-    fn help(&self, e: &ast::Expr, given: Measure, needed: Measure) -> String {
+    /// What to do about a value that is measured in something else than is needed, in a place for values in a unit.
+    fn help(&self, e: &ast::Expr, given: Measure, needed: Measure, unit: Option<&str>) -> String {
         if let Some(cause) = self.cause(&[e]) {
             return cause;
         }
@@ -151,6 +151,17 @@ impl<'g> Lower<'g> {
             return "mass and length may be swapped".to_owned();
         }
         let missing = factor(needed, given);
+        match (&e.kind, unit) {
+            (ExprKind::Name(name), Some(unit)) if self.has_declared_unit(name) => {
+                return format!("declare `{name}: {unit}`, or multiply it by a factor in {missing}");
+            }
+            (ExprKind::Measured(_), Some(unit)) if given == Measure::ONE => {
+                return format!(
+                    "write a value in {unit} in place of the angle; a parameter that is an angle is in rad"
+                );
+            }
+            _ => {}
+        }
         if let Some(number) = bare_factor(e) {
             return format!("a factor in {missing} is missing{}", number.with_unit(missing));
         }
@@ -160,14 +171,19 @@ impl<'g> Lower<'g> {
         format!("a factor in {missing} is missing")
     }
 
+    /// Whether a name is declared with a unit.
+    fn has_declared_unit(&self, name: &syn::Ident) -> bool {
+        let kind = self.names.kind(&name.to_string());
+        matches!(kind, Some(Kind::Parameter | Kind::Input))
+    }
+
     /// The likely cause: a name after a number that was read as a unit, or a unit after the divisor of a fraction.
     fn cause(&self, given: &[&ast::Expr]) -> Option<String> {
         given.iter().find_map(|e| {
-            if let Some(ExprKind::Measured(measured)) = divisor(e).map(|divisor| &divisor.kind) {
-                let Measured { digits, unit, .. } = &**measured;
-                let unit = &unit.text;
+            if let Some((above, Measured { digits, number, unit })) = fraction(e) {
+                let (unit, value) = (&unit.text, (above / number).to_f64().unwrap_or(f64::NAN));
                 return Some(format!(
-                    "`{digits} {unit}` is the divisor: write the fraction as `0.5 {unit}`"
+                    "`{digits} {unit}` is the divisor: write the fraction as `{value} {unit}`"
                 ));
             }
             let Measured { digits, unit, .. } = measured(e, &|unit: &Unit| self.names.kind(&unit.text).is_some())?;
@@ -198,14 +214,14 @@ fn gather_terms<'a>(e: &'a ast::Expr, terms: &mut Vec<&'a ast::Expr>) {
     }
 }
 
-/// The divisor of a fraction `1/2 kg`: a number with a unit below one without.
-fn divisor(e: &ast::Expr) -> Option<&ast::Expr> {
+/// The parts of a fraction `1/2 kg`: a number, and one with a unit below it.
+fn fraction(e: &ast::Expr) -> Option<(&Rational, &Measured)> {
     match &e.kind {
-        ExprKind::Binary(Operator::Div, a, b) => {
-            let is_fraction = matches!(a.kind, ExprKind::Number(_)) && matches!(b.kind, ExprKind::Measured(..));
-            if is_fraction { Some(b) } else { divisor(a) }
-        }
-        ExprKind::Neg(a) | ExprKind::Binary(Operator::Mul, a, _) => divisor(a),
+        ExprKind::Binary(Operator::Div, a, b) => match (&a.kind, &b.kind) {
+            (ExprKind::Number(above), ExprKind::Measured(below)) => Some((above, below)),
+            _ => fraction(a),
+        },
+        ExprKind::Neg(a) | ExprKind::Binary(Operator::Mul, a, _) => fraction(a),
         _ => None,
     }
 }

@@ -38,7 +38,7 @@ impl<'g> Lower<'g> {
             && (before.station.is_some() || sign.is_none())
         {
             let fact = format_args!(
-                "`{}` cannot be measured from ground: a joint below it turns about another axis",
+                "`{}` cannot be measured from ground: a joint below it turns about another axis, or about all",
                 body.name
             );
             let help = "leave out `absolute`; the coordinate is then relative to the parent";

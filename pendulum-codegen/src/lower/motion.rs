@@ -170,6 +170,13 @@ impl<'g> Lower<'g> {
         }
         let slope = Derivative::by(position).of(law);
         let Some(factor) = slope.as_number() else {
+            if let Some(value) = slope.constant() {
+                let leader = position.as_symbol().map_or("", |symbol| &symbol.name);
+                let fact = format_args!("`{name}` follows `{leader}` by a factor that contains pi");
+                let help =
+                    format!("write its value, {value}, with its unit: units with rad in place of turn have no pi");
+                return Err(self.errors.on(Code::Motion, motion, fact, help));
+            }
             let fact = format_args!("the motion of `{name}` is no sum of coordinates with numbers as factors");
             let help = "a joint follows others as in `-a`, `0.5*a + 0.1` or `a - b`, where `a` and `b` are coordinates";
             return Err(self.errors.on(Code::Motion, motion, fact, help));

@@ -180,9 +180,11 @@ impl<'g> Lower<'g> {
         let given: Vec<Quantity<'g>> = given.into_iter().collect::<Result<_, _>>()?;
         let values: Vec<Expr<'g>> = given.iter().map(|given| given.value).collect();
         if text == "sqrt" {
-            self.never_negative(&arguments[0], values[0], "a square root", "sqrt(abs(x))")?;
+            self.never_negative(&arguments[0], values[0], "a square root", |x| {
+                format!("`sqrt(abs({x}))`")
+            })?;
         } else if text == "ln" {
-            self.never_negative(&arguments[0], values[0], "a logarithm", "ln(abs(x))")?;
+            self.never_negative(&arguments[0], values[0], "a logarithm", |x| format!("`ln(abs({x}))`"))?;
         }
         let measure = self.measure_of(&text, arguments, &given);
         let value = match unary {

@@ -107,9 +107,15 @@ fn first_coordinate<'a>(bodies: impl IntoIterator<Item = &'a &'a ast::Body>) -> 
 
 /// How to say where a loop is assembled: by a coordinate of the state, if it has one.
 fn assembled(bodies: &[&ast::Body]) -> String {
-    match first_coordinate(bodies.iter().filter(|body| body.fields.depends.is_none())) {
-        Some(name) => format!("`coordinate: {name} near 0.5`"),
-        None => dependent(bodies),
+    let moves_by_itself = |body: &&&ast::Body| body.fields.depends.is_none() && body.fields.coordinate.is_some();
+    let Some(body) = bodies.iter().find(moves_by_itself) else {
+        return dependent(bodies);
+    };
+    let name = first_coordinate([body]).map_or(String::new(), Ident::to_string);
+    if body.fields.near.is_some() {
+        format!("another number behind `near` of `{name}`")
+    } else {
+        format!("`coordinate: {name} near 0.5`")
     }
 }
 
@@ -200,7 +206,7 @@ impl Cause {
                 "there it does not determine what depends: assemble it elsewhere, as by {}",
                 assembled(bodies)
             ),
-            Self::Undecided => format!("say in which: {dependent}"),
+            Self::Undecided => format!("say in which, by a number for each coordinate of the loop: {dependent}"),
             Self::ClosedByChance => "give both ends one parameter where they must agree in order to close".to_owned(),
             Self::Turned { .. } if matches!(joint, Ok(JointKind::Revolute(_))) => format!(
                 "say where its axes have one direction: {dependent}, or turn one end over, with `rpy [..]` behind its place"

@@ -78,7 +78,13 @@ impl Lower<'_> {
             .iter()
             .map(|b| b.name.to_string())
             .filter(|name| body.name != name);
-        let known: Vec<String> = others.chain(["ground".to_owned()]).collect();
+        let mut known: Vec<String> = Vec::new();
+        for name in others.chain(["ground".to_owned()]) {
+            // a body that is declared twice is listed once
+            if !known.contains(&name) {
+                known.push(name);
+            }
+        }
         let fact = format_args!("no body named `{parent}`");
         Err(self
             .errors

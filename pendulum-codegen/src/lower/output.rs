@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use super::Lower;
-use super::clamp::saturation;
 use super::expr::{Only, Place};
 use super::scope::Kind;
 use crate::ast::{self, ExprKind, OutputValue};
@@ -116,7 +115,7 @@ impl<'g> Lower<'g> {
             taken.extend(constants.map(|constant| (constant, format!("coordinate `{coordinate}`"))));
         }
         for n in 0..self.clamps.len() {
-            let functions = program::functions_of_event(&saturation(n));
+            let functions = program::functions_of_event(&program::saturation(n));
             taken.extend(functions.map(|function| (function, "a `clamp`".to_owned())));
         }
         let is_hybrid = items.is_hybrid();

@@ -69,6 +69,7 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
         errors.at(Code::TooLong, bracket, "brackets are nested too deep", help);
         return (None, errors);
     }
+    let clamps = occurrences(tokens.clone(), "clamp");
     let scene = (|whole: ParseStream| {
         // syn reports what is left in brackets when a stream ends, but not when a copy of it does; here every mistake
         // has an error of its own
@@ -91,7 +92,10 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
         }
         let inner;
         braced!(inner in input);
-        let mut items = Items::default();
+        let mut items = Items {
+            clamps,
+            ..Items::default()
+        };
         each(&inner, &mut errors, |input, errors| item(input, &mut items, errors));
         if !input.is_empty() {
             let help = "write another `mechanism!` for another scene";
@@ -102,6 +106,16 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     .parse2(tokens);
     let scene = errors.keep(scene).ok();
     (scene, errors)
+}
+
+/// How often a word stands among tokens.
+fn occurrences(tokens: TokenStream, word: &str) -> usize {
+    let of = |token| match token {
+        TokenTree::Group(group) => occurrences(group.stream(), word),
+        TokenTree::Ident(ident) => usize::from(ident == word),
+        _ => 0,
+    };
+    tokens.into_iter().map(of).sum()
 }
 
 /// Reads the bodies of a robot.
@@ -349,7 +363,17 @@ fn no_units(input: ParseStream) -> syn::Result<()> {
 fn routines(input: ParseStream) -> syn::Result<Vec<Ident>> {
     let form = "generate: [rhs, jacobian, energy]";
     let inner = brackets(input, "what to generate", form)?;
-    list(&inner, form, |input| identifier(input, "a routine", form))
+    list(&inner, form, |input| {
+        let word = identifier(input, "a routine", form)?;
+        if input.peek(Token![-]) && input.peek2(Ident) {
+            let span = input.span();
+            input.parse::<Token![-]>()?;
+            let rest: Ident = input.parse()?;
+            let fact = format_args!("`{word}-{rest}` is no name");
+            return Err(at(Code::Syntax, span, fact, format_args!("write `{word}_{rest}`")));
+        }
+        Ok(word)
+    })
 }
 
 /// The word that an item begins with. After a mistake whose meaning is clear the reading goes on.

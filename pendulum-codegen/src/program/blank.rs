@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use syn::Ident;
 
-use super::output::{Event, Observed, functions_of_event, functions_of_output, is_function};
+use super::output::{Event, Observed, functions_of_event, functions_of_output, is_function, saturation};
 use super::routine::Head;
 use super::table::{Counts, ROUTINES, Request, words};
 use super::{Block, Constraint, Drawing, Equations, Program, Quantity, Routine, Series, Slot, SlotKind, StateLayout};
@@ -93,7 +93,11 @@ impl Program {
             name: event.name.to_string(),
             is_kink: false,
         });
-        self.events = events.collect();
+        let saturations = (0..items.clamps).map(|n| Event {
+            name: saturation(n),
+            is_kink: true,
+        });
+        self.events = events.chain(saturations).collect();
         heads.extend(self.events.iter().map(|event| Head::of_event(&event.name, &[])));
         self.outputs = outputs.iter().flat_map(model::Output::labels).collect();
         let computes = |head: &Head| head.shapes.iter().all(|shape| !shape.is_empty());

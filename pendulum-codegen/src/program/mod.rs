@@ -22,7 +22,7 @@ pub use drawing::{Drawing, Outline};
 pub use equations::{ConstraintForce, Equations, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout};
 pub use output::Event;
-pub(crate) use output::{functions_of_event, functions_of_output, is_function};
+pub(crate) use output::{functions_of_event, functions_of_output, is_function, saturation};
 pub use routine::{Argument, Cost, Role, Routine, Shape};
 pub use series::Series;
 pub(crate) use table::words;

@@ -59,6 +59,11 @@ impl Event {
     }
 }
 
+/// The name of the event at which `clamp` number `n` saturates.
+pub(crate) fn saturation(n: usize) -> String {
+    format!("saturation_{}", n + 1)
+}
+
 /// The functions of an event: its value, and what finds its zeros.
 pub(crate) fn functions_of_event(name: &impl ToString) -> [String; 2] {
     let name = name.to_string();
