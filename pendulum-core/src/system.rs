@@ -241,8 +241,12 @@ pub trait Energy<T: Real, const N: usize> {
 
     /// Kinetic and potential energy together; constant in time where nothing drives or brakes the model.
     #[inline]
-    fn energy(&self, t: T, x: &SVector<T, N>) -> T {
-        self.kinetic(t, x) + self.potential(t, x)
+    fn energy(&self, t: T, x: &(impl IntoState<T, N> + Copy)) -> T
+    where
+        Self: Sized,
+    {
+        let x = (*x).into_state();
+        self.kinetic(t, &x) + self.potential(t, &x)
     }
 }
 
@@ -302,6 +306,5 @@ impl<T: Real, S: Energy<T, N> + ?Sized, const N: usize> Energy<T, N> for &S {
     forward! { self => (**self);
         kinetic(t: T, x: &SVector<T, N>) -> T;
         potential(t: T, x: &SVector<T, N>) -> T;
-        energy(t: T, x: &SVector<T, N>) -> T;
     }
 }

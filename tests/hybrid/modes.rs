@@ -334,7 +334,7 @@ fn a_pendulum_grazes_a_wall() {
         for (name, solution) in by_each(&model, 1.2, [-swing, 0.0]) {
             let what = format!("{name}, {gap:e} below");
             let impacts = changes(&solution).len();
-            let energy = model.energy(0.0, &solution.end()) - model.energy(0.0, &[-swing, 0.0].into());
+            let energy = model.energy(0.0, &solution.end()) - model.energy(0.0, &[-swing, 0.0]);
             let (count, lost) = match gap {
                 gap if gap > 0.0 => (0..=0, 0.0),
                 gap if gap < 0.0 => (1..=1, 0.75 * 9.81 * 1e-9 * swing.tan()),

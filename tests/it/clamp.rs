@@ -191,7 +191,7 @@ fn ensembles_have_the_bits_of_trajectories_alone() {
         .collect();
     let events = model.events();
     let method = Tsit5::new();
-    let mut seen = vec![Last::default(); starts.len()];
+    let mut seen = vec![Last; starts.len()];
     let ends = method
         .observe(&[held()], (0.0, 1.5), &starts, |_| &events, &mut seen)
         .expect("regular");
@@ -202,7 +202,7 @@ fn ensembles_have_the_bits_of_trajectories_alone() {
 }
 
 /// Keeps nothing.
-#[derive(Clone, Default)]
+#[derive(Clone)]
 struct Last;
 
 impl Observer<f64, 2> for Last {

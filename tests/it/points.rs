@@ -414,3 +414,32 @@ fn what_changes_nothing_costs_nothing() {
         assert_eq!(plain.rhs_and_jacobian(t, &x), idle.rhs_and_jacobian(t, &x));
     }
 }
+
+#[test]
+fn functions_take_states_as_solve_does() {
+    mechanism! {
+        Swing {
+            gravity: [0, -9.81, 0],
+            generate: [rhs, energy, mass_matrix, inverse_dynamics],
+            point tip on bob at [0, -1, 0],
+            output height: tip.y,
+            event passes: tip.x,
+            body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle }
+        }
+    }
+    let (model, array) = (Swing::new(SwingParams {}).expect("physical"), [0.4, -0.3]);
+    let x = SVector::from(array);
+    assert_eq!(
+        model.energy(0.0, &array),
+        model.kinetic(0.0, &x) + model.potential(0.0, &x)
+    );
+    assert_eq!(model.energy(0.0, &x), model.energy(0.0, &array));
+    assert_eq!(model.height(0.0, &array), model.height(0.0, &x));
+    assert_eq!(model.height_rate(0.0, &array), model.height_rate(0.0, &x));
+    assert_eq!(model.passes(0.0, &array), model.passes(0.0, &x));
+    assert_eq!(model.mass_matrix(0.0, &array), model.mass_matrix(0.0, &x));
+    assert_eq!(
+        model.inverse_dynamics(0.0, &array, &[0.5]),
+        model.inverse_dynamics(0.0, &x, &SVector::from([0.5]))
+    );
+}

@@ -83,7 +83,7 @@ fn main() {
     cart.project(0.0, &mut x);
     cart.margins(0.0, &x, &mut |_, _| {});
     let _ = (cart.layout(), cart.mass_matrix(0.0, &x), cart.bias(0.0, &x), cart.energy(0.0, &x), cart.params().m);
-    let _ = (cart.momentum(0.0, &x), cart.inverse_dynamics(0.0, &x, &[1.0].into()));
+    let _ = (cart.momentum(0.0, &x), cart.inverse_dynamics(0.0, &x, &[1.0]));
     let _ = cart.parameter_jacobian(0.0, &x, &CartInputs { push: 1.0 });
     let _: (SVector<f64, 3>, f64) = (cart.tip(0.0, &x), cart.reach_rate(0.0, &x));
     let _: (SMatrix<f64, 3, 3>, SMatrix<f64, 9, 2>) = cart.turned_and_jacobian(0.0, &x);

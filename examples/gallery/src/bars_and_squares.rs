@@ -38,7 +38,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let bars = DoubleBar::new(DoubleBarParams::default())?;
     let squares = DoubleSquare::new(DoubleSquareParams::default())?;
     let (m, l, a, g) = (0.8, 0.6, 0.5, 9.81_f64);
-    let still = [0.0; 4].into();
+    let still = [0.0; 4];
     let of_bars = bars.mass_matrix(0.0, &still);
     // w^2 = (3 -+ 6/sqrt 7) g/l
     let of_bar = [-1.0, 1.0].map(|sign| ((3.0 + sign * 6.0 / 7.0_f64.sqrt()) * g / l).sqrt());

@@ -49,7 +49,6 @@ impl<T: Real, S: Energy<T, N>, const N: usize> Energy<T, N> for Differences<S> {
     forward! { self => self.0;
         kinetic(t: T, x: &SVector<T, N>) -> T;
         potential(t: T, x: &SVector<T, N>) -> T;
-        energy(t: T, x: &SVector<T, N>) -> T;
     }
 }
 

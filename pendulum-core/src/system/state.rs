@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-/// A state to start from: an array of `N` numbers or an [`SVector`].
+/// A state, or another vector: an array of `N` numbers or an [`SVector`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a state of {N} components",
     label = "{N} numbers of type `{T}` expected",

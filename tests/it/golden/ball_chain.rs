@@ -1959,8 +1959,9 @@ t29 = t27 + t26 - t27
         pub fn momentum(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 14>,
+            x: &(impl ::pendulum_core::IntoState<T, 14> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [_, _, _, _, qw_b, qx_b, qy_b, qz_b, qdx_a, qdy_a, qdz_a, qdx_b, qdy_b,
             qdz_b] = x.data.0[0];
             let t0 = qy_b * qy_b;

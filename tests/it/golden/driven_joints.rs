@@ -807,8 +807,9 @@ k43 = b*w^2*ny^2*(m1 + m2)
         pub fn drive_forces(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+            x: &(impl ::pendulum_core::IntoState<T, 4> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
             let k4 = self.constants[4];
             let k5 = self.constants[5];

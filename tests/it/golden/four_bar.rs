@@ -973,11 +973,12 @@ k36 = -1
         pub fn loop_margins(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 1>,
             ::pendulum_core::nalgebra::SVector<T, 1>,
         ) {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
             let k3 = self.constants[3];
@@ -1009,8 +1010,9 @@ k36 = -1
         pub fn follow(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, _] = x.data.0[0];
             let k0 = self.constants[0];
             let k3 = self.constants[3];
@@ -1043,8 +1045,9 @@ k36 = -1
         pub fn follow_rate(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
             let k3 = self.constants[3];
@@ -1071,11 +1074,12 @@ k36 = -1
         pub fn follow_and_jacobian(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 2>,
             ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
         ) {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, _] = x.data.0[0];
             let k0 = self.constants[0];
             let k3 = self.constants[3];
@@ -1121,8 +1125,9 @@ k36 = -1
         pub fn gap(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, _] = x.data.0[0];
             let k0 = self.constants[0];
             let k3 = self.constants[3];
@@ -1148,8 +1153,9 @@ k36 = -1
         pub fn gap_rate(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
             let k1 = self.constants[1];
@@ -1185,11 +1191,12 @@ k36 = -1
         pub fn gap_and_jacobian(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 2>,
             ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
         ) {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, _] = x.data.0[0];
             let k0 = self.constants[0];
             let k1 = self.constants[1];
@@ -1231,7 +1238,12 @@ k36 = -1
         }
         ///Output `rocking`.
         #[inline]
-        pub fn rocking(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
+        pub fn rocking(
+            &self,
+            t: T,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
+        ) -> T {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
             let k3 = self.constants[3];
@@ -1253,8 +1265,9 @@ k36 = -1
         pub fn rocking_rate(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> T {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
             let k2 = self.constants[2];
@@ -1322,8 +1335,9 @@ k36 = -1
         pub fn rocking_and_jacobian(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> (T, ::pendulum_core::nalgebra::SMatrix<T, 1, 2>) {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
             let k3 = self.constants[3];
@@ -1364,8 +1378,9 @@ k36 = -1
         pub fn outputs(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 5> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
             let k3 = self.constants[3];
@@ -1406,8 +1421,9 @@ k36 = -1
         pub fn output_rates(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 5> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
             let k1 = self.constants[1];
@@ -1487,11 +1503,12 @@ k36 = -1
         pub fn outputs_and_jacobian(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            x: &(impl ::pendulum_core::IntoState<T, 2> + Copy),
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 5>,
             ::pendulum_core::nalgebra::SMatrix<T, 5, 2>,
         ) {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
             let k1 = self.constants[1];

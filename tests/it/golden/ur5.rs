@@ -1916,8 +1916,9 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         pub fn mass_matrix(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+            x: &(impl ::pendulum_core::IntoState<T, 12> + Copy),
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 6, 6> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [_, q_q2, q_q3, q_q4, q_q5, q_q6, _, _, _, _, _, _] = x.data.0[0];
             let (sin_q6, cos_q6) = q_q6.sin_cos();
             let t0 = sin_q6 * sin_q6;
@@ -1998,8 +1999,9 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         pub fn bias(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+            x: &(impl ::pendulum_core::IntoState<T, 12> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
             qd_q6] = x.data.0[0];
             let t0 = q_q2 + q_q3;
@@ -2095,8 +2097,9 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         pub fn momentum(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+            x: &(impl ::pendulum_core::IntoState<T, 12> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
             let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
             qd_q6] = x.data.0[0];
             let t0 = qd_q2 + qd_q3 + qd_q4;
@@ -2165,9 +2168,11 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         pub fn inverse_dynamics(
             &self,
             t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 12>,
-            qdd: &::pendulum_core::nalgebra::SVector<T, 6>,
+            x: &(impl ::pendulum_core::IntoState<T, 12> + Copy),
+            qdd: &(impl ::pendulum_core::IntoState<T, 6> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+            let x = ::pendulum_core::IntoState::into_state(*x);
+            let qdd = ::pendulum_core::IntoState::into_state(*qdd);
             let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
             qd_q6] = x.data.0[0];
             let [qdd_q1, qdd_q2, qdd_q3, qdd_q4, qdd_q5, qdd_q6] = qdd.data.0[0];

@@ -86,10 +86,10 @@ impl Items<'_> {
                 .collect();
             quote! {
                 for _ in 0..#before {
-                    let corrections = self.loop_corrections(t, x);
+                    let corrections = self.loop_corrections(t, &*x);
                     #(#corrected)*
                 }
-                let corrections = self.loop_corrections(t, x);
+                let corrections = self.loop_corrections(t, &*x);
                 #(#corrected)*
                 for correction in corrections.iter() {
                     x[0] += #zero * (#least - *correction * *correction).sqrt();

@@ -9,6 +9,7 @@ mod build;
 mod drawing;
 mod facts;
 mod hybrid;
+mod inherent;
 mod lanes;
 mod loops;
 mod routines;

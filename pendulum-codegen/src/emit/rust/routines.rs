@@ -177,78 +177,36 @@ impl Items<'_> {
         Some(self.implement(None, &methods))
     }
 
-    /// The methods that belong to no trait.
-    fn inherent(&self) -> Option<TokenStream> {
-        let routines = self
-            .program
-            .routines
-            .iter()
-            .filter(|routine| routine.role.is_function());
-        let methods = routines.map(|routine| {
-            let (doc, function) = (&routine.doc, self.function(&format_ident!("{}", routine.name), routine));
-            let inline = if matches!(routine.role, Role::LoopMargins | Role::TurnMargins) {
-                inlined_into_lanes()
-            } else {
-                quote!(#[inline])
-            };
-            quote!(#[doc = #doc] #inline pub #function)
-        });
-        let methods: TokenStream = methods.chain(self.assemble()).chain(self.events()).collect();
-        (!methods.is_empty()).then(|| self.implement(None, &methods))
-    }
-
-    /// The events, each by its name, and all of them.
-    fn events(&self) -> Option<TokenStream> {
-        let (events, length, count) = (&self.program.events, self.length(), count(self.program.events.len()));
-        if events.is_empty() {
-            return None;
-        }
-        let plain = || events.iter().map(|event| event.name.trim_start_matches("r#"));
-        let names: Vec<Ident> = plain().map(|event| format_ident!("{event}_event")).collect();
-        let events = events.iter().map(|event| {
-            let value = format_ident!("{}", event.name);
-            let restart = event.is_kink.then(|| quote!(.restart()));
-            quote!(::pendulum_core::Event::new(|t, x| self.#value(t, x)) #restart)
-        });
-        let docs = plain().map(|event| {
-            format!("Event `{event}`: each zero of the function [`{event}`](Self::{event}), in both directions.")
-        });
-        Some(quote! {
-            ::pendulum_core::with_std! {
-                #(
-                    #[doc = #docs]
-                    pub fn #names(&self) -> ::pendulum_core::Event<'_, T, #length> {
-                        #events
-                    }
-                )*
-
-                /// All events, in the order of `EVENTS`.
-                pub fn events(&self) -> [::pendulum_core::Event<'_, T, #length>; #count] {
-                    [#(self.#names()),*]
-                }
-            }
-        })
-    }
-
-    /// A routine as a function.
+    /// A routine as a function of a trait.
     pub(super) fn function(&self, name: &Ident, routine: &Routine) -> TokenStream {
         let arguments = self.arguments(routine);
-        let shapes: Vec<TokenStream> = routine.shapes.iter().map(|&shape| self.shape(shape)).collect();
-        let output = match shapes.as_slice() {
-            [one] => one.clone(),
-            several => quote!((#(#several),*)),
-        };
+        let output = self.output(routine);
         let block = self.body(routine, |values| result(&routine.shapes, values));
         quote!(fn #name(#arguments) -> #output #block)
     }
 
+    /// The type of the results of a routine.
+    pub(super) fn output(&self, routine: &Routine) -> TokenStream {
+        let shapes: Vec<TokenStream> = routine.shapes.iter().map(|&shape| self.shape(shape)).collect();
+        match shapes.as_slice() {
+            [one] => one.clone(),
+            several => quote!((#(#several),*)),
+        }
+    }
+
     /// The body of a function that takes the [arguments](Self::arguments) of a routine.
     pub(super) fn body(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
-        let block = self.block(&routine.block, result);
-        match [Argument::Inputs, Argument::Forces].map(|argument| routine.arguments.contains(&argument)) {
-            [true, true] => quote!({ let (u, forces) = (&given.inputs, &given.forces); #block }),
-            _ => block,
-        }
+        let statements = self.statements(routine, result);
+        quote!({ #statements })
+    }
+
+    /// The statements of that body.
+    pub(super) fn statements(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
+        let takes = |argument: Argument| routine.arguments.contains(&argument);
+        let both = takes(Argument::Inputs) && takes(Argument::Forces);
+        let given = both.then(|| quote!(let (u, forces) = (&given.inputs, &given.forces);));
+        let statements = self.computed(&routine.block, result);
+        quote!(#given #statements)
     }
 
     /// The type of what acts on the model from outside, and what it is called, if something does.
@@ -265,26 +223,35 @@ impl Items<'_> {
     }
 
     pub(super) fn arguments(&self, routine: &Routine) -> TokenStream {
-        let state = self.shape(Shape::Vector(self.program.layout.len()));
-        let mut arguments = quote!(&self, t: T, x: &#state);
+        let (state, more) = (
+            self.shape(Shape::Vector(self.program.layout.len())),
+            self.more_arguments(routine),
+        );
+        quote!(&self, t: T, x: &#state #more)
+    }
+
+    /// What acts on the model, where a routine takes it.
+    pub(super) fn more_arguments(&self, routine: &Routine) -> Option<TokenStream> {
         let takes = |argument: &Argument| routine.arguments.contains(argument);
         if takes(&Argument::Forces) {
             let (given, name) = self.acting().expect("constraints");
-            arguments.extend(quote!(, #name: &#given));
+            Some(quote!(, #name: &#given))
         } else if takes(&Argument::Inputs) {
             let inputs = self.inputs_name();
-            arguments.extend(quote!(, u: &#inputs<T>));
+            Some(quote!(, u: &#inputs<T>))
+        } else {
+            None
         }
-        if takes(&Argument::Accelerations) {
-            let vector = self.shape(Shape::Vector(self.program.layout.dof()));
-            arguments.extend(quote!(, qdd: &#vector));
-        }
-        arguments
     }
 
     /// A block that computes from the state `x`, the time `t`, the inputs `u`, the
     /// accelerations `qdd`, the `forces` along constraints and the constants of the model.
     pub(super) fn block(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
+        let statements = self.computed(block, result);
+        quote!({ #statements })
+    }
+
+    fn computed(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
         let (reads, names) = (block.reads(), self.names());
         let pattern = |variables: &mut dyn Iterator<Item = Variable>| {
             let names = variables.map(|variable| match names.variable(variable) {
@@ -314,7 +281,7 @@ impl Items<'_> {
         }
         head.extend(self.constants(&reads));
         let code = names.code(block, result);
-        quote!({ #head #code })
+        quote!(#head #code)
     }
 
     /// Statements for the constants of the model among what a block reads.
@@ -345,7 +312,7 @@ impl Items<'_> {
 }
 
 /// The results of a routine, several as a tuple.
-fn result(shapes: &[Shape<usize>], mut values: &[Piece]) -> TokenStream {
+pub(super) fn result(shapes: &[Shape<usize>], mut values: &[Piece]) -> TokenStream {
     let results = shapes.iter().map(|&shape| {
         let (own, rest) = values.split_at(shape.len());
         values = rest;

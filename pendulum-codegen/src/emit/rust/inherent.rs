@@ -1,0 +1,93 @@
+//! The functions of a model that belong to no trait.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::lanes::inlined_into_lanes;
+use super::routines::result;
+use super::{Items, count};
+use crate::program::{Argument, Role, Routine};
+
+impl Items<'_> {
+    /// The methods that belong to no trait.
+    pub(super) fn inherent(&self) -> Option<TokenStream> {
+        let routines = self
+            .program
+            .routines
+            .iter()
+            .filter(|routine| routine.role.is_function());
+        let methods = routines.map(|routine| {
+            let (doc, function) = (&routine.doc, self.inherent_function(routine));
+            let inline = if matches!(routine.role, Role::LoopMargins | Role::TurnMargins) {
+                inlined_into_lanes()
+            } else {
+                quote!(#[inline])
+            };
+            quote!(#[doc = #doc] #inline pub #function)
+        });
+        let methods: TokenStream = methods.chain(self.assemble()).chain(self.events()).collect();
+        (!methods.is_empty()).then(|| self.implement(None, &methods))
+    }
+
+    /// The events, each by its name, and all of them.
+    fn events(&self) -> Option<TokenStream> {
+        let (events, length, count) = (&self.program.events, self.length(), count(self.program.events.len()));
+        if events.is_empty() {
+            return None;
+        }
+        let plain = || events.iter().map(|event| event.name.trim_start_matches("r#"));
+        let names: Vec<Ident> = plain().map(|event| format_ident!("{event}_event")).collect();
+        let events = events.iter().map(|event| {
+            let value = format_ident!("{}", event.name);
+            let restart = event.is_kink.then(|| quote!(.restart()));
+            quote!(::pendulum_core::Event::new(|t, x| self.#value(t, x)) #restart)
+        });
+        let docs = plain().map(|event| {
+            format!("Event `{event}`: each zero of the function [`{event}`](Self::{event}), in both directions.")
+        });
+        Some(quote! {
+            ::pendulum_core::with_std! {
+                #(
+                    #[doc = #docs]
+                    pub fn #names(&self) -> ::pendulum_core::Event<'_, T, #length> {
+                        #events
+                    }
+                )*
+
+                /// All events, in the order of `EVENTS`.
+                pub fn events(&self) -> [::pendulum_core::Event<'_, T, #length>; #count] {
+                    [#(self.#names()),*]
+                }
+            }
+        })
+    }
+
+    /// A routine as a function of the model alone: a state is whatever an integration may start from.
+    fn inherent_function(&self, routine: &Routine) -> TokenStream {
+        let (name, output, more) = (
+            format_ident!("{}", routine.name),
+            self.output(routine),
+            self.more_arguments(routine),
+        );
+        let vector = |length| quote!(&(impl ::pendulum_core::IntoState<T, #length> + Copy));
+        let converted = |name: &str| {
+            let name = format_ident!("{name}");
+            quote!(let #name = ::pendulum_core::IntoState::into_state(*#name);)
+        };
+        let (x, state) = (vector(self.length()), converted("x"));
+        let takes_accelerations = routine.arguments.contains(&Argument::Accelerations);
+        let qdd = takes_accelerations.then(|| {
+            let vector = vector(count(self.program.layout.dof()));
+            quote!(, qdd: #vector)
+        });
+        let accelerations = takes_accelerations.then(|| converted("qdd"));
+        let statements = self.statements(routine, |values| result(&routine.shapes, values));
+        quote! {
+            fn #name(&self, t: T, x: #x #more #qdd) -> #output {
+                #state
+                #accelerations
+                #statements
+            }
+        }
+    }
+}
