@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 
-use crate::ast::Scene;
+use crate::ast::{MOST_MOTIONS, Scene};
 use crate::dynamics::Dynamics;
 use crate::emit::rust;
 use crate::error::{Code, Errors};
@@ -22,9 +22,13 @@ pub(crate) fn expand(tokens: TokenStream, files: &Files<'_>) -> (TokenStream, Op
     let items = match compile(&mut scene, files, errors) {
         Ok(program) => rust::items(&scene.head, &program),
         Err(errors) => {
-            let mut tokens = errors.to_compile_errors();
-            tokens.extend(rust::stand_in(&scene));
-            tokens
+            let is_possible = scene.items.motions() <= MOST_MOTIONS;
+            let stand_in = is_possible.then(|| rust::stand_in(&scene));
+            errors
+                .to_compile_errors()
+                .into_iter()
+                .chain(stand_in.into_iter().flatten())
+                .collect()
         }
     };
     (items, scene.items.robot.map(|robot| robot.path))

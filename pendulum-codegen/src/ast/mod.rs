@@ -240,7 +240,19 @@ pub(crate) struct End {
     pub rpy: Option<Read<Vector>>,
 }
 
+/// Coordinates and motions of the largest scene: the time of expansion grows with about their third power.
+pub(crate) const MOST_MOTIONS: usize = 128;
+
 impl Items {
+    /// The number of coordinates of joints, those that depend included, and of motions.
+    pub(crate) fn motions(&self) -> usize {
+        let of = |body: &Body| {
+            let of_orientation = 2 * usize::from(body.fields.orientation.is_some());
+            body.fields.slots().len() + of_orientation + usize::from(body.fields.motion.is_some())
+        };
+        self.bodies.iter().map(of).sum()
+    }
+
     /// Whether something may hold the motion: dry friction, a stop, or a wall.
     pub(crate) fn is_hybrid(&self) -> bool {
         let is_constrained = |body: &Body| body.fields.dry_friction.is_some() || body.fields.stop.is_some();

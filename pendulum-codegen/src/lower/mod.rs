@@ -36,7 +36,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Span;
 
-use crate::ast::{Items, Read, Scene, Vector};
+use crate::ast::{Items, MOST_MOTIONS, Read, Scene, Vector};
 use crate::error::{Code, Errors, Reported};
 use crate::expr::{Definition, Derivative, Expr, Graph, SymbolKind};
 use crate::model::{BodyId, Coordinate, Figure, Model, Poses, Rule, Tree, along_motion};
@@ -110,7 +110,8 @@ struct Lower<'g> {
 }
 
 /// The meaning of a scene, with its expressions in a graph. Errors are added to those of the reading.
-pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Lowered<'g>, Errors> {
+pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, mut errors: Errors) -> Result<Lowered<'g>, Errors> {
+    check_size(&scene.items, &mut errors)?;
     let time = graph.symbol("t", SymbolKind::Time);
     let lower = Lower {
         graph,
@@ -134,6 +135,20 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
         along_motion: Derivative::along([]),
     };
     lower.scene(scene)
+}
+
+/// Refuses scenes whose expansion would not end in good time.
+fn check_size(items: &Items, errors: &mut Errors) -> Result<(), Errors> {
+    let motions = items.motions();
+    if motions <= MOST_MOTIONS {
+        return Ok(());
+    }
+    let last = items.bodies.last();
+    let span = last.map_or_else(Span::call_site, |body| body.name.span());
+    let fact = format_args!("{motions} coordinates and motions are declared: at most {MOST_MOTIONS} are possible");
+    let help = "hold joints that do not matter, by `joint: fixed` in a `body` of their name, or model parts of the mechanism apart";
+    errors.at(Code::TooLong, span, fact, help);
+    Err(std::mem::take(errors))
 }
 
 impl<'g> Lower<'g> {

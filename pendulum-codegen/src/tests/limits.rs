@@ -349,3 +349,28 @@ fn fixed(n: usize) -> String {
         body b0 on ground {{ mass: 1, com: [0.1, 0.2, 0.3], joint: revolute(x) rpy [0.1, 0.2, 0.3], coordinate: theta }} {others} }}"
     )
 }
+
+/// Scenes that would take minutes to expand are refused at once, without a stand-in of their size.
+#[test]
+fn of_motions() {
+    let chain = |count: usize| -> proc_macro2::TokenStream {
+        let mut bodies = String::new();
+        for n in 0..count {
+            let parent = if n == 0 {
+                "ground".to_owned()
+            } else {
+                format!("b{}", n - 1)
+            };
+            bodies += &format!("body b{n} on {parent} {{ mass: 1, joint: prismatic(x), coordinate: x{n} }}\n");
+        }
+        format!("pub Chain {{ generate: [rhs], {bodies} }}")
+            .parse()
+            .expect("tokens")
+    };
+    let errors = crate::program(chain(5000)).expect_err("too many").to_string();
+    assert!(
+        errors.contains("5000 coordinates and motions are declared: at most 128 are possible [M007]"),
+        "{errors}"
+    );
+    assert!(!crate::expand(chain(129)).to_string().contains("struct Chain"));
+}
