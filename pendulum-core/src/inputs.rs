@@ -63,6 +63,31 @@ pub trait Controlled<T: Real, const N: usize, const M: usize>:
     /// Reports the gap of each closed loop, as [`System::gaps`](crate::System::gaps).
     #[inline]
     fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 3])) {}
+
+    /// The model with a law for its inputs: a [`System`](crate::System).
+    ///
+    /// The law depends on the time and the state alone, so its closure cannot change what it captures: what a controller
+    /// remembers, such as an integral, is no part of the state. Its Jacobian requires the derivative of the law: see
+    /// [`WithInputs`].
+    #[inline]
+    fn with_inputs<F>(&self, inputs: F) -> WithInputs<Self, F, M>
+    where
+        Self: Copy,
+        F: Fn(T, &SVector<T, N>) -> Self::Inputs,
+    {
+        WithInputs::new(*self, inputs)
+    }
+
+    /// The model with a law for its inputs that is generic over the number type: a [`System`](crate::System) with a
+    /// [`Jacobian`](crate::Jacobian).
+    #[inline]
+    fn with_law<L>(&self, law: L) -> WithInputs<Self, Generic<L>, M>
+    where
+        Self: Copy,
+        L: InputLaw<N, M>,
+    {
+        WithInputs::with_law(*self, law)
+    }
 }
 
 /// A model with `M` inputs that can be converted to any number type; what [`Cast`](crate::Cast) is for models without.

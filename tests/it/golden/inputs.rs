@@ -494,34 +494,6 @@ k8 = -0.5/(1/3*l)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl<T: ::pendulum_core::real::Real> CartPole<T> {
-        /// The model with a law for its inputs: a `System`.
-        ///
-        /// Its Jacobian requires the derivative of the law: see `WithInputs`.
-        pub fn with_inputs<F>(
-            &self,
-            inputs: F,
-        ) -> ::pendulum_core::WithInputs<Self, F, 1>
-        where
-            F: ::core::ops::Fn(
-                T,
-                &::pendulum_core::nalgebra::SVector<T, 4>,
-            ) -> CartPoleInputs<T>,
-        {
-            ::pendulum_core::WithInputs::new(*self, inputs)
-        }
-        /// The model with a law for its inputs that is generic over the number type: a `System` with a `Jacobian`.
-        pub fn with_law<L>(
-            &self,
-            law: L,
-        ) -> ::pendulum_core::WithInputs<Self, ::pendulum_core::inputs::Generic<L>, 1>
-        where
-            L: ::pendulum_core::InputLaw<4, 1>,
-        {
-            ::pendulum_core::WithInputs::with_law(*self, law)
-        }
-    }
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 4> for CartPole<T> {
         #[inline]
         fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {

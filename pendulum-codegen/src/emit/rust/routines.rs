@@ -14,14 +14,7 @@ impl Items<'_> {
     /// The implementations of the traits, and the methods beside them.
     pub(super) fn routines(&self) -> TokenStream {
         let [motion, closed, canonical, energy] = self.traits();
-        let parts = [
-            motion,
-            closed,
-            self.laws_of_inputs(),
-            canonical,
-            energy,
-            self.inherent(),
-        ];
+        let parts = [motion, closed, canonical, energy, self.inherent()];
         parts.into_iter().flatten().collect()
     }
 
@@ -145,36 +138,6 @@ impl Items<'_> {
             Some(quote!(::pendulum_core::Controlled<T, #length, #inputs>)),
             &functions,
         ))
-    }
-
-    /// The methods that give a model with inputs a law for these.
-    fn laws_of_inputs(&self) -> Option<TokenStream> {
-        self.program.with_role(Role::InputJacobian)?;
-        let (length, inputs) = (self.length(), count(self.program.inputs.len()));
-        let (name, vector) = (self.inputs_name(), self.shape(Shape::Vector(self.program.layout.len())));
-        let methods = quote! {
-            /// The model with a law for its inputs: a `System`.
-            ///
-            /// Its Jacobian requires the derivative of the law: see `WithInputs`.
-            pub fn with_inputs<F>(&self, inputs: F) -> ::pendulum_core::WithInputs<Self, F, #inputs>
-            where
-                F: ::core::ops::Fn(T, &#vector) -> #name<T>,
-            {
-                ::pendulum_core::WithInputs::new(*self, inputs)
-            }
-
-            /// The model with a law for its inputs that is generic over the number type: a `System` with a `Jacobian`.
-            pub fn with_law<L>(
-                &self,
-                law: L,
-            ) -> ::pendulum_core::WithInputs<Self, ::pendulum_core::inputs::Generic<L>, #inputs>
-            where
-                L: ::pendulum_core::InputLaw<#length, #inputs>,
-            {
-                ::pendulum_core::WithInputs::with_law(*self, law)
-            }
-        };
-        Some(self.implement(None, &methods))
     }
 
     /// A routine as a function of a trait.
