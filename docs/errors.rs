@@ -8,18 +8,23 @@ use std::path::{Path, PathBuf};
 use pendulum_codegen::{Code, program_in};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
 
-/// The heading of a page, and its code blocks, each with the words after its fence.
+/// The heading of a page, its code blocks, each with the words after its fence, and the messages that it quotes.
 #[derive(Default)]
 struct Page {
     heading: String,
     blocks: Vec<(String, String)>,
+    quotes: Vec<String>,
 }
 
 impl Page {
     fn read(path: &Path) -> Self {
-        let mut page = Self::default();
+        let text = read(path);
+        let mut page = Self {
+            quotes: text.split("\n\n").filter_map(quote).collect(),
+            ..Self::default()
+        };
         let (mut in_heading, mut in_block) = (false, false);
-        for event in Parser::new(&read(path)) {
+        for event in Parser::new(&text) {
             match event {
                 Event::Start(Tag::Heading { .. }) => in_heading = page.heading.is_empty(),
                 Event::End(TagEnd::Heading(_)) => in_heading = false,
@@ -43,13 +48,14 @@ impl Page {
     /// What is wrong with the declarations of the page; files that they read are written into a folder.
     fn faults(&self, code: Code, folder: &Path) -> Vec<String> {
         let mut faults = Vec::new();
-        let (mut wrong, mut right) = (0, 0);
+        let (mut wrong, mut right, mut all) = (0, 0, String::new());
         for (words, block) in &self.blocks {
             match words.split_once(',').unwrap_or((words, "")) {
                 ("xml", file) => fs::write(folder.join(file), block).expect("a file is written"),
                 ("mechanism", "wrong") => {
                     wrong += 1;
                     let messages = messages(folder, block);
+                    all += &messages.concat();
                     if messages.is_empty() {
                         faults.push(format!("this is accepted:\n{block}"));
                     }
@@ -62,11 +68,20 @@ impl Page {
                 _ => faults.push(format!("a block of unknown kind: {words}")),
             }
         }
+        let unheard = self.quotes.iter().filter(|quote| !all.contains(*quote));
+        faults.extend(unheard.map(|quote| format!("no message says {quote}")));
         if wrong == 0 || right == 0 {
             faults.push(format!("{wrong} wrong and {right} right declarations"));
         }
         faults
     }
+}
+
+/// The message that a paragraph begins with in quotation marks, on one line.
+fn quote(paragraph: &str) -> Option<String> {
+    let text = paragraph.trim_start().strip_prefix('"')?;
+    let (quote, _) = text.split_once('"')?;
+    Some(quote.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
 /// The messages about a declaration; none if it is accepted.

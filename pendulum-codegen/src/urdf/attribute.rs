@@ -10,18 +10,15 @@ impl Reader {
     pub(super) fn text(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> Option<String> {
         let text = node.attribute(attribute).map(str::trim).filter(|text| !text.is_empty());
         if text.is_none() {
-            let line = node.document().text_pos_at(node.range().start).row;
-            self.wrong(
-                Code::FileNumber,
-                format!("{owner} has no `{attribute}`, line {line}"),
-                "add it",
-            );
+            self.go_to(node);
+            self.wrong(Code::FileNumber, format!("{owner} has no `{attribute}`"), "add it");
         }
         text.map(str::to_owned)
     }
 
     /// The number of an attribute, or what holds where it is left out.
     pub(super) fn number(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str, default: Option<&str>) -> String {
+        self.go_to(node);
         match node.attribute(attribute).or(default) {
             Some(text) => self.parsed(text, attribute, owner, number),
             None => {
@@ -38,6 +35,7 @@ impl Reader {
 
     /// A limit that may be infinite.
     pub(super) fn largest(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> f64 {
+        self.go_to(node);
         let text = node.attribute(attribute).unwrap_or_default().trim();
         if let Some(number) = text.parse().ok().filter(|number: &f64| *number >= 0.0) {
             return number;
@@ -78,6 +76,7 @@ impl Reader {
         owner: &str,
         read: fn(&str) -> Option<String>,
     ) -> Option<[String; 3]> {
+        self.go_to(node);
         let text = node.attribute(attribute).unwrap_or_default();
         let parts: Vec<&str> = text.split_whitespace().collect();
         let Ok(parts) = <[&str; 3]>::try_from(parts) else {

@@ -155,6 +155,7 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
     if is_planar && axis.iter().filter(|number| *number == ZERO).count() != 2 {
         wrong.push(Wrong {
             code: Code::FileJoint,
+            line: Some(joint.line),
             fact: format!(
                 "joint `{name}` is `planar`, and its axis {} is none of those of its frame",
                 list(axis)
@@ -168,6 +169,7 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
         if force.is_some() {
             wrong.push(Wrong {
                 code: Code::FileJoint,
+                line: Some(joint.line),
                 fact: format!(
                     "joint `{name}` is `{word}`, and its `{attribute}` one number for ways that slide and that turn"
                 ),
@@ -178,6 +180,7 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
     if let Some(mimic) = &joint.mimic {
         wrong.push(Wrong {
             code: Code::FileJoint,
+            line: Some(joint.line),
             fact: format!("joint `{name}` is `{word}`, so it cannot mimic `{}`", mimic.joint),
             help: "remove `mimic`, or let the joint turn about an axis or slide along one".to_owned(),
         });
@@ -210,6 +213,7 @@ fn check_reserved(robot: &Robot, replaced: &[Replaced], wrong: &mut Vec<Wrong>) 
         let (body, parent) = (identifier(&joint.child), identifier(&joint.parent));
         wrong.push(Wrong {
             code: Code::FileNames,
+            line: Some(joint.line),
             fact: format!("joint `{coordinate}` has the name of a word of the language: {meaning}"),
             help: format!("write `body {body} on {parent} {{ coordinate: {instead} }}` in the scene, which renames it"),
         });
@@ -353,6 +357,7 @@ fn refused(joint: &Joint, mimic: &Mimic, why: &str, help: &str) -> Wrong {
     );
     Wrong {
         code: Code::FileJoint,
+        line: Some(joint.line),
         fact: format!("joint `{}` mimics {whom}{why}", joint.name),
         help: format!("{help}, {instead}"),
     }

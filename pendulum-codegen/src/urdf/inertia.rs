@@ -55,13 +55,15 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
     let (mut repairs, mut messages) = (BTreeMap::new(), Vec::new());
     let carrier = carrier(robot);
     for group in groups(robot, &carrier, &replaced) {
-        let first = &*group.members[0].link.name;
+        let Link { name: first, line, .. } = group.members[0].link;
+        let (first, line) = (first.as_str(), Some(*line));
         let name = identifier(first);
         if group.moments.mass == 0.0 && group.moments.second.iter().flatten().any(|&x| x != 0.0) {
             // what the scene gives may carry it
             if group.members.iter().all(|member| !member.given) {
                 wrong.push(Wrong {
                     code: Code::FileInertia,
+                    line,
                     fact: format!("`{name}` has an inertia, but its mass is 0"),
                     help: "give it its mass in kg".to_owned(),
                 });
@@ -93,6 +95,7 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
         let give = format!("give `body {name} on {parent} {{ mass: .., com: .., inertia: .. }}` in the scene");
         wrong.push(Wrong {
             code: Code::FileInertia,
+            line,
             fact: format!(
                 "no rigid body has the inertia of `{name}`{with}: its principal moments about the centre of mass \
                  break the triangle inequality, by {share} of the second moments of mass"
@@ -113,12 +116,13 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
 
 /// Reports negative masses but for those in whose place the scene has others.
 fn report_negative(robot: &Robot, replaced: &BTreeMap<&str, &Replaced>, wrong: &mut Vec<Wrong>) {
-    for Link { name, inertial } in &robot.links {
+    for Link { name, line, inertial } in &robot.links {
         let name = identifier(name);
         let mass = inertial.as_ref().map_or(0.0, |inertial| value(&inertial.mass));
         if mass < 0.0 && !replaced.get(&*name).is_some_and(|own| own.weighs) {
             wrong.push(Wrong {
                 code: Code::FileInertia,
+                line: Some(*line),
                 fact: format!("the mass of `{name}` is {mass}"),
                 help: "it must be positive".to_owned(),
             });

@@ -58,7 +58,15 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
         }
         declared = declare::declare(&found, robot, &replaced, undeclared);
     }
-    let report = |wrong: read::Wrong| errors.at(wrong.code, span, format_args!("`{name}`: {}", wrong.fact), wrong.help);
+    let report = |wrong: read::Wrong| {
+        let line = wrong.line.map_or(String::new(), |line| format!(":{line}"));
+        errors.at(
+            wrong.code,
+            span,
+            format_args!("`{name}{line}`: {}", wrong.fact),
+            wrong.help,
+        )
+    };
     if let Some(reported) = wrong.into_iter().map(report).last() {
         // uses of the coordinates that are known are no errors of their own
         let links = declared

@@ -36,18 +36,18 @@ pub(super) fn part_of(joint: &Joint, part: &str) -> String {
 pub(super) fn check_names(robot: &Robot, wrong: &mut Vec<Wrong>) {
     let planar = robot.joints.iter().filter(|joint| joint.kind == Kind::Planar);
     let slides = planar.flat_map(|joint| joint.in_plane().map(|axis| (joint, part_of(joint, axis))));
-    let slides = slides.map(|(joint, slide)| (("joint", &joint.name), slide));
+    let slides = slides.map(|(joint, slide)| (("joint", &joint.name, joint.line), slide));
     let links = robot.links.iter();
-    let bodies = links.map(|link| (("link", &link.name), identifier(&link.name)));
+    let bodies = links.map(|link| (("link", &link.name, link.line), identifier(&link.name)));
     let coordinates = robot.joints.iter().flat_map(|joint| {
         let parts = match joint.kind {
             Kind::Floats => vec!["position", "orientation"],
             Kind::Planar => [&joint.in_plane()[..], &[TURN]].concat(),
-            _ => return vec![(("joint", &joint.name), identifier(&joint.name))],
+            _ => return vec![(("joint", &joint.name, joint.line), identifier(&joint.name))],
         };
         let parts = parts
             .into_iter()
-            .map(|part| (("joint", &joint.name), part_of(joint, part)));
+            .map(|part| (("joint", &joint.name, joint.line), part_of(joint, part)));
         parts.collect()
     });
     for names in [bodies.chain(slides).collect::<Vec<_>>(), coordinates.collect()] {
@@ -57,11 +57,12 @@ pub(super) fn check_names(robot: &Robot, wrong: &mut Vec<Wrong>) {
                 continue;
             };
             let both = match (other, owner) {
-                ((what, a), (also, b)) if what == also => format!("the {what}s `{a}` and `{b}`"),
-                ((what, a), (other, b)) => format!("the {what} `{a}` and the {other} `{b}`"),
+                ((what, a, _), (also, b, _)) if what == also => format!("the {what}s `{a}` and `{b}`"),
+                ((what, a, _), (other, b, _)) => format!("the {what} `{a}` and the {other} `{b}`"),
             };
             wrong.push(Wrong {
                 code: Code::FileNames,
+                line: Some(owner.2),
                 fact: format!("{both} have one name here, `{name}`"),
                 help: "rename one of the two".to_owned(),
             });

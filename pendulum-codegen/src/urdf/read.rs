@@ -13,6 +13,8 @@ use crate::words;
 #[derive(Debug)]
 pub(super) struct Wrong {
     pub(super) code: Code,
+    /// The line in the file, if it is one place.
+    pub(super) line: Option<usize>,
     pub(super) fact: String,
     pub(super) help: String,
 }
@@ -64,8 +66,10 @@ pub(super) const ONE: &str = "1.0";
 /// Reads a file, of which each element must be known where `strict`. Whatever can be read is returned, beside all that is
 /// wrong.
 pub(super) fn read(text: &str, strict: bool) -> (Robot, Vec<Wrong>) {
+    let breaks = text.match_indices('\n').map(|(at, _)| at).collect();
     let mut reader = Reader {
         strict,
+        breaks,
         ..Reader::default()
     };
     let (fact, help) = match Document::parse(text) {
@@ -90,14 +94,25 @@ pub(super) fn read(text: &str, strict: bool) -> (Robot, Vec<Wrong>) {
 #[derive(Debug, Default)]
 pub(super) struct Reader {
     strict: bool,
+    /// Where lines end.
+    breaks: Vec<usize>,
+    /// The line of the element that is read.
+    line: Option<usize>,
     robot: Robot,
     wrong: Vec<Wrong>,
 }
 
 impl Reader {
     pub(super) fn wrong(&mut self, code: Code, fact: impl Into<String>, help: impl Into<String>) {
-        let (fact, help) = (fact.into(), help.into());
-        self.wrong.push(Wrong { code, fact, help });
+        let (fact, help, line) = (fact.into(), help.into(), self.line);
+        self.wrong.push(Wrong { code, line, fact, help });
+    }
+
+    /// Goes to an element: errors are on its line from here on.
+    pub(super) fn go_to(&mut self, node: Node<'_, '_>) -> usize {
+        let line = 1 + self.breaks.partition_point(|&end| end < node.range().start);
+        self.line = Some(line);
+        line
     }
 
     fn robot(&mut self, root: Node<'_, '_>) {
@@ -114,22 +129,26 @@ impl Reader {
             return self.wrong(Code::NotUrdf, fact, ROBOT);
         }
         for node in self.children(root, "the robot", &["link", "joint"]) {
+            self.go_to(node);
             match node.tag_name().name() {
                 "link" => self.link(node),
                 _ => self.joint(node),
             }
         }
         self.repeated("link", |robot| {
-            robot.links.iter().map(|link| link.name.clone()).collect()
+            let links = robot.links.iter();
+            links.map(|link| (link.line, link.name.clone())).collect()
         });
         self.repeated("joint", |robot| {
-            robot.joints.iter().map(|joint| joint.name.clone()).collect()
+            let joints = robot.joints.iter();
+            joints.map(|joint| (joint.line, joint.name.clone())).collect()
         });
     }
 
-    fn repeated(&mut self, what: &str, names: fn(&Robot) -> Vec<String>) {
+    fn repeated(&mut self, what: &str, names: fn(&Robot) -> Vec<(usize, String)>) {
         let mut seen = BTreeSet::new();
-        for name in names(&self.robot) {
+        for (line, name) in names(&self.robot) {
+            self.line = Some(line);
             if !seen.insert(name.clone()) {
                 self.wrong(
                     Code::FileNames,
@@ -144,16 +163,18 @@ impl Reader {
         let Some(name) = self.text(node, "name", "a link") else {
             return;
         };
-        let owner = format!("link `{name}`");
+        let (owner, line) = (format!("link `{name}`"), self.go_to(node));
         let parts = self.by_name(node, &owner, &["inertial"]);
         let inertial = parts.get("inertial").and_then(|&part| self.inertial(part, &owner));
-        self.robot.links.push(Link { name, inertial });
+        self.robot.links.push(Link { name, line, inertial });
     }
 
     fn inertial(&mut self, node: Node<'_, '_>, owner: &str) -> Option<Inertial> {
+        self.go_to(node);
         let parts = self.by_name(node, owner, &["origin", "mass", "inertia"]);
         let origin = self.origin(parts.get("origin").copied(), owner);
         let (Some(&mass), Some(&inertia)) = (parts.get("mass"), parts.get("inertia")) else {
+            self.go_to(node);
             let missing = if parts.contains_key("mass") { "inertia" } else { "mass" };
             self.wrong(
                 Code::FileNumber,
@@ -172,14 +193,16 @@ impl Reader {
         let Some(name) = self.text(node, "name", "a joint") else {
             return;
         };
-        let owner = format!("joint `{name}`");
+        let (owner, line) = (format!("joint `{name}`"), self.go_to(node));
         let known = ["origin", "parent", "child", "axis", "limit", "dynamics", "mimic"];
         let parts = self.by_name(node, &owner, &known);
+        self.go_to(node);
         let word = self.text(node, "type", &owner);
         let kind = word.and_then(|word| self.kind(&word, &owner));
         let [parent, child] = ["parent", "child"].map(|end| match parts.get(end) {
             Some(&part) => self.text(part, "link", &format!("the {end} of {owner}")),
             None => {
+                self.go_to(node);
                 self.wrong(
                     Code::FileNumber,
                     format!("{owner} has no {end}"),
@@ -196,6 +219,7 @@ impl Reader {
             .get("limit")
             .filter(|limit| limit.has_attribute("lower") || limit.has_attribute("upper"));
         let limits = limits.map(|&limit| {
+            self.go_to(limit);
             let as_place = if kind == Some(Kind::Turns) { angle } else { length };
             ["lower", "upper"].map(|end| {
                 let text = limit.attribute(end).unwrap_or(ZERO);
@@ -223,6 +247,7 @@ impl Reader {
         };
         self.robot.joints.push(Joint {
             name,
+            line,
             kind,
             origin,
             parent,
@@ -295,8 +320,8 @@ impl Reader {
             self.robot.left_out.insert(name.to_owned());
             return;
         }
-        let line = node.document().text_pos_at(node.range().start).row;
-        let fact = format!("unknown element `{name}` in {owner}, line {line}");
+        self.go_to(node);
+        let fact = format!("unknown element `{name}` in {owner}");
         let help = match meant {
             Some(meant) => format!("did you mean `{meant}`? otherwise remove it"),
             None => format!("remove it, or leave out `strict`; read are {}", known.join(", ")),
@@ -309,6 +334,7 @@ impl Reader {
         let mut parts = BTreeMap::new();
         for part in self.children(node, owner, known) {
             let name = part.tag_name().name();
+            self.go_to(part);
             if parts.insert(name, part).is_some() {
                 self.wrong(
                     Code::FileElement,

@@ -17,6 +17,8 @@ pub(super) struct Robot {
 #[derive(Debug)]
 pub(super) struct Link {
     pub(super) name: String,
+    /// The line of its element in the file.
+    pub(super) line: usize,
     pub(super) inertial: Option<Inertial>,
 }
 
@@ -40,6 +42,8 @@ pub(super) struct Origin {
 #[derive(Debug)]
 pub(super) struct Joint {
     pub(super) name: String,
+    /// The line of its element in the file.
+    pub(super) line: usize,
     pub(super) kind: Kind,
     pub(super) origin: Origin,
     pub(super) parent: String,

@@ -48,6 +48,7 @@ fn unknown_ends(robot: &Robot) -> Vec<Wrong> {
         {
             found.push(Wrong {
                 code: Code::FileTree,
+                line: Some(joint.line),
                 fact: format!("joint `{}` is tied to `{end}`, which is no link", joint.name),
                 help: format!("add `<link name=\"{end}\"/>`, or mend the name"),
             });
@@ -59,12 +60,13 @@ fn unknown_ends(robot: &Robot) -> Vec<Wrong> {
 /// Links that hang on more than one joint.
 fn loops(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Vec<Wrong> {
     let mut found = Vec::new();
-    for Link { name, .. } in &robot.links {
+    for Link { name, line, .. } in &robot.links {
         let carriers = carriers.get(name.as_str()).into_iter().flatten();
         let parents: Vec<&str> = carriers.map(|joint| joint.parent.as_str()).collect();
         if parents.len() > 1 {
             found.push(Wrong {
                 code: Code::FileTree,
+                line: Some(*line),
                 fact: format!("link `{name}` hangs on `{}`: a loop", parents.join("` and on `")),
                 help: "a URDF file describes a tree: remove all but one of its joints".to_owned(),
             });
@@ -81,10 +83,12 @@ fn roots(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Option<Wrong>
         .copied()
         .filter(|link| !carriers.contains_key(link))
         .collect();
-    let (fact, help) = if known.is_empty() {
-        ("it has no link".to_owned(), "add `<link name=\"..\"/>`")
+    let line = |name: &str| robot.links.iter().find(|link| link.name == name).map(|link| link.line);
+    let (line, fact, help) = if known.is_empty() {
+        (None, "it has no link".to_owned(), "add `<link name=\"..\"/>`")
     } else if let (Some(root), Some(other)) = (roots.first(), roots.iter().nth(1)) {
         (
+            line(other),
             format!("both `{root}` and `{other}` hang on nothing, so there is more than one root"),
             "hang one of them on another link, by a joint of type `fixed`",
         )
@@ -92,6 +96,7 @@ fn roots(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Option<Wrong>
         let reached = reached(robot, roots);
         let link = known.difference(&reached).next()?;
         (
+            line(link),
             format!("link `{link}` hangs on itself, by way of the links that carry it"),
             "follow the parents: each chain must end on one root",
         )
@@ -99,6 +104,7 @@ fn roots(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Option<Wrong>
     let help = help.to_owned();
     Some(Wrong {
         code: Code::FileTree,
+        line,
         fact,
         help,
     })
