@@ -1,4 +1,4 @@
-//! Prints what `mechanism!` makes of a declaration.
+//! Prints the code that `mechanism!` generates for a declaration.
 //!
 //! ```sh
 //! cargo run --example emitted                         # the code for the double pendulum of the paper, formatted
@@ -20,12 +20,12 @@ use declarations::declarations;
 #[path = "../tests/common/declarations.rs"]
 mod declarations;
 
-/// What is printed where no file is named.
+/// File that is read by default.
 const DEFAULT: &str = "testbed/src/scenes.rs";
 
 const USAGE: &str = "usage: emitted [FILE], emitted --latex [FILE] or emitted --c [FILE [FOLDER]]";
 
-/// What is printed of each declaration.
+/// Language of the output.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Output {
     Rust,
@@ -114,7 +114,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// Writes a header and a source, and names them.
+/// Writes a header and a source file, and prints their paths.
 fn write_c(sources: &Sources, folder: &Path) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(folder)?;
     for (extension, text) in [("h", &sources.header), ("c", &sources.source)] {

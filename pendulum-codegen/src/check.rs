@@ -1,4 +1,4 @@
-//! Physical checks that need the whole scene.
+//! Physical checks of the whole model.
 
 use rustc_hash::FxHashSet;
 
@@ -8,8 +8,8 @@ use crate::expr::{ExprId, Normalizer, SymbolKind, vanishing_pivot};
 use crate::lower::Spans;
 use crate::model::{CoordinateId, Model};
 
-/// Refuses a scene whose mass matrix is singular in every state, for all parameters, or that has numbers which change
-/// nothing. To `errors` it adds.
+/// Checks the model: rejects a mass matrix that is singular in every state for all parameters, walls whose gap cannot
+/// change, and parameters and inputs without effect. New errors are added to `errors`.
 pub(crate) fn check(
     model: &Model<'_>,
     spans: &Spans,
@@ -23,19 +23,21 @@ pub(crate) fn check(
         let (body, coordinate) = (&model.bodies[n], &model.coordinates[k].name);
         let fact = match coordinate.split_once('.').filter(|_| body.spin.is_some()) {
             Some((orientation, axis)) => format!(
-                "the orientation `{orientation}` has no inertia about {axis}, so the mass matrix is singular in every state"
+                "the orientation `{orientation}` has no inertia about {axis}, \
+                 so the mass matrix is singular in every state"
             ),
             None => format!("coordinate `{coordinate}` has no inertia, so the mass matrix is singular in every state"),
         };
         let name = &body.name;
         let help = if body.spin.is_some() {
             format!(
-                "give `{name}` an `inertia` about all axes, or solids that have one: a point has none, and a rod none along itself"
+                "give `{name}` an `inertia` about all axes, or solids that have one: \
+                 a point has none, and a rod none along itself"
             )
         } else if body.inertia.mass.is_zero() && errors.is_in_file(spans.bodies[n]) {
             format!(
-                "write `repair` behind the path to hold joints that move no mass, or change `body {name}` in the scene: \
-                 give it mass or make the joint `fixed`"
+                "write `repair` behind the path to hold joints that move no mass, or change `body {name}` \
+                 in the scene: give it mass or make the joint `fixed`"
             )
         } else if body.inertia.mass.is_zero() {
             format!("give `{name}` mass or make the joint `fixed`")
@@ -54,9 +56,9 @@ pub(crate) fn check(
     errors.finish(())
 }
 
-/// Reports walls whose gap no motion of the state changes.
+/// Reports walls whose gap depends on no coordinate.
 fn report_walls(model: &Model<'_>, spans: &Spans, errors: &mut Errors) {
-    /// How far the normal form of a derivative may grow.
+    /// Maximum number of products of terms in the normal form of a derivative.
     const BUDGET: usize = 10_000;
     let walls = model
         .constraints
@@ -80,7 +82,7 @@ fn report_walls(model: &Model<'_>, spans: &Spans, errors: &mut Errors) {
     }
 }
 
-/// Whether anything is generated that accelerations are needed for.
+/// True if the generated code needs accelerations: for any routine but `shapes`, or for an output that contains a rate.
 fn needs_inertia(model: &Model<'_>) -> bool {
     let outputs = model.outputs.iter().flat_map(|output| output.values.iter().copied());
     let outputs: Vec<_> = outputs.collect();
@@ -88,7 +90,8 @@ fn needs_inertia(model: &Model<'_>) -> bool {
     model.generate.iter().any(|word| *word != "shapes") || symbols.any(|s| matches!(s.kind, SymbolKind::Rate(_)))
 }
 
-/// Reports parameters and inputs that neither the motion, nor the energy, nor a check of the parameters depends on.
+/// Reports parameters and inputs that affect no equation of motion, energy, output, event or constraint, and no check
+/// of the parameters.
 fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>, errors: &mut Errors) {
     let checked = model.rules.iter().map(|rule| rule.value);
     let outputs = model.outputs.iter().flat_map(|output| output.values.iter().copied());

@@ -1,4 +1,4 @@
-//! What is outside of a declaration: the files that it names, and the folder in which they are looked for.
+//! Entry points that read the files named in a declaration, relative to a folder.
 
 use std::env;
 use std::io::ErrorKind;
@@ -13,30 +13,32 @@ use crate::urdf::{self, Unreadable};
 
 /// Expands a declaration into Rust items, or into its compile errors and a stand-in for the items.
 ///
-/// Files that it names are looked for in the folder of the manifest, `CARGO_MANIFEST_DIR`, and are read by the items
-/// too, so that cargo builds them anew when a file changes.
+/// Paths are relative to the folder of the manifest, `CARGO_MANIFEST_DIR`. The items include the file of a robot, so
+/// that cargo rebuilds when it changes.
 pub fn expand(tokens: TokenStream) -> TokenStream {
     let folder = manifest_folder();
     let (mut items, robot) = pipeline::expand(tokens, &|name| text_of(&folder, name));
-    // that it is no file, or not there, has been reported; without a manifest there is no cargo, which would build anew
+    // a missing file has been reported; without a manifest, there is no cargo that could rebuild
     if let Some(robot) = robot.filter(|name| env::var_os(MANIFEST).is_some() && folder.join(name).is_file()) {
         items.extend(urdf::tracked(&robot));
     }
     items
 }
 
-/// Expands a declaration whose files are in a folder; the items do not name it.
+/// Like [`expand`], but with paths relative to `folder`; the items do not include the file of a robot.
 pub fn expand_in(folder: &Path, tokens: TokenStream) -> TokenStream {
     pipeline::expand(tokens, &|name| text_of(folder, name)).0
 }
 
-/// The program of a declaration, or all that is wrong with it. Files that it names are looked for in the folder of the
-/// manifest, `CARGO_MANIFEST_DIR`, or where the program runs.
+/// Compiles a declaration into a program, or returns all of its errors.
+///
+/// Paths are relative to the folder of the manifest, `CARGO_MANIFEST_DIR`, or to the working directory if that variable
+/// is not set.
 pub fn program(tokens: TokenStream) -> Result<Program, Errors> {
     program_in(&manifest_folder(), tokens)
 }
 
-/// The program of a declaration whose files are in a folder, or all that is wrong with it.
+/// Like [`program()`], but with paths relative to `folder`.
 pub fn program_in(folder: &Path, tokens: TokenStream) -> Result<Program, Errors> {
     pipeline::program(tokens, &|name| text_of(folder, name))
 }
@@ -47,7 +49,7 @@ fn manifest_folder() -> PathBuf {
     env::var_os(MANIFEST).map(PathBuf::from).unwrap_or_default()
 }
 
-/// The text of a file, or what is wrong and what to do about it.
+/// Returns the text of a file, or why it cannot be read and a help text.
 fn text_of(folder: &Path, name: &str) -> Result<String, Unreadable> {
     let begins = "the path begins at the folder in which `Cargo.toml` is";
     if name.trim().is_empty() {

@@ -15,11 +15,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! One way through, no way back: tokens to syntax (`parse`, `ast`, `units`, `urdf`) to a typed scene (`lower`, `model`,
-//! `check`) to expressions of its motion (`screw`, `dynamics`, on the graph of `expr`) to the shortest forms of them
-//! (`form`, `pass`) to a [`mod@program`], in no language, to Rust or [C](c()) (`emit`). Spans stop at the model; of the
-//! syntax only the head, with the name and the visibility of the model, reaches the Rust printer. The same declaration
-//! gives the same code, byte for byte.
+//! The compilation is a pipeline without back edges: tokens to a syntax tree (`parse`, `ast`, `units`, `urdf`), to a
+//! typed model (`lower`, `model`, `check`), to expressions of the equations of motion (`screw`, `dynamics`, on the
+//! graph of `expr`), to simplified expressions (`form`, `pass`), to a language-independent [`mod@program`], to Rust or
+//! [C](c()) (`emit`). Spans of items are not used after `check`; of the syntax tree, only the head with the name and
+//! visibility of the model reaches the Rust printer. The output is deterministic: the same declaration gives the same
+//! code, byte for byte.
 #![forbid(unsafe_code)]
 
 mod ast;

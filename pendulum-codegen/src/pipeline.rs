@@ -1,4 +1,4 @@
-//! The whole path on one screen: tokens, syntax tree, model, dynamics, program, code.
+//! The compilation pipeline: tokens, syntax tree, model, dynamics, program, code.
 
 use proc_macro2::TokenStream;
 
@@ -12,8 +12,8 @@ use crate::program::{NotFinite, Program};
 use crate::urdf::Files;
 use crate::{check, lower, parse, urdf};
 
-/// The Rust items of a declaration, or its compile errors and a stand-in for the items; and the file of its robot, if it
-/// names one.
+/// Expands a declaration into Rust items, or into its compile errors and a stand-in for the items. Also returns the
+/// path of its robot file, if it names one.
 pub(crate) fn expand(tokens: TokenStream, files: &Files<'_>) -> (TokenStream, Option<String>) {
     let (scene, errors) = parse::parse(tokens);
     let Some(mut scene) = scene else {
@@ -34,7 +34,7 @@ pub(crate) fn expand(tokens: TokenStream, files: &Files<'_>) -> (TokenStream, Op
     (items, scene.items.robot.map(|robot| robot.path))
 }
 
-/// The program of a declaration, or all that is wrong with it.
+/// Compiles a declaration into a program, or returns all of its errors.
 pub(crate) fn program(tokens: TokenStream, files: &Files<'_>) -> Result<Program, Errors> {
     let (scene, errors) = parse::parse(tokens);
     match scene {

@@ -1,19 +1,19 @@
-//! Words that people write for words of the language: near misses, and those of other tools.
+//! Suggestions for unknown words: misspelt words of the language, and words of other tools.
 
-/// Words for one thing, in lower case and without underscores, and the word of the language for it; where the language
-/// has none, what to do instead.
+/// Synonyms, in lower case and without underscores, with the word of the language for them, or a help text if there is
+/// none.
 pub(crate) type Synonyms = [(&'static [&'static str], &'static str)];
 
-/// What to do about an unknown word.
+/// Advice on an unknown word.
 #[derive(Debug)]
 pub(crate) struct Advice<'a> {
-    /// The known word that is meant, if that can be guessed.
+    /// The known word that is probably meant.
     pub meant: Option<&'a str>,
-    /// A help line.
+    /// Help text.
     pub help: String,
 }
 
-/// Advice about an unknown word, where the `known` ones may stand.
+/// Returns advice on an unknown word in a place where the `known` ones are allowed.
 pub(crate) fn advice<'a>(
     word: &str,
     known: impl IntoIterator<Item = &'a str>,
@@ -37,7 +37,7 @@ pub(crate) fn advice<'a>(
     Advice { meant, help }
 }
 
-/// What a word means in a table: a word of the language, or a sentence.
+/// Looks up a word in a table. Returns a word of the language, or a sentence.
 pub(crate) fn synonym(word: &str, synonyms: &'static Synonyms) -> Option<&'static str> {
     let plain = plain(word);
     let row = synonyms.iter().find(|(words, _)| words.contains(&plain.as_str()));
@@ -56,7 +56,7 @@ fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
         .map(|(_, candidate)| candidate)
 }
 
-/// A word without the differences of style: `Center_Of_Mass` is `centerofmass`.
+/// Removes differences in style: `Center_Of_Mass` becomes `centerofmass`.
 fn plain(word: &str) -> String {
     word.to_lowercase().replace('_', "")
 }
@@ -292,16 +292,18 @@ pub(crate) const JOINTS: &Synonyms = &[
     (&["helix"], "helical"),
     (
         &["planar"],
-        "write it as three: two bodies without mass that slide, `joint: prismatic(x)` and on that `joint: prismatic(y)`, \
-         and on the second the body itself with `joint: revolute(z)`",
+        "write it as three: two bodies without mass that slide, `joint: prismatic(x)` \
+         and on that `joint: prismatic(y)`, and on the second the body itself with `joint: revolute(z)`",
     ),
     (
         &["cylindrical", "cylinder"],
-        "write it as two: a body without mass with `joint: prismatic(z)`, and on it the body itself with `joint: revolute(z)`",
+        "write it as two: a body without mass with `joint: prismatic(z)`, \
+         and on it the body itself with `joint: revolute(z)`",
     ),
     (
         &["universal", "cardan", "hooke", "u"],
-        "write it as two: a body without mass with `joint: revolute(x)`, and on it the body itself with `joint: revolute(y)`",
+        "write it as two: a body without mass with `joint: revolute(x)`, \
+         and on it the body itself with `joint: revolute(y)`",
     ),
     (
         &["gimbal", "euler"],
@@ -326,7 +328,7 @@ pub(crate) const JOINTS: &Synonyms = &[
     ),
 ];
 
-/// What follows a joint.
+/// Words after a joint.
 pub(crate) const AFTER_JOINT: &Synonyms = &[
     (&["on", "position", "origin", "offset", "xyz", "from"], "at"),
     (&["rotation", "orientation", "angles", "turned", "rotated"], "rpy"),

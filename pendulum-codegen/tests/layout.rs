@@ -1,8 +1,8 @@
-//! Which coordinates are angles, which of them are periodic, and whether time occurs.
+//! Layout of the state: angles, periodic and cyclic coordinates, and dependence on time.
 
 use pendulum_codegen::program::SlotKind::{self, Angle, Length};
 
-/// What is expected of a coordinate: its kind, whether it is periodic, whether it is cyclic.
+/// Expected properties of a coordinate: kind, periodic, cyclic.
 #[derive(Clone, Copy)]
 struct Coordinate(SlotKind, bool, bool);
 
@@ -30,7 +30,7 @@ const SWINGS: Coordinate = Coordinate(Angle, true, false);
 const COUNTS_TURNS: Coordinate = Coordinate(Angle, false, false);
 const SPINS: Coordinate = Coordinate(Angle, true, true);
 
-/// A pendulum with this joint, and with these fields in its body.
+/// Returns a pendulum with this joint, and with further fields in its body.
 fn pendulum(joint: &str, more: &str) -> String {
     format!(
         "params {{ k: N m, pitch: m }} gravity: [0, -9.81, 0],
@@ -47,7 +47,7 @@ fn a_turn_that_leads_half_a_turn_is_no_period() {
         let weight =
             format!("body weight on ground {{ mass: 1, com: [0, -1, 0], joint: revolute(z), motion: {factor}*theta }}");
         check(&format!("{} {weight}", pendulum("revolute(z)", "")), true, &[expected]);
-        // what turns round its center is seen by outputs alone
+        // the angle of a wheel that turns about its centre of mass affects outputs only
         let wheel =
             format!("body wheel on ground {{ inertia: 1, mass: 1, joint: revolute(z), motion: {factor}*theta }}");
         check(&format!("{} {wheel}", pendulum("revolute(z)", "")), true, &[expected]);
@@ -110,20 +110,22 @@ fn what_the_motion_does_not_depend_on_is_cyclic() {
     check(cart, true, &[Coordinate(Length, false, true), SWINGS]);
     let table = "gravity: [0, 0, -9.81],
         body table on ground { mass: 2, inertia: [1, 1, 1], joint: revolute(z), coordinate: turn }
-        body bob on table { mass: 1, com: [0, 0, -1], inertia: [1, 1, 1], joint: revolute(y) at [1, 0, 0], coordinate: theta }";
+        body bob on table { mass: 1, com: [0, 0, -1], inertia: [1, 1, 1], joint: revolute(y) at [1, 0, 0], \
+            coordinate: theta }";
     check(table, true, &[SPINS, SWINGS]);
     let without_rhs = format!("generate: [energy], {cart}");
     check(&without_rhs, true, &[Coordinate(Length, false, true), SWINGS]);
 }
 
-/// A spring between two links takes the difference of their absolute angles, so turns of either count.
+/// A spring between two links depends on the difference of their absolute angles, so neither angle is periodic.
 #[test]
 fn a_spring_of_absolute_angles_counts_turns_of_both() {
     let chain = |spring: &str| {
         format!(
             "gravity: [0, -9.81, 0],
              body upper on ground {{ mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a }}
-             body lower on upper {{ mass: 1, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: b absolute {spring} }}"
+             body lower on upper {{ mass: 1, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], \
+                coordinate: b absolute {spring} }}"
         )
     };
     check(&chain(""), true, &[SWINGS, SWINGS]);

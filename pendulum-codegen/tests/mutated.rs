@@ -1,11 +1,11 @@
-//! Declarations with mistakes that nobody thought of: declarations of the repository, changed at random.
+//! Randomly changed declarations of the repository, to find mistakes that no other test covers.
 //!
-//! Whatever is written, the generator neither panics nor runs out of stack or time. It gives items that parse, the same
-//! ones each time, or errors, each of which says on its place what to do.
+//! On any input, the generator neither panics nor exceeds its stack or time. It returns items that parse, always the
+//! same for the same input, or errors, each with a code and a help text.
 //!
-//! `PENDULUM_MUTATED=200000 cargo test --release -p pendulum-codegen --test mutated -- --nocapture` tries more of them,
-//! and `PENDULUM_SEED=17 PENDULUM_MUTATED=1` one. Of a failure the seed is printed; of an overflow of the stack, which
-//! ends the process, it stands in the files `mutated-*.seed` in `target/tmp`.
+//! `PENDULUM_MUTATED=200000 cargo test --release -p pendulum-codegen --test mutated -- --nocapture` tries more inputs,
+//! and `PENDULUM_SEED=17 PENDULUM_MUTATED=1` a single one. A failure prints its seed. A stack overflow ends the
+//! process, and leaves the seed in one of the files `mutated-*.seed` in `target/tmp`.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -32,7 +32,7 @@ mod declarations;
 )]
 mod random;
 
-/// Where there are declarations, from the root of the repository.
+/// Folders with declarations, relative to the root of the repository.
 const FOLDERS: [&str; 11] = [
     "pendulum-codegen/tests/ui",
     "testbed/src",
@@ -47,19 +47,19 @@ const FOLDERS: [&str; 11] = [
     "studies/tests/it",
 ];
 
-/// The longest declaration that is changed, in characters: longer ones take too long where they are still right.
+/// Maximum length of a declaration, in characters: longer ones take too long if they are still right after a change.
 const LONGEST: usize = 400;
 
-/// What the program of an input may take, without optimisation.
+/// Maximum time for the expansion of an input, without optimisation.
 const TIME: Duration = Duration::from_secs(2);
 
-/// When an input is given up, and the test with it.
+/// Time after which an input counts as hanging, and the test is aborted.
 const HANGS: Duration = Duration::from_secs(120);
 
-/// The stack of the compiler's thread.
+/// Stack size of a test thread, in bytes; equal to that of a thread of the compiler.
 const STACK: usize = 8 << 20;
 
-/// How many inputs are tried where no other number is given.
+/// Default number of inputs.
 const INPUTS: u64 = 500;
 
 #[test]
@@ -102,7 +102,7 @@ fn whatever_is_written_is_answered() {
     );
 }
 
-/// Ends the process where an input hangs, since its thread cannot be ended.
+/// Ends the process if an input hangs, since its thread cannot be ended.
 fn watch(working: &[Mutex<Option<(u64, Instant)>>], all_are_given: impl Fn() -> bool) {
     loop {
         std::thread::sleep(Duration::from_millis(50));
@@ -120,7 +120,7 @@ fn watch(working: &[Mutex<Option<(u64, Instant)>>], all_are_given: impl Fn() -> 
     }
 }
 
-/// What came of an input.
+/// Result of an input.
 struct Answer {
     seed: u64,
     kind: Kind,
@@ -128,7 +128,7 @@ struct Answer {
 }
 
 enum Kind {
-    /// It is not made of tokens, so no macro ever sees it.
+    /// The text is not a sequence of tokens, so it cannot reach a macro.
     NoTokens,
     Accepted,
     Refused,
@@ -147,7 +147,7 @@ impl Answer {
         Self { seed, kind, time }.with(input)
     }
 
-    /// A failure with the input that it is of.
+    /// Adds the seed and the input to a failure.
     fn with(mut self, input: &str) -> Self {
         if let Kind::Failure(text) = &mut self.kind {
             let shown: String = input.chars().take(3000).collect();
@@ -184,7 +184,7 @@ fn kind(seed: u64, input: &str) -> Kind {
     if let Err(error) = syn::parse2::<syn::File>(items.clone()) {
         return Kind::Failure(format!("the items do not parse: {error}"));
     }
-    // in some cases only, for its time
+    // for some inputs only, to save time
     if seed.is_multiple_of(4) {
         let text = items.to_string();
         if let Err(error) = syn::parse_file(&text) {
@@ -197,7 +197,7 @@ fn kind(seed: u64, input: &str) -> Kind {
     if is_refused { Kind::Refused } else { Kind::Accepted }
 }
 
-/// Whether a message has a code at the end of its first line, and a line with help.
+/// True if a message has a code at the end of its first line, and then a line with help.
 fn is_complete(message: &str) -> bool {
     let Some((fact, rest)) = message.split_once('\n') else {
         return false;
@@ -206,7 +206,7 @@ fn is_complete(message: &str) -> bool {
     code.is_some_and(|code| Code::ALL.iter().any(|known| known.text() == code)) && rest.starts_with("help: ")
 }
 
-/// The time that this thread has run; where the system does not say, what has passed.
+/// Returns the CPU time of this thread, or the elapsed time if the system does not report it.
 fn processor_time() -> Duration {
     static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
     let start = *START;
@@ -235,7 +235,7 @@ impl Answers {
         }
     }
 
-    /// How many inputs the generator saw.
+    /// Number of inputs that reached the generator.
     fn tokens(&self) -> u64 {
         self.accepted + self.refused + self.failures.len() as u64
     }
@@ -255,12 +255,12 @@ impl std::fmt::Display for Answers {
     }
 }
 
-/// All declarations, as their tokens: brackets are tokens of their own.
+/// All declarations, as lists of tokens, in which brackets are tokens of their own.
 struct Corpus {
     right: Vec<Vec<String>>,
-    /// Those of the cases of errors.
+    /// Declarations from the error cases.
     wrong: Vec<Vec<String>>,
-    /// Every token that occurs.
+    /// All tokens that occur.
     words: Vec<String>,
 }
 
@@ -294,13 +294,13 @@ impl Corpus {
         Self { right, wrong, words }
     }
 
-    /// A declaration: as often a right one as a wrong one, however many there are of each.
+    /// Returns a declaration: a right or a wrong one with equal probability.
     fn some(&self, random: &mut Random) -> &Vec<String> {
         let from = [&self.right, &self.wrong][random.below(2)];
         random.of(from)
     }
 
-    /// One of the declarations, with some changes.
+    /// Returns a declaration with some changes.
     fn mutated(&self, seed: u64) -> String {
         let mut random = Random::new(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
         let mut tokens = self.some(&mut random).clone();
@@ -310,7 +310,7 @@ impl Corpus {
         let mut text = String::new();
         for token in tokens {
             text += &token;
-            // a tick begins a lifetime, and a sign joins the next one
+            // a tick must join the next token, as in a lifetime
             if !token.ends_with('\'') {
                 text.push(' ');
             }
@@ -326,7 +326,7 @@ impl Corpus {
             tokens.push(random.of(&self.words).clone());
             return;
         }
-        // most changes of brackets leave no tokens
+        // most changes to brackets leave no valid tokens
         let place = |random: &mut Random| {
             let at = random.below(tokens.len());
             let is_bracket = "()[]{}".contains(&tokens[at]);
@@ -364,7 +364,7 @@ impl Corpus {
                 tokens.insert(at, open.repeat(depth));
             }
             15 => {
-                // the same many times over
+                // many repetitions
                 let count = [10, 100, 700][random.below(3)];
                 let end = (at + 1 + random.below(3)).min(tokens.len());
                 let copy: Vec<String> = tokens[at..end]
@@ -439,7 +439,7 @@ impl Corpus {
     }
 }
 
-/// Text with characters that are gone, doubled, or others.
+/// Removes, doubles, replaces or inserts some characters.
 fn spoiled(text: &str, random: &mut Random) -> String {
     let mut characters: Vec<char> = text.chars().collect();
     for _ in 0..=random.below(3) {
@@ -461,7 +461,7 @@ fn spoiled(text: &str, random: &mut Random) -> String {
     characters.into_iter().collect()
 }
 
-/// The sources in a folder and those in it, in order.
+/// Returns the source files in a folder and its subfolders, in order.
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a folder");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();

@@ -1,7 +1,7 @@
-//! Wrong declarations, one file for each mistake in folders by kind, and what the generator says of them.
+//! Wrong declarations, one file for each mistake, in folders by kind, and the messages of the generator.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p pendulum-codegen --test ui` rewrites the expected messages. What only a compiler
-//! shows, such as uses of a wrong model, is in `tests/ui` of the workspace.
+//! `UPDATE_EXPECT=1 cargo test -p pendulum-codegen --test ui` rewrites the expected messages. Mistakes that only a
+//! compiler reports, such as a wrong use of a model, are in `tests/ui` of the workspace.
 
 use std::fmt::Write;
 use std::fs;
@@ -27,7 +27,7 @@ fn wrong_declarations_are_explained() {
         .filter(|path| !path.with_extension("rs").exists())
         .collect();
     assert!(left.is_empty(), "expected messages without a case: {left:?}");
-    // every difference is shown, not only the first
+    // show every difference, not only the first
     let differs = |case: &PathBuf| {
         catch_unwind(|| expect_file![case.with_extension("stderr")].assert_eq(&messages(case))).is_err()
     };
@@ -51,7 +51,7 @@ fn each_code_has_a_case() {
     assert!(without.is_empty(), "no case has the codes {without:?}");
 }
 
-/// Cases and their expected messages.
+/// Returns the cases and their expected messages.
 fn files() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
     let kinds = paths(&folder);
@@ -59,7 +59,7 @@ fn files() -> Vec<PathBuf> {
     kinds.iter().flat_map(|kind| paths(kind)).collect()
 }
 
-/// What stands in a folder, in order.
+/// Returns the entries of a folder, in order.
 fn paths(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a folder");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
@@ -67,7 +67,7 @@ fn paths(folder: &Path) -> Vec<PathBuf> {
     paths
 }
 
-/// All errors of a file, as the compiler prints them.
+/// Returns all errors of a file, as the compiler prints them.
 fn messages(case: &Path) -> String {
     let source = fs::read_to_string(case).expect("a case");
     let name = case.file_name().and_then(|name| name.to_str()).expect("a name");
@@ -84,11 +84,11 @@ fn messages(case: &Path) -> String {
     text
 }
 
-/// An error, the line it stands on, and marks under what is wrong.
+/// Formats an error with its line, and marks under the tokens at fault.
 fn message(error: &syn::Error, file: &str, source: &str) -> String {
     let (start, end) = (error.span().start(), error.span().end());
     let line = source.lines().nth(start.line - 1).unwrap_or_default();
-    // of what goes on over more lines the first is shown
+    // of an error over several lines, only the first is shown
     let last = if end.line == start.line {
         end.column
     } else {

@@ -1,4 +1,4 @@
-//! The `mechanism!` macro. All of its work is done by `pendulum-codegen`, where it can be tested as a library.
+//! The `mechanism!` macro. It only calls `pendulum-codegen`, which can be tested as a library.
 #![forbid(unsafe_code)]
 
 use proc_macro::TokenStream;

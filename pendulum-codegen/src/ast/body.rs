@@ -1,4 +1,4 @@
-//! Bodies with their joints, shapes and solids, and the robot that brings bodies of its own.
+//! Bodies with their joints, shapes and solids, and robots from files.
 
 use proc_macro2::{Span, TokenStream};
 use syn::Ident;
@@ -9,50 +9,48 @@ use crate::error::Reported;
 /// `[low, high] restitution(e, slow)`
 #[derive(Debug)]
 pub(crate) struct Stop {
-    /// The least and the largest coordinate.
+    /// Lower and upper limit of the coordinate.
     pub limits: [Expr; 2],
-    /// Their text.
+    /// Source text of the limits.
     pub tokens: TokenStream,
-    /// How much of the rate remains after an impact, and below which rate nothing rebounds.
+    /// Coefficient of restitution, and the impact rate below which there is no rebound.
     pub restitution: Option<(Expr, Option<Expr>)>,
 }
 
 /// `shape name { .. }`
 #[derive(Debug)]
 pub(crate) struct Shape {
-    /// Name.
     pub name: Ident,
-    /// What it weighs.
+    /// Mass properties that bodies of this shape take.
     pub properties: Properties,
-    /// The error in a field that could not be read, if there is one: something may be missing.
+    /// Error in a field that could not be parsed; some properties may be missing.
     pub unread: Option<Reported>,
 }
 
 /// Mass properties: either mass, centre of mass and inertia, or solids.
 #[derive(Debug, Default)]
 pub(crate) struct Properties {
-    /// Mass.
     pub mass: Option<Expr>,
     /// Centre of mass in the body frame.
     pub com: Option<Vector>,
     /// Rotational inertia.
     pub inertia: Option<Inertia>,
-    /// Solids that add up.
+    /// Solids whose mass properties add up.
     pub solids: Option<Vec<Read<Solid>>>,
 }
 
-/// `inertia: e`, `[xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`, perhaps `about joint`
+/// `inertia: e`, `[xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`, optionally `about joint`
 #[derive(Debug)]
 pub(crate) struct Inertia {
     /// One, three or six entries.
     pub entries: Vec<Expr>,
-    /// How the axes of the entries are turned against those of the body frame.
+    /// Roll, pitch and yaw of the axes of the entries in the body frame.
     pub rpy: Option<Vector>,
-    /// About the origin of the body frame rather than about the centre of mass.
+    /// True if taken about the origin of the body frame rather than the centre of mass.
     pub about_joint: bool,
-    /// Whether it has been judged, beside that of what moves with it.
+    /// True if already checked, together with the links fixed to this body.
     pub judged: bool,
-    /// The text of the entries.
+    /// Source text of the entries.
     pub tokens: TokenStream,
 }
 
@@ -61,9 +59,8 @@ pub(crate) struct Inertia {
 pub(crate) struct Solid {
     /// `point`, `rod`, `disk`, ...
     pub word: Ident,
-    /// Mass.
     pub mass: Expr,
-    /// The rest.
+    /// Kind of solid, with the other arguments.
     pub kind: Read<SolidKind>,
 }
 
@@ -72,7 +69,7 @@ pub(crate) struct Solid {
 pub(crate) enum SolidKind {
     /// A point mass.
     Point {
-        /// Where it sits.
+        /// Position.
         at: Read<Vector>,
     },
     /// A thin rod.
@@ -84,39 +81,36 @@ pub(crate) enum SolidKind {
     },
     /// A thin disk about the z direction.
     Disk {
-        /// Radius.
         radius: Expr,
-        /// Its centre.
+        /// Centre.
         at: Read<Vector>,
     },
     /// A thin plate in the xy plane.
     Plate {
-        /// Its corners, in order.
+        /// Corners, in order.
         corners: Vec<Read<[Expr; 2]>>,
-        /// Their text.
+        /// Source text of the corners.
         tokens: TokenStream,
     },
     /// A cuboid along the axes.
     Cuboid {
-        /// Its lengths.
+        /// Side lengths.
         sides: Read<Vector>,
-        /// Its centre.
+        /// Centre.
         at: Read<Vector>,
     },
     /// A round cylinder.
     Cylinder {
-        /// Radius.
         radius: Expr,
-        /// The centre of one end.
+        /// Centre of one end.
         from: Read<Vector>,
-        /// The centre of the other end.
+        /// Centre of the other end.
         to: Read<Vector>,
     },
     /// A ball.
     Sphere {
-        /// Radius.
         radius: Expr,
-        /// Its centre.
+        /// Centre.
         at: Read<Vector>,
     },
 }
@@ -124,83 +118,82 @@ pub(crate) enum SolidKind {
 /// `robot: urdf("path", limits, without dry_friction),`
 #[derive(Debug)]
 pub(crate) struct Robot {
-    /// Where its file is.
+    /// Path of the URDF file.
     pub path: String,
-    /// Where that is written.
+    /// Span of the path.
     pub span: Span,
-    /// Whether the limits of its joints are stops.
+    /// True if the limits of the joints become stops.
     pub limits: bool,
-    /// Whether its joints have no dry friction.
+    /// True if the dry friction of the joints is left out.
     pub without_dry_friction: bool,
-    /// Whether each element of its file must be known.
+    /// True if unknown elements of the file are errors.
     pub strict: bool,
-    /// Whether inertias that no body can have become the nearest that one can.
+    /// True if inertias that no rigid body can have are replaced by the nearest possible ones.
     pub repair: bool,
-    /// What was repaired.
+    /// Descriptions of the repairs.
     pub repaired: Vec<String>,
-    /// The largest force and rate that its file gives for coordinates, infinite where it gives one alone.
+    /// Maximum force and rate of coordinates for which the file gives at least one of them; a missing one is infinite.
     pub most: Vec<(String, [f64; 2])>,
-    /// What was wrong with the file: some of its bodies may be missing.
+    /// Error in the file; some bodies may be missing.
     pub unread: Option<Reported>,
 }
 
 /// `body name on parent: shape { .. }`
 #[derive(Debug)]
 pub(crate) struct Body {
-    /// Name.
     pub name: Ident,
-    /// The body that carries it, or `ground`.
+    /// The parent body, or `ground`.
     pub parent: Read<Ident>,
-    /// The shape it takes.
+    /// Name of the shape that gives its mass properties.
     pub shape: Option<Ident>,
-    /// What stands in the braces.
+    /// Fields in the braces.
     pub fields: BodyFields,
-    /// The error in a field that could not be read, if there is one: something may be missing.
+    /// Error in a field that could not be parsed; some fields may be missing.
     pub unread: Option<Reported>,
 }
 
 /// The fields of a body.
 #[derive(Debug, Default)]
 pub(crate) struct BodyFields {
-    /// Its own mass properties.
+    /// Mass properties given in the body itself.
     pub properties: Properties,
-    /// How it hangs on its parent.
+    /// Joint to the parent.
     pub joint: Option<Joint>,
     /// Name of the coordinate.
     pub coordinate: Option<Ident>,
-    /// Name of the orientation of a joint that turns freely.
+    /// Name of the orientation of a ball or free joint.
     pub orientation: Option<Ident>,
-    /// Name of the position of a joint that moves freely.
+    /// Name of the position of a free joint.
     pub position: Option<Ident>,
-    /// Whether the coordinate is measured from ground: the word `absolute`.
+    /// The word `absolute`: the coordinate is measured from ground.
     pub absolute: Option<Ident>,
-    /// Whether closed loops determine the coordinate: the word `depends`.
+    /// The word `depends`: closed loops determine the coordinate.
     pub depends: Option<Ident>,
-    /// The coordinate where the loops are assembled.
+    /// Guess of the coordinate for assembling the loops.
     pub near: Option<Expr>,
-    /// Roll, pitch and yaw of the orientation there.
+    /// Guess of roll, pitch and yaw for assembling the loops.
     pub turned: Option<Vector>,
-    /// The position there.
+    /// Guess of the position for assembling the loops.
     pub placed: Option<Vector>,
-    /// The coordinate as a function of time, of a joint that is driven.
+    /// Prescribed motion: the coordinate as a function of time or of other coordinates.
     pub motion: Option<Expr>,
     /// Viscous friction.
     pub friction: Option<Expr>,
     /// Stiffness and rest position.
     pub spring: Option<(Expr, Expr)>,
-    /// Joint force.
+    /// Torque or force along the joint.
     pub torque: Option<Expr>,
-    /// Dry friction.
+    /// Dry friction while sliding.
     pub dry_friction: Option<Expr>,
     /// Dry friction at rest.
     pub static_friction: Option<Expr>,
-    /// Limits of the coordinate.
+    /// Stops at the limits of the coordinate.
     pub stop: Option<Stop>,
 }
 
 impl BodyFields {
-    /// The names of the coordinates that the joint may bring into the state, as the layout of the state has them, each
-    /// with the word it is named after.
+    /// Returns the names of the coordinates that the joint may add to the state, in the order of the state layout, each
+    /// with the identifier that it derives from.
     pub(crate) fn slots(&self) -> Vec<(&Ident, String)> {
         let plain = self.coordinate.iter().chain(&self.orientation);
         let axes = ["x", "y", "z"];
@@ -209,12 +202,12 @@ impl BodyFields {
         of_position.chain(plain.map(|name| (name, name.to_string()))).collect()
     }
 
-    /// Whether the joint has coordinates.
+    /// True if the joint has coordinates.
     pub(crate) fn moves(&self) -> bool {
         self.coordinate.is_some() || self.orientation.is_some() || self.position.is_some()
     }
 
-    /// What acts along the joint, if anything does: it must move by itself.
+    /// Returns the first force along the joint, if there is one. Fixed and driven joints cannot have any.
     pub(crate) fn acting(&self) -> Option<&TokenStream> {
         let spring = self.spring.as_ref().map(|(stiffness, _)| stiffness);
         let forces = [
@@ -231,57 +224,55 @@ impl BodyFields {
 /// `kind(arguments) at point rpy angles`
 #[derive(Debug)]
 pub(crate) struct Joint {
-    /// How it moves.
     pub kind: Read<JointKind>,
-    /// Where it sits in the parent's frame.
+    /// Position in the frame of the parent.
     pub at: Option<Vector>,
-    /// How its frame is turned.
+    /// Roll, pitch and yaw of the joint frame in the frame of the parent.
     pub rpy: Option<Vector>,
 }
 
 impl Joint {
-    /// Whether it says where it is.
+    /// True if a position or an orientation is given.
     pub(crate) fn is_placed(&self) -> bool {
         self.at.is_some() || self.rpy.is_some()
     }
 
-    /// Whether it does not move.
+    /// True for a fixed joint.
     pub(crate) fn is_fixed(&self) -> bool {
         matches!(self.kind, Ok(JointKind::Fixed))
     }
 
-    /// Whether it turns about all axes, so that it has an orientation and no coordinate.
+    /// True for joints that rotate about all axes: they have an orientation in place of a coordinate.
     pub(crate) fn turns_freely(&self) -> bool {
         matches!(self.kind, Ok(JointKind::Ball | JointKind::Free))
     }
 }
 
-/// How a joint moves.
+/// Kind of a joint, with its arguments.
 #[derive(Debug)]
 pub(crate) enum JointKind {
-    /// It turns about an axis.
+    /// Rotation about an axis.
     Revolute(Read<Axis>),
-    /// It slides along an axis.
+    /// Translation along an axis.
     Prismatic(Read<Axis>),
-    /// It turns about an axis and slides along it.
+    /// Rotation about an axis with translation along it.
     Helical {
-        /// The axis.
         axis: Read<Axis>,
-        /// How far it slides in a radian.
+        /// Translation per radian.
         pitch: Expr,
     },
-    /// It moves along any screw.
+    /// Motion along a general screw axis.
     Screw {
-        /// The angular part of the screw, then the linear one.
+        /// Angular part of the screw axis, then the linear part.
         components: Box<[Expr; 6]>,
-        /// Their text.
+        /// Source text of the components.
         tokens: TokenStream,
     },
-    /// It turns about all axes.
+    /// Rotation about all axes.
     Ball,
-    /// It turns about all axes, and slides along all.
+    /// Rotation about all axes, and translation along all axes.
     Free,
-    /// It does not move.
+    /// No motion.
     Fixed,
 }
 
@@ -292,9 +283,9 @@ pub(crate) enum Axis {
     Unit {
         /// 0, 1 or 2 for x, y or z.
         number: usize,
-        /// Whether it points backwards.
+        /// True for the opposite direction.
         negative: bool,
     },
-    /// A direction.
+    /// A general direction.
     Vector(Box<Vector>),
 }

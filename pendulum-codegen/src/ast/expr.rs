@@ -7,40 +7,39 @@ use syn::Ident;
 use crate::expr::Rational;
 use crate::units::Unit;
 
-/// A part of the text, or why it cannot be read. The error is reported when lowering comes to it, in line with others
-/// of the body.
+/// A parsed part of the declaration, or a syntax error in it. Lowering reports the error when it reaches this part, in
+/// order with the other errors of the body.
 pub(crate) type Read<T> = syn::Result<T>;
 
-/// Three components.
+/// Vector of three components.
 #[derive(Debug)]
 pub(crate) struct Vector {
-    /// The components.
     pub components: [Expr; 3],
-    /// The text.
+    /// Source text.
     pub tokens: TokenStream,
 }
 
-/// An expression with its text.
+/// Expression with its source text.
 #[derive(Debug)]
 pub(crate) struct Expr {
-    /// The outermost operation.
+    /// Outermost operation.
     pub kind: ExprKind,
-    /// The text.
+    /// Source text.
     pub tokens: TokenStream,
 }
 
-/// An operation of the language of expressions.
+/// An operation of the expression language.
 #[derive(Debug)]
 pub(crate) enum ExprKind {
-    /// A number, exactly.
+    /// An exact number.
     Number(Rational),
     /// `90 deg`.
     Measured(Box<Measured>),
     /// A name.
     Name(Ident),
-    /// `point.x`: a point, an orientation or a position, and the word behind the dot.
+    /// `point.x`: the name of a point, orientation or position, and of its component.
     Component(Ident, Ident),
-    /// `dot(orientation).x`, likewise.
+    /// `dot(orientation).x`: name and component as in `Component`.
     RateComponent(Ident, Ident),
     /// `function(arguments)`.
     Call(Ident, Vec<Expr>),
@@ -52,25 +51,24 @@ pub(crate) enum ExprKind {
     Power(Box<Expr>, Box<Expr>),
 }
 
-/// A number with a unit.
+/// Number with a unit.
 #[derive(Debug)]
 pub(crate) struct Measured {
-    /// The number as it is written.
+    /// Digits as written.
     pub digits: String,
-    /// The number, exactly, in that unit.
+    /// Exact value in `unit`.
     pub number: Rational,
-    /// The unit.
     pub unit: Unit,
 }
 
-/// As it is written.
+/// Formats the number and its unit as written.
 impl std::fmt::Display for Measured {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} {}", self.digits, self.unit.text)
     }
 }
 
-/// An operator between two operands.
+/// Binary operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Operator {
     /// `+`
@@ -84,7 +82,7 @@ pub(crate) enum Operator {
 }
 
 impl Expr {
-    /// Whether an operation, or one of some names, stands in the expression.
+    /// True if the expression contains one of the names, or an operation for which `operation` holds.
     pub(super) fn uses(&self, names: &[&Ident], operation: &impl Fn(&ExprKind) -> bool) -> bool {
         let of = |e: &Self| e.uses(names, operation);
         let in_parts = match &self.kind {
@@ -113,7 +111,7 @@ impl ToTokens for Vector {
 }
 
 impl Expr {
-    /// Where the expression begins.
+    /// Returns the span of the first token.
     pub(crate) fn span(&self) -> Span {
         self.tokens
             .clone()

@@ -1,4 +1,4 @@
-//! The declaration as written: syntax with spans, no meaning yet.
+//! Syntax tree of a declaration, with spans; names are not yet resolved.
 
 mod body;
 mod expr;
@@ -17,13 +17,13 @@ use crate::units::Unit;
 /// A whole declaration.
 #[derive(Debug)]
 pub(crate) struct Scene {
-    /// What stands before the braces.
+    /// Part before the braces.
     pub head: Head,
-    /// Everything between the braces.
+    /// Items between the braces.
     pub items: Items,
 }
 
-/// What stands before the braces of a declaration.
+/// Part of a declaration before the braces.
 #[derive(Debug)]
 pub(crate) struct Head {
     /// Documentation of the model.
@@ -34,42 +34,38 @@ pub(crate) struct Head {
     pub name: Ident,
 }
 
-/// The items of a scene, by kind, each in the order of the text.
+/// Items of a scene by kind, each kind in source order.
 #[derive(Debug, Default)]
 pub(crate) struct Items {
     /// `units: none`: units are not checked.
     pub without_units: Option<()>,
-    /// Parameters.
     pub params: Vec<Param>,
     /// Acceleration of gravity.
     pub gravity: Option<Vector>,
     /// Named expressions.
     pub lets: Vec<Let>,
-    /// Inputs.
     pub inputs: Vec<Input>,
-    /// Mass properties under a name.
+    /// Named mass properties.
     pub shapes: Vec<Shape>,
-    /// The robot that brings bodies of its own.
+    /// Robot whose links become bodies.
     pub robot: Option<Robot>,
-    /// Bodies.
     pub bodies: Vec<Body>,
     /// Points of bodies.
     pub points: Vec<Point>,
-    /// What acts on the scene, beside what its joints do.
+    /// Forces and energies beside those of joints.
     pub actions: Vec<Action>,
-    /// Quantities that the model evaluates.
+    /// Quantities to evaluate.
     pub outputs: Vec<Output>,
     /// Functions whose zeros are events.
     pub events: Vec<Event>,
-    /// Walls.
     pub walls: Vec<Wall>,
     /// Joints that close loops.
     pub closures: Vec<Closure>,
-    /// Whether there are more, which could not be read.
+    /// True if there are more closing joints, which could not be parsed.
     pub unread_closures: bool,
-    /// How often the word `clamp` stands in the scene.
+    /// Number of occurrences of the word `clamp`.
     pub clamps: usize,
-    /// The word `generate`, and what to generate.
+    /// The word `generate`, and the routines to generate.
     pub generate: Option<(Ident, Vec<Ident>)>,
 }
 
@@ -78,20 +74,16 @@ pub(crate) struct Items {
 pub(crate) struct Param {
     /// Documentation of the field.
     pub docs: Vec<String>,
-    /// Name.
     pub name: Ident,
-    /// Unit.
     pub unit: Read<Unit>,
-    /// Value where none is given.
+    /// Value unless the user gives one.
     pub default: Option<Read<Expr>>,
 }
 
 /// `let name = value,`
 #[derive(Debug)]
 pub(crate) struct Let {
-    /// Name.
     pub name: Ident,
-    /// What it stands for.
     pub value: Read<Expr>,
 }
 
@@ -100,63 +92,56 @@ pub(crate) struct Let {
 pub(crate) struct Input {
     /// Documentation of the field.
     pub docs: Vec<String>,
-    /// Name.
     pub name: Ident,
-    /// Unit.
     pub unit: Read<Unit>,
 }
 
 /// `point name on body at [x, y, z],`
 #[derive(Debug)]
 pub(crate) struct Point {
-    /// Name.
     pub name: Ident,
-    /// The body that it is a point of, or `ground`.
+    /// The body that it belongs to, or `ground`.
     pub body: Read<Ident>,
-    /// Where it sits in the frame of the body; at its origin if left out.
+    /// Position in the frame of the body; its origin if left out.
     pub at: Option<Read<Vector>>,
 }
 
-/// Something that acts on the scene: an item of its own.
+/// A force or an energy of the scene, declared by an item of its own.
 #[derive(Debug)]
 pub(crate) struct Action {
-    /// The word that the item begins with.
+    /// First word of the item.
     pub word: Ident,
-    /// What it does.
     pub kind: ActionKind,
 }
 
-/// What acts on a scene.
+/// Kind of an action, with its arguments.
 #[derive(Debug)]
 pub(crate) enum ActionKind {
     /// `force on point: [fx, fy, fz] in body,`
     Push {
-        /// The point.
         point: Ident,
-        /// The force.
         force: Read<Vector>,
-        /// The body in whose frame it is given; ground if left out.
+        /// Body whose frame the components refer to; ground if left out.
         frame: Option<Ident>,
     },
     /// `force coordinate: e,`
     Along {
-        /// The coordinate.
+        /// Coordinate of a joint.
         coordinate: Ident,
-        /// The force.
         force: Read<Expr>,
     },
     /// `spring between a and b: (stiffness, length),`
     Spring {
         /// The two points.
         ends: [Ident; 2],
-        /// Its stiffness, and its length at rest.
+        /// Stiffness and rest length.
         law: Read<(Expr, Expr)>,
     },
     /// `damper between a and b: e,`
     Damper {
         /// The two points.
         ends: [Ident; 2],
-        /// The force for each unit of the rate of their distance.
+        /// Force per unit rate of the distance.
         coefficient: Read<Expr>,
     },
     /// `potential: e,`
@@ -170,13 +155,11 @@ pub(crate) enum ActionKind {
 pub(crate) struct Output {
     /// Documentation of its functions.
     pub docs: Vec<String>,
-    /// Name.
     pub name: Ident,
-    /// What it is.
     pub value: Read<OutputValue>,
 }
 
-/// What an output is.
+/// Value of an output.
 #[derive(Debug)]
 pub(crate) enum OutputValue {
     /// One expression, or the name of a point.
@@ -190,42 +173,40 @@ pub(crate) enum OutputValue {
 pub(crate) struct Event {
     /// Documentation of its functions.
     pub docs: Vec<String>,
-    /// Name.
     pub name: Ident,
-    /// What passes zero.
+    /// Function whose zeros are events.
     pub value: Read<Expr>,
 }
 
 /// `wall name { gap: e, restitution: e, slow: e }`
 #[derive(Debug)]
 pub(crate) struct Wall {
-    /// Name.
     pub name: Ident,
-    /// What stands in the braces.
+    /// Fields in the braces.
     pub fields: WallFields,
-    /// The error in a field that could not be read, if there is one: something may be missing.
+    /// Error in a field that could not be parsed; some fields may be missing.
     pub unread: Option<Reported>,
 }
 
 /// The fields of a wall.
 #[derive(Debug, Default)]
 pub(crate) struct WallFields {
-    /// What never turns negative.
+    /// Distance to the wall, which never becomes negative.
     pub gap: Option<Expr>,
-    /// How much of the rate remains after an impact.
+    /// Coefficient of restitution.
     pub restitution: Option<Expr>,
-    /// Below this rate nothing rebounds.
+    /// Impact rate below which there is no rebound.
     pub slow: Option<Expr>,
 }
 
 /// `close body at [x, y, z] to body at [x, y, z]: revolute(z),`
 #[derive(Debug)]
 pub(crate) struct Closure {
-    /// The word that the item begins with.
+    /// First word of the item.
     pub word: Ident,
-    /// The two places that coincide.
+    /// The two places to connect.
     pub ends: [End; 2],
-    /// How one may move against the other.
+    /// Joint between the two places.
     pub joint: Read<JointKind>,
 }
 
@@ -234,17 +215,17 @@ pub(crate) struct Closure {
 pub(crate) struct End {
     /// The body, or `ground`.
     pub body: Ident,
-    /// Where in its frame; at its origin if left out.
+    /// Position in the frame of the body; its origin if left out.
     pub at: Option<Read<Vector>>,
-    /// How the frame of the joint is turned in that of the body.
+    /// Roll, pitch and yaw of the joint frame in the frame of the body.
     pub rpy: Option<Read<Vector>>,
 }
 
-/// Coordinates and motions of the largest scene: the time of expansion grows with about their third power.
+/// Maximum number of coordinates and motions of a scene; the time of expansion grows with about their third power.
 pub(crate) const MOST_MOTIONS: usize = 128;
 
 impl Items {
-    /// The number of coordinates of joints, those that depend included, and of motions.
+    /// Number of joint coordinates, including dependent ones, and of motions.
     pub(crate) fn motions(&self) -> usize {
         let of = |body: &Body| {
             let of_orientation = 2 * usize::from(body.fields.orientation.is_some());
@@ -253,20 +234,20 @@ impl Items {
         self.bodies.iter().map(of).sum()
     }
 
-    /// Whether something may hold the motion: dry friction, a stop, or a wall.
+    /// True if the system is hybrid: with dry friction, a stop or a wall.
     pub(crate) fn is_hybrid(&self) -> bool {
         let is_constrained = |body: &Body| body.fields.dry_friction.is_some() || body.fields.stop.is_some();
         !self.walls.is_empty() || self.bodies.iter().any(is_constrained)
     }
 
-    /// Whether the joint of a body has a motion in which the time stands.
+    /// True if the joint of a body has a motion that depends explicitly on time.
     pub(crate) fn is_driven(&self, body: &Body) -> bool {
         let is_time = |kind: &ExprKind| matches!(kind, ExprKind::Name(name) if name == "t");
         let motion = body.fields.motion.as_ref();
         motion.is_some_and(|motion| self.uses(motion, &is_time))
     }
 
-    /// Whether the joint of a body has a motion in which a coordinate stands.
+    /// True if the joint of a body has a motion that depends on a coordinate.
     pub(crate) fn follows(&self, body: &Body) -> bool {
         let coordinates = || self.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref());
         let is_coordinate = |kind: &ExprKind| matches!(kind, ExprKind::Name(name) if coordinates().any(|c| c == name));
@@ -274,9 +255,9 @@ impl Items {
         motion.is_some_and(|motion| self.uses(motion, &is_coordinate))
     }
 
-    /// Whether an operation stands in an expression, or in what its names stand for.
+    /// True if an expression, or a `let` that it refers to, contains an operation for which `operation` holds.
     pub(crate) fn uses(&self, e: &Expr, operation: &impl Fn(&ExprKind) -> bool) -> bool {
-        // a `let` may use those before it
+        // a `let` may refer to earlier ones
         let mut using: Vec<&Ident> = Vec::new();
         for item in &self.lets {
             if item.value.as_ref().is_ok_and(|value| value.uses(&using, operation)) {

@@ -1,4 +1,4 @@
-//! What acts on a scene beside its joints: as forces along its coordinates, or as wrenches on its links.
+//! Actions on a scene beside its joints: as forces along its coordinates, or as wrenches on its links.
 
 use super::frames::Frame;
 use super::joint::JointId;
@@ -7,7 +7,7 @@ use crate::expr::{Derivative, Expr};
 use crate::model::{Action, BodyId, Model, Place, Poses};
 use crate::screw::{Vec3, Wrench};
 
-/// The forces of actions along the coordinates, those of the drives behind the others.
+/// Forces of actions along the coordinates, with the drives behind the other coordinates.
 pub(super) fn along_coordinates<'g>(model: &Model<'g>, actions: &[&Action<'g>]) -> Vec<Expr<'g>> {
     let g = model.graph;
     let mut forces = vec![g.zero(); model.all_coordinates().count()];
@@ -41,13 +41,13 @@ pub(super) fn along_coordinates<'g>(model: &Model<'g>, actions: &[&Action<'g>]) 
     forces
 }
 
-/// Whether an action is the same as wrenches on links.
+/// True if an action is equivalent to wrenches on links.
 pub(super) fn is_wrench(action: &Action<'_>) -> bool {
     matches!(action, Action::Push(_) | Action::Between { .. })
 }
 
-/// The wrenches of actions on the links, each in the frame and about the origin of its link: `(r x f, f)` of a force f
-/// at r.
+/// Wrenches of actions on the links, each in the frame and about the origin of its link: `(r x f, f)` for a force f at
+/// r.
 pub(super) fn wrenches<'g>(
     model: &Model<'g>,
     links: &Links<'g>,
@@ -92,7 +92,7 @@ pub(super) fn wrenches<'g>(
     wrenches
 }
 
-/// A vector of ground, in the frame of a link.
+/// Rotates a vector of the ground frame into the frame of a link.
 fn of_ground<'g>(links: &Links<'g>, frames: &[Frame<'g>], link: JointId, v: Vec3<'g>) -> Vec3<'g> {
     let below = links.links[link]
         .parent

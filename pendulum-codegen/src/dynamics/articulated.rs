@@ -1,12 +1,13 @@
-//! Accelerations by articulated bodies (Featherstone 1983; 2008, Sec. 7.3): the form whose length grows with the number
-//! of joints only.
+//! Accelerations by the articulated-body algorithm (Featherstone 1983; 2008, Sec. 7.3), the form whose length is linear
+//! in the number of joints.
 //!
-//! The links above a joint answer a push through it as one body that gives way at its own joints. No mass matrix is
+//! The links above a joint respond to a push through it as one body that yields at its own joints. No mass matrix is
 //! formed.
 //!
-//! Each quantity of link k stands in its [frame](Frame), about its origin; `X_k` takes motions of the parent to it, and
-//! `X_k^T` wrenches back. `s` is the screw of the joint, `tau` the force along it, `v_J` the velocity that it adds, `I`
-//! the articulated inertia, `p` the wrench that the link takes when nothing gives way, `c` its drift:
+//! Each quantity of link k is expressed in its [frame](Frame), about its origin; `X_k` transforms motions of the parent
+//! to it, and `X_k^T` wrenches back. `s` is the screw of the joint, `tau` the force along it, `v_J` the velocity that
+//! it adds, `I` the articulated inertia, `p` the wrench on the link while no joint yields, `c` the velocity-product
+//! acceleration:
 //!
 //! ```text
 //! inwards    U = I s,  d = s^T U,  u = tau - s^T p           I_a = I - U U^T / d,  p_a = p + I c + U u / d
@@ -26,40 +27,41 @@ use crate::expr::Expr;
 use crate::model::{Action, Floating, Model};
 use crate::screw::{Twist, Vec3, Wrench};
 
-/// A scene whose joints give way: what its mass matrix is elsewhere.
+/// A scene with yielding joints, used in place of its mass matrix.
 ///
-/// The joints of a ball give way one after the other, in one frame: together they are a block of three.
+/// The joints of a ball yield one after the other, in one frame: together they are a block of three.
 #[derive(Debug)]
 pub(crate) struct Articulation<'g> {
     links: Vec<Link<'g>>,
     frames: Vec<Frame<'g>>,
     flights: Flights<'g>,
-    /// The joints that give way; drives do not, nor by themselves the slides of flights.
+    /// Yielding joints; `None` for drives and for the slides of flights, which yield together.
     joints: Vec<Option<Joint<'g>>>,
-    /// What each link is when its joint has given way.
+    /// Articulated inertia of each link after its joint has yielded.
     carried: Vec<Articulated<'g>>,
-    /// What each flight gives way by, along the axes of the body: for the link that it begins with.
+    /// Factored mass matrix of each flight along the axes of the body, at the link that the flight begins with.
     floating: Vec<Option<Factored<'g>>>,
     drives: usize,
 }
 
-/// What acts on links, and how they move.
+/// Forces on the links, and their prescribed motion.
 #[derive(Debug)]
 struct Load<'g> {
     /// Forces along the joints.
     along: Vec<Expr<'g>>,
-    /// What each link takes when nothing gives way and no joint accelerates.
+    /// Wrench that each link requires while no joint yields or accelerates.
     wrenches: Vec<Wrench<'g>>,
-    /// The acceleration of each link against the one below, then.
+    /// Acceleration of each link relative to its parent in that case.
     drifts: Vec<Twist<'g>>,
-    /// The acceleration of ground.
+    /// Acceleration of the ground.
     ground: Twist<'g>,
-    /// The second rates of the drives.
+    /// Accelerations of the drives.
     drives: Vec<Expr<'g>>,
 }
 
-/// The accelerations of the coordinates of a scene, and what gave way for them; with what acts on it as wrenches on the
-/// links, where `pushed`. The accelerations of what is `floating` are along its axes.
+/// Computes the accelerations of the coordinates of a scene. Returns them with the articulation they follow from. If
+/// `pushed` is set, forces at points act as wrenches on the links. The accelerations of `floating` bodies are along
+/// their axes.
 pub(super) fn accelerations<'g>(
     model: &Model<'g>,
     pushed: bool,
@@ -105,8 +107,8 @@ pub(super) fn accelerations<'g>(
 }
 
 impl<'g> Articulation<'g> {
-    /// Inwards: `I`, `U` and `1/d` of each joint. A drive does not give way, `I_a = I`; the three slides of a flight do
-    /// together, by the inverse of a matrix.
+    /// Inward pass: `I`, `U` and `1/d` of each joint. A drive does not yield, `I_a = I`; the three slides of a flight
+    /// yield together, by the inverse of a matrix.
     fn new(model: &Model<'g>, links: Vec<Link<'g>>, frames: Vec<Frame<'g>>, flights: Flights<'g>) -> Self {
         let mut carried: Vec<Articulated<'g>> = frames.iter().map(|frame| Articulated::rigid(&frame.inertia)).collect();
         let mut joints: Vec<Option<Joint<'g>>> = vec![None; links.len()];
@@ -139,7 +141,7 @@ impl<'g> Articulation<'g> {
         }
     }
 
-    /// `qdd` of the coordinates for a load.
+    /// Accelerations `qdd` of the coordinates under a load.
     fn accelerations(&self, load: Load<'g>) -> Vec<Expr<'g>> {
         let zero = load.ground.linear[0].graph().zero();
         let dof = self.joints.iter().flatten().count() + 3 * self.floating.iter().flatten().count();
@@ -151,8 +153,8 @@ impl<'g> Articulation<'g> {
         accelerations
     }
 
-    /// Inwards: `u = tau - s^T p` of each joint, of the slides of flights their accelerations; with
-    /// `p_a = p + I c + U u / d`, of a driven joint `p + I (c + s qdd)`.
+    /// Inward pass: `u = tau - s^T p` of each joint, and the accelerations of the slides of flights. The wrench on the
+    /// parent is `p_a = p + I c + U u / d`, for a driven joint `p + I (c + s qdd)`.
     fn left_to_accelerate(&self, load: &Load<'g>, drives: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let (mut wrenches, mut left) = (load.wrenches.clone(), load.along.clone());
         for k in JointId::all(self.links.len()).rev() {
@@ -165,7 +167,7 @@ impl<'g> Articulation<'g> {
                     left[k] = load.along[k] - wrench.power(&link.screw);
                     wrench + carried * load.drifts[k] + left[k] * (joint.mobility * joint.momentum)
                 }
-                // a drive does not give way: what it carries is accelerated as it prescribes
+                // a drive does not yield: its link accelerates as prescribed
                 None => wrench + carried * (load.drifts[k] + driven(link, drives)),
             };
             if let (Some(flight), Some(matrix)) = (self.flights.from(k), &self.floating[k]) {
@@ -180,8 +182,8 @@ impl<'g> Articulation<'g> {
         left
     }
 
-    /// Outwards: `qdd = (u - U^T a') / d` and `a = a' + s qdd`. Where joints follow others, the coordinate is what is
-    /// left of the joint's own when those below are taken off.
+    /// Outward pass: `qdd = (u - U^T a') / d` and `a = a' + s qdd`. If a joint follows others, the contributions of
+    /// coordinates below are subtracted from its own acceleration.
     fn accelerate(&self, load: &Load<'g>, left: &[Expr<'g>], accelerations: &mut [Expr<'g>]) {
         let mut motions: Vec<Twist<'g>> = Vec::new();
         for (k, link) in JointId::all(self.links.len()).zip(&self.links) {
@@ -206,7 +208,8 @@ impl<'g> Articulation<'g> {
         }
     }
 
-    /// `X a_parent`: of a link with offset `o`, `alpha = R^T alpha_p` and `a = R^T (a_p + alpha_p x o)`.
+    /// Acceleration `X a_parent` that arrives at a link: with offset `o`, `alpha = R^T alpha_p` and
+    /// `a = R^T (a_p + alpha_p x o)`.
     fn arriving(&self, k: JointId, motions: &[Twist<'g>], ground: Twist<'g>, left: &[Expr<'g>]) -> Twist<'g> {
         if let Some(flight) = self.flights.from(k) {
             return Twist {
@@ -247,8 +250,8 @@ impl<'g> Inverse<'g> for Articulation<'g> {
     }
 }
 
-/// Forces along the coordinates, as those along the joints: with `q = T theta`, `T^T tau = Q` is solved from the
-/// outermost link on.
+/// Converts forces along the coordinates to forces along the joints: with `q = T theta`, `T^T tau = Q` is solved from
+/// the outermost link inwards.
 fn along_joints<'g>(links: &[Link<'g>], mut forces: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
     let along = links.iter().rev().map(|link| {
         let along = link.motion.factor(link.coordinate) * forces[link.coordinate];
@@ -262,13 +265,13 @@ fn along_joints<'g>(links: &[Link<'g>], mut forces: Vec<Expr<'g>>) -> Vec<Expr<'
     along
 }
 
-/// `s qdd` of a joint that is driven.
+/// Acceleration `s qdd` of a driven joint.
 fn driven<'g>(link: &Link<'g>, accelerations: &[Expr<'g>]) -> Twist<'g> {
     let g = link.force.graph();
     link.motion.of(g, |k| accelerations[k]) * link.screw
 }
 
-/// The angular velocity of each link, in its frame: `w = R^T w_p + w_J`.
+/// Angular velocity of each link, in its frame: `w = R^T w_p + w_J`.
 fn spins<'g>(links: &[Link<'g>], frames: &[Frame<'g>]) -> Vec<Vec3<'g>> {
     let mut spins: Vec<Vec3<'g>> = Vec::new();
     for (link, frame) in links.iter().zip(frames) {
@@ -281,8 +284,8 @@ fn spins<'g>(links: &[Link<'g>], frames: &[Frame<'g>]) -> Vec<Vec3<'g>> {
     spins
 }
 
-/// `c`, the acceleration of a link when neither its joint nor the link below accelerates: `alpha = w x w_J`,
-/// `a = R^T (w_p x (w_p x o)) + 2 w x v_J`.
+/// Velocity-product acceleration `c` of a link, when neither its joint nor the link below accelerates:
+/// `alpha = w x w_J`, `a = R^T (w_p x (w_p x o)) + 2 w x v_J`.
 fn drift<'g>(link: &Link<'g>, frame: &Frame<'g>, w: Vec3<'g>, spins: &[Vec3<'g>]) -> Twist<'g> {
     let g = link.force.graph();
     let Some(parent) = link.parent else {

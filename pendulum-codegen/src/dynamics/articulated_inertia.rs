@@ -1,4 +1,4 @@
-//! The inertia of articulated bodies, in the notation of `articulated.rs`.
+//! Inertia of articulated bodies, in the notation of `articulated.rs`.
 
 use std::ops::{Add, Mul};
 
@@ -7,8 +7,8 @@ use super::links::Link;
 use crate::expr::Expr;
 use crate::screw::{MassMoments, Mat3, Symmetric3, Twist, Wrench};
 
-/// The inertia of a link whose outer joints give way: `moment = rotation alpha + coupling a`, `force = coupling^T alpha
-/// + translation a`.
+/// Inertia of a link whose outer joints yield: `moment = rotation alpha + coupling a`,
+/// `force = coupling^T alpha + translation a`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Articulated<'g> {
     rotation: Symmetric3<'g>,
@@ -16,17 +16,17 @@ pub(super) struct Articulated<'g> {
     pub(super) translation: Symmetric3<'g>,
 }
 
-/// What a joint gives way by.
+/// Projection of an articulated inertia on a joint.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Joint<'g> {
-    /// The articulated inertia times the joint's screw.
+    /// Articulated inertia times the screw of the joint, `U`.
     pub(super) momentum: Wrench<'g>,
-    /// One over the inertia along the joint.
+    /// Reciprocal of the inertia along the joint, `1/d`.
     pub(super) mobility: Expr<'g>,
 }
 
 impl<'g> Articulated<'g> {
-    /// `[J, [h]; -[h], m 1]` of a link alone.
+    /// Inertia `[J, [h]; -[h], m 1]` of a single link.
     pub(super) fn rigid(inertia: &MassMoments<'g>) -> Self {
         Self {
             rotation: inertia.rotational(),
@@ -35,7 +35,7 @@ impl<'g> Articulated<'g> {
         }
     }
 
-    /// `U = I s` and `1 / s^T U`.
+    /// Computes `U = I s` and `1 / s^T U`.
     pub(super) fn give_way(&self, link: &Link<'g>) -> Joint<'g> {
         let momentum = *self * link.screw;
         Joint {
@@ -44,11 +44,11 @@ impl<'g> Articulated<'g> {
         }
     }
 
-    /// The inertia that is left when the joint gives way: `I_a = I - U U^T / d`.
+    /// Inertia that remains when the joint yields: `I_a = I - U U^T / d`.
     pub(super) fn without(&self, link: &Link<'g>, joint: &Joint<'g>) -> Self {
         let Wrench { moment, force } = joint.momentum;
         let given = joint.mobility * joint.momentum;
-        // a push along the joint meets no resistance any more: exactly, and not up to rounding
+        // the inertia along the joint vanishes exactly, and not only up to rounding
         let (no_turn, no_slide) = (link.turns() && link.pitch().is_zero(), !link.turns());
         let less = |entry: Expr<'g>, a: Expr<'g>, b: Expr<'g>, vanishes: bool| {
             let product = a * b;
@@ -71,7 +71,7 @@ impl<'g> Articulated<'g> {
         }
     }
 
-    /// The same inertia about the origin of the parent, in its frame: `X^T I X`.
+    /// Transforms the inertia to the frame and the origin of the parent: `X^T I X`.
     pub(super) fn to_parent(self, frame: &Frame<'g>) -> Self {
         let [rotation, translation] = [self.rotation, self.translation].map(|tensor| frame.tensor_to_parent(tensor));
         let coupling = frame.matrix_to_parent(self.coupling);
@@ -98,7 +98,7 @@ impl Add for Articulated<'_> {
     }
 }
 
-/// The wrench that an acceleration takes.
+/// Wrench required for an acceleration.
 impl<'g> Mul<Twist<'g>> for Articulated<'g> {
     type Output = Wrench<'g>;
     fn mul(self, Twist { angular, linear }: Twist<'g>) -> Wrench<'g> {

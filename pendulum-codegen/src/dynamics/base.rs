@@ -1,16 +1,16 @@
-//! Base parameters: the least number of quantities of its masses that the motion of a model depends on.
+//! Base parameters: the smallest set of mass parameters that determines the motion of a model.
 
 use super::links::{Link, links};
 use crate::expr::Expr;
 use crate::model::Model;
 use crate::screw::{MassMoments, Symmetric3, Vec3};
 
-/// The base parameters of a model (Gautier and Khalil 1990), without those that are zero.
+/// Base parameters of a model (Gautier and Khalil 1990), without vanishing ones.
 ///
-/// A link that turns has seven: two components of its first moment and five of its second moments. Where all that turns
-/// below it turns about the same direction it has three, and one if nothing pushes it across that. A link that slides
-/// has its mass and its first moment. Their number is the least one where all joints turn; helical joints, and slides
-/// among parallel axes, may have combinations that are left standing.
+/// A link that turns has seven: two components of its first moment and five of its second moments. It has three if all
+/// turning links below it turn about its own direction, and one if moreover nothing accelerates it across this
+/// direction. A link that slides has its mass and its first moment. The set is minimal if all joints turn; with helical
+/// joints, or slides among parallel axes, redundant combinations may remain.
 pub(crate) fn base_parameters<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
     let links = links(model).links;
     let ground = Path {
@@ -29,11 +29,11 @@ pub(crate) fn base_parameters<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
     parameters
 }
 
-/// How a link can move, in its own frame.
+/// Motion that a link can have, in its own frame.
 #[derive(Debug)]
 struct Path<'g> {
     turning: Turning<'g>,
-    /// What accelerates its origin, as long as it does not turn freely.
+    /// Directions in which its origin can be accelerated, as long as it does not turn freely.
     pushes: Vec<Vec3<'g>>,
 }
 
@@ -45,14 +45,14 @@ enum Turning<'g> {
 }
 
 impl<'g> Path<'g> {
-    /// The motion of a link that a link with this motion carries.
+    /// Motion of a link carried by a link with this motion.
     fn with(&self, link: &Link<'g>) -> Self {
         let z = Vec3::z(link.force.graph());
         let back = link.placement.rotation.transpose();
         let mut pushes: Vec<Vec3<'g>> = self.pushes.iter().map(|&push| back * push).collect();
         let turning = match self.turning {
             Turning::About(axis) => {
-                // what turns moves every point that is off its axis
+                // a rotation moves every point off its axis
                 pushes.push(back * link.placement.translation);
                 Turning::About(back * axis)
             }
@@ -69,7 +69,7 @@ impl<'g> Path<'g> {
         Self { turning, pushes }
     }
 
-    /// The moments of a link that matter for this motion.
+    /// Moments of a link that matter for this motion.
     fn sees(&self, link: &Link<'g>) -> Vec<Expr<'g>> {
         let MassMoments {
             mass,
@@ -95,7 +95,7 @@ impl<'g> Path<'g> {
     }
 }
 
-/// Whether two directions differ, other than in sign.
+/// True if two directions differ, other than in sign.
 fn across<'g>(a: Vec3<'g>, b: Vec3<'g>) -> bool {
     !a.cross(b).is_zero()
 }

@@ -1,15 +1,15 @@
-//! The motion in canonical variables: the coordinates and their momenta `p = A qd`.
+//! Motion in canonical variables: the coordinates and their momenta `p = A qd`.
 //!
-//! `dp/dt = A qdd + (dA/dt) qd`, and `A qdd` is what the forces leave of the bias. So there is nothing to solve and
-//! nothing to divide by. The right-hand side is `dL/dq + Q` of Lagrange's equations: half of `(dA/dt) qd` cancels
-//! against the bias, which a normal form sees.
+//! `dp/dt = A qdd + (dA/dt) qd`, where `A qdd` is the force less the bias, so there is nothing to solve and nothing to
+//! divide by. The right-hand side is `dL/dq + Q` of Lagrange's equations: half of `(dA/dt) qd` cancels against the
+//! bias, once both are in normal form.
 
 use crate::expr::Expr;
 use crate::model::{Coordinate, Model};
 
 use super::{Balance, Lagrangian, derived};
 
-/// The rates of the momenta, in the state.
+/// Time derivatives of the momenta, as functions of the state.
 pub(crate) fn momentum_rates<'g>(
     model: &Model<'g>,
     balance: &Balance<'g>,
@@ -21,7 +21,8 @@ pub(crate) fn momentum_rates<'g>(
         .collect()
 }
 
-/// The derivatives of the momenta by the state, column by column. Those by the rates are the mass matrix.
+/// Derivatives of the momenta with respect to the state, column by column. The columns of the rates are the mass
+/// matrix.
 pub(crate) fn momentum_partials<'g>(
     coordinates: &[Coordinate<'g>],
     balance: &Balance<'g>,

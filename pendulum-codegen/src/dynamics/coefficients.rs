@@ -1,4 +1,5 @@
-//! A, B and C of the equations of motion in joint coordinates, by the corrected Eqs. 17 to 19 of Williams (2023).
+//! Coefficients A, B and C of the equations of motion in joint coordinates, by the corrected Eqs. 17 to 19 of Williams
+//! (2023).
 
 use std::collections::BTreeMap;
 
@@ -7,8 +8,8 @@ use crate::expr::{Expr, ratio};
 use crate::model::{BodyId, Model};
 use crate::screw::{Twist, Wrench};
 
-/// `tau_i = sum_j A_ij qdd_j + sum_jk B_ijk qd_j qd_k + C_i`, where the indices run over the bodies of a model.
-/// Entries of fixed joints, and of bodies that are not on one path from the ground, are zero and left out.
+/// Coefficients of `tau_i = sum_j A_ij qdd_j + sum_jk B_ijk qd_j qd_k + C_i`, where the indices run over the bodies of
+/// a model. Entries of fixed joints, and of bodies not on one path from the ground, are zero and left out.
 #[derive(Debug, Default)]
 pub(crate) struct Coefficients<'g> {
     /// `A_ij` for `i <= j`.
@@ -20,7 +21,7 @@ pub(crate) struct Coefficients<'g> {
 }
 
 impl<'g> Coefficients<'g> {
-    /// The coefficients of a model.
+    /// Computes the coefficients of a model.
     pub(crate) fn new(model: &Model<'g>, kinematics: &mut Kinematics<'g>) -> Self {
         let mut coefficients = Self::default();
         for x in BodyId::all(model.bodies.len()) {
@@ -38,7 +39,7 @@ impl<'g> Coefficients<'g> {
         coefficients
     }
 
-    /// All entries whose outermost body is `x`, in its station, where N is `N_x^+` and g gravity:
+    /// Computes all entries whose outermost body is `x`, in its station, where N is `N_x^+` and g gravity:
     ///
     /// ```text
     /// A_ix  = s_i^T N s_x    C_x = -s_x^T (N g)

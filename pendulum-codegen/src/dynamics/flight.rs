@@ -1,4 +1,4 @@
-//! The slides of floating bodies, taken along the axes of what they carry.
+//! Slides of floating bodies, taken along the axes of the body that they carry.
 
 use super::frames::Frame;
 use super::joint::JointId;
@@ -7,23 +7,23 @@ use crate::expr::Expr;
 use crate::model::Floating;
 use crate::screw::{Symmetric3, Vec3};
 
-/// A link with which a floating body begins: the first that is turned.
+/// A floating body, which begins with the first link that turns.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Flight<'g> {
-    /// The slides that carry it.
+    /// Slides that carry it.
     pub(super) slides: [JointId; 3],
-    /// The mass that moves with them alone, at the origin of the link.
+    /// Mass that moves with the slides alone, at the origin of the link.
     pub(super) mass: Expr<'g>,
-    /// The axes of the body, in the frame of the link.
+    /// Axes of the body, in the frame of the link.
     axes: [Vec3<'g>; 3],
 }
 
-/// Where bodies float.
+/// Floating bodies of a model.
 #[derive(Clone, Debug)]
 pub(super) struct Flights<'g> {
-    /// For each link the flight that begins with it.
+    /// Flight that begins with each link.
     begin: Vec<Option<Flight<'g>>>,
-    /// For each link whether it is one of the slides.
+    /// True for each link that is a slide of a flight.
     slides: Vec<bool>,
 }
 
@@ -50,12 +50,12 @@ impl<'g> Flights<'g> {
         flights
     }
 
-    /// The flight that begins with a link.
+    /// Returns the flight that begins with a link.
     pub(super) fn from(&self, link: JointId) -> Option<&Flight<'g>> {
         self.begin[usize::from(link)].as_ref()
     }
 
-    /// All flights, with the links that they begin with.
+    /// All flights, each with the link that it begins with.
     pub(super) fn all(&self) -> impl Iterator<Item = (JointId, &Flight<'g>)> {
         let links = JointId::all(self.begin.len()).zip(&self.begin);
         links.filter_map(|(link, flight)| Some((link, flight.as_ref()?)))
@@ -67,19 +67,19 @@ impl<'g> Flights<'g> {
 }
 
 impl<'g> Flight<'g> {
-    /// A vector of the link, along the axes of the body.
+    /// Components of a vector of the link along the axes of the body.
     pub(super) fn along_axes(&self, v: Vec3<'g>) -> [Expr<'g>; 3] {
         self.axes.map(|axis| v.dot(axis))
     }
 
-    /// The inverse of [`Flight::along_axes`].
+    /// Inverse of [`Flight::along_axes`].
     pub(super) fn of_axes(&self, v: [Expr<'g>; 3]) -> Vec3<'g> {
         let [x, y, z] = self.axes;
         v[0] * x + v[1] * y + v[2] * z
     }
 
-    /// What accelerations along the axes e of the body take, where the link answers to one by `inertia` M, and m moves
-    /// with the slides alone: `e_i^T M e_j + m`.
+    /// Mass matrix for accelerations along the axes e of the body: `e_i^T M e_j`, plus m on the diagonal. M is the
+    /// `inertia` of the link against accelerations of its origin, and m the mass that moves with the slides alone.
     pub(super) fn mass_matrix(&self, inertia: Symmetric3<'g>) -> Vec<Vec<Expr<'g>>> {
         let column = |n: usize| {
             let mut column = self.along_axes(inertia * self.axes[n]);

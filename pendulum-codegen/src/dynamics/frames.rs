@@ -1,47 +1,47 @@
-//! The frames in which links are computed.
+//! Frames in which links are computed.
 //!
-//! A link alone turns its own frame; parallel links in a row share the frame before the first of them, in which their
-//! angles add up and nothing has to be turned between them.
+//! A link on its own has a frame that turns with it. Parallel links in a row share the frame before the first of them,
+//! in which their angles add up and no rotation is needed between them.
 
 use super::joint::JointId;
 use super::links::Link;
 use crate::model::{Combination, Model};
 use crate::screw::{MassMoments, Mat3, Symmetric3, Turn, Twist, Vec3, Wrench};
 
-/// The frame in which a link is computed: at its origin, turned as its station is.
+/// Frame in which a link is computed: at its origin, in the orientation of its station.
 #[derive(Clone, Debug)]
 pub(super) struct Frame<'g> {
-    /// How it is turned against the frame of the parent; nothing where the two share a station.
+    /// Rotation relative to the frame of the parent; `None` if the two share a station.
     turned: Option<Turned<'g>>,
-    /// How the body of the link is turned in it, where several links share the station.
+    /// Rotation of the body of the link in this frame, if several links share the station.
     inside: Option<Inside<'g>>,
-    /// The origin of the link from that of its parent, in the parent's frame.
+    /// Origin of the link relative to the origin of its parent, in the parent's frame.
     pub(super) offset: Vec3<'g>,
-    /// The velocity that the joint adds, in this frame.
+    /// Velocity that the joint adds, in this frame.
     pub(super) velocity: Twist<'g>,
-    /// What moves with the link, in base parameters.
+    /// Inertia that moves with the link, in base parameters.
     pub(super) inertia: MassMoments<'g>,
 }
 
-/// How the station of a link is turned against the frame of its parent.
+/// Rotation of the station of a link relative to the frame of its parent.
 #[derive(Clone, Copy, Debug)]
 struct Turned<'g> {
-    /// The body of the parent in its own frame.
+    /// Rotation of the parent's body in its own frame.
     below: Option<Inside<'g>>,
-    /// The station in the body of the parent, at angle zero.
+    /// Rotation of the station in the parent's body, at angle zero.
     placement: Mat3<'g>,
-    /// The turn of the joint, where the link is alone in its station.
+    /// Turn of the joint, if the link is alone in its station.
     own: Option<Turn<'g>>,
 }
 
-/// How a body is turned in its station: by a turn of the constant rotation `rest`.
+/// Rotation of a body in its station: the constant rotation `rest`, then a turn.
 #[derive(Clone, Copy, Debug)]
 struct Inside<'g> {
     turn: Turn<'g>,
     rest: Mat3<'g>,
 }
 
-/// The frame of each link.
+/// Computes the frame of each link.
 pub(super) fn frames<'g>(model: &Model<'g>, links: &[Link<'g>]) -> Vec<Frame<'g>> {
     let g = model.graph;
     let follows: Vec<bool> = links.iter().map(|link| continues(links, link)).collect();
@@ -85,31 +85,31 @@ pub(super) fn frames<'g>(model: &Model<'g>, links: &[Link<'g>]) -> Vec<Frame<'g>
     frames
 }
 
-/// Whether a link turns about the direction of its parent, which turns too.
+/// True if a link turns about the same direction as its parent, and the parent turns.
 fn continues(links: &[Link<'_>], link: &Link<'_>) -> bool {
     let parent_turns = link.parent.is_some_and(|parent| links[parent].turns());
     link.turns() && parent_turns && link.placement.rotation[2][2].is_one()
 }
 
 impl<'g> Inside<'g> {
-    /// A vector of the body, in the frame.
+    /// Rotates a vector of the body into the frame.
     fn forward(this: Option<Self>, v: Vec3<'g>) -> Vec3<'g> {
         this.map_or(v, |Self { turn, rest }| turn * (rest * v))
     }
 
-    /// A symmetric tensor of the body, in the frame.
+    /// Rotates a symmetric tensor of the body into the frame.
     fn tensor(this: Option<Self>, tensor: Symmetric3<'g>) -> Symmetric3<'g> {
         this.map_or(tensor, |Self { turn, rest }| turn.tensor(tensor.rotated(rest)))
     }
 
-    /// A vector of the frame, in the body.
+    /// Rotates a vector of the frame into the body.
     fn back(this: Option<Self>, v: Vec3<'g>) -> Vec3<'g> {
         this.map_or(v, |Self { turn, rest }| rest.transpose() * (turn.inverse() * v))
     }
 }
 
 impl<'g> Frame<'g> {
-    /// The same place, with nothing moving.
+    /// This frame with zero velocity.
     pub(super) fn at_rest(&self) -> Self {
         Self {
             velocity: Twist::zero(self.inertia.mass.graph()),
@@ -117,12 +117,12 @@ impl<'g> Frame<'g> {
         }
     }
 
-    /// A vector of the link, in this frame.
+    /// Rotates a vector of the link into this frame.
     pub(super) fn of_body(&self, v: Vec3<'g>) -> Vec3<'g> {
         Inside::forward(self.inside, v)
     }
 
-    /// A vector of the frame of the parent, in this frame.
+    /// Rotates a vector of the parent's frame into this frame.
     pub(super) fn of_parent(&self, v: Vec3<'g>) -> Vec3<'g> {
         let Some(Turned { below, placement, own }) = self.turned else {
             return v;
@@ -131,7 +131,7 @@ impl<'g> Frame<'g> {
         own.map_or(v, |turn| turn.inverse() * v)
     }
 
-    /// The inverse of [`Frame::of_parent`].
+    /// Inverse of [`Frame::of_parent`].
     pub(super) fn to_parent(&self, v: Vec3<'g>) -> Vec3<'g> {
         let Some(Turned { below, placement, own }) = self.turned else {
             return v;
@@ -140,13 +140,13 @@ impl<'g> Frame<'g> {
         Inside::forward(below, placement * v)
     }
 
-    /// A tensor of this frame, in that of the parent: turned in its rows, then in its columns.
+    /// Rotates a tensor of this frame into the parent's frame: its rows, then its columns.
     pub(super) fn matrix_to_parent(&self, tensor: Mat3<'g>) -> Mat3<'g> {
         let turned = |row| self.to_parent(row);
         tensor.map_rows(turned).transpose().map_rows(turned).transpose()
     }
 
-    /// A symmetric tensor of this frame, in that of the parent.
+    /// Rotates a symmetric tensor of this frame into the parent's frame.
     pub(super) fn tensor_to_parent(&self, tensor: Symmetric3<'g>) -> Symmetric3<'g> {
         let Some(Turned { below, placement, own }) = self.turned else {
             return tensor;
@@ -155,7 +155,7 @@ impl<'g> Frame<'g> {
         Inside::tensor(below, tensor.rotated(placement))
     }
 
-    /// An inertia of this frame, in that of the parent.
+    /// Transforms an inertia of this frame to the frame and the origin of the parent.
     pub(super) fn inertia_to_parent(&self, inertia: &MassMoments<'g>) -> MassMoments<'g> {
         let turned = MassMoments {
             mass: inertia.mass,
@@ -165,7 +165,7 @@ impl<'g> Frame<'g> {
         turned.moved(self.offset)
     }
 
-    /// A wrench about the link's origin, in the frame and about the origin of the parent.
+    /// Transforms a wrench about the link's origin to the frame and the origin of the parent.
     pub(super) fn wrench_to_parent(&self, wrench: &Wrench<'g>) -> Wrench<'g> {
         let force = self.to_parent(wrench.force);
         Wrench {

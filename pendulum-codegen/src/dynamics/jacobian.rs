@@ -1,20 +1,20 @@
-//! What the state Jacobian is solved from.
+//! Systems from which the state Jacobian is solved.
 //!
-//! With `r(x, qdd) = A qdd + bias - force` zero along the motion, `A d(qdd)/dx = -dr/dx` at fixed `qdd`: the same
-//! matrix as that of the right-hand side, so one factorisation serves both.
+//! With `r(x, qdd) = A qdd + bias - force` zero along the motion, `A d(qdd)/dx = -dr/dx` at fixed `qdd`. The
+//! accelerations are solved with the same matrix, so one factorisation serves both.
 
 use crate::expr::{Derivative, Expr};
 use crate::model::Coordinate;
 
 use super::Balance;
 
-/// The partial derivatives of `A qdd + bias - force` at fixed accelerations: one column of length `n` for each
-/// variable. The accelerations stand in it as the symbols of the coordinates.
+/// Partial derivatives of `A qdd + bias - force` at fixed accelerations: one column of length `n` for each variable.
+/// The accelerations are the symbols of the coordinates.
 pub(crate) fn partials<'g>(balance: &Balance<'g>, variables: &[Expr<'g>]) -> Vec<Vec<Expr<'g>>> {
     derived(&balance.rows, variables)
 }
 
-/// The derivatives of some expressions by some symbols: one column for each symbol.
+/// Derivatives of expressions with respect to symbols: one column for each symbol.
 pub(crate) fn derived<'g>(rows: &[Expr<'g>], symbols: &[Expr<'g>]) -> Vec<Vec<Expr<'g>>> {
     let column = |&symbol: &Expr<'g>| {
         let mut derivative = Derivative::by(symbol);
@@ -23,8 +23,8 @@ pub(crate) fn derived<'g>(rows: &[Expr<'g>], symbols: &[Expr<'g>]) -> Vec<Vec<Ex
     symbols.iter().map(column).collect()
 }
 
-/// The [`partials`] by the state, from the derivatives of inverse dynamics that the recursion knows without deriving
-/// expressions; none where it does not, or by other variables.
+/// The [`partials`] with respect to the state, from the derivatives of inverse dynamics that the recursion provides
+/// without differentiating expressions. Returns `None` if it provides none, or if a variable is not part of the state.
 pub(crate) fn partials_by_recursion<'g>(
     balance: &Balance<'g>,
     coordinates: &[Coordinate<'g>],

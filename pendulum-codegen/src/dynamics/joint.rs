@@ -1,10 +1,10 @@
-//! Joints by their numbers.
+//! Indices of joints.
 
 use crate::expr::Expr;
 use crate::model::index_types;
 
 index_types! {
-    /// A joint: of a body, or of a link.
+    /// Index of a joint: of a body, or of a link.
     pub(super) JointId;
 }
 

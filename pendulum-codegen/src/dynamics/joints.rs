@@ -1,4 +1,4 @@
-//! Dynamics along joints, and in the coordinates of the scene.
+//! Dynamics along joints, and its conversion to the coordinates of the scene.
 
 use super::actions::{along_coordinates, is_wrench};
 use super::joint::Entry;
@@ -6,36 +6,36 @@ use super::{Balance, Dynamics, Lagrangian, Reactions, Tangent, tangent};
 use crate::expr::{Expr, ratio};
 use crate::model::{Action, Combination, Floating, Model};
 
-/// The dynamics along joints whose coordinates are `q_i = motions[i]` in those of the scene.
+/// Dynamics along joints with coordinates `q_i = motions[i]` in terms of the coordinates of the scene.
 #[derive(Debug)]
 pub(super) struct AlongJoints<'g> {
     pub(super) motions: Vec<Combination>,
     /// `A_ij` for `i <= j`.
     pub(super) mass_matrix: Vec<Entry<'g>>,
-    /// What is taken when only the drives accelerate.
+    /// Forces required when only the drives accelerate.
     pub(super) bias: Vec<Expr<'g>>,
-    /// `A qd`, where it is not that product itself. With drives it must be known.
+    /// `A qd`, if it is known in another form than this product. Required for scenes with drives.
     pub(super) momenta: Option<Vec<Expr<'g>>>,
-    /// What is known in a form that is shorter than `A` and `bias` written out.
+    /// Inertial forces in a form shorter than `A` and `bias` written out, if known.
     pub(super) inertial: Option<Inertial<'g>>,
-    /// The bias, and `A qdd + bias`, less the wrenches that act on the links.
+    /// The bias, and `A qdd + bias`, each less the wrenches that act on the links.
     pub(super) pushed: Option<[Vec<Expr<'g>>; 2]>,
-    /// The bodies along whose axes the forces of their slides are.
+    /// Floating bodies; the forces of their slides are along their own axes.
     pub(super) floating: Vec<Floating<'g>>,
 }
 
-/// What a recursion knows along the joints without a mass matrix.
+/// Results of a recursion along the joints, without a mass matrix.
 #[derive(Debug)]
 pub(super) struct Inertial<'g> {
     /// `A qdd + bias`.
     pub(super) forces: Vec<Expr<'g>>,
-    /// Its derivatives, where these are known too.
+    /// Derivatives of `forces`, if known.
     pub(super) tangent: Option<tangent::Tangent<'g>>,
 }
 
 impl<'g> AlongJoints<'g> {
-    /// The dynamics in the coordinates of the scene. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T
-    /// tau`. The coordinates of drives stand behind the others until they are put apart.
+    /// Converts the dynamics to the coordinates of the scene. With `q = T theta` the mass matrix becomes `T^T A T`, a
+    /// force `T^T tau`. The coordinates of drives stand behind the others until they are separated.
     pub(super) fn in_coordinates(self, model: &Model<'g>, potential: Expr<'g>) -> Dynamics<'g> {
         let n = model.dof();
         let matrix = pull_back_matrix(
@@ -66,7 +66,7 @@ impl<'g> AlongJoints<'g> {
         };
         let drive = rows.split_off(n);
         let (momentum, kinetic) = self.momentum_and_energy(model, &matrix);
-        // how what depends changes is no part of that tangent
+        // this tangent leaves out changes through dependent coordinates
         let tangent = self.inertial.and_then(|inertial| inertial.tangent);
         let tangent = tangent.filter(|_| model.dependents.is_empty()).map(|tangent| {
             let [by_position, by_rate] = [tangent.by_position, tangent.by_rate]
@@ -96,19 +96,20 @@ impl<'g> AlongJoints<'g> {
         dynamics.with_drives(model)
     }
 
-    /// Forces along all coordinates, with those of slides along the axes of floating bodies.
+    /// Rotates the forces of slides, among forces along all coordinates, to the axes of the floating bodies.
     fn of_bodies(&self, mut along: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
         self.floating.iter().for_each(|joint| joint.turn_forces(&mut along));
         along
     }
 
-    /// What `along` the joints, less forces along all coordinates, leaves to be supplied along those that depend.
+    /// Forces left to be supplied along the dependent coordinates: the forces `along` the joints, less the `force`
+    /// along all coordinates.
     fn held(&self, model: &Model<'g>, along: &[Expr<'g>], force: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let all = pull_back(model, self.motions.iter().zip(along.iter().copied()));
         less(&all, force).split_off(model.independent())
     }
 
-    /// `A qdd + bias`
+    /// Inertial forces `A qdd + bias` along the joints.
     fn inertial_forces(&self, model: &Model<'g>) -> Vec<Expr<'g>> {
         if let Some(inertial) = &self.inertial {
             return inertial.forces.clone();
@@ -124,7 +125,7 @@ impl<'g> AlongJoints<'g> {
         free(model, pull_back(model, self.motions.iter().zip(along.iter().copied())))
     }
 
-    /// The momenta of the coordinates, and the kinetic energy of all joints.
+    /// Momenta of the coordinates, and kinetic energy of all joints.
     fn momentum_and_energy(&self, model: &Model<'g>, matrix: &[Vec<Expr<'g>>]) -> (Vec<Expr<'g>>, Expr<'g>) {
         let n = model.dof();
         let momentum = match &self.momenta {
@@ -143,7 +144,7 @@ impl<'g> AlongJoints<'g> {
     }
 }
 
-/// The forces along all coordinates: without those that are wrenches on links, and with them.
+/// Forces along all coordinates: without the actions that are wrenches on links, and with them.
 fn forces<'g>(model: &Model<'g>) -> [Vec<Expr<'g>>; 2] {
     let (as_wrenches, others): (Vec<&Action<'g>>, Vec<_>) = model.actions.iter().partition(|a| is_wrench(a));
     let of_joints = pull_back(model, model.bodies.iter().map(|body| (&body.motion, body.force)));
@@ -157,19 +158,19 @@ fn less<'g>(a: &[Expr<'g>], b: &[Expr<'g>]) -> Vec<Expr<'g>> {
     a.iter().zip(b).map(|(&a, &b)| a - b).collect()
 }
 
-/// An entry, and the one on the other side of the diagonal.
+/// An entry and its mirror image across the diagonal.
 fn mirrored<'g>((i, j, entry): Entry<'g>) -> impl Iterator<Item = Entry<'g>> {
     let mirrored = (i != j).then_some((j, i, entry));
     std::iter::once((i, j, entry)).chain(mirrored)
 }
 
-/// The rows and columns of a matrix over all coordinates that belong to those of the state.
+/// Rows and columns of the state coordinates in a matrix over all coordinates.
 fn of_state<'g>(model: &Model<'g>, matrix: &[Vec<Expr<'g>>]) -> Vec<Vec<Expr<'g>>> {
     let n = model.dof();
     matrix[..n].iter().map(|row| row[..n].to_vec()).collect()
 }
 
-/// `T^T tau`
+/// Pulls forces along the joints back to the coordinates, `T^T tau`.
 fn pull_back<'g, 'm>(
     model: &Model<'g>,
     along_joints: impl Iterator<Item = (&'m Combination, Expr<'g>)>,
@@ -183,8 +184,8 @@ fn pull_back<'g, 'm>(
     pulled
 }
 
-/// Forces along all coordinates, as forces along those that do not depend on others: `tau + N^T tau'`, where `N` is how
-/// the others do.
+/// Reduces forces along all coordinates to forces along the independent ones: `tau + N^T tau'`, where `N` holds the
+/// slopes of the dependent coordinates.
 pub(super) fn free<'g>(model: &Model<'g>, mut along: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
     let of_dependents = along.split_off(model.independent());
     for (dependent, force) in model.loops.dependents.iter().zip(of_dependents) {
@@ -195,7 +196,7 @@ pub(super) fn free<'g>(model: &Model<'g>, mut along: Vec<Expr<'g>>) -> Vec<Expr<
     along
 }
 
-/// `T^T M T`
+/// Pulls a matrix over the joints back to the coordinates, `T^T M T`.
 fn pull_back_matrix<'g>(
     model: &Model<'g>,
     motions: &[Combination],
@@ -223,7 +224,7 @@ fn pull_back_matrix<'g>(
     rows
 }
 
-/// The scalar product with the rates.
+/// Dot product with the rates.
 fn times_rates<'g>(model: &Model<'g>, row: &[Expr<'g>]) -> Expr<'g> {
     let products: Vec<Expr<'g>> = row.iter().zip(&model.coordinates).map(|(&a, c)| a * c.rate).collect();
     model.graph.sum(products)

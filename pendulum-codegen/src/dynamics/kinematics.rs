@@ -1,4 +1,4 @@
-//! Where bodies are, in their stations, and which screws move them.
+//! Poses of bodies in their stations, and the screws that move them.
 
 use rustc_hash::FxHashMap;
 
@@ -6,10 +6,10 @@ use crate::expr::{Expr, Graph};
 use crate::model::{BodyId, Model, Poses};
 use crate::screw::{SpatialInertia, Transform, Twist, Vec3};
 
-/// Poses, screws and inertias of a model, each written in the station of its body.
+/// Poses, screws and inertias of a model, each expressed in the station of its body.
 ///
-/// All scalars of the dynamics are invariant under a change of frame, so each may be computed where it is shortest. In
-/// a station, parallel joints turn by sums of angles and what lies below the station does not appear at all.
+/// All scalars of the dynamics are invariant under a change of frame, so each can be computed in the frame where it is
+/// shortest. In a station, parallel joints turn by sums of angles, and nothing below the station appears.
 #[derive(Debug)]
 pub(crate) struct Kinematics<'g> {
     graph: &'g Graph,
@@ -23,8 +23,8 @@ pub(crate) struct Kinematics<'g> {
 }
 
 impl<'g> Kinematics<'g> {
-    /// The kinematics of a model: poses and screws in stations, and `N_x^+ = N_x + sum N_y^+` over the bodies y that x
-    /// carries, each brought to the station of x.
+    /// Computes the kinematics of a model: poses and screws in stations, and the composite inertias
+    /// `N_x^+ = N_x + sum N_y^+` over the bodies y that x carries, each transformed to the station of x.
     pub(crate) fn new(model: &Model<'g>) -> Self {
         let Poses {
             poses,
@@ -58,18 +58,18 @@ impl<'g> Kinematics<'g> {
         }
     }
 
-    /// Whether body `inner` carries body `outer`, or is it.
+    /// True if body `inner` carries body `outer`, or is the same body.
     pub(crate) fn carries(&self, inner: BodyId, outer: BodyId) -> bool {
         std::iter::successors(Some(outer), |&n| self.parents[n]).any(|n| n == inner)
     }
 
-    /// The inertia of a body and all that it carries, in its station: `N_x^+`.
+    /// Composite inertia `N_x^+` of a body and all bodies that it carries, in its station.
     pub(crate) fn composite(&self, body: BodyId) -> SpatialInertia<'g> {
         self.composites[body]
     }
 
-    /// The screw of the joint of `joint`, in the station of `body`, which it carries or is: `Ad^-1 s` through the
-    /// stations between. A fixed joint has none.
+    /// Screw of the joint of body `joint`, in the station of `body`: `Ad^-1 s` through the stations between. `joint`
+    /// must carry `body` or be the same body. Returns `None` for a fixed joint.
     pub(crate) fn screw(&mut self, joint: BodyId, body: BodyId) -> Option<Twist<'g>> {
         let own = self.screws[joint]?;
         let (Some(base), true) = (self.stations[body], self.stations[joint] != self.stations[body]) else {
@@ -84,7 +84,7 @@ impl<'g> Kinematics<'g> {
         Some(twist)
     }
 
-    /// The acceleration of gravity in the station of a body.
+    /// Acceleration of gravity in the station of a body.
     pub(crate) fn gravity(&self, body: BodyId) -> Vec3<'g> {
         match self.stations[body] {
             None => self.gravity,
@@ -92,7 +92,7 @@ impl<'g> Kinematics<'g> {
         }
     }
 
-    /// Potential energy of all bodies in gravity, `-g . sum m r`: zero where all mass is at the origin of ground.
+    /// Potential energy of all bodies in gravity, `-g . sum m r`: zero if all mass is at the origin of ground.
     pub(crate) fn potential(&self) -> Expr<'g> {
         let roots = self
             .composites

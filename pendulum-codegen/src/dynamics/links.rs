@@ -1,40 +1,41 @@
-//! A model as a chain of links whose joints all turn about, or slide along, their own z axis.
+//! A model as a chain of links, with each joint turning about, or sliding along, its own z axis.
 //!
-//! Fixed joints vanish, axes of any direction are turned to z once, in constants, and each joint lets its link hand
-//! down the part of its inertia that the joint cannot move (base parameters: Gautier and Khalil 1990; Khalil and
-//! Dombre, ch. 9).
+//! Fixed joints vanish, axes of any direction are rotated to z once, in constants, and each link passes to its parent
+//! the part of its inertia that its joint cannot move (base parameters: Gautier and Khalil 1990; Khalil and Dombre, ch.
+//! 9).
 
 use super::joint::JointId;
 use crate::expr::Expr;
 use crate::model::{Combination, CoordinateId, Model};
 use crate::screw::{MassMoments, Mat3, Symmetric3, Transform, Twist, Vec3};
 
-/// A moving joint and all that is fixed to it.
+/// A moving joint with all bodies fixed to it.
 #[derive(Clone, Debug)]
 pub(super) struct Link<'g> {
-    /// The link that carries it; none for ground.
+    /// Link that carries it; `None` for ground.
     pub(super) parent: Option<JointId>,
-    /// The joint frame at coordinate zero, in the frame of the parent: constant, but for the first joint of an
+    /// Joint frame at coordinate zero, in the frame of the parent: constant, except for the first joint of an
     /// orientation.
     pub(super) placement: Transform<'g>,
-    /// The joint's screw axis in the frame of the link: a turn about z that may slide along it, or a slide along z.
+    /// Screw axis of the joint in the frame of the link: a rotation about z that may slide along it, or a slide along
+    /// z.
     pub(super) screw: Twist<'g>,
-    /// What moves with it, in its own frame, in base parameters.
+    /// Inertia that moves with the link, in its own frame, in base parameters.
     pub(super) inertia: MassMoments<'g>,
-    /// The joint coordinate in the coordinates of the scene.
+    /// Joint coordinate in terms of the coordinates of the scene.
     pub(super) motion: Combination,
-    /// The coordinate that the joint brings into the scene: `motion` holds it with factor 1 or -1, and coordinates of
-    /// links below. Where a joint follows others, it is one of theirs.
+    /// Coordinate that the joint adds to the scene: `motion` contains it with factor 1 or -1, besides coordinates of
+    /// links below. A joint that follows others uses one of their coordinates.
     pub(super) coordinate: CoordinateId,
-    /// The force along the joint: friction, spring and torque.
+    /// Force along the joint: friction, spring and torque.
     pub(super) force: Expr<'g>,
-    /// Of the three joints of an orientation the angular velocity that each adds, in the frame of the link: all of it
-    /// by the first, whose placement is turned, and none by the others.
+    /// For the three joints of an orientation, the angular velocity that each adds, in the frame of the link: the
+    /// first, whose placement is turned, adds all of it, and the others none.
     pub(super) spin: Option<Vec3<'g>>,
 }
 
 impl<'g> Link<'g> {
-    /// The velocity that the joint adds.
+    /// Velocity that the joint adds.
     pub(super) fn velocity(&self, model: &Model<'g>) -> Twist<'g> {
         match self.spin {
             None => model.rate_of(&self.motion) * self.screw,
@@ -45,27 +46,28 @@ impl<'g> Link<'g> {
         }
     }
 
-    /// Whether the joint turns.
+    /// True if the joint turns.
     pub(super) fn turns(&self) -> bool {
         self.screw.turns()
     }
 
-    /// How far it slides along z, per unit of its coordinate: 1 for a prismatic joint, the pitch for a helical one.
+    /// Distance that it slides along z per unit of its coordinate: 1 for a prismatic joint, the pitch for a helical
+    /// one.
     pub(super) fn pitch(&self) -> Expr<'g> {
         self.screw.linear[2]
     }
 }
 
-/// The links of a model.
+/// Links of a model.
 #[derive(Clone, Debug)]
 pub(super) struct Links<'g> {
-    /// The links, each behind its parent.
+    /// Links, each behind its parent.
     pub(super) links: Vec<Link<'g>>,
-    /// For each body the link it belongs to, or ground, and where its frame sits in that of the link.
+    /// Link that each body belongs to (`None` for ground), and the pose of the body in the frame of that link.
     pub(super) owners: Vec<(Option<JointId>, Transform<'g>)>,
 }
 
-/// The links of a model.
+/// Converts a model to links.
 pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
     let g = model.graph;
     let mut links: Vec<Link<'g>> = Vec::new();
@@ -76,7 +78,7 @@ pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
             None => (None, Transform::identity(g)),
         };
         let joint = base * body.placement;
-        // a joint that follows others has the coordinate of one of them
+        // a joint that follows others uses the coordinate of one of them
         let coordinate = body.coordinate.or_else(|| body.motion.terms().next().map(|(k, _)| k));
         let (Some(screw), Some(coordinate)) = (body.screw, coordinate) else {
             if let Some(owner) = owner {
@@ -89,8 +91,7 @@ pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
         let turns = screw.turns();
         let mut direction = if turns { screw.angular } else { screw.linear };
         let (mut motion, mut force) = (body.motion.clone(), body.force);
-        // an axis against that of the parent is turned round, together with its coordinate, so that the two are
-        // parallel
+        // an axis opposite to the parent's is reversed, together with its coordinate, so that the two are parallel
         let along = (joint.rotation * direction)[2];
         if turns && along == g.integer(-1) {
             direction = -direction;
@@ -116,12 +117,12 @@ pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
     Links { links, owners }
 }
 
-/// The frame whose z axis lies on the axis of a screw, in the direction given, and the screw in that frame.
+/// Frame with its z axis on the axis of a screw, in the given direction, and the screw in that frame.
 fn aligned<'g>(screw: Twist<'g>, direction: Vec3<'g>) -> (Transform<'g>, Twist<'g>) {
     let g = direction[2].graph();
     let (zero, z) = (Vec3::zero(g), Vec3::z(g));
     let Twist { angular: w, linear: v } = screw;
-    // the axis of a turn passes through w x v; a slide has no place
+    // the axis of a rotation passes through w x v; a slide has no location
     let (translation, angular, linear) = if screw.turns() {
         (w.cross(v), z, w.dot(v) * z)
     } else {
@@ -131,7 +132,7 @@ fn aligned<'g>(screw: Twist<'g>, direction: Vec3<'g>) -> (Transform<'g>, Twist<'
     (Transform { rotation, translation }, Twist { angular, linear })
 }
 
-/// Each link keeps only what its joint can move against its parent; the rest is carried by the parent just as well.
+/// Reduces each link to the inertia that its joint can move relative to its parent, and adds the rest to the parent.
 fn hand_down(links: &mut [Link<'_>]) {
     for n in JointId::all(links.len()).rev() {
         let Some((kept, given)) = links[n].divided() else {
@@ -146,10 +147,11 @@ fn hand_down(links: &mut [Link<'_>]) {
 }
 
 impl<'g> Link<'g> {
-    /// The inertia that the joint can move against its parent, and the rest.
+    /// Splits the inertia into the part that the joint can move relative to its parent, and the rest.
     ///
-    /// A turn about z does not move a line of mass on the z axis: the mass, and the first and the second moment along
-    /// z. A slide does not turn: all second moments. A helical joint moves the line along itself: there is no rest.
+    /// A rotation about z does not move a line of mass on the z axis: the rest is the mass, and the first and the
+    /// second moment along z. A slide does not rotate: the rest is all second moments. A helical joint moves the line
+    /// along itself: there is no rest.
     fn divided(&self) -> Option<(MassMoments<'g>, MassMoments<'g>)> {
         let MassMoments { mass, first, second } = self.inertia;
         let none = MassMoments::zero(mass.graph());
@@ -162,7 +164,7 @@ impl<'g> Link<'g> {
             return Some((kept, MassMoments { second, ..none }));
         }
         if self.spin.is_some() {
-            // three turns move all but the mass at their centre
+            // three rotations move everything but the mass at their centre
             let kept = MassMoments {
                 mass: zero,
                 ..self.inertia

@@ -1,16 +1,16 @@
-//! The wrenches of joints that close loops.
+//! Wrenches of joints that close loops.
 
 use crate::expr::{Derivative, Expr};
 use crate::loops::Orthogonal;
 use crate::model::{Model, Poses, Row};
 use crate::screw::{Vec3, Wrench};
 
-/// The wrench with which the first body of each closing joint acts on the second, about its place on that, in the
-/// ground frame: the moment and the force, loop by loop. `held` are the forces along the coordinates that depend, which
-/// the wrenches have to supply.
+/// Wrench of the first body of each closing joint on the second, about the place of the joint on the second body, in
+/// the ground frame: moment and force, loop by loop. Together the wrenches supply the forces `held` along the dependent
+/// coordinates.
 ///
-/// Forces `f` that keep `phi(q) = 0` act along the coordinates as `J^T f`. What a motion does not determine, as forces
-/// out of the plane in which a linkage moves, is zero; of redundant equations the shortest `f` is taken.
+/// Forces `f` that keep `phi(q) = 0` act along the coordinates as `J^T f`. Components not determined by a motion, such
+/// as forces out of the plane of a planar linkage, are zero; for redundant equations the `f` of minimum norm is taken.
 pub(crate) fn loop_wrenches<'g>(model: &Model<'g>, held: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
     let of_loops: Vec<Vec<Row<'g>>> = model.closures.iter().map(|closure| closure.equations(model)).collect();
     let values: Vec<Expr<'g>> = of_loops.iter().flatten().map(|row| row.value).collect();

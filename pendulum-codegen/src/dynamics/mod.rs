@@ -1,4 +1,4 @@
-//! The dynamics of a model: from screws to the mass matrix, the bias, the forces and the energy in its coordinates.
+//! Dynamics of a model: from screws to the mass matrix, the bias, the forces and the energy in its coordinates.
 
 mod actions;
 mod articulated;
@@ -35,38 +35,38 @@ use crate::model::{Action, BodyId, Coordinate, Floating, Model};
 use joint::JointId;
 use joints::AlongJoints;
 
-/// `A qdd + bias = force`, in the coordinates of the scene.
+/// Equations of motion `A qdd + bias = force`, in the coordinates of the scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Dynamics<'g> {
-    /// What the accelerations are solved from.
+    /// Equations from which the accelerations are solved.
     pub balance: Balance<'g>,
-    /// The terms of the equations, the momenta and the energies.
+    /// Terms of the equations, the momenta and the energies.
     pub lagrangian: Lagrangian<'g>,
-    /// What joints supply that do not move by themselves.
+    /// Forces supplied by drives and closed loops.
     pub reactions: Reactions<'g>,
 }
 
-/// `A qdd + residual = 0`.
+/// Equations `A qdd + residual = 0`.
 #[derive(Clone, Debug)]
 pub(crate) struct Balance<'g> {
-    /// The mass matrix; symmetric.
+    /// Mass matrix; symmetric.
     pub mass_matrix: Vec<Vec<Expr<'g>>>,
-    /// The bias less the forces.
+    /// Bias less the forces.
     pub residual: Vec<Expr<'g>>,
     /// `A qdd + residual`, zero along the motion, with the accelerations as the symbols of the coordinates.
     pub rows: Vec<Expr<'g>>,
-    /// Derivatives of these, where they are known in a form of their own.
+    /// Derivatives of `rows`, if they are known in a form of their own.
     pub tangent: Option<Tangent<'g>>,
 }
 
-/// The terms of Lagrange's equations.
+/// Terms of Lagrange's equations.
 #[derive(Clone, Debug)]
 pub(crate) struct Lagrangian<'g> {
     /// Velocity terms and gravity.
     pub bias: Vec<Expr<'g>>,
     /// Forces of the joints.
     pub force: Vec<Expr<'g>>,
-    /// Momenta of the coordinates: `A qd`, the derivatives of the kinetic energy by the rates.
+    /// Momenta of the coordinates: `A qd`, the derivatives of the kinetic energy with respect to the rates.
     pub momentum: Vec<Expr<'g>>,
     /// Kinetic energy.
     pub kinetic: Expr<'g>,
@@ -74,38 +74,37 @@ pub(crate) struct Lagrangian<'g> {
     pub potential: Expr<'g>,
 }
 
-/// Forces that joints supply, for accelerations as the symbols of the coordinates.
+/// Forces supplied by joints, for accelerations as the symbols of the coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct Reactions<'g> {
-    /// Those of the drives along their joints.
+    /// Forces of the drives along their joints.
     pub drive: Vec<Expr<'g>>,
-    /// Those of closed loops along the coordinates that depend, where they are asked for.
+    /// Forces of closed loops along the dependent coordinates; empty unless requested.
     pub held: Vec<Expr<'g>>,
 }
 
-/// Derivatives of `A qdd + bias - force` (rows) at fixed accelerations, which stand in them as the symbols of the
-/// coordinates.
+/// Derivatives of `A qdd + bias - force` (rows) at fixed accelerations, which are the symbols of the coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct Tangent<'g> {
-    /// Those of `A qdd + bias` by the coordinates.
+    /// Derivatives of `A qdd + bias` with respect to the coordinates.
     pub by_position: Vec<Vec<Expr<'g>>>,
-    /// And by their rates.
+    /// Derivatives of `A qdd + bias` with respect to the rates.
     pub by_rate: Vec<Vec<Expr<'g>>>,
-    /// The forces, which are derived as expressions.
+    /// Forces, whose derivatives are taken as expressions.
     pub force: Vec<Expr<'g>>,
 }
 
-/// Expressions in an order of their own.
+/// A collection of expressions in a fixed order.
 pub(crate) trait Entries<'g>: Clone {
-    /// Where they stand.
+    /// References to the expressions, in order.
     fn places(&mut self) -> Vec<&mut Expr<'g>>;
 
-    /// All of them in one list.
+    /// All expressions in one list, in order.
     fn entries(&self) -> Vec<Expr<'g>> {
         self.clone().places().into_iter().map(|place| *place).collect()
     }
 
-    /// The same with others in their place, in the order of [`Entries::entries`].
+    /// Replaces the expressions, in the order of [`Entries::entries`].
     #[must_use]
     fn with_entries(mut self, entries: Vec<Expr<'g>>) -> Self {
         for (place, entry) in self.places().into_iter().zip(entries) {
@@ -149,7 +148,7 @@ impl<'g> Entries<'g> for Dynamics<'g> {
 }
 
 impl<'g> Balance<'g> {
-    /// `A qdd + residual`, written out.
+    /// Writes out `A qdd + residual`.
     pub(crate) fn new(
         coordinates: &[Coordinate<'g>],
         mass_matrix: Vec<Vec<Expr<'g>>>,
@@ -169,7 +168,7 @@ impl<'g> Balance<'g> {
         }
     }
 
-    /// The upper triangle of the mass matrix, row by row.
+    /// Upper triangle of the mass matrix, row by row.
     pub(crate) fn upper_triangle(&self) -> Vec<Expr<'g>> {
         let rows = self.mass_matrix.iter().enumerate();
         rows.flat_map(|(k, row)| row[k..].iter().copied()).collect()
@@ -177,14 +176,14 @@ impl<'g> Balance<'g> {
 }
 
 impl<'g> Dynamics<'g> {
-    /// The dynamics of a model from A, B and C (Williams 2023, Sec. 2): the definition that other forms are proved
-    /// equal to.
+    /// Computes the dynamics of a model from A, B and C (Williams 2023, Sec. 2): the definition to which other forms
+    /// are proved equal.
     pub(crate) fn new(model: &Model<'g>) -> Self {
         let mut kinematics = Kinematics::new(model);
         let of_joints = || model.graph.sum(model.bodies.iter().map(|body| body.potential));
         let of_actions = || model.graph.sum(model.actions.iter().filter_map(Action::potential));
         if model.has_orientations() {
-            // B holds for the rates of coordinates, which angular velocities are not
+            // B requires rates of coordinates, which angular velocities are not
             let potential = kinematics.potential() + of_joints() + of_actions();
             return Self::recursive(model, potential, false);
         }
@@ -232,28 +231,28 @@ impl<'g> Dynamics<'g> {
         along.in_coordinates(model, potential)
     }
 
-    /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy. Where
-    /// `pushed`, forces at points are wrenches on the links.
+    /// Computes the dynamics by recursion over links in base parameters; `potential` is the potential energy. If
+    /// `pushed` is set, forces at points act as wrenches on the links.
     pub(crate) fn recursive(model: &Model<'g>, potential: Expr<'g>, pushed: bool) -> Self {
-        // off the unit sphere of a quaternion one matrix and one bias must do
+        // off the unit sphere of a quaternion all equations must use the same matrix and the same bias
         let by_recursion = !model.has_orientations();
         recursive::along_joints(model, pushed, &[], by_recursion).in_coordinates(model, potential)
     }
 
-    /// What the accelerations are solved from, with those of `floating` bodies along their own axes. Where `pushed`,
-    /// forces at points are wrenches on the links.
+    /// Computes the equations of the accelerations, along their own axes for `floating` bodies. If `pushed` is set,
+    /// forces at points act as wrenches on the links.
     pub(crate) fn along_bodies(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Balance<'g> {
         let along = recursive::along_joints(model, pushed, floating, false);
         along.in_coordinates(model, model.graph.zero()).balance
     }
 
-    /// What [`articulated`] bodies are in balance by: zero at their accelerations for quaternions of any length.
+    /// Computes the residuals of [`articulated`] bodies: zero at their accelerations for quaternions of any length.
     pub(crate) fn balance_of_links(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Vec<Expr<'g>> {
         let along = recursive::along_joints(model, pushed, floating, true);
         along.in_coordinates(model, model.graph.zero()).balance.rows
     }
 
-    /// The forces along the coordinates of what acts on a scene, but for those that were written along a coordinate.
+    /// Forces of actions along the coordinates, except for actions declared along a coordinate.
     pub(crate) fn scene_forces(model: &Model<'g>) -> Vec<Expr<'g>> {
         let actions = model
             .actions
@@ -264,12 +263,12 @@ impl<'g> Dynamics<'g> {
         model.with_drives(&forces)
     }
 
-    /// Whether forces act that are wrenches on links.
+    /// True if some action is equivalent to wrenches on links.
     pub(crate) fn has_wrenches(model: &Model<'g>) -> bool {
         model.actions.iter().any(actions::is_wrench)
     }
 
-    /// What drives prescribe, in place of the symbols that stand for it.
+    /// Replaces the symbols of the drives by their prescribed motion.
     fn with_drives(self, model: &Model<'g>) -> Self {
         if model.drives.is_empty() {
             return self;
@@ -279,8 +278,9 @@ impl<'g> Dynamics<'g> {
     }
 }
 
-/// The accelerations by articulated bodies, those of `floating` ones along their own axes, and what gave way for them:
-/// without a mass matrix. Where `pushed`, forces at points are wrenches on the links.
+/// Computes the accelerations by the articulated-body algorithm, without a mass matrix. Returns them with the
+/// articulation they follow from. The accelerations of `floating` bodies are along their own axes. If `pushed` is set,
+/// forces at points act as wrenches on the links.
 pub(crate) fn articulated<'g>(
     model: &Model<'g>,
     pushed: bool,

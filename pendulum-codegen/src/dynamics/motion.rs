@@ -1,4 +1,4 @@
-//! How links move.
+//! Motion of links.
 
 use super::flight::Flights;
 use super::frames::Frame;
@@ -7,20 +7,21 @@ use super::links::Link;
 use crate::expr::Expr;
 use crate::screw::{Mat3, Symmetric3, Twist, Vec3};
 
-/// How a link moves, in its frame.
+/// Motion of a link, in its frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion<'g> {
     /// Angular velocity.
     pub(super) w: Vec3<'g>,
     /// Angular acceleration.
     alpha: Vec3<'g>,
-    /// Acceleration of the origin, in a frame that falls upwards with gravity.
+    /// Acceleration of the origin less the acceleration of gravity.
     pub(super) a: Vec3<'g>,
-    /// The acceleration of every other point against the origin.
+    /// Acceleration of every other point relative to the origin, as a matrix that multiplies its position.
     pub(super) field: Mat3<'g>,
 }
 
-/// How the links move, for second rates along their joints. What floats falls by itself.
+/// Computes the motion of the links for given accelerations along their joints. Accelerations of floating bodies are
+/// relative to free fall.
 ///
 /// In the frame of the link, with the offset o and the accelerations `a + U r` of the parent, and the velocities `w_J`
 /// and `v_J` that the joint adds:
@@ -61,7 +62,7 @@ pub(super) fn motions<'g>(
     motions
 }
 
-/// `U` with `U r` the acceleration of a point at `r` against the origin: `alpha x r + w x (w x r)`.
+/// Matrix `U` for which `U r` is the acceleration of a point at `r` relative to the origin: `alpha x r + w x (w x r)`.
 pub(super) fn acceleration_field<'g>(w: Vec3<'g>, alpha: Vec3<'g>) -> Mat3<'g> {
     let square = w.0.map(|x| x.powi(2));
     Mat3::from_fn(|i, j| {
@@ -81,7 +82,7 @@ pub(super) fn acceleration_field<'g>(w: Vec3<'g>, alpha: Vec3<'g>) -> Mat3<'g> {
 pub(super) fn inertial_moment<'g>(u: &Mat3<'g>, second: Symmetric3<'g>) -> Vec3<'g> {
     let s = second.full();
     Vec3([(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
-        // sum_k U_jk S_ik - U_ik S_jk; the two terms in S_ij go together
+        // sum_k U_jk S_ik - U_ik S_jk; the two terms in S_ij are combined
         let k = 3 - i - j;
         let outer = [u[j][i] * s[i][i], u[j][k] * s[i][k]];
         let inner = [u[i][j] * s[j][j], u[i][k] * s[j][k]];

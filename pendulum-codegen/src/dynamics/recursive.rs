@@ -1,7 +1,9 @@
-//! The faster form for large scenes: the bias by Newton and Euler's recursion, the mass matrix by composite bodies.
+//! Recursive dynamics, faster for large scenes: the bias by the recursive Newton-Euler algorithm, the mass matrix by
+//! composite bodies.
 //!
-//! Luh, Walker and Paul (1980) and Walker and Orin (1982), on links in base parameters. Each quantity of a link stands
-//! in its [frame](Frame), about its origin; `X` takes motions of the parent to it, and `X^T` wrenches back.
+//! Luh, Walker and Paul (1980) and Walker and Orin (1982), on links in base parameters. Each quantity of a link is
+//! expressed in its [frame](Frame), about its origin; `X` transforms motions of the parent to it, and `X^T` wrenches
+//! back.
 
 use super::actions::{is_wrench, wrenches};
 use super::flight::Flights;
@@ -15,11 +17,12 @@ use crate::expr::Expr;
 use crate::model::{Action, Floating, Model};
 use crate::screw::{MassMoments, Vec3, Wrench};
 
-/// The dynamics along the joints of the links; with what acts on the scene as wrenches on the links, where `pushed`. Of
-/// the bodies that are `floating` the slides are along their own axes, and gravity does not act on what they carry.
+/// Computes the dynamics along the joints of the links. If `pushed` is set, the result includes forces less the actions
+/// that are wrenches on the links. The slides of `floating` bodies are along their own axes, and gravity does not act
+/// on the links that they carry.
 ///
-/// What accelerations take is that of the recursion itself where `by_recursion`, and the product with the mass matrix
-/// otherwise. They differ off the unit sphere of a quaternion.
+/// Inertial forces come from the recursion itself if `by_recursion` is set, else from the product with the mass matrix.
+/// The two differ off the unit sphere of a quaternion.
 pub(super) fn along_joints<'g>(
     model: &Model<'g>,
     pushed: bool,
@@ -51,9 +54,9 @@ pub(super) fn along_joints<'g>(
     });
     let composites = composites(&links, &frames);
     let mass_matrix = mass_matrix(&links, &frames, &flights, &composites);
-    // the derivatives that this knows are by coordinates, which orientations have none of
+    // the tangent has derivatives with respect to coordinates, which orientations do not have
     let tangent = (!model.has_orientations()).then(|| Tangent::new(&links, &frames, &composites, &motions, &wrenches));
-    // from rest and without gravity, accelerations equal to the rates take forces equal to the momenta
+    // at rest and without gravity, accelerations equal to the rates require forces equal to the momenta
     let resting: Vec<Frame<'g>> = frames.iter().map(Frame::at_rest).collect();
     let rates: Vec<Expr<'g>> = links.iter().map(|link| model.rate_of(&link.motion)).collect();
     let (.., momenta) = taken(&resting, Vec3::zero(g), &rates, None);
@@ -72,7 +75,7 @@ pub(super) fn along_joints<'g>(
     }
 }
 
-/// The wrench that each link takes with all that it carries, by Newton and Euler: beside those that are `given`.
+/// Wrench required by each link with all links that it carries, by Newton-Euler, less the `given` wrenches.
 ///
 /// For mass m, first moment h and accelerations `a + U r`, `f = m a + U h`, `n = h x a + integral r x (U r) dm`; and
 /// `F_parent += X^T F`.
@@ -105,8 +108,8 @@ fn wrenches_of<'g>(
     wrenches
 }
 
-/// The forces along the joints: `tau = s^T F`; of the slides of a flight along the axes of the body, with what slides
-/// alone, `e^T f + m qdd`.
+/// Forces along the joints: `tau = s^T F`. For the slides of a flight they are along the axes of the body and include
+/// the mass that moves with the slides alone: `e^T f + m qdd`.
 fn forces<'g>(
     links: &[Link<'g>],
     flights: &Flights<'g>,
@@ -123,7 +126,7 @@ fn forces<'g>(
     forces
 }
 
-/// Each link with all that it carries: `I_parent += X^T I X`.
+/// Composite inertia of each link with all links that it carries: `I_parent += X^T I X`.
 fn composites<'g>(links: &[Link<'g>], frames: &[Frame<'g>]) -> Vec<MassMoments<'g>> {
     let mut composites: Vec<MassMoments<'g>> = frames.iter().map(|frame| frame.inertia).collect();
     for n in JointId::all(links.len()).rev() {
@@ -134,8 +137,8 @@ fn composites<'g>(links: &[Link<'g>], frames: &[Frame<'g>]) -> Vec<MassMoments<'
     composites
 }
 
-/// `A_ij = s_i^T (X^T .. I_j s_j)`: the momentum of all that link j carries, when its joint alone moves at unit rate,
-/// along the joint of each link i below.
+/// Mass matrix `A_ij = s_i^T (X^T .. I_j s_j)`: the momentum of link j and all links that it carries, when its joint
+/// alone moves at unit rate, along the joint of each link i below.
 fn mass_matrix<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],

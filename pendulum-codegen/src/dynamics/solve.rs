@@ -1,24 +1,24 @@
-//! The solution of `A x = -r`, unrolled.
+//! Unrolled solution of `A x = -r`.
 
 use std::ops::Range;
 
 use crate::expr::Expr;
 
-/// How the system is solved. All give the same value; which is shortest depends on how many right-hand sides there are.
+/// Method of solution. All give the same value; the shortest depends on the number of right-hand sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Solver {
-    /// Closed form of two unknowns, by the adjugate.
+    /// Closed form for two unknowns, by the adjugate.
     Adjugate,
-    /// Closed form of two unknowns, by the entries of the inverse.
+    /// Closed form for two unknowns, by the entries of the inverse.
     Inverse,
     /// `L^T D L`, from the last coordinate to the first: the zeros between branches of a tree stay zero (Featherstone
     /// 2008, Sec. 6.5).
     Ldl,
 }
 
-/// A mass matrix in a form that equations with it are solved from.
+/// A mass matrix in a form that solves equations.
 pub(crate) trait Inverse<'g> {
-    /// `-A^-1 r`
+    /// Returns `-A^-1 r`.
     fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>>;
 }
 
@@ -31,19 +31,19 @@ pub(crate) struct Factored<'g> {
     lower: Vec<Vec<Expr<'g>>>,
 }
 
-/// Coordinates that are eliminated together, and the negated inverse of their entries: with the minus here no other
-/// sign has to change.
+/// Coordinates that are eliminated together, with the negated inverse of their block. With the minus here no other sign
+/// has to change.
 #[derive(Debug)]
 struct Pivot<'g> {
     coordinates: Range<usize>,
-    /// The inverse but for a factor that is multiplied last.
+    /// Inverse without its common `factor`, which is multiplied last.
     inverse: Vec<Vec<Expr<'g>>>,
     factor: Expr<'g>,
 }
 
 impl<'g> Factored<'g> {
-    /// Factors a symmetric matrix of one row or more. `determinant` is that of a matrix of two rows, where a better
-    /// form of it is known.
+    /// Factors a symmetric matrix with at least one row. `determinant` is the determinant of a matrix with two rows, if
+    /// a better form of it is known.
     pub(crate) fn new(solver: Solver, matrix: &[Vec<Expr<'g>>], determinant: Option<Expr<'g>>) -> Self {
         let n = matrix.len();
         let graph = matrix[0][0].graph();
@@ -58,7 +58,7 @@ impl<'g> Factored<'g> {
             let determinant = determinant.filter(|_| n == 2);
             let pivot = match determinant {
                 _ if paired => Pivot::pair(&a, end - 2, determinant, solver == Solver::Adjugate),
-                // what is left of a difference of products, taken from where it is known without the difference
+                // the last pivot is a difference of products: the known determinant avoids the difference
                 Some(determinant) if end == 1 => Pivot::single(0, -matrix[1][1] / determinant),
                 _ => Pivot::single(end - 1, -1 / a[end - 1][end - 1]),
             };
@@ -68,7 +68,8 @@ impl<'g> Factored<'g> {
         factored
     }
 
-    /// `L_kj = A_kk^-1 A_kj` for the coordinates k of a pivot and those j before, and `A_ij -= L_ki^T A_kj`.
+    /// Eliminates the coordinates of a pivot: `L_kj = A_kk^-1 A_kj` for these coordinates k and the coordinates j
+    /// before, and `A_ij -= L_ki^T A_kj`.
     fn eliminate(&mut self, a: &mut [Vec<Expr<'g>>], pivot: Pivot<'g>) {
         let Range { start, end } = pivot.coordinates;
         let columns: Vec<Vec<Expr<'g>>> = (0..start).map(|j| (start..end).map(|k| a[k][j]).collect()).collect();
@@ -90,7 +91,8 @@ impl<'g> Factored<'g> {
 }
 
 impl<'g> Inverse<'g> for Factored<'g> {
-    /// `L^T D L x = -r`: `y = L^-T r` from the last pivot to the first, then `x = -L^-1 D^-1 y` back again.
+    /// Solves `L^T D L x = -r`: `y = L^-T r` from the last pivot to the first, then the back substitution
+    /// `x = -L^-1 D^-1 y`.
     fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let mut x = r.to_vec();
         for Pivot { coordinates, .. } in &self.pivots {
@@ -120,7 +122,8 @@ impl<'g> Pivot<'g> {
         }
     }
 
-    /// Two coordinates from `start` on. `late` says that the division is a factor of its own, and not of each entry.
+    /// Pivot of two coordinates from `start` on. If `late` is set, the division is a common factor instead of a part of
+    /// each entry.
     fn pair(a: &[Vec<Expr<'g>>], start: usize, determinant: Option<Expr<'g>>, late: bool) -> Self {
         let (first, off, second) = (a[start][start], a[start + 1][start], a[start + 1][start + 1]);
         let determinant = determinant.unwrap_or_else(|| first * second - off * off);
@@ -139,7 +142,7 @@ impl<'g> Pivot<'g> {
         }
     }
 
-    /// The negated inverse times a vector.
+    /// Product of the negated inverse and a vector.
     fn times(&self, x: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let row = |row: &Vec<Expr<'g>>| {
             let products: Vec<Expr<'g>> = row.iter().zip(x).map(|(&a, &x)| a * x).collect();

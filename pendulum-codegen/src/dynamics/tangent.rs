@@ -1,8 +1,8 @@
-//! The derivatives of inverse dynamics, link by link, without deriving its expressions.
+//! Derivatives of inverse dynamics, link by link, without differentiating its expressions.
 //!
-//! The idea of Carpentier and Mansard (2018) and Singh, Russo and Wensing (2022), in the terms of moments of mass: seen
-//! from link k, turning its joint, or turning it faster, changes only the motion that arrives from below. The links
-//! above answer as one body that holds their composite inertia and the flow of their mass.
+//! The method of Carpentier and Mansard (2018) and Singh, Russo and Wensing (2022), in terms of moments of mass: in the
+//! frame of link k, a change of its joint coordinate or of its rate changes only the motion that arrives from below.
+//! The links above respond as one body with their composite inertia and the flow of their mass.
 
 use super::frames::Frame;
 use super::joint::{Entry, JointId};
@@ -11,25 +11,25 @@ use super::motion::Motion;
 use crate::expr::Expr;
 use crate::screw::{MassMoments, Mat3, Twist, Vec3, Wrench};
 
-/// Derivatives of the forces along the joints (rows) at fixed second rates.
+/// Derivatives of the forces along the joints (rows) at fixed joint accelerations.
 #[derive(Debug, Default)]
 pub(super) struct Tangent<'g> {
-    /// By the joint coordinates.
+    /// With respect to the joint coordinates.
     pub(super) by_position: Vec<Entry<'g>>,
-    /// By their rates.
+    /// With respect to their rates.
     pub(super) by_rate: Vec<Entry<'g>>,
 }
 
-/// How mass flows past the origin of a frame, which moves along: `p = integral v dm` and `P = integral r v^T dm`, where
-/// `v` is the velocity against the origin.
+/// Flow of mass relative to the origin of a frame, which moves along: `p = integral v dm` and `P = integral r v^T dm`,
+/// where `v` is the velocity relative to the origin.
 #[derive(Clone, Copy, Debug)]
 struct Flow<'g> {
     momentum: Vec3<'g>,
     moments: Mat3<'g>,
 }
 
-/// A change of the motion that arrives at a link. A point at `r` with velocity `v` against the origin is accelerated by
-/// `push + twist x r + 2 spin x v` more.
+/// Variation of the motion that arrives at a link. It adds `push + twist x r + 2 spin x v` to the acceleration of a
+/// point at `r` with velocity `v` relative to the origin.
 #[derive(Clone, Copy, Debug)]
 struct Variation<'g> {
     spin: Vec3<'g>,
@@ -37,21 +37,22 @@ struct Variation<'g> {
     push: Vec3<'g>,
 }
 
-/// What a variation of the motion of a frame adds to the force along the joint of a link that it carries.
+/// Response of the force along the joint of a link to a variation of the motion of a frame that carries it.
 #[derive(Clone, Copy, Debug)]
 struct Response<'g> {
-    /// By push and twist: the momentum at unit rate of that joint.
+    /// Response to push and twist: the momentum at unit rate of the joint.
     wrench: Wrench<'g>,
-    /// By spin.
+    /// Response to spin.
     by_spin: Vec3<'g>,
 }
 
 impl<'g> Tangent<'g> {
-    /// The derivatives of `tau_i = s_i^T F_i` for all pairs of links on one path. `wrenches` are the `F` of the
-    /// motions: of each link with all that it carries.
+    /// Computes the derivatives of `tau_i = s_i^T F_i` for all pairs of links on one path. `wrenches` are the `F` of
+    /// the motions: of each link with all links that it carries.
     ///
-    /// Of a link i below j, the column j is what the composite of j takes more, brought to i, along `s_i`; the column
-    /// i in row j is the response of the joint j to what changes in the motion that arrives through the joint i.
+    /// For a link i below j, column j of row i is the additional wrench that the composite of j requires, transformed
+    /// to i, along `s_i`. Column i of row j is the response of joint j to the variation of the motion that arrives
+    /// through joint i.
     pub(super) fn new(
         links: &[Link<'g>],
         frames: &[Frame<'g>],
@@ -95,7 +96,7 @@ impl<'g> Tangent<'g> {
     }
 }
 
-/// The velocity of a link's origin against that of its parent, in the frame of the parent.
+/// Velocity of a link's origin relative to its parent's origin, in the frame of the parent.
 fn velocity_of_origin<'g>(link: &Link<'g>, frame: &Frame<'g>, motions: &[Motion<'g>]) -> Vec3<'g> {
     match link.parent {
         Some(parent) => motions[parent].w.cross(frame.offset) + frame.to_parent(frame.velocity.linear),
@@ -103,8 +104,8 @@ fn velocity_of_origin<'g>(link: &Link<'g>, frame: &Frame<'g>, motions: &[Motion<
     }
 }
 
-/// The flow of each link with all that it carries. Where v is the velocity of the link's origin against that of the
-/// parent, and o its offset, `p' = R p + m v` is added to p of the parent, and `R P R^T + (R h) v^T + o p'^T` to P.
+/// Flow of each link with all links that it carries. With v the velocity of the link's origin relative to its parent's,
+/// and o its offset, `p' = R p + m v` is added to p of the parent, and `R P R^T + (R h) v^T + o p'^T` to P.
 fn flows<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],
@@ -135,8 +136,9 @@ fn flows<'g>(
 }
 
 impl<'g> Variation<'g> {
-    /// The change by the coordinate of a joint with the screw (s_w, s_v) in the motion that arrives at its link: spin
-    /// `w x s_w`, twist `U s_w`, push `a x s_w + U s_v`; and by its rate: `s_w`, `2 w x s_w`, `2 w x s_v`.
+    /// Variations of the motion that arrives at the link of a joint with the screw (s_w, s_v). With respect to its
+    /// coordinate: spin `w x s_w`, twist `U s_w`, push `a x s_w + U s_v`; with respect to its rate: `s_w`, `2 w x s_w`,
+    /// `2 w x s_v`.
     fn by_position_and_rate(screw: &Twist<'g>, motion: &Motion<'g>) -> [Self; 2] {
         let Twist { angular, linear } = *screw;
         let Motion { w, a, field, .. } = *motion;
@@ -153,7 +155,7 @@ impl<'g> Variation<'g> {
         [by_position, by_rate]
     }
 
-    /// What a composite takes more: the force `m push + twist x h + 2 spin x p` and the moment
+    /// Additional wrench that a composite requires: the force `m push + twist x h + 2 spin x p` and the moment
     /// `h x push + J twist + 2 G^T spin`, with the [gyration](Flow::gyration) G.
     fn taken(&self, inertia: &MassMoments<'g>, flow: &Flow<'g>) -> Wrench<'g> {
         let Self { spin, twist, push } = *self;
@@ -166,7 +168,7 @@ impl<'g> Variation<'g> {
 }
 
 impl<'g> Flow<'g> {
-    /// `tr(P) 1 - P`, with `integral r x (spin x v) dm = (tr(P) 1 - P^T) spin`.
+    /// Gyration `tr(P) 1 - P`, with `integral r x (spin x v) dm = (tr(P) 1 - P^T) spin`.
     fn gyration(&self) -> Mat3<'g> {
         let p = self.moments;
         Mat3::from_fn(|i, j| {
@@ -180,7 +182,7 @@ impl<'g> Flow<'g> {
 }
 
 impl<'g> Response<'g> {
-    /// That of a joint with the screw (s_w, s_v): the wrench `I s`, and by spin `2 (p x s_v + G s_w)`.
+    /// Response of a joint with the screw (s_w, s_v): the wrench `I s`, and `2 (p x s_v + G s_w)` to spin.
     fn of_joint(screw: &Twist<'g>, inertia: &MassMoments<'g>, flow: &Flow<'g>) -> Self {
         Self {
             by_spin: 2 * (flow.momentum.cross(screw.linear) + flow.gyration() * screw.angular),
@@ -188,14 +190,15 @@ impl<'g> Response<'g> {
         }
     }
 
-    /// The force along the joint that a variation takes more.
+    /// Additional force along the joint for a variation.
     fn to(&self, variation: &Variation<'g>) -> Expr<'g> {
         let Wrench { moment, force } = self.wrench;
         moment.dot(variation.twist) + force.dot(variation.push) + self.by_spin.dot(variation.spin)
     }
 
-    /// The response to variations of the motion of the parent, whose origin the frame's own leaves with a velocity:
-    /// there a push is `push + twist x offset + 2 spin x velocity`.
+    /// Transforms the response to variations of the motion of the parent, where `velocity` is the velocity of the
+    /// frame's origin relative to the parent's. A variation of the parent arrives here with the push
+    /// `push + twist x offset + 2 spin x velocity`.
     fn to_parent(self, frame: &Frame<'g>, velocity: Vec3<'g>) -> Self {
         let wrench = frame.wrench_to_parent(&self.wrench);
         Self {
@@ -205,8 +208,8 @@ impl<'g> Response<'g> {
     }
 }
 
-/// The change of a wrench on a link, by its coordinate, against the link below: what is taken more, and the wrench
-/// itself turned and moved along, `s_w x n + s_v x f` and `s_w x f`.
+/// Derivative of a wrench on a link with respect to its coordinate, relative to the link below: the additional wrench
+/// `taken`, and the wrench itself turned and moved along, `s_w x n + s_v x f` and `s_w x f`.
 fn seen_below<'g>(screw: &Twist<'g>, wrench: &Wrench<'g>, taken: &Wrench<'g>) -> Wrench<'g> {
     let Twist { angular, linear } = *screw;
     let Wrench { moment, force } = *wrench;

@@ -3,5 +3,5 @@
 pub(crate) mod c;
 pub(crate) mod rust;
 
-/// How often Newton's method corrects the dependent coordinates of closed loops after a step.
+/// Number of Newton corrections of the dependent coordinates of closed loops after a step.
 const CORRECTIONS: usize = 3;

@@ -1,9 +1,11 @@
-//! Codes of errors: one for each kind of mistake, with a page of the book that explains it.
+//! Error codes: one for each kind of mistake, with a page of the book that explains it.
 
 macro_rules! codes {
     ($($(#[$section:meta])* $name:ident $text:literal $title:literal,)*) => {
-        /// Kind of a mistake in a declaration. Its text, such as `M203`, ends the first line of each message; the
-        /// page `docs/src/errors/M203.md` of the book has the meaning, a wrong example and a right one.
+        /// Kind of a mistake in a declaration.
+        ///
+        /// Its text, such as `M203`, ends the first line of each message. The page `docs/src/errors/M203.md` of the
+        /// book explains it, with a wrong and a correct example.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[non_exhaustive]
         pub enum Code {
@@ -11,17 +13,17 @@ macro_rules! codes {
         }
 
         impl Code {
-            /// All codes, in the order of their numbers.
+            /// All codes, in numerical order.
             pub const ALL: &[Self] = &[$(Self::$name),*];
 
-            /// The text in messages, such as `M203`.
+            /// Returns the text used in messages, such as `M203`.
             pub const fn text(self) -> &'static str {
                 match self {
                     $(Self::$name => $text,)*
                 }
             }
 
-            /// Title of the page in the book.
+            /// Returns the title of the page in the book.
             pub const fn title(self) -> &'static str {
                 match self {
                     $(Self::$name => $title,)*

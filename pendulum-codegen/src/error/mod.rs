@@ -1,4 +1,4 @@
-//! Errors in a declaration: collected, so that all are reported at once, each on the token at fault.
+//! Errors in a declaration: collected and reported all at once, each at the token at fault.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::ToTokens;
@@ -9,25 +9,25 @@ pub use code::Code;
 
 mod code;
 
-/// The errors found so far, in the order of their places in the source.
+/// Errors in a declaration, in source order.
 #[derive(Debug, Default)]
 pub struct Errors {
     all: Vec<syn::Error>,
-    /// A file, and the place on which errors are errors in it.
+    /// Span and name of a file: errors at this span are errors in the file.
     file: Option<(Span, String)>,
 }
 
-/// Proof that an error has been noted: whoever gets one in place of a value need not report again.
+/// Proof that an error has been recorded: code that gets it in place of a value need not report again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reported(());
 
 impl Errors {
-    /// One error on one place.
+    /// Returns a collection with one error at a span.
     pub fn one(code: Code, span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
         Self::from(at(code, span, fact, help))
     }
 
-    /// Notes an error on a whole syntax node: what is wrong, and what to do about it.
+    /// Records an error on a whole syntax node: the fact and a help text.
     pub fn on(
         &mut self,
         code: Code,
@@ -38,7 +38,7 @@ impl Errors {
         self.push(on(code, node, fact, help))
     }
 
-    /// Notes an error on one place.
+    /// Records an error at a span.
     pub fn at(
         &mut self,
         code: Code,
@@ -49,7 +49,7 @@ impl Errors {
         self.push(at(code, span, fact, help))
     }
 
-    /// Notes an error on a word that is not among the `known` ones.
+    /// Records an error about a word that is not among the `known` ones.
     pub(crate) fn unknown<'a>(
         &mut self,
         code: Code,
@@ -62,7 +62,7 @@ impl Errors {
         self.at(code, word.span(), fact, help)
     }
 
-    /// Notes an error.
+    /// Records an error.
     pub fn push(&mut self, error: syn::Error) -> Reported {
         let place = |error: &syn::Error| {
             let start = error.span().start();
@@ -71,7 +71,7 @@ impl Errors {
         let error = match &self.file {
             Some((span, name)) if self.is_in_file(error.span()) => {
                 let (message, start) = (error.to_string(), format!("`{name}`"));
-                // what is wrong with the file itself says so
+                // messages about the file itself already name it
                 let known = message.contains(&start);
                 if known {
                     error
@@ -81,18 +81,18 @@ impl Errors {
             }
             _ => error,
         };
-        // after those that were found on the same place
+        // after earlier errors at the same place
         let at = self.all.partition_point(|other| place(other) <= place(&error));
         self.all.insert(at, error);
         Reported(())
     }
 
-    /// Says that what stands on a place comes from a file.
+    /// Sets the file whose errors are reported at a span.
     pub(crate) fn read_from(&mut self, span: Span, name: &str) {
         self.file = Some((span, name.to_owned()));
     }
 
-    /// No errors yet, with the same file.
+    /// Returns an empty collection for the same file.
     pub(crate) fn afresh(&self) -> Self {
         Self {
             all: Vec::new(),
@@ -100,13 +100,13 @@ impl Errors {
         }
     }
 
-    /// Whether a syntax node comes from a file.
+    /// True if a token of a syntax node comes from the file.
     pub(crate) fn is_from_file(&self, node: impl ToTokens) -> bool {
         let mut tokens = node.into_token_stream().into_iter();
         tokens.any(|token| self.is_in_file(token.span()))
     }
 
-    /// Whether what stands on a place comes from a file.
+    /// True if a span refers to the file.
     pub(crate) fn is_in_file(&self, span: Span) -> bool {
         let ends = |span: Span| {
             let [start, end] = [span.start(), span.end()];
@@ -115,33 +115,33 @@ impl Errors {
         self.file.as_ref().is_some_and(|(file, _)| ends(*file) == ends(span))
     }
 
-    /// Keeps the value, or notes the error.
+    /// Returns the value, or records the error.
     pub fn keep<T>(&mut self, result: syn::Result<T>) -> Result<T, Reported> {
         result.map_err(|error| self.push(error))
     }
 
-    /// Whether there are none.
+    /// True if there are no errors.
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
     }
 
-    /// The errors, in the order of their places in the source.
+    /// Iterates over the errors in source order.
     pub fn iter(&self) -> impl Iterator<Item = &syn::Error> {
         self.all.iter()
     }
 
-    /// That an error has been noted, where one must have been.
+    /// Returns the proof of an error that was recorded before.
     pub(crate) fn noted(&self) -> Reported {
         debug_assert!(!self.all.is_empty(), "no error has been noted");
         Reported(())
     }
 
-    /// Ends a phase: the value, or all errors.
+    /// Ends a phase: returns the value, or all errors.
     pub fn finish<T>(self, value: T) -> Result<T, Self> {
         if self.all.is_empty() { Ok(value) } else { Err(self) }
     }
 
-    /// The errors as `compile_error!` items.
+    /// Converts the errors to `compile_error!` items.
     pub fn to_compile_errors(&self) -> TokenStream {
         self.iter().map(syn::Error::to_compile_error).collect()
     }
@@ -169,7 +169,7 @@ impl From<syn::Error> for Errors {
     }
 }
 
-/// An error on a whole syntax node.
+/// Returns an error on a whole syntax node.
 pub(crate) fn on(
     code: Code,
     node: impl ToTokens,
@@ -179,7 +179,7 @@ pub(crate) fn on(
     syn::Error::new_spanned(node, message(code, fact, help))
 }
 
-/// An error on one place.
+/// Returns an error at a span.
 pub(crate) fn at(code: Code, span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> syn::Error {
     syn::Error::new(span, message(code, fact, help))
 }

@@ -1,4 +1,4 @@
-//! Smart constructors: every operation is simplified where that is always right and never longer.
+//! Smart constructors: each operation is simplified where this is always valid and never longer.
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
@@ -60,7 +60,7 @@ impl<'g> Expr<'g> {
         }
     }
 
-    /// The larger or the smaller of two.
+    /// The larger or the smaller of two values.
     fn extreme(self, op: Binary, other: Self) -> Self {
         match (self.as_number(), other.as_number()) {
             _ if self == other => self,
@@ -75,12 +75,12 @@ impl<'g> Expr<'g> {
         }
     }
 
-    /// An operation exactly as given, without any simplification: for passes that have chosen the order of operations.
+    /// An operation exactly as given, without simplification: for passes that have chosen the order of operations.
     pub(crate) fn exactly(self, op: Binary, other: Self) -> Self {
         self.graph().intern(Node::Binary(op, self.id(), other.id()))
     }
 
-    /// The opposite exactly as given.
+    /// The negation exactly as given, without simplification.
     pub(crate) fn exactly_negated(self) -> Self {
         self.unary_node(Unary::Neg)
     }
@@ -182,7 +182,7 @@ impl<'g> Expr<'g> {
         }
     }
 
-    /// Division by the number zero stays as it is written, so that it shows as a non-finite value.
+    /// The quotient. Division by the number zero is not simplified, so that it shows as a non-finite value.
     fn over(self, other: Self) -> Self {
         if let Some(divisor) = other.as_number()
             && !divisor.is_zero()
@@ -252,7 +252,7 @@ impl<'g> Expr<'g> {
         }
         let opposite = match self.node() {
             Node::Unary(Unary::Neg, y) => Some(y),
-            // a - b and b - a have one sine and cosine between them
+            // a - b and b - a share one sine and cosine
             Node::Binary(Binary::Sub, a, b) if a > b => Some(b - a),
             _ => None,
         };
@@ -263,7 +263,7 @@ impl<'g> Expr<'g> {
         }
     }
 
-    /// `k` where the expression is `k pi`.
+    /// Returns `k` if the expression is `k pi`.
     fn multiple_of_pi(self) -> Option<Rational> {
         match self.node() {
             Node::Number(n) if n.is_zero() => Some(n.clone()),
@@ -276,7 +276,7 @@ impl<'g> Expr<'g> {
 }
 
 impl Graph {
-    /// Sine and cosine of the angles whose values are square roots of rationals: multiples of 30 and 45 degrees.
+    /// Exact sine and cosine of multiples of 30 and 45 degrees, whose values are square roots of rationals.
     fn exact_sine_or_cosine(&self, op: Unary, turns: &Rational) -> Option<Expr<'_>> {
         let quarter = ratio(1, 2);
         let turns = if op == Unary::Cos {
@@ -304,7 +304,7 @@ impl Graph {
     }
 }
 
-/// A number, unless it is too long to be computed with exactly.
+/// Returns the number, unless it is too long for exact arithmetic.
 fn short(x: Rational) -> Option<Rational> {
     is_short(&x).then_some(x)
 }

@@ -4,18 +4,18 @@ use rustc_hash::FxHashMap;
 
 use super::{Binary, Expr, Node, Unary};
 
-/// The derivative by one symbol, or along a direction. It remembers what it has derived, so shared parts are derived
-/// once.
+/// Derivative with respect to one symbol, or along a direction. Results are cached, so that shared subexpressions are
+/// differentiated once.
 #[derive(Debug)]
 pub(crate) struct Derivative<'g> {
     by: Option<Expr<'g>>,
-    /// Whether what depends on others keeps its value.
+    /// If set, symbols that depend on others are held constant, unless they stand for a sum.
     alone: bool,
     known: FxHashMap<Expr<'g>, Expr<'g>>,
 }
 
 impl<'g> Derivative<'g> {
-    /// The derivative by the symbol `by`, on which others may depend.
+    /// Derivative with respect to the symbol `by`, including the symbols that depend on it.
     pub(crate) fn by(by: Expr<'g>) -> Self {
         Self {
             by: Some(by),
@@ -24,13 +24,13 @@ impl<'g> Derivative<'g> {
         }
     }
 
-    /// The same, where what depends on others keeps its value.
+    /// Holds symbols that depend on others constant, unless they stand for a sum.
     #[must_use]
     pub(crate) fn alone(self) -> Self {
         Self { alone: true, ..self }
     }
 
-    /// The derivative along a direction: the sum of the derivatives by some symbols, each times its component.
+    /// Derivative along a direction: the sum of the derivatives with respect to some symbols, each times its component.
     pub(crate) fn along(components: impl IntoIterator<Item = (Expr<'g>, Expr<'g>)>) -> Self {
         Self {
             by: None,
@@ -39,7 +39,7 @@ impl<'g> Derivative<'g> {
         }
     }
 
-    /// The derivative of `x`.
+    /// Derivative of `x`.
     pub(crate) fn of(&mut self, x: Expr<'g>) -> Expr<'g> {
         let graph = x.graph();
         if Some(x) == self.by {
@@ -74,7 +74,7 @@ impl<'g> Derivative<'g> {
     }
 }
 
-/// The chain rule, where the derivative of the outer function is formed only if the inner one changes.
+/// Chain rule; the derivative of the outer function is formed only if the inner derivative is not zero.
 fn chain<'g>(inner: Expr<'g>, outer: impl FnOnce() -> Expr<'g>) -> Expr<'g> {
     if inner.is_zero() { inner } else { outer() * inner }
 }

@@ -5,12 +5,13 @@ use num_traits::ToPrimitive;
 use super::{ExprId, Graph, Node, Rational, Symbol};
 
 impl Graph {
-    /// The values of `roots`, in their order, where `value` gives that of each symbol.
+    /// Returns the values of `roots`, in order, with the values of the symbols from `value`.
     pub fn evaluate(&self, roots: &[impl Into<ExprId> + Copy], mut value: impl FnMut(&Symbol) -> f64) -> Vec<f64> {
         self.evaluate_at(roots, |_, symbol| value(symbol))
     }
 
-    /// The same, where `value` is also told which expression a symbol is: others may have its name.
+    /// Like [`evaluate`](Self::evaluate), but passes the id of each symbol to `value` too: several symbols may share a
+    /// name.
     pub(crate) fn evaluate_at(
         &self,
         roots: &[impl Into<ExprId> + Copy],
@@ -23,7 +24,7 @@ impl Graph {
         roots.iter().map(|&root| values[root.into().index()]).collect()
     }
 
-    /// The value of a node from those of its operands.
+    /// Value of a node, from the values of its operands.
     pub(super) fn value_of(
         &self,
         node: &Node,

@@ -1,4 +1,4 @@
-//! Expressions as values that are computed with.
+//! Expressions as values with arithmetic operators.
 
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -6,9 +6,9 @@ use std::hash::{Hash, Hasher};
 use super::{ExprId, Graph, Level, Node, Rational, Symbol, Unary, ratio};
 
 /// An expression of a graph. Its operators and functions build other expressions of the same graph, simplified where
-/// that is always right and never longer.
+/// this is always valid and never longer.
 ///
-/// Two expressions are equal exactly when they are the same node. They are ordered by when they were built.
+/// Two expressions are equal exactly when they are the same node. They are ordered by the time they were built.
 #[derive(Clone, Copy)]
 pub struct Expr<'g> {
     graph: &'g Graph,
@@ -20,17 +20,17 @@ impl<'g> Expr<'g> {
         Self { graph, id }
     }
 
-    /// The graph that it belongs to.
+    /// Graph of the expression.
     pub fn graph(self) -> &'g Graph {
         self.graph
     }
 
-    /// The number of its node.
+    /// Id of the node.
     pub fn id(self) -> ExprId {
         self.id
     }
 
-    /// The operation that it is, with its operands as expressions.
+    /// Operation of the expression, with its operands as expressions.
     pub fn node(self) -> Node<Expr<'g>, &'g Rational> {
         let operand = |&id: &ExprId| self.graph.expr(id);
         match self.graph.node(self.id) {
@@ -48,22 +48,22 @@ impl<'g> Expr<'g> {
         self.graph.operands(self.id).map(move |id| self.graph.expr(id))
     }
 
-    /// On what it depends, at most.
+    /// Highest level of the symbols that it depends on.
     pub fn level(self) -> Level {
         self.graph.level(self.id)
     }
 
-    /// Its value, if it is a number.
+    /// Value, if it is a number.
     pub fn as_number(self) -> Option<&'g Rational> {
         self.graph.as_number(self.id)
     }
 
-    /// The symbol, if it is one.
+    /// Symbol, if it is one.
     pub fn as_symbol(self) -> Option<&'g Symbol> {
         self.graph.as_symbol(self.id)
     }
 
-    /// What it is the opposite of, if it is an opposite.
+    /// Operand, if it is a negation.
     pub(super) fn as_negated(self) -> Option<Self> {
         match self.node() {
             Node::Unary(Unary::Neg, y) => Some(y),
@@ -71,17 +71,17 @@ impl<'g> Expr<'g> {
         }
     }
 
-    /// Whether it is the number 0. Use the normal form to ask whether it is zero in value.
+    /// True if it is the number 0. To test whether its value is zero, use the normal form.
     pub fn is_zero(self) -> bool {
         self.graph.is_zero(self.id)
     }
 
-    /// Whether it is the number 1.
+    /// True if it is the number 1.
     pub fn is_one(self) -> bool {
         self.graph.is_one(self.id)
     }
 
-    /// Its value in double precision, if it depends on nothing.
+    /// Value in double precision, if it depends on no symbol.
     pub fn constant(self) -> Option<f64> {
         self.graph.constant(self.id)
     }
@@ -110,18 +110,17 @@ impl<'g> Expr<'g> {
         self.power(ratio(1, 2))
     }
 
-    /// The number of its operations if it is written out, with nothing shared; the most that can be counted where it is
-    /// longer.
+    /// Number of operations when written out, with nothing shared; saturates at `u64::MAX`.
     pub fn length(self) -> u64 {
         self.graph.length(self.id)
     }
 
-    /// How many operations stand in one another.
+    /// Nesting depth of the operations.
     pub fn depth(self) -> usize {
         self.graph.depth(self.id)
     }
 
-    /// One over it, as a quotient.
+    /// The reciprocal, as a quotient.
     #[must_use]
     pub fn recip(self) -> Self {
         self.graph.one() / self

@@ -1,7 +1,7 @@
-//! Formulas as a person writes them: the tree that is printed as text and as LaTeX.
+//! Formulas in handwritten notation: the tree that is printed as text and as LaTeX.
 //!
-//! A formula is a way of writing, not a value: `a + b` and `b + a` are two formulas. It comes from an expression of the
-//! graph by a [`Printer`](super::Printer), or from the text of a declaration as it stands there.
+//! A formula is a notation, not a value: `a + b` and `b + a` are two formulas. A [`Printer`](super::Printer) makes it
+//! from an expression of the graph, or it is taken verbatim from the text of a declaration.
 
 use super::Rational;
 
@@ -10,7 +10,7 @@ use super::Rational;
 pub enum Formula {
     /// A number, exactly.
     Number(Rational),
-    /// A number and its unit, as they are written.
+    /// A number and its unit, verbatim.
     Measured(String, String),
     /// A name.
     Name(String),
@@ -33,9 +33,9 @@ pub enum Formula {
 /// A term of a sum.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Summand {
-    /// Whether it is subtracted.
+    /// True if the term is subtracted.
     pub negative: bool,
-    /// What is added or subtracted.
+    /// Formula that is added or subtracted.
     pub formula: Formula,
 }
 
@@ -44,12 +44,12 @@ pub struct Summand {
 pub struct Definition {
     /// The name.
     pub name: String,
-    /// What it stands for.
+    /// Formula that it stands for.
     pub formula: Formula,
 }
 
 impl Formula {
-    /// A name, without the mark of a raw identifier.
+    /// A name, without the `r#` of a raw identifier.
     pub fn name(name: &str) -> Self {
         Self::Name(name.trim_start_matches("r#").to_owned())
     }
@@ -59,7 +59,7 @@ impl Formula {
         Self::Call("dot".to_owned(), vec![Self::name(coordinate)])
     }
 
-    /// The product of factors; there is at least one.
+    /// Product of factors; `None` if there are none.
     pub(super) fn product(mut factors: Vec<Formula>) -> Option<Self> {
         if factors.len() > 1 {
             return Some(Self::Product(factors));
@@ -67,7 +67,7 @@ impl Formula {
         factors.pop()
     }
 
-    /// The terms of a sum, with the sign in front of a term drawn into it; anything else is one term.
+    /// Terms of a sum, negated if `negative` is set; any other formula is one term.
     pub fn into_terms(self, negative: bool) -> Vec<Summand> {
         use num_traits::Signed;
         match self {
@@ -113,7 +113,7 @@ impl Formula {
         }
     }
 
-    /// The formulas that this one is made of.
+    /// Direct subformulas.
     pub fn parts(&self) -> Vec<&Formula> {
         match self {
             Self::Number(_) | Self::Measured(..) | Self::Name(_) | Self::Entry(..) => Vec::new(),
@@ -124,7 +124,7 @@ impl Formula {
         }
     }
 
-    /// The names that stand anywhere in the formula.
+    /// Names that occur anywhere in the formula.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         let mut left = vec![self];
         std::iter::from_fn(move || {
@@ -138,7 +138,7 @@ impl Formula {
         })
     }
 
-    /// What is defined elsewhere: names, and rates such as `dot(theta)`.
+    /// Quantities defined elsewhere: names, and rates such as `dot(theta)`.
     pub(crate) fn mentions(&self) -> Vec<String> {
         match self {
             Self::Name(name) => vec![name.clone()],

@@ -13,38 +13,38 @@ use rustc_hash::FxHashMap;
 
 use super::{Binary, Expr, Rational, Unary};
 
-/// An expression: the number of its node in its graph. Operands always have smaller ids than their operation.
+/// Id of an expression: the index of its node in its graph. Operands always have smaller ids than their operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ExprId(u32);
 
 impl ExprId {
-    /// The position in the graph.
+    /// Index in the graph.
     pub fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// A symbol of a graph.
+/// Id of a symbol of a graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct SymbolId(u32);
 
 impl SymbolId {
-    /// The position in the symbol table.
+    /// Index in the symbol table.
     pub fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// What a symbol stands for. The number is the position among the symbols of that kind.
+/// Quantity that a symbol stands for. The number is the index among the symbols of that kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum SymbolKind {
-    /// A parameter of the scene: fixed when the model is built.
+    /// A parameter of the scene, fixed when the model is built.
     Parameter(usize),
     /// A coordinate.
     Coordinate(usize),
     /// The rate of a coordinate.
     Rate(usize),
-    /// The second rate of a coordinate, where it is held fixed while other things vary.
+    /// The second derivative of a coordinate, where it is held fixed while other quantities vary.
     Acceleration(usize),
     /// A value given at each evaluation.
     Input(usize),
@@ -52,37 +52,37 @@ pub enum SymbolKind {
     Force(usize),
     /// Time.
     Time,
-    /// A component of the position of a point, until it is known in coordinates.
+    /// A component of the position of a point, before it is expressed in coordinates.
     Point(usize),
-    /// The rate of such a component.
+    /// The rate of a component of the position of a point.
     PointRate(usize),
-    /// A quantity of one order of a power series in time.
+    /// A quantity at one order of a power series in time.
     Coefficient(usize),
-    /// A quantity that depends on others: where loops are closed.
+    /// A quantity that depends on others through the closure of a loop.
     Dependent(usize),
 }
 
 /// A named symbol.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Symbol {
-    /// The name that is printed.
+    /// Printed name.
     pub name: String,
-    /// What it stands for.
+    /// Quantity that it stands for.
     pub kind: SymbolKind,
 }
 
-/// On what an expression depends, at most.
+/// Highest level of the symbols that an expression depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// On nothing: it is folded into the code.
+    /// No symbols: the value is folded into the code.
     Constant,
-    /// On parameters: it is computed once, when the model is built.
+    /// Parameters: the value is computed once, when the model is built.
     Parameter,
-    /// On the state, the time or the inputs.
+    /// The state, the time or the inputs.
     State,
 }
 
-/// A node: an operation on operands, or a leaf. The graph keeps operands by their ids; [`Expr::node`] gives them as
+/// A node: an operation on operands, or a leaf. The graph stores operands by id; [`Expr::node`] returns them as
 /// expressions.
 #[derive(Clone, Copy, Debug)]
 pub enum Node<Operand = ExprId, Number = Rational> {
@@ -100,7 +100,7 @@ pub enum Node<Operand = ExprId, Number = Rational> {
     Power(Operand, Number),
 }
 
-/// Numbers are in lowest terms, so that two are equal where their parts are: those of the library would be divided.
+/// Compares numerators and denominators, since numbers are in lowest terms; the comparison of the library divides.
 impl<Operand: PartialEq, Number: Borrow<Rational>> PartialEq for Node<Operand, Number> {
     fn eq(&self, other: &Self) -> bool {
         let same = |a: &Number, b: &Number| parts(a) == parts(b);
@@ -137,35 +137,35 @@ fn parts(number: &impl Borrow<Rational>) -> [&BigInt; 2] {
     [number.numer(), number.denom()]
 }
 
-/// How a symbol changes that depends on others.
+/// Dependence of a symbol on expressions.
 #[derive(Clone, Debug)]
 struct Changes {
-    /// Whether it is another name for a sum, and not only held by a condition.
+    /// True if the symbol stands for a sum, false if it is only tied to the others by a condition.
     is_sum: bool,
-    /// Expressions, and the factors of their changes.
+    /// Pairs of an expression and the factor of its change.
     terms: Vec<[ExprId; 2]>,
 }
 
-/// The store of all expressions of one scene: an arena that is shared, and only grows. Equal expressions get equal ids.
+/// Store of all expressions of one scene: a shared arena that only grows. Equal expressions have equal ids.
 #[derive(Default)]
 pub struct Graph {
     nodes: FrozenVec<Box<Stored>>,
     ids: RefCell<FxHashMap<Node, ExprId>>,
     symbols: FrozenVec<Box<Symbol>>,
-    /// Of symbols that depend on others: how they change with these.
+    /// Dependence of each symbol that depends on others.
     changes: RefCell<FxHashMap<ExprId, Changes>>,
 }
 
-/// A node, and what is asked of it most often: known from that of its operands, so that nobody walks the graph for it.
+/// A node with its most used properties, computed from its operands so that they need no traversal of the graph.
 #[derive(Debug)]
 struct Stored {
     node: Node,
     level: Level,
-    /// Its value in double precision, where it depends on nothing.
+    /// Value in double precision, if it depends on no symbol.
     value: f64,
-    /// The number of its operations if it is written out.
+    /// Number of operations when written out.
     length: u64,
-    /// How many operations stand in one another.
+    /// Nesting depth of the operations.
     depth: usize,
 }
 
@@ -175,49 +175,48 @@ impl Graph {
         Self::default()
     }
 
-    /// The node of an expression.
+    /// Node of an expression.
     pub fn node(&self, id: ExprId) -> &Node {
         &self.nodes[id.index()].node
     }
 
-    /// The expression of a node.
+    /// Expression of a node.
     pub fn expr(&self, id: ExprId) -> Expr<'_> {
         Expr::new(self, id)
     }
 
-    /// The id of a node, if it has been built.
+    /// Id of a node, if it has been built.
     pub fn find(&self, node: &Node) -> Option<ExprId> {
         self.ids.borrow().get(node).copied()
     }
 
-    /// On what the expression depends, at most.
+    /// Highest level of the symbols that the expression depends on.
     pub fn level(&self, id: ExprId) -> Level {
         self.nodes[id.index()].level
     }
 
-    /// The value in double precision of an expression that depends on nothing.
+    /// Value in double precision, if the expression depends on no symbol.
     pub fn constant(&self, id: ExprId) -> Option<f64> {
         let stored = &self.nodes[id.index()];
         (stored.level == Level::Constant).then_some(stored.value)
     }
 
-    /// The number of its operations if it is written out, with nothing shared; the most that can be counted where it is
-    /// longer.
+    /// Number of operations when written out, with nothing shared; saturates at `u64::MAX`.
     pub fn length(&self, id: ExprId) -> u64 {
         self.nodes[id.index()].length
     }
 
-    /// How many operations stand in one another.
+    /// Nesting depth of the operations.
     pub fn depth(&self, id: ExprId) -> usize {
         self.nodes[id.index()].depth
     }
 
-    /// The number of nodes.
+    /// Number of nodes.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// Whether nothing has been built yet.
+    /// True if the graph has no nodes.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
@@ -227,12 +226,12 @@ impl Graph {
         self.symbols.iter()
     }
 
-    /// A symbol of this graph.
+    /// Symbol with this id.
     pub fn name_and_kind(&self, id: SymbolId) -> &Symbol {
         &self.symbols[id.index()]
     }
 
-    /// Declares a symbol. The mark of a raw identifier is no part of its name.
+    /// Declares a symbol. The `r#` of a raw identifier is dropped from its name.
     pub fn symbol(&self, name: &str, kind: SymbolKind) -> Expr<'_> {
         let id = SymbolId(self.symbols.len() as u32);
         self.symbols.push(Box::new(Symbol {
@@ -242,13 +241,15 @@ impl Graph {
         self.intern(Node::Symbol(id))
     }
 
-    /// Says how a symbol changes with expressions, each with the factor of its change.
+    /// Declares the dependence of a symbol on expressions, each with the factor of its change. `is_sum` marks a symbol
+    /// that stands for a sum.
     pub fn set_changes<'g>(&'g self, symbol: Expr<'g>, terms: &[(Expr<'g>, Expr<'g>)], is_sum: bool) {
         let terms = terms.iter().map(|(x, factor)| [x.id(), factor.id()]).collect();
         self.changes.borrow_mut().insert(symbol.id(), Changes { is_sum, terms });
     }
 
-    /// How a symbol changes with expressions, if it depends on them; of sums only, if `alone`.
+    /// Dependence of a symbol on expressions, each with the factor of its change; empty if it depends on none. With
+    /// `alone`, only symbols that stand for sums count.
     pub fn changes<'g>(&'g self, symbol: Expr<'g>, alone: bool) -> Vec<(Expr<'g>, Expr<'g>)> {
         let changes = self.changes.borrow();
         let changes = changes.get(&symbol.id()).filter(|changes| changes.is_sum || !alone);
@@ -256,7 +257,7 @@ impl Graph {
         terms.map(|&[x, factor]| (self.expr(x), self.expr(factor))).collect()
     }
 
-    /// The symbol of a leaf, if it is one.
+    /// Symbol of a node, if it is one.
     pub fn as_symbol(&self, id: ExprId) -> Option<&Symbol> {
         match self.node(id) {
             Node::Symbol(s) => Some(&self.symbols[s.index()]),
@@ -264,12 +265,12 @@ impl Graph {
         }
     }
 
-    /// The symbols that the roots depend on, in the order in which they were built.
+    /// Symbols that the roots depend on, in the order in which they were built.
     pub fn symbols_of<'g>(&'g self, roots: &[Expr<'g>]) -> impl Iterator<Item = &'g Symbol> + use<'g> {
         self.reachable(roots).into_iter().filter_map(|id| self.as_symbol(id))
     }
 
-    /// The value of a leaf, if it is a number.
+    /// Value of a node, if it is a number.
     pub fn as_number(&self, id: ExprId) -> Option<&Rational> {
         match self.node(id) {
             Node::Number(n) => Some(n),
@@ -277,7 +278,7 @@ impl Graph {
         }
     }
 
-    /// Whether the expression is the number zero. Use the normal form to ask whether it is zero in value.
+    /// True if the expression is the number 0. To test whether its value is zero, use the normal form.
     pub fn is_zero(&self, id: ExprId) -> bool {
         self.as_number(id).is_some_and(Zero::is_zero)
     }
@@ -348,7 +349,7 @@ impl Graph {
         }
     }
 
-    /// The roots with some expressions replaced by others, simplified on the way up.
+    /// Replaces subexpressions of the roots, and simplifies the operations on them.
     pub fn substitute<'g>(&'g self, roots: &[Expr<'g>], mut new: FxHashMap<Expr<'g>, Expr<'g>>) -> Vec<Expr<'g>> {
         for id in self.reachable(roots) {
             let x = self.expr(id);

@@ -9,10 +9,10 @@ use num_traits::{One, Signed};
 use super::text::number;
 use super::{Formula, Precedence, Summand};
 
-/// Functions that LaTeX knows by their names.
+/// Functions with a LaTeX command of the same name.
 const FUNCTIONS: [&str; 6] = ["sin", "cos", "tan", "exp", "ln", "tanh"];
 
-/// Names of letters.
+/// Names of Greek letters, each also a LaTeX command.
 const GREEK: [&str; 34] = [
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi",
     "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi",
@@ -58,8 +58,8 @@ fn sum(terms: &[Summand]) -> String {
     text
 }
 
-/// Factors with thin spaces between them. The argument of a function goes into brackets if what follows
-/// could be read as a part of it.
+/// Factors separated by thin spaces. The argument of a function is put into brackets if the next factor could be read
+/// as a part of it.
 fn product(factors: &[Formula]) -> String {
     let mut text = String::new();
     for (n, factor) in factors.iter().enumerate() {
@@ -90,7 +90,7 @@ fn is_function(formula: &Formula) -> bool {
 }
 
 fn power(base: &Formula, exponent: &Formula, closed: bool) -> String {
-    // fractions lie on one line here
+    // fractions are written on one line here
     let exponent_text = if is_tall(exponent) {
         exponent.to_string()
     } else {
@@ -101,7 +101,7 @@ fn power(base: &Formula, exponent: &Formula, closed: bool) -> String {
         Formula::Call(function, arguments) if whole && FUNCTIONS.contains(&function.as_str()) && function != "exp" => {
             call(function, &format!("^{{{exponent_text}}}"), arguments, closed)
         }
-        // a power beside a root or another power is easily taken for a part of it
+        // an exponent beside a root or another exponent is easily misread as a part of it
         Formula::Call(function, _) if function != "dot" && function != "abs" => {
             format!("{}^{{{exponent_text}}}", brackets(base))
         }
@@ -110,7 +110,7 @@ fn power(base: &Formula, exponent: &Formula, closed: bool) -> String {
     }
 }
 
-/// A function and its argument, in brackets where `closed` says so or where it is more than a name.
+/// A function and its argument; brackets surround it if `closed` is set or if it is more than a name.
 fn call(function: &str, raised: &str, arguments: &[Formula], closed: bool) -> String {
     let inside: Vec<String> = arguments.iter().map(Formula::latex).collect();
     let inside = inside.join(",\\,");
@@ -155,7 +155,7 @@ fn brackets(formula: &Formula) -> String {
     }
 }
 
-/// Whether the formula is higher than a line of text.
+/// True if the formula is taller than a line of text.
 fn is_tall(formula: &Formula) -> bool {
     match formula {
         Formula::Quotient(..) => true,
@@ -165,7 +165,7 @@ fn is_tall(formula: &Formula) -> bool {
     }
 }
 
-/// `theta1` as `\theta_1`, `inertia` upright, `r_max` with an index.
+/// LaTeX of a name: `theta1` becomes `\theta_1`, `inertia` is upright, `r_max` has an index.
 fn latex_name(name: &str) -> String {
     let (stem, rest) = parts_of_name(name);
     indexed(letter(stem), &rest)
@@ -185,7 +185,7 @@ fn indexed(stem: String, rest: &[&str]) -> String {
     format!("{stem}_{{{}}}", rest.join(","))
 }
 
-/// A letter or a number as it is, a Greek letter by its name, anything else upright.
+/// A letter or a number unchanged, a Greek letter by its command, anything else upright.
 fn letter(part: &str) -> String {
     if GREEK.contains(&part) {
         format!("\\{part}")
@@ -196,7 +196,7 @@ fn letter(part: &str) -> String {
     }
 }
 
-/// A name without its indices, and the indices: a number at the end, and what follows underscores.
+/// Splits a name into its stem and its indices: a number at the end, and the parts after underscores.
 fn parts_of_name(name: &str) -> (&str, Vec<&str>) {
     let mut parts = name.split('_').filter(|part| !part.is_empty());
     let first = parts.next().unwrap_or("");

@@ -1,11 +1,11 @@
 //! Symbolic expressions as a hash-consed graph, and their polynomial normal form.
 //!
-//! Arithmetic is exact: numbers are rationals of any size, roots and the sines of constants stay symbols until code is
-//! emitted. Two expressions are the same exactly when they are the same node.
+//! Arithmetic is exact: numbers are rationals of any size, and roots and the sines of constants stay symbolic until
+//! code is emitted. Two expressions are the same exactly when they are the same node.
 //!
-//! An [`Expr`] is a node and its graph: the value that physics, forms and passes compute with, take and return. An
-//! [`ExprId`] is the bare number of a node: operands in the graph, atoms of polynomials, items of passes, and what
-//! printers look up in tables.
+//! An [`Expr`] is a node with its graph: physics, forms and passes compute with it, take it and return it. An
+//! [`ExprId`] is the bare index of a node: an operand in the graph, an atom of a polynomial, an item of a pass, a key
+//! in the tables of printers.
 
 mod build;
 mod derivative;
@@ -42,20 +42,20 @@ pub(crate) use print::{LONGEST_CONSTANT, Printer};
 /// An exact number.
 pub(crate) type Rational = num_rational::BigRational;
 
-/// The largest power that is written, and that products are gathered to: what is emitted for one is as long as a
-/// product of as many factors.
+/// Largest power written as one, and largest exponent to which products are gathered. The code emitted for a power is
+/// as long as the product of its factors.
 pub(crate) const MOST_POWER: i64 = 64;
 
-/// The most binary digits, of numerator and denominator together, of numbers that are computed exactly. Operations on
-/// longer ones stay operations, which have a value in double precision, as the sine of a number has.
+/// Maximum size of exact numbers, in bits of numerator and denominator together. Operations on longer numbers stay
+/// operations with a value in double precision, like the sine of a number.
 pub(crate) const MOST_BITS: u64 = 2048;
 
-/// Whether a number is short enough to be computed with exactly.
+/// True if a number is short enough for exact arithmetic.
 pub(crate) fn is_short(x: &Rational) -> bool {
     x.numer().bits() + x.denom().bits() <= MOST_BITS
 }
 
-/// Whether a power of a value is written as one power.
+/// True if a power with this exponent is written as one power.
 fn is_low(exponent: &Rational) -> bool {
     exponent.abs() <= ratio(MOST_POWER, 1) && exponent.denom().bits() <= 12
 }
@@ -65,7 +65,7 @@ pub(crate) fn ratio(numerator: i64, denominator: i64) -> Rational {
     Rational::new(numerator.into(), denominator.into())
 }
 
-/// The product of two numbers. One of them is 0, 1 or -1 most of the time, where no common divisor need be searched.
+/// Product of two numbers. Most of the time one of them is 0, 1 or -1, and no common divisor need be computed.
 pub(crate) fn multiply(x: &Rational, y: &Rational) -> Rational {
     for (unit, other) in [(x, y), (y, x)] {
         if unit.is_zero() {

@@ -1,10 +1,10 @@
-//! Values modulo primes, at points that have nothing special: whether an expression vanishes identically.
+//! Values modulo primes at random points, to test whether an expression vanishes identically.
 //!
-//! A polynomial that is not zero vanishes at a random point with a probability of its degree over the prime (Schwartz
-//! and Zippel), whatever the size of its numbers. Sine and cosine of an angle are a random point of the circle, so that
-//! their squares add up to 1 and the addition theorems hold; a quaternion is one of the sphere; a root is one of two;
-//! other functions are random numbers, the same for the same argument. So what vanishes here by these rules vanishes everywhere, but for a
-//! chance of about 1e-16 in each point, and nothing is rounded.
+//! A nonzero polynomial vanishes at a random point with a probability of at most its degree over the prime (Schwartz
+//! and Zippel), whatever the size of its numbers. Sine and cosine of an angle are a random point of the circle, so
+//! their squares add up to 1 and the addition theorems hold; a quaternion is a random point of the sphere; a root is
+//! one of two; any other function is a random number, equal for equal arguments. An expression that vanishes here by
+//! these rules vanishes everywhere, but for a chance of about 1e-16 at each point, and nothing is rounded.
 
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
@@ -12,27 +12,29 @@ use rustc_hash::FxHashMap;
 
 use super::{Binary, Expr, ExprId, Graph, MOST_POWER, Node, Rational, Unary};
 
-/// The numbers modulo a prime, and a point at which symbols have values there.
+/// The numbers modulo a prime, and a point that gives symbols their values.
 ///
-/// The prime is 3 modulo 4, so -1 is not a square, and `x^((p + 1) / 4)` is a root of `x` wherever there is one. A
-/// number that has no root modulo one prime has one modulo another.
+/// The prime is 3 modulo 4, so -1 is not a square, and `x^((p + 1) / 4)` is a root of `x` if there is one. A number
+/// without a root modulo one prime has a root modulo another.
 #[derive(Clone, Copy, Debug)]
 struct Field {
     p: u64,
     seed: u64,
 }
 
-/// Kinds of random numbers beside those of functions.
+/// First kind of random numbers of binary functions, beyond the kinds of unary ones.
 const BINARY: u64 = 100;
+/// Kind of random numbers of powers.
 const POWER: u64 = 99;
+/// Kind of random numbers of quaternions.
 const QUATERNION: u64 = 102;
 
-/// The cosine and the sine of an angle.
+/// Cosine and sine of an angle.
 type Turn = [u64; 2];
 
 impl Graph {
-    /// The values of some expressions at a point of a field; none where one of them has no
-    /// value there: a root of what is not a square, or a quotient by zero.
+    /// Values of expressions at a point of a field. Returns `None` if one of them has no value there: the root of a
+    /// non-square, or a quotient by zero.
     fn evaluate_modulo(&self, roots: &[Expr<'_>], quaternions: &[[Expr<'_>; 4]], field: Field) -> Option<Vec<u64>> {
         let reachable = self.reachable(roots);
         let is_angle = self.angles(&reachable);
@@ -79,7 +81,7 @@ impl Graph {
         Some(roots.iter().map(|root| values[root.id().index()]).collect())
     }
 
-    /// For each node whether it is an angle, or a part of one that is a sum.
+    /// Marks each node that is an angle or a part of an angle that is a sum.
     fn angles(&self, reachable: &[ExprId]) -> Vec<bool> {
         let mut is_angle = vec![false; self.len()];
         for &id in reachable.iter().rev() {
@@ -96,7 +98,7 @@ impl Graph {
         is_angle
     }
 
-    /// What an angle is the sum of, with whole factors.
+    /// Summands of an angle, with integer factors.
     fn summands(&self, id: ExprId) -> Option<[(ExprId, i64); 2]> {
         match *self.node(id) {
             Node::Binary(Binary::Add, a, b) => Some([(a, 1), (b, 1)]),
@@ -111,11 +113,11 @@ impl Graph {
     }
 }
 
-/// Whether a symmetric matrix is singular for all values of its symbols: the place of a pivot that vanishes when it is
-/// eliminated from the last row on. None where it is not, or where that is not known. The `quaternions` among the symbols
-/// are of unit length.
+/// Returns the index of a pivot that vanishes for all values of the symbols in the elimination of a symmetric matrix
+/// from the last row on, which makes the matrix singular. Returns `None` if there is no such pivot, or if this cannot
+/// be decided. The `quaternions` among the symbols are of unit length.
 pub(crate) fn vanishing_pivot(matrix: &[Vec<Expr<'_>>], quaternions: &[[Expr<'_>; 4]]) -> Option<usize> {
-    // what is known of the whole comes first; blocks at its end may have fewer roots
+    // the whole matrix first; blocks at its end may have fewer roots
     known_pivot(matrix, quaternions, 0).unwrap_or_else(|| {
         let blocks = (1..matrix.len()).rev();
         let known = blocks.filter_map(|first| known_pivot(matrix, quaternions, first));
@@ -123,11 +125,12 @@ pub(crate) fn vanishing_pivot(matrix: &[Vec<Expr<'_>>], quaternions: &[[Expr<'_>
     })
 }
 
-/// The pivot that vanishes in the block of a matrix from this row on, if one does; none where that is not known.
+/// Index of the vanishing pivot in the block of a matrix from row `first` on, `Some(None)` if there is none; `None` if
+/// this cannot be decided.
 fn known_pivot(matrix: &[Vec<Expr<'_>>], quaternions: &[[Expr<'_>; 4]], first: usize) -> Option<Option<usize>> {
-    /// In how many points a pivot must vanish: a root is one of two, which may fit by chance.
+    /// Number of points at which a pivot must vanish: a root is one of two and may fit by chance.
     const ENOUGH: usize = 8;
-    /// In how many it is looked for: half of them have no root of some number.
+    /// Maximum number of points to try: at half of them some number has no root.
     const MOST: u64 = 64;
     let rows = matrix[first..].iter();
     let entries: Vec<Expr<'_>> = rows.flat_map(|row| &row[first..]).copied().collect();
@@ -152,7 +155,7 @@ fn known_pivot(matrix: &[Vec<Expr<'_>>], quaternions: &[[Expr<'_>; 4]], first: u
 }
 
 impl Field {
-    /// The field and the point that `seed` chooses.
+    /// Field and point chosen by `seed`.
     fn new(seed: u64) -> Self {
         let mut p = (1 << 61) - 1 - (seed << 20);
         while !is_prime(p) {
@@ -161,7 +164,7 @@ impl Field {
         Self { p, seed }
     }
 
-    /// The place of the first pivot that is zero, if there is one.
+    /// Index of the first pivot that is zero, if any.
     fn zero_pivot(self, mut a: Vec<Vec<u64>>) -> Option<usize> {
         for k in (0..a.len()).rev() {
             let Some(over_pivot) = self.inverse(a[k][k]) else {
@@ -212,7 +215,7 @@ impl Field {
         Some(self.times(modulo(n.numer()), self.inverse(modulo(n.denom()))?))
     }
 
-    /// A number without a pattern, the same for the same arguments (splitmix64, Steele et al. 2014).
+    /// Pseudorandom number, equal for equal arguments (splitmix64, Steele et al. 2014).
     fn random(self, kind: u64, value: u64) -> u64 {
         [kind, value].into_iter().fold(self.seed, |state, part| {
             let z = state.wrapping_add(part).wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -222,14 +225,14 @@ impl Field {
         }) % self.p
     }
 
-    /// The point of the circle for an angle that is not a sum.
+    /// Point of the circle for an angle that is not a sum.
     fn turn(self, angle: u64) -> Turn {
         if angle == 0 {
             return [1, 0];
         }
         let t = self.random(self.p, angle);
         let square = self.times(t, t);
-        // -1 is not a square
+        // 1 + t^2 has an inverse, since -1 is not a square
         let over = power(self.plus(1, square), self.p - 2, self.p);
         [
             self.times(self.minus(1, square), over),
@@ -237,7 +240,7 @@ impl Field {
         ]
     }
 
-    /// A point of the unit sphere in four dimensions, from one of the space that it is projected to.
+    /// Random point of the unit sphere in four dimensions, by stereographic projection.
     fn quaternion(self, number: u64) -> Option<[u64; 4]> {
         let place = [0, 1, 2].map(|axis| self.random(QUATERNION, 3 * number + axis));
         let square = place.iter().fold(0, |sum, &x| self.plus(sum, self.times(x, x)));
@@ -259,7 +262,7 @@ impl Field {
     }
 }
 
-/// By Miller and Rabin, with bases that decide it for all 64-bit numbers (J. Sorenson, J. Webster 2017).
+/// Miller-Rabin test, with bases that decide it for all 64-bit numbers (J. Sorenson, J. Webster 2017).
 fn is_prime(n: u64) -> bool {
     const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
     let twos = (n - 1).trailing_zeros();

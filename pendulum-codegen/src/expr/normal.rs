@@ -1,8 +1,8 @@
-//! The normal form: a polynomial in which two expressions are equal exactly when they print the same.
+//! Normal form: a polynomial that prints the same for two expressions exactly when they are equal.
 //!
 //! Angles are split by the addition theorems into sines and cosines of base angles, and `cos^2` becomes `1 - sin^2`, so
-//! what is left are independent atoms. Roots obey `root(x)^k = x`. The form is canonical for polynomials in symbols,
-//! sines, cosines and roots; a quotient by a sum, and functions that have no algebraic rule, stand as atoms.
+//! that the remaining atoms are independent. Roots obey `root(x)^k = x`. The form is canonical for polynomials in
+//! symbols, sines, cosines and roots; a quotient by a sum, and functions without an algebraic rule, are atoms.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -19,41 +19,43 @@ use super::{
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TooLarge;
 
-/// How many turns of a base angle are still split into powers of its sine and cosine.
+/// Largest multiple of a base angle that is split into powers of its sine and cosine.
 const MOST_TURNS: i64 = 16;
 
-/// How many factors are copied for each product of terms, at most: long monomials and long sums take time as well.
+/// Number of factors that may be copied for each product of terms in the budget: long monomials and long sums take time
+/// as well.
 const COPIES: usize = 64;
 
-/// Constants of more terms are atoms. They are numbers in the end, and so are those of bodies that are fixed to others
-/// in a row, which would grow without end.
+/// Maximum number of terms of a constant that is written out. Longer constants are atoms: they are numbers in the end,
+/// and the constants of bodies fixed to one another in a row would grow without bound.
 const LONGEST_CONSTANT: usize = 12;
 
-/// Values of parameters with more operations in one another are atoms: numbers in them grow with each.
+/// Maximum nesting depth of values of parameters that are written out. Deeper ones are atoms, since the numbers in them
+/// grow with each operation.
 const DEEPEST_CONSTANT: usize = 50;
 
-/// The most terms of a constant of which a power is written out.
+/// Maximum number of terms of a constant whose power is written out.
 const LONGEST_BASE: usize = 3;
 
-/// What each coordinate is, as a sum of base angles.
+/// Each coordinate as a sum of base angles.
 pub(crate) type BaseAngles<'g> = FxHashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>;
 
-/// Turns expressions of one graph into normal form, and remembers each.
+/// Brings expressions of one graph into normal form, and caches the results.
 #[derive(Debug)]
 pub(crate) struct Normalizer<'g> {
     graph: &'g Graph,
     known: FxHashMap<ExprId, Rc<Poly>>,
     angles: BaseAngles<'g>,
-    /// What was found to be too large.
+    /// Expressions found to be too large.
     too_large: FxHashSet<ExprId>,
-    /// How many more products of terms may be formed.
+    /// Number of products of terms that may still be formed.
     budget: usize,
-    /// How many more factors of terms may be copied on the way.
+    /// Number of factors of terms that may still be copied.
     copies: usize,
 }
 
 impl<'g> Normalizer<'g> {
-    /// A normaliser whose base angles are the coordinates themselves.
+    /// Creates a normaliser with the coordinates themselves as base angles.
     pub(crate) fn new(graph: &'g Graph, budget: usize) -> Self {
         Self {
             graph,
@@ -65,8 +67,8 @@ impl<'g> Normalizer<'g> {
         }
     }
 
-    /// A normaliser in which `angles` says what each coordinate is in base angles. Any unimodular choice gives a
-    /// canonical form; the absolute angles of parallel joints give the shortest one.
+    /// Creates a normaliser with each coordinate given as a sum of base angles. Any unimodular choice gives a canonical
+    /// form; the absolute angles of parallel joints give the shortest one.
     pub(crate) fn with_angles(graph: &'g Graph, budget: usize, angles: BaseAngles<'g>) -> Self {
         Self {
             angles,
@@ -74,12 +76,12 @@ impl<'g> Normalizer<'g> {
         }
     }
 
-    /// The graph of the expressions.
+    /// Graph of the expressions.
     pub(crate) fn graph(&self) -> &'g Graph {
         self.graph
     }
 
-    /// The normal form of `x`.
+    /// Normal form of `x`.
     pub(crate) fn normal(&mut self, x: Expr<'g>) -> Result<Rc<Poly>, TooLarge> {
         if let Some(known) = self.known.get(&x.id()) {
             return Ok(known.clone());
@@ -91,7 +93,7 @@ impl<'g> Normalizer<'g> {
             if self.known.contains_key(&id) {
                 continue;
             }
-            // what was too large once has not become smaller, nor has what is built of it
+            // an expression that was too large stays too large, and so does every expression built of it
             let poly = match self.too_large.contains(&id) {
                 true => Err(TooLarge),
                 false if self.is_long_constant(id) => Ok(Poly::atom(id)),
@@ -103,13 +105,13 @@ impl<'g> Normalizer<'g> {
         Ok(self.known[&x.id()].clone())
     }
 
-    /// Whether `x` is zero in value.
+    /// True if `x` is zero in value.
     pub(crate) fn is_zero(&mut self, x: Expr<'g>) -> Result<bool, TooLarge> {
         Ok(self.normal(x)?.is_empty())
     }
 
-    /// Whether a constant is a sum or a product of so many terms, or a value of parameters so deep, that nothing is
-    /// gained by writing it out.
+    /// True if writing out a constant gains nothing: a sum or product with too many terms, or a value of parameters
+    /// nested too deeply.
     fn is_long_constant(&self, id: ExprId) -> bool {
         let terms = |x: ExprId| self.known[&x].len();
         match self.graph.level(id) {
@@ -158,7 +160,7 @@ impl<'g> Normalizer<'g> {
         })
     }
 
-    /// An expression whose operands are normal already: an atom, unless it has folded to something simpler.
+    /// Polynomial of an expression with operands in normal form: an atom, unless it has folded to something simpler.
     fn leaf(&mut self, x: Expr<'g>) -> Result<Poly, TooLarge> {
         match x.node() {
             Node::Unary(Unary::Neg, y) => Ok(self.leaf(y)?.scaled(&ratio(-1, 1))),
@@ -201,7 +203,7 @@ impl<'g> Normalizer<'g> {
             return Ok(reciprocal);
         }
         let Some((_, leading)) = x.terms().next() else {
-            // 1/0 is left for the value to show
+            // 1/0 is kept, and shows as a non-finite value
             return Ok(Poly::term(Monomial::atom(self.graph.zero()).recip(), Rational::one()));
         };
         let leading = leading.recip();
@@ -214,7 +216,7 @@ impl<'g> Normalizer<'g> {
         Ok(())
     }
 
-    /// The product of two normal forms.
+    /// Product of two normal forms.
     pub(crate) fn product(&mut self, a: &Poly, b: &Poly) -> Result<Poly, TooLarge> {
         self.budget = self.budget.checked_sub(a.len() * b.len()).ok_or(TooLarge)?;
         self.copy(a.size() * b.len() + a.len() * b.size())?;
@@ -227,7 +229,7 @@ impl<'g> Normalizer<'g> {
         Ok(product)
     }
 
-    /// Adds a term, after the rules `cos^2 = 1 - sin^2` and `root(x)^k = x`.
+    /// Adds a term, reduced by the rules `cos^2 = 1 - sin^2` and `root(x)^k = x`.
     fn add_reduced(&mut self, sum: &mut Poly, monomial: Monomial, coefficient: Rational) -> Result<(), TooLarge> {
         if !is_short(&coefficient) {
             return Err(TooLarge);
@@ -284,7 +286,7 @@ impl<'g> Normalizer<'g> {
                 }
             }
         }
-        // a part of a turn stands for itself
+        // fractions and large multiples of a base angle are not split
         let splits = |n: &Rational| n.is_integer() && n.abs() <= ratio(MOST_TURNS, 1);
         for (base, n) in turns.extract_if(.., |(_, n)| !splits(n)) {
             rest.add_scaled(&*self.normal(base)?, &n);
@@ -310,15 +312,15 @@ impl<'g> Normalizer<'g> {
         Ok((sine, cosine))
     }
 
-    /// The expression of a polynomial within another.
+    /// Expression of a polynomial within another, charged to the copies.
     fn written(&mut self, poly: &Poly) -> Result<Expr<'g>, TooLarge> {
-        /// How many factors are copied in the time in which a node is found in the graph.
+        /// Cost of finding a node in the graph, in copied factors.
         const NODE: usize = 16;
         self.copy(NODE * poly.size())?;
         Ok(self.to_expr(poly))
     }
 
-    /// The expression of a polynomial: the same one for equal polynomials.
+    /// Expression of a polynomial; equal polynomials give the same expression.
     pub(crate) fn to_expr(&self, poly: &Poly) -> Expr<'g> {
         let mut sum = self.graph.zero();
         for (monomial, coefficient) in poly.terms() {
@@ -331,7 +333,7 @@ impl<'g> Normalizer<'g> {
         sum
     }
 
-    /// What is multiplied by each product of the atoms for which `of` holds.
+    /// Coefficient of each product of the atoms for which `of` holds.
     pub(crate) fn split(&self, poly: &Poly, of: impl Fn(Expr<'g>) -> bool) -> BTreeMap<Monomial, Poly> {
         let mut parts: BTreeMap<Monomial, Poly> = BTreeMap::new();
         for (monomial, coefficient) in poly.terms() {

@@ -1,8 +1,8 @@
-//! One row per operation: spelling, value, derivative, cost. Every other file reads the rows.
+//! One row per operation: spelling, value, derivative, cost. Every other file takes them from here.
 
 use super::Expr;
 
-/// How an operation is counted.
+/// Class of an operation in operation counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CostKind {
     /// An addition, subtraction or negation.
@@ -11,7 +11,7 @@ pub enum CostKind {
     Multiplication,
     /// A division.
     Division,
-    /// A sine or a cosine; the two of one angle are a pair and count once.
+    /// A sine or a cosine; both of one angle are a pair and count once.
     Sincos,
     /// Any other function call.
     Function,
@@ -32,7 +32,7 @@ macro_rules! unary {
                 match self { $(Unary::$name => $spelling),* }
             }
 
-            /// How the operation is counted.
+            /// Class of the operation in operation counts.
             pub fn cost(self) -> CostKind {
                 match self { $(Unary::$name => CostKind::$cost),* }
             }
@@ -53,7 +53,7 @@ macro_rules! unary {
 }
 
 unary! {
-    /// The opposite.
+    /// The negation.
     Neg: "-", Addition, |x| -x, |x| x.graph().integer(-1);
     /// The sine of an angle in radians.
     Sin: "sin", Sincos, f64::sin, |x| x.cos();
@@ -85,7 +85,7 @@ macro_rules! binary {
                 match self { $(Binary::$name => $spelling),* }
             }
 
-            /// How the operation is counted.
+            /// Class of the operation in operation counts.
             pub fn cost(self) -> CostKind {
                 match self { $(Binary::$name => CostKind::$cost),* }
             }
@@ -96,7 +96,7 @@ macro_rules! binary {
                 value(a, b)
             }
 
-            /// The partial derivatives by the left and by the right operand.
+            /// Partial derivatives with respect to the left and the right operand.
             pub fn derivatives<'g>(self, a: Expr<'g>, b: Expr<'g>) -> [Expr<'g>; 2] {
                 type Partial = for<'g> fn(Expr<'g>, Expr<'g>) -> Expr<'g>;
                 let (left, right): (Partial, Partial) = match self { $(Binary::$name => ($left, $right)),* };
@@ -115,15 +115,15 @@ binary! {
     Mul: "*", Multiplication, |a, b| a * b, |_, b| b, |a, _| a;
     /// Quotient.
     Div: "/", Division, |a, b| a / b, |_, b| b.powi(-1), |a, b| -a * b.powi(-2);
-    /// The angle of the point (right, left), as `left.atan2(right)`.
+    /// The angle of the point (right, left), `left.atan2(right)`.
     Atan2: "atan2", Function, f64::atan2, |y, x| x / (y.powi(2) + x.powi(2)), |y, x| -y / (y.powi(2) + x.powi(2));
-    /// The larger of two; the left one if they are equal, or if it is NaN.
+    /// The larger of two; the left operand if they are equal, or if it is NaN.
     Max: "max", Function, |a, b| if a < b { b } else { a }, over, |a, b| over(b, a);
-    /// The smaller of two; the left one if they are equal, or if it is NaN.
+    /// The smaller of two; the left operand if they are equal, or if it is NaN.
     Min: "min", Function, |a, b| if a > b { b } else { a }, |a, b| over(b, a), over;
 }
 
-/// 1 where `a` is larger, 0 where `b` is, and a half where they are equal.
+/// Derivative of the larger of two with respect to `a`: 1 if `a` is larger, 0 if `b` is larger, 1/2 if they are equal.
 pub(crate) fn over<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
     super::ratio(1, 2) * (1 + (a - b).apply(Unary::Sign))
 }

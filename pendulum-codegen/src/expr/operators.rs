@@ -1,4 +1,4 @@
-//! The operators of expressions.
+//! Operators of expressions.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -63,7 +63,7 @@ impl SubAssign for Expr<'_> {
 }
 
 impl Graph {
-    /// The sum of terms, from the first to the last.
+    /// Sum of terms, from the first to the last.
     pub fn sum<'g>(&'g self, terms: impl IntoIterator<Item = Expr<'g>>) -> Expr<'g> {
         terms.into_iter().fold(self.zero(), Add::add)
     }

@@ -11,7 +11,7 @@ use super::{ExprId, Rational, multiply};
 pub(crate) struct Monomial(Vec<(ExprId, i32)>);
 
 impl Monomial {
-    /// The atom alone.
+    /// A single atom.
     pub(crate) fn atom(atom: impl Into<ExprId>) -> Self {
         Self(vec![(atom.into(), 1)])
     }
@@ -65,7 +65,7 @@ impl Monomial {
         Self(self.0.iter().map(|&(atom, power)| (atom, -power)).collect())
     }
 
-    /// The factors for which `keep` holds, and the others.
+    /// Splits off the factors for which `keep` holds. Returns them, and the others.
     pub(crate) fn partition(&self, mut keep: impl FnMut(ExprId) -> bool) -> (Self, Self) {
         let (yes, no) = self.0.iter().partition(|(atom, _)| keep(*atom));
         (Self(yes), Self(no))
@@ -82,12 +82,12 @@ impl Poly {
         Self::term(Monomial::default(), value)
     }
 
-    /// One atom.
+    /// A single atom.
     pub(crate) fn atom(atom: impl Into<ExprId>) -> Self {
         Self::term(Monomial::atom(atom), Rational::one())
     }
 
-    /// One term.
+    /// A single term.
     pub(crate) fn term(monomial: Monomial, coefficient: Rational) -> Self {
         let mut poly = Self::default();
         poly.add_term(monomial, coefficient);
@@ -104,12 +104,12 @@ impl Poly {
         self.0.len()
     }
 
-    /// The number of terms and of their factors.
+    /// Number of terms and of their factors together.
     pub(crate) fn size(&self) -> usize {
         self.0.keys().map(|monomial| 1 + monomial.0.len()).sum()
     }
 
-    /// Whether there are no terms: the value is zero.
+    /// True if there are no terms, so that the value is zero.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -119,7 +119,7 @@ impl Poly {
         self.0.get(monomial)
     }
 
-    /// The only term, if there is just one.
+    /// Returns the term, if there is exactly one.
     pub(crate) fn as_term(&self) -> Option<(&Monomial, &Rational)> {
         if self.0.len() == 1 { self.0.iter().next() } else { None }
     }
@@ -143,7 +143,7 @@ impl Poly {
         }
     }
 
-    /// Removes a term and gives its coefficient.
+    /// Removes a term and returns its coefficient.
     pub(crate) fn remove(&mut self, monomial: &Monomial) -> Option<Rational> {
         self.0.remove(monomial)
     }

@@ -1,11 +1,10 @@
-//! How tightly the parts of a written formula hold together.
+//! Binding strength of operations in written formulas.
 
 /// The outermost operation of a piece of text, from the loosest to the tightest. A piece is put into brackets where its
-/// place needs a tighter one.
+/// place requires a tighter one.
 ///
 /// In the language of declarations a minus binds as loosely as a sum, so `-a*b` is [`Precedence::Sum`]; in Rust and C
-/// it is
-/// [`Precedence::Unary`].
+/// it is [`Precedence::Unary`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Precedence {
     /// `a + b`, `a - b`

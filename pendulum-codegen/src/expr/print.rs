@@ -1,4 +1,4 @@
-//! Expressions as formulas, as a person would write them: flat sums and products, numbers and parameters first.
+//! Expressions as formulas in handwritten notation: flat sums and products, numbers and parameters first.
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
@@ -6,25 +6,25 @@ use rustc_hash::FxHashMap;
 use super::formula::Summand;
 use super::{Binary, ExprId, Formula, Graph, Node, Rational, SymbolKind, Unary, multiply, ratio};
 
-/// Writes expressions; some may have been given names.
+/// Printer of expressions, some of which may have names.
 #[derive(Debug)]
 pub(crate) struct Printer<'g> {
     graph: &'g Graph,
     names: FxHashMap<ExprId, Formula>,
-    /// The most operations that are written out; of what is longer, the parts that are have dots in their place.
+    /// Maximum number of operations of an expression written out; longer parts are replaced by dots.
     most: u64,
-    /// Whether numbers are multiplied and added up.
+    /// If set, numbers are multiplied and added up.
     computes: bool,
 }
 
-/// Constants of more operations are written as numbers.
+/// Maximum number of operations of a constant written out; longer constants are written as numbers.
 pub(crate) const LONGEST_CONSTANT: u64 = 100;
 
-/// The most operations of a text that stands alone.
+/// Maximum number of operations of a text that stands alone.
 const LONGEST_TEXT: u64 = 1_000;
 
 impl<'g> Printer<'g> {
-    /// A printer in which no expression but the symbols has a name.
+    /// A printer in which only the symbols have names.
     pub(crate) fn new(graph: &'g Graph) -> Self {
         Self {
             graph,
@@ -34,8 +34,7 @@ impl<'g> Printer<'g> {
         }
     }
 
-    /// A printer that multiplies and adds up numbers: for people who read, not for what tells how something is
-    /// computed.
+    /// A printer that multiplies and adds up numbers: for display, not for output that documents a computation.
     pub(crate) fn that_computes(graph: &'g Graph) -> Self {
         Self {
             computes: true,
@@ -43,17 +42,17 @@ impl<'g> Printer<'g> {
         }
     }
 
-    /// Writes `x` under a name from now on.
+    /// Names `x` in all formulas printed from now on.
     pub(crate) fn name(&mut self, x: ExprId, name: Formula) {
         self.names.insert(x, name);
     }
 
-    /// The text of `x`, with dots in place of what would make it endless.
+    /// Text of `x`, with dots in place of parts that are too long.
     pub(crate) fn print(&self, x: ExprId) -> String {
         self.short(x).to_string()
     }
 
-    /// The formula of `x`, with dots in place of what would make it endless.
+    /// Formula of `x`, with dots in place of parts that are too long.
     pub(crate) fn short(&self, x: ExprId) -> Formula {
         let short = Self {
             graph: self.graph,
@@ -64,12 +63,12 @@ impl<'g> Printer<'g> {
         short.definition(x)
     }
 
-    /// The formula of `x`: its name, if it has one.
+    /// Formula of `x`: its name, if it has one.
     pub(crate) fn formula(&self, x: ExprId) -> Formula {
         self.stand_in(x).unwrap_or_else(|| self.definition(x))
     }
 
-    /// What is written in place of an expression: its name, the value of a long constant, or dots.
+    /// Replacement of an expression: its name, the value of a long constant, or dots.
     fn stand_in(&self, x: ExprId) -> Option<Formula> {
         if let Some(name) = self.names.get(&x) {
             return Some(name.clone());
@@ -81,7 +80,7 @@ impl<'g> Printer<'g> {
         }
     }
 
-    /// What the name of `x` stands for.
+    /// Formula that the name of `x` stands for.
     pub(crate) fn definition(&self, x: ExprId) -> Formula {
         match self.graph.node(x) {
             Node::Number(n) => Formula::Number(n.clone()),
@@ -192,7 +191,7 @@ impl<'g> Printer<'g> {
         }
     }
 
-    /// Takes the numbers that multiply out of factors: their product.
+    /// Removes the numbers among the factors and returns their product.
     fn take_number(&self, factors: &mut Vec<(ExprId, Rational)>) -> Rational {
         let mut product = Rational::one();
         factors.retain(|(id, power)| {
@@ -247,7 +246,7 @@ impl<'g> Printer<'g> {
     }
 }
 
-/// The terms of a sum, with the sum of all numbers in the place of the first of them.
+/// Adds up the numbers in a sum, in the place of the first.
 fn with_one_number(terms: Vec<Summand>) -> Vec<Summand> {
     let value = |term: &Summand| match &term.formula {
         Formula::Number(n) if term.negative => Some(-n),

@@ -1,20 +1,20 @@
-//! How smooth an expression is.
+//! Smoothness of expressions.
 
 use num_traits::ToPrimitive;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{Binary, Expr, Level, Node, Rational, SymbolKind, Unary, ratio};
 
-/// How many derivatives of smooth functions are counted.
+/// Number of continuous derivatives counted for a smooth function.
 const SMOOTH: i64 = 16;
 
-/// Products of more factors are not looked through to the end: shared ones may have very many.
+/// Maximum number of factors of a product to examine: shared factors can make it very long.
 const MOST: usize = 1000;
 
 impl<'g> Expr<'g> {
-    /// How many continuous derivatives an expression is known to have by the symbols of some kinds: 0 for a corner, as
-    /// `abs` has at zero, -1 for a jump, and many for what is smooth wherever it has a value. Places where the argument
-    /// of a root, a quotient or an angle vanishes are not looked for.
+    /// Guaranteed number of continuous derivatives with respect to the symbols of some kinds: 0 for a corner, as `abs`
+    /// has at zero, -1 for a jump, and `SMOOTH` for an expression that is smooth wherever it has a value. Points where
+    /// the argument of a root, a quotient or an angle vanishes are ignored.
     pub(crate) fn continuous_derivatives(self, by: impl Fn(SymbolKind) -> bool) -> i64 {
         let mut known: FxHashMap<Self, i64> = FxHashMap::default();
         let mut varying: FxHashSet<Self> = FxHashSet::default();
@@ -45,8 +45,8 @@ fn of_operands<'g>(x: Expr<'g>, known: &FxHashMap<Expr<'g>, i64>) -> i64 {
     x.operands().map(|operand| known[&operand]).min().unwrap_or(SMOOTH)
 }
 
-/// Of a product: each `|u|^p u^n` in it has one continuous derivative less than `p + n`, rounded up, unless `p` is
-/// even.
+/// Number of continuous derivatives of a product: one less than `p + n`, rounded up, for each `|u|^p u^n` in it, unless
+/// `p` is even.
 fn of_product<'g>(product: Expr<'g>, known: &FxHashMap<Expr<'g>, i64>) -> i64 {
     let mut factors: Vec<(Expr<'g>, Rational, Rational)> = Vec::new();
     collect(product, &ratio(1, 1), &mut factors, &mut { MOST });
@@ -62,7 +62,7 @@ fn of_product<'g>(product: Expr<'g>, known: &FxHashMap<Expr<'g>, i64>) -> i64 {
     factors.iter().map(of_factor).min().unwrap_or(SMOOTH).min(SMOOTH)
 }
 
-/// The factors of a product that vary: the base, the power of its absolute value, and its own power.
+/// Collects the varying factors of a product: the base, the power of its absolute value, and its own power.
 fn collect<'g>(x: Expr<'g>, power: &Rational, factors: &mut Vec<(Expr<'g>, Rational, Rational)>, budget: &mut usize) {
     if x.level() < Level::State || *budget == 0 {
         return;

@@ -1,4 +1,4 @@
-//! Formulas as text that the language of declarations reads back.
+//! Formulas as text in the language of declarations, which can be parsed again.
 
 use std::fmt::{Display, Formatter, Result};
 
@@ -57,10 +57,10 @@ impl Display for Formula {
 }
 
 impl Formula {
-    /// The outermost operation of the text.
+    /// Outermost operation of the text.
     pub fn precedence(&self) -> Precedence {
         match self {
-            // in brackets a unit cannot be taken for what follows it
+            // brackets keep a unit apart from the text behind it
             Self::Measured(..) => Precedence::Sum,
             Self::Number(n) if n.is_negative() => Precedence::Sum,
             Self::Number(n) if !n.denom().is_one() && decimal(n).is_none() => Precedence::Product,
@@ -72,7 +72,7 @@ impl Formula {
     }
 }
 
-/// A formula where the least precedence is given, in brackets if it has less.
+/// A formula in a place that requires a least precedence; brackets are added if its own is lower.
 struct Within<'f>(&'f Formula, Precedence);
 
 impl Display for Within<'_> {
@@ -86,12 +86,12 @@ impl Display for Within<'_> {
     }
 }
 
-/// Decimal where that is exact and short, a fraction elsewhere.
+/// Decimal form if it is exact and short, else a fraction.
 pub(super) fn number(n: &Rational) -> String {
     decimal(n).unwrap_or_else(|| n.to_string())
 }
 
-/// The number in decimal, where that is exact and short.
+/// Decimal form, if it is exact and short.
 fn decimal(n: &Rational) -> Option<String> {
     if n.denom().is_one() {
         return None;

@@ -1,4 +1,4 @@
-//! The momenta in place of the rates.
+//! Canonical equations: momenta in place of rates.
 
 use super::written::Written;
 use super::{Chosen, Forms, ways};
@@ -6,7 +6,7 @@ use crate::dynamics::{derived, momentum_partials, momentum_rates};
 use crate::model::Model;
 
 impl<'g> Forms<'g> {
-    /// The shortest code for the momenta and, behind them, their rates.
+    /// Returns the shortest code for the momenta, followed by their rates.
     pub(crate) fn canonical(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let mut candidates = Vec::new();
         for (Written { form, balance, .. }, lagrangian) in self.forms.iter().zip(&self.lagrangians) {
@@ -19,8 +19,8 @@ impl<'g> Forms<'g> {
         self.choose(candidates)
     }
 
-    /// The shortest code for the derivatives of the momenta by the state, column by column, and behind them those of
-    /// their rates.
+    /// Returns the shortest code for the derivatives of the momenta with respect to the state, column by column,
+    /// followed by those of their rates.
     pub(crate) fn canonical_jacobian(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let state = model.state();
         let mut candidates = Vec::new();

@@ -1,32 +1,33 @@
-//! The shortest of the forms in which a function is written.
+//! Choice of the shortest form of a function.
 
 use super::Form;
 use crate::expr::{Expr, Graph};
 use crate::model::Model;
 use crate::pass::{Operations, share, trig};
 
-/// A candidate that is longer than another by this ratio, sines and functions aside, which all share, is not searched
-/// for common parts: none has been seen to win.
+/// Maximum ratio, as a fraction, of arithmetic operations to the fewest of any candidate. Sines and other functions do
+/// not count, since all candidates share them. Candidates beyond the ratio skip the search for common subexpressions:
+/// none was observed to win.
 pub(super) const HOPELESS: [usize; 2] = [9, 4];
 
-/// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.
+/// Inverse of the extra length allowed to code without cancellation: one part in `WORTH_OF_DIGITS` of the shortest.
 const WORTH_OF_DIGITS: usize = 8;
 
-/// The code of the least weight that was found for one function.
+/// Code of the least weight found for one function.
 #[derive(Clone, Debug)]
 pub(crate) struct Chosen<'g> {
-    /// What the function computes.
+    /// Expressions that the function computes.
     pub roots: Vec<Expr<'g>>,
-    /// Its operations.
+    /// Number of operations.
     pub operations: Operations,
-    /// The form that won.
+    /// Form of the code.
     pub form: Form,
-    /// What the best form on each other basis takes, from the shortest on.
+    /// Operations of the best form on each other basis, in ascending order of weight.
     pub others: Vec<(Form, Operations)>,
 }
 
 impl<'g> Chosen<'g> {
-    /// The same code for more than was chosen by: `roots` makes of the roots those that are returned.
+    /// Replaces the roots by `roots` of them, which may add expressions that the choice did not weigh.
     pub(super) fn with(self, roots: impl FnOnce(Vec<Expr<'g>>) -> Vec<Expr<'g>>) -> Self {
         Self {
             roots: roots(self.roots),
@@ -34,7 +35,7 @@ impl<'g> Chosen<'g> {
         }
     }
 
-    /// The same, with the operations of the kinematics counted as well, where there are any.
+    /// Adds the operations of the kinematics, if the model has more positions than rates.
     pub(super) fn counted(mut self, model: &Model<'g>) -> Self {
         if model.has_more_positions() {
             let whole = Operations::of(model.graph, &self.roots);
@@ -48,11 +49,11 @@ impl<'g> Chosen<'g> {
     }
 }
 
-/// A form of a function, and what it computes.
+/// Form of a function, and its roots.
 pub(super) type Candidate<'g> = (Form, Vec<Expr<'g>>);
 
-/// The candidate of the least weight once its common parts are shared; the first of equals. There is at least one.
-/// An exact one may take a few more.
+/// Returns the candidate of the least weight after sharing common subexpressions; the first wins a tie. An exact
+/// candidate may be slightly longer. There must be at least one candidate.
 pub(super) fn choose<'g>(g: &'g Graph, candidates: Vec<Candidate<'g>>) -> Chosen<'g> {
     let lowered = candidates.into_iter().map(|(form, roots)| {
         let roots = trig::lower(g, &roots);

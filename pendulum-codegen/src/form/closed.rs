@@ -1,4 +1,4 @@
-//! The closed form of a small scene: every entry expanded to normal form, then written as short as it goes.
+//! Closed form of a small scene: every entry is expanded to normal form, then written as short as possible.
 
 use super::exact::Eliminated;
 use crate::dynamics::{Balance, Dynamics, Lagrangian};
@@ -10,7 +10,7 @@ use crate::pass::factor::{Products, Term, factor, polynomial, terms};
 /// Entries as lists of terms.
 type Lists<'g> = Vec<Vec<Term<'g>>>;
 
-/// A balance whose entries are lists of terms.
+/// Balance whose entries are lists of terms.
 #[derive(Debug)]
 pub(super) struct ClosedBalance<'g> {
     mass_matrix: Vec<Lists<'g>>,
@@ -24,12 +24,12 @@ pub(super) struct Closed<'g> {
     bias: Lists<'g>,
     force: Lists<'g>,
     momentum: Lists<'g>,
-    /// Kinetic and potential.
+    /// Kinetic and potential energy.
     energies: Lists<'g>,
-    /// The determinant of a mass matrix of two rows. Expanded in symbols it is a sum of the terms that are left after
-    /// all exact cancellations, so no digits are lost where one body is much heavier than the other.
+    /// Determinant of a mass matrix with two rows. Its symbolic expansion keeps only the terms left after all exact
+    /// cancellations, so it loses no digits where one body is much heavier than the other.
     determinant: Option<Vec<Term<'g>>>,
-    /// The residual for that determinant, where anything cancels in it.
+    /// Residual to go with the determinant, present where terms of the residual cancel.
     eliminated: Option<Eliminated<'g>>,
 }
 
@@ -42,7 +42,7 @@ impl<'g> ClosedBalance<'g> {
         })
     }
 
-    /// The balance as expressions.
+    /// Factors the lists of terms into a balance of expressions.
     pub(super) fn factored(&self, g: &'g Graph, coordinates: &[Coordinate<'g>], products: Products) -> Balance<'g> {
         let all = |lists: &Lists<'g>| lists.iter().map(|terms| factor(g, terms, products)).collect();
         let mass_matrix = self.mass_matrix.iter().map(all).collect();
@@ -67,7 +67,7 @@ impl<'g> Closed<'g> {
             [first, second] => Some(determinant(normalizer, &first[0], &first[1], &second[1])?),
             _ => None,
         };
-        // a scene may be too large for this and have a closed form
+        // a scene with a closed form may still be too large for the elimination
         let eliminated = Eliminated::new(normalizer, balance).ok().flatten();
         Ok(Self {
             balance: ClosedBalance { mass_matrix, residual },
@@ -80,7 +80,7 @@ impl<'g> Closed<'g> {
         })
     }
 
-    /// The dynamics as expressions.
+    /// Factors the lists of terms into dynamics of expressions.
     pub(super) fn factored(&self, model: &Model<'g>, products: Products) -> (Balance<'g>, Lagrangian<'g>) {
         let ClosedBalance { mass_matrix, residual } = &self.balance;
         let all = |lists: &Lists<'g>| -> Vec<Expr<'g>> {
@@ -100,12 +100,12 @@ impl<'g> Closed<'g> {
         (Balance::new(&model.coordinates, mass_matrix, residual), lagrangian)
     }
 
-    /// The determinant of the mass matrix, where it has two rows.
+    /// Determinant of the mass matrix if it has two rows.
     pub(super) fn determinant(&self, g: &'g Graph, products: Products) -> Option<Expr<'g>> {
         self.determinant.as_ref().map(|terms| factor(g, terms, products))
     }
 
-    /// The accelerations without the loss of digits, where other forms have it.
+    /// Accelerations without cancellation, where the other forms would lose digits.
     pub(super) fn exact(&self, g: &'g Graph, factored: &Balance<'g>, products: Products) -> Option<Vec<Expr<'g>>> {
         let determinant = self.determinant(g, products)?;
         let eliminated = self.eliminated.as_ref()?;
@@ -117,14 +117,14 @@ fn all_terms<'g>(normalizer: &mut Normalizer<'g>, entries: &[Expr<'g>]) -> Resul
     entries.iter().map(|&x| short_terms(normalizer, x)).collect()
 }
 
-/// The terms of an expression in normal form, with angles collected.
+/// Terms of an expression in normal form, with angles collected.
 pub(super) fn short_terms<'g>(normalizer: &mut Normalizer<'g>, x: Expr<'g>) -> Result<Vec<Term<'g>>, TooLarge> {
     let normal = normalizer.normal(x)?;
     let collected = collect(normalizer, &normal)?;
     Ok(terms(normalizer, &collected))
 }
 
-/// `a d - b^2`, with `cos^2` of every collected angle as `1 - sin^2`.
+/// Determinant `a d - b^2`, with `cos^2` of every collected angle replaced by `1 - sin^2`.
 fn determinant<'g>(
     normalizer: &mut Normalizer<'g>,
     a: &[Term<'g>],
@@ -134,11 +134,11 @@ fn determinant<'g>(
     let [a, b, d] = [a, b, d].map(polynomial);
     let mut whole = normalizer.product(&a, &d)?;
     whole.add_scaled(&normalizer.product(&b, &b)?, &ratio(-1, 1));
-    // what multiplies each product of state quantities is exact in the parameters themselves
+    // the factor of each product of state quantities is made exact in the parameters
     let mut exact = Poly::default();
     for (state, coefficient) in normalizer.split(&whole, |atom| atom.level() == Level::State) {
         let coefficient = match coefficient.as_term() {
-            // a product of constants stays one: its factors stand elsewhere too
+            // keep a product of constants: its factors occur elsewhere too
             Some(_) => coefficient,
             None => {
                 let sum = normalizer.to_expr(&coefficient);

@@ -1,8 +1,8 @@
-//! Two accelerations whose digits do not cancel: what cancels does so in symbols, before any number is known.
+//! Accelerations of two coordinates without cancellation: terms cancel in symbols, before any number is substituted.
 //!
 //! Where one body is much heavier than another, the rows of the mass matrix are nearly multiples of each other, and so
 //! are the weights on a straight chain. In `a11 r0 - a01 r1`, the determinant times the first acceleration, the largest
-//! products then cancel, and leave their rounding.
+//! products then cancel and leave their rounding errors.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,25 +13,25 @@ use crate::expr::{Expr, Graph, Level, Monomial, Node, Normalizer, Poly, Rational
 use crate::pass::factor::{Products, Term, factor, terms};
 use crate::pass::{collect, collect_squares_first};
 
-/// The residual of two coordinates, in what cancels when the second is eliminated and what does not.
+/// Residual of two coordinates, split into terms that cancel when the second is eliminated and the others.
 #[derive(Debug)]
 pub(super) struct Eliminated<'g> {
-    /// What is left of `(a11 r0 - a01 r1) / a11` for the terms that cancel.
+    /// Result of `(a11 r0 - a01 r1) / a11` for the cancelling terms.
     left: Vec<Term<'g>>,
-    /// The terms of `r1` among those.
+    /// Cancelling terms of `r1`.
     gone: Vec<Term<'g>>,
-    /// The other terms of `r0` and of `r1`.
+    /// Other terms of `r0` and of `r1`.
     others: [Vec<Term<'g>>; 2],
 }
 
 impl<'g> Eliminated<'g> {
-    /// Eliminates the second of two coordinates, whose own inertia is constant; none if it is not, or if they are not
-    /// coupled.
+    /// Eliminates the second of two coordinates. Returns `None` if its diagonal entry depends on the state or if the
+    /// two are not coupled.
     pub(super) fn new(normalizer: &mut Normalizer<'g>, balance: &Balance<'g>) -> Result<Option<Self>, TooLarge> {
         let ([_, row], &[first, last]) = (&balance.mass_matrix[..], &balance.residual[..]) else {
             return Ok(None);
         };
-        // sums of angles hide some cancellations, and base angles make longer products of what does not cancel
+        // sums of angles hide some cancellations; base angles lengthen the products that do not cancel
         let mut base = Vec::new();
         for x in [row[1], row[0], first, last] {
             base.push((*normalizer.normal(x)?).clone());
@@ -74,7 +74,7 @@ impl<'g> Eliminated<'g> {
         }))
     }
 
-    /// The accelerations, for a determinant in which nothing cancels either.
+    /// Accelerations, for a determinant that is itself free of cancellation.
     pub(super) fn accelerations(
         &self,
         g: &'g Graph,
@@ -92,7 +92,7 @@ impl<'g> Eliminated<'g> {
     }
 }
 
-/// `a11 r0 - a01 r1`, and how many terms the two products have; the matrix begins with `a11` and `a01`.
+/// Difference `a11 r0 - a01 r1`, and the number of terms in its two products. The matrix begins with `a11` and `a01`.
 fn difference(
     normalizer: &mut Normalizer<'_>,
     matrix: &[Poly],
@@ -106,7 +106,7 @@ fn difference(
     Ok((difference, count))
 }
 
-/// For each product of parameters the shortest way to write what two equal polynomials have.
+/// Shortest way to write two equal polynomials, chosen separately for each product of parameters.
 fn shortest(normalizer: &mut Normalizer<'_>, base: &Poly, sums: &Poly) -> Result<Poly, TooLarge> {
     let [base, sums] = [base, sums].map(|poly| normalizer.split(poly, |atom| atom.level() != Level::State));
     let mut whole = Poly::default();
@@ -123,7 +123,7 @@ fn shortest(normalizer: &mut Normalizer<'_>, base: &Poly, sums: &Poly) -> Result
     Ok(whole)
 }
 
-/// Whether an atom varies, and is not the sine or cosine of an angle.
+/// True if an atom varies and is not the sine or cosine of an angle.
 fn is_rate(atom: Expr<'_>) -> bool {
     atom.level() == Level::State && !matches!(atom.node(), Node::Unary(Unary::Sin | Unary::Cos, _))
 }

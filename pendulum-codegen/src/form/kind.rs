@@ -1,49 +1,49 @@
-//! The forms in which the same motion can be written, and what they are called.
+//! Forms of the same equations of motion, and their names.
 
 use std::fmt;
 
 use crate::dynamics::Solver;
 use crate::pass::Products;
 
-/// A form of one function.
+/// Form of one function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Form {
-    /// How the dynamics are written.
+    /// Form of the dynamics.
     pub basis: Basis,
-    /// Whether forces at points act as wrenches on links.
+    /// True if forces at points act as wrenches on links.
     pub wrenches: bool,
-    /// How the accelerations are solved from them, where they are.
+    /// Method that solves for the accelerations, if any.
     pub solver: Option<Solver>,
-    /// Whether what cancels in the solution did so in symbols.
+    /// True if terms of the solution cancelled in symbols.
     pub exact: bool,
-    /// How they are derived, where they are.
+    /// Method that differentiates the accelerations, if any.
     pub derivatives: Option<Derivatives>,
 }
 
-/// How the dynamics are written.
+/// Form of the dynamics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Basis {
     /// Expanded to normal form.
     Closed(Products),
-    /// The graph of A, B and C as it was built.
+    /// Graph of A, B and C as built.
     #[default]
     Shared,
-    /// Newton and Euler's recursion and composite bodies, on links in base parameters.
+    /// Recursive Newton-Euler and composite rigid bodies, on links in base parameters.
     Recursive,
     /// Articulated bodies, on the same links.
     Articulated,
-    /// No part of the dynamics: as it was declared.
+    /// Not part of the dynamics: the expression as declared.
     Declared,
 }
 
-/// How inverse dynamics are derived by the state.
+/// Method that differentiates inverse dynamics with respect to the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Derivatives {
     /// Expression by expression, in the graph.
     Graph,
-    /// In the graph, and then expanded to normal form.
+    /// In the graph, then expanded to normal form.
     Expanded,
-    /// By a recursion of their own.
+    /// By a separate recursion.
     Recursion,
 }
 
@@ -78,7 +78,7 @@ impl Form {
     }
 }
 
-/// For example "recursion, L^T D L, derived by recursion".
+/// Prints a form, for example "recursion, L^T D L, derived by recursion".
 impl fmt::Display for Form {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self.basis {

@@ -1,4 +1,4 @@
-//! From dynamics to short code: forms of the same motion are made, weighed, and the lightest is kept.
+//! From dynamics to short code: generates several forms of the same motion, weighs them, and keeps the lightest.
 
 mod canonical;
 mod chosen;
@@ -31,40 +31,39 @@ use crate::expr::{Expr, Normalizer};
 use crate::model::{Body, Dependence, Floating, Model};
 use crate::pass::{Products, constants, factor};
 
-/// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
+/// Maximum number of products of terms in the closed form of a scene. Larger scenes keep the shared graph.
 const BUDGET: usize = 20_000;
 
-/// Articulated bodies with orientations are taken where what is solved by a mass matrix is longer: by one part in this
-/// many at least.
+/// Inverse of the minimum saving for articulated bodies with orientations: they replace the solution by a mass matrix
+/// if that is longer by at least one part in `WORTH_OF_LINKS`.
 const WORTH_OF_LINKS: usize = 8;
 
 /// All forms of the dynamics of a scene.
 #[derive(Debug)]
 pub(crate) struct Forms<'g> {
     forms: Vec<Written<'g>>,
-    /// The other terms in the same forms.
+    /// The other Lagrangian terms, in the same forms.
     lagrangians: Vec<Lagrangian<'g>>,
-    /// What joints supply, in those of the forms that have it.
+    /// Reaction forces of the joints, in the forms that provide them.
     reactions: Vec<(Form, Reactions<'g>)>,
-    /// In place of them what the accelerations are solved from, where bodies have orientations: one matrix and one
-    /// residual, so that the Jacobian is that of the right-hand side where a quaternion is not of unit length.
+    /// Linear systems that replace `forms` for the accelerations if bodies have orientations: one matrix and one
+    /// residual each. The Jacobian is then the derivative of the right-hand side also for quaternions off unit length.
     oriented: Vec<Written<'g>>,
-    /// In place of both, where it is shorter.
+    /// Articulated bodies, which replace both if they are shorter.
     by_links: Option<ByLinks<'g>>,
-    /// The bodies along whose axes these accelerations are.
+    /// Floating bodies, whose accelerations are along their own axes.
     floating: Vec<Floating<'g>>,
-    /// Accelerations that need not be solved for: by articulated bodies, and those of two coordinates with all that
-    /// cancels gone.
+    /// Accelerations in explicit form: by articulated bodies, and of two coordinates without cancelling terms.
     solved: Vec<Candidate<'g>>,
-    /// The accelerations in the shortest form, once they are known.
+    /// Cache of the shortest code for the accelerations.
     accelerations: OnceCell<Chosen<'g>>,
-    /// What symbols stand for that depend on the state.
+    /// Expressions of dependent symbols.
     dependence: Dependence<'g>,
     normalizer: Normalizer<'g>,
 }
 
 impl<'g> Forms<'g> {
-    /// The forms of a scene.
+    /// Builds the forms of a scene.
     pub(crate) fn new(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Self {
         let g = model.graph;
         let mut normalizer = Normalizer::with_angles(g, BUDGET, model.base_angles());
@@ -80,7 +79,7 @@ impl<'g> Forms<'g> {
         });
         let recursive: Vec<_> = recursive.collect();
         let (mut forms, mut lagrangians, mut solved) = closed_forms(model, &mut normalizer, dynamics);
-        // where joints follow others, each does not give way by itself
+        // the articulated-body algorithm needs joints that move independently
         let give_way = !model.has_followers() && model.dependents.is_empty();
         if give_way && !has_orientations && forms.is_empty() {
             solved.extend(ways.iter().map(|&pushed| {
@@ -125,7 +124,7 @@ impl<'g> Forms<'g> {
         forms
     }
 
-    /// Takes articulated bodies where these are much shorter: a little is lost again in the Jacobian.
+    /// Uses articulated bodies if they are much shorter. A small saving would be lost again in the Jacobian.
     fn weigh_links(&mut self, model: &Model<'g>, pushed: bool) {
         let form = Form::of(Basis::Articulated).with_wrenches(pushed);
         let (accelerations, articulation) = articulated(model, pushed, &self.floating);
@@ -144,12 +143,12 @@ impl<'g> Forms<'g> {
         }
     }
 
-    /// The balance and the other terms in closed form with products expanded, if the scene is small enough to have it.
+    /// Balance and Lagrangian terms in closed form with products expanded, if the scene is small enough.
     pub(crate) fn closed(&self) -> Option<(&Balance<'g>, &Lagrangian<'g>)> {
         self.on(Basis::Closed(Products::Expanded))
     }
 
-    /// The same by recursion over the links.
+    /// Balance and Lagrangian terms by recursion over the links.
     pub(crate) fn recursive(&self) -> (&Balance<'g>, &Lagrangian<'g>) {
         self.on(Basis::Recursive).expect("every scene has this form")
     }
@@ -159,21 +158,21 @@ impl<'g> Forms<'g> {
         Some((&self.forms[at].balance, &self.lagrangians[at]))
     }
 
-    /// The shortest code for something that every balance has.
+    /// Returns the shortest code for `part` of a balance.
     pub(crate) fn of_balance(&self, part: impl Fn(&Balance<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
         let candidates = self.forms.iter();
         let candidates = candidates.map(|written| (written.form, part(&written.balance)));
         self.choose(candidates.collect())
     }
 
-    /// The shortest code for something that is made of the other terms.
+    /// Returns the shortest code for `part` of the Lagrangian terms.
     pub(crate) fn term(&self, part: impl Fn(&Lagrangian<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
         let candidates = self.forms.iter().zip(&self.lagrangians);
         let candidates = candidates.map(|(written, lagrangian)| (written.form, part(lagrangian)));
         self.choose(candidates.collect())
     }
 
-    /// The shortest code for something that is made of what joints supply.
+    /// Returns the shortest code for `part` of the reaction forces.
     pub(crate) fn of_reactions(&self, part: impl Fn(&Reactions<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
         let candidates = self.reactions.iter();
         self.choose(candidates.map(|(form, reactions)| (*form, part(reactions))).collect())
@@ -186,7 +185,7 @@ impl<'g> Forms<'g> {
     }
 }
 
-/// The closed forms of a scene that is small enough, and its accelerations with all that cancels gone.
+/// Closed forms of a scene, if it is small enough, and its accelerations without cancelling terms.
 fn closed_forms<'g>(
     model: &Model<'g>,
     normalizer: &mut Normalizer<'g>,
@@ -211,7 +210,7 @@ fn closed_forms<'g>(
     (forms, lagrangians, exact)
 }
 
-/// Columns of derivatives as they are, and in closed form where that is the basis.
+/// Columns of derivatives as they are, preceded by their expanded form on a closed basis.
 fn ways<'g>(
     normalizer: &mut Normalizer<'g>,
     basis: Basis,
@@ -225,10 +224,10 @@ fn ways<'g>(
     expanded.into_iter().chain([(Derivatives::Graph, columns)]).collect()
 }
 
-/// Whether one body may be much heavier than another: their masses are different expressions, other than numbers of one
-/// size.
+/// True if one body may be much heavier than another: their masses are different expressions, or numbers of different
+/// magnitude.
 fn is_lopsided(bodies: &[Body<'_>]) -> bool {
-    /// Less than two digits can cancel between masses of this ratio.
+    /// Maximum ratio of masses of similar magnitude. At this ratio cancellation costs less than two digits.
     const EVEN: f64 = 100.0;
     let size = |mass: Expr<'_>| mass.constant().map(f64::abs);
     let uneven = |a: Expr<'_>, b: Expr<'_>| match (size(a), size(b)) {
@@ -240,7 +239,7 @@ fn is_lopsided(bodies: &[Body<'_>]) -> bool {
     masses.iter().any(|&mass| uneven(mass, masses[0]))
 }
 
-/// Columns of expressions in closed form; none if they grow too large.
+/// Expands columns of expressions to closed form. Returns `None` if they grow too large.
 pub(crate) fn expanded<'g>(
     normalizer: &mut Normalizer<'g>,
     columns: &[Vec<Expr<'g>>],

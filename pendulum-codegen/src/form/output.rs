@@ -1,4 +1,4 @@
-//! The shortest code for expressions of the state that are no part of the dynamics.
+//! Shortest code for expressions of the state outside the dynamics: outputs, events, drawings, constraint values.
 
 use rustc_hash::FxHashMap;
 
@@ -10,18 +10,18 @@ use crate::model::{Model, changes};
 use crate::pass::Products;
 use crate::pass::factor::factor;
 
-/// The values of expressions.
+/// Code for the values of expressions, in the shortest form.
 pub(crate) fn values<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
     let values = model.with_drives(values);
     forms.shortest(&values)
 }
 
-/// The values of expressions, as they are.
+/// Code for the values of expressions in their declared form, without a search for a shorter one.
 pub(crate) fn as_declared<'g>(forms: &Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
     forms.choose(vec![(Form::of(Basis::Declared), model.with_drives(values))])
 }
 
-/// The rates of expressions along the motion.
+/// Code for the time derivatives of expressions along the motion.
 pub(crate) fn rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
     let rates = along_motion(model, values);
     let mut symbols = model.graph.symbols_of(&rates);
@@ -34,13 +34,14 @@ pub(crate) fn rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr
     forms.choose(vec![(Form::of(Basis::Declared), rates)])
 }
 
-/// The values of expressions of the positions, and their rates: as they are, for together they share most.
+/// Code for the values and the time derivatives of expressions of the positions, in their declared form: values and
+/// rates share most subexpressions there.
 pub(crate) fn values_and_rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
     let roots = [model.with_drives(values), along_motion(model, values)].concat();
     forms.choose(vec![(Form::of(Basis::Declared), roots)])
 }
 
-/// The derivatives of expressions along the motion.
+/// Time derivatives of expressions along the motion, with the accelerations as symbols.
 fn along_motion<'g>(model: &Model<'g>, values: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let directions = changes(model.all_coordinates()).into_iter();
     let directions = directions.chain(model.all_coordinates().map(|c| (c.rate, c.acceleration)));
@@ -49,7 +50,7 @@ fn along_motion<'g>(model: &Model<'g>, values: &[Expr<'g>]) -> Vec<Expr<'g>> {
     model.with_drives(&rates)
 }
 
-/// The values of expressions, and their derivatives by the state, column by column.
+/// Code for the values of expressions and their derivatives with respect to the state, column by column.
 pub(crate) fn values_and_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
     let values = model.with_drives(values);
     let columns = derived(&values, &model.state()).concat();
@@ -57,7 +58,7 @@ pub(crate) fn values_and_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>, 
 }
 
 impl<'g> Forms<'g> {
-    /// The shortest code for expressions: as they are, or in closed form.
+    /// Returns the shortest code for expressions, either as declared or in closed form.
     fn shortest(&mut self, roots: &[Expr<'g>]) -> Chosen<'g> {
         let mut candidates: Vec<Candidate<'g>> = vec![(Form::of(Basis::Declared), roots.to_vec())];
         let terms = roots.iter().map(|&root| short_terms(&mut self.normalizer, root));

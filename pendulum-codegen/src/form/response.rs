@@ -1,4 +1,5 @@
-//! What forces along constraints do: one factored mass matrix, with what is pushed along as further right-hand sides.
+//! Response to constraint forces, from one factored mass matrix with the constraint gradients as further right-hand
+//! sides.
 
 use rustc_hash::FxHashMap;
 
@@ -10,12 +11,12 @@ use crate::dynamics::{Entries, Inverse, derived};
 use crate::expr::{Derivative, Expr, Normalizer};
 use crate::model::{CoordinateId, Model};
 
-/// The rates of constraints are `J qd + w`; this is what their second derivatives `J qdd + h` are made of.
+/// Coefficients of the constraints' second derivatives `J qdd + h`, where the rates are `J qd + w`.
 #[derive(Clone, Debug)]
 pub(super) struct Rows<'g> {
-    /// `J`: the gradient of each by the coordinates.
+    /// Rows of `J`: gradients with respect to the coordinates.
     gradients: Vec<Vec<Expr<'g>>>,
-    /// `h`: the second derivative of each where the coordinates do not accelerate.
+    /// Entries of `h`: second derivatives at zero acceleration of the coordinates.
     drifts: Vec<Expr<'g>>,
 }
 
@@ -41,7 +42,7 @@ impl<'g> Rows<'g> {
         }
     }
 
-    /// The same in the form of a basis.
+    /// Copy in the form of a basis.
     fn on(&self, normalizer: &mut Normalizer<'g>, basis: Basis) -> Self {
         let columns = [&self.gradients[..], std::slice::from_ref(&self.drifts)].concat();
         let short = match basis {
@@ -53,14 +54,14 @@ impl<'g> Rows<'g> {
         Self { gradients, drifts }
     }
 
-    /// `J qdd + h` for accelerations.
+    /// Second derivatives `J qdd + h` of the constraints at given accelerations.
     pub(super) fn accelerations(&self, of_state: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let rows = self.gradients.iter().zip(&self.drifts);
         rows.map(|(gradient, &drift)| dot(gradient, of_state) + drift).collect()
     }
 
-    /// For accelerations under some forces the right-hand side, the second derivatives of the constraints, what a
-    /// unit of each force adds to the right-hand side, and what it adds to them, as an upper triangle.
+    /// Right-hand side and second derivatives of the constraints at given accelerations, then the change of each for a
+    /// unit of every constraint force. The changes of the second derivatives are an upper triangle.
     fn response(&self, model: &Model<'g>, inverse: &dyn Inverse<'g>, accelerations: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let still = vec![model.graph.zero(); model.dof()];
         let column = |gradient: &Vec<Expr<'g>>| {
@@ -83,14 +84,14 @@ fn dot<'g>(a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
     a[0].graph().sum(products.collect::<Vec<_>>())
 }
 
-/// The values of the constraints, and after them their rates.
+/// Values of the constraints, followed by their rates.
 pub(crate) fn measures<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let both = [model.constraint_values(), model.constraint_rates()];
     super::values(forms, model, &both.concat())
 }
 
-/// The gradients of the values of the constraints by the state, those of their rates, and the derivatives of both by
-/// the time.
+/// Gradients of the constraint values and of their rates with respect to the state, followed by the time derivatives of
+/// both.
 pub(crate) fn measure_derivatives<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let both = [model.constraint_values(), model.constraint_rates()].map(|values| model.with_drives(&values));
     let gradients = both
@@ -101,7 +102,7 @@ pub(crate) fn measure_derivatives<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
     super::values(forms, model, &gradients.chain(by_time).collect::<Vec<_>>())
 }
 
-/// What forces along the constraints do.
+/// Response to constraint forces.
 pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let rows = Rows::new(model);
     let mut candidates: Vec<Candidate<'g>> = Vec::new();
@@ -125,8 +126,8 @@ pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
     forms.choose(candidates)
 }
 
-/// The same, and after it the derivatives of the right-hand side by the state, of each constraint's second derivative
-/// by the state, and of both by the time.
+/// Response, followed by three derivatives: of the right-hand side with respect to the state, of each constraint's
+/// second derivative with respect to the state, and of both with respect to time.
 pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let (graph, state) = (model.graph, model.state());
     let rows = Rows::new(model);
@@ -143,7 +144,7 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
         let (_, rows) = own.unwrap_or(&bases[0]);
         let rates = on_top(model, &derived(&model.kinematics(), &variables), &[], &way.columns);
         let known: FxHashMap<_, _> = symbols.iter().copied().zip(way.accelerations.iter().copied()).collect();
-        // at fixed accelerations, and by those
+        // chain rule: the partial derivative at fixed accelerations, plus `J` times the derivative of the accelerations
         let fixed = derived(&rows.accelerations(&symbols), &variables);
         let fixed = fixed.iter().map(|column| graph.substitute(column, known.clone()));
         let changes = fixed.zip(way.columns.chunks(model.dof())).map(|(fixed, change)| {
@@ -165,7 +166,7 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
 }
 
 impl<'g> Forms<'g> {
-    /// Whether the time occurs in the equations of motion.
+    /// True if the equations of motion depend on time.
     fn has_time(&self, model: &Model<'g>) -> bool {
         let form = self.forms.first().map(|written| written.balance.entries());
         form.is_some_and(|entries| model.graph.reachable(&entries).contains(&model.time.id()))

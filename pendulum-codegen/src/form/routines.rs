@@ -1,4 +1,4 @@
-//! What each routine computes: one function for each row of the table of routines.
+//! Expressions computed by each routine: one function for each row of the table of routines.
 
 use rustc_hash::FxHashMap;
 
@@ -7,7 +7,7 @@ use crate::dynamics::{self, Balance, Reactions, derived};
 use crate::expr::Expr;
 use crate::model::{Gap, Model};
 
-/// The rates of the positions, and the accelerations.
+/// Position rates and accelerations.
 pub(crate) fn rhs<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let (known, dependent) = kinematics(model);
     let chosen = forms.accelerations_and(&dependent);
@@ -19,14 +19,14 @@ pub(crate) fn rhs<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
         .counted(model)
 }
 
-/// How the positions change: those that are known by the rates of the state, and those that depend on others.
+/// Rates of the positions: first those given directly by the rates of the state, then those of dependent coordinates.
 fn kinematics<'g>(model: &Model<'g>) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
     let mut known = model.kinematics();
     let dependent = known.split_off(known.len() - model.in_state().count());
     (known, dependent)
 }
 
-/// The right-hand side, and after it its derivatives by the state, column by column.
+/// Right-hand side, followed by its derivatives with respect to the state, column by column.
 pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let state = model.state();
     let (known, dependent) = kinematics(model);
@@ -42,23 +42,24 @@ pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
     chosen.counted(model)
 }
 
-/// How far each closed loop is from its toggle, and the rates of that.
+/// Margin of each closed loop from its singularity (toggle), followed by the rates of the margins.
 pub(crate) fn loop_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     super::values_and_rates(forms, model, &model.loops.margins)
 }
 
-/// How far angles are from where their turns would have to be counted, and the rates of that.
+/// Margin of each uncounted angle from the point where its turns would have to be counted, followed by the rates of the
+/// margins.
 pub(crate) fn turn_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let margins: Vec<Expr<'g>> = model.loops.uncounted.iter().map(|own| own.margin).collect();
     super::values_and_rates(forms, model, &margins)
 }
 
-/// What Newton's method adds to the coordinates that depend, in the state.
+/// Newton corrections of the dependent coordinates in the state.
 pub(crate) fn loop_corrections<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     super::values(forms, model, &model.loops.corrections)
 }
 
-/// How far loops are from being closed: distances, angles, sizes.
+/// Closure errors of the loops: distances, then angles, then sizes.
 pub(crate) fn loop_gaps<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let part = |part: fn(&Gap<'g>) -> Expr<'g>| model.loops.gaps.iter().map(part);
     let parts = part(|gap| gap.distance)
@@ -67,12 +68,12 @@ pub(crate) fn loop_gaps<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<
     super::as_declared(forms, model, &parts.collect::<Vec<_>>())
 }
 
-/// The derivative of the right-hand side by the time.
+/// Derivative of the right-hand side with respect to time.
 pub(crate) fn time_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     by(forms, model, &[model.time])
 }
 
-/// The derivatives of the right-hand side by the inputs, column by column.
+/// Derivatives of the right-hand side with respect to the inputs, column by column.
 pub(crate) fn input_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     by(forms, model, &model.input_symbols())
 }
@@ -86,8 +87,8 @@ fn by<'g>(forms: &mut Forms<'g>, model: &Model<'g>, variables: &[Expr<'g>]) -> C
     })
 }
 
-/// The derivatives of the accelerations by the parameters, column by column: with the forces along constraints that the
-/// right-hand side has by itself.
+/// Derivatives of the accelerations with respect to the parameters, column by column. The constraint forces follow the
+/// friction law of the right-hand side.
 pub(crate) fn parameter_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let parameters: Vec<Expr<'g>> = model.parameters.iter().map(|parameter| parameter.symbol).collect();
     let (forces, dof) = (model.force_symbols(), model.dof());
@@ -114,43 +115,43 @@ pub(crate) fn potential<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> 
     forms.term(|lagrangian| vec![lagrangian.potential])
 }
 
-/// The upper triangle of the mass matrix, row by row.
+/// Upper triangle of the mass matrix, row by row.
 pub(crate) fn mass_matrix<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
     forms.of_balance(Balance::upper_triangle)
 }
 
-/// The bias.
+/// Bias forces.
 pub(crate) fn bias<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
     forms.term(|lagrangian| lagrangian.bias.clone())
 }
 
-/// The momenta of the coordinates.
+/// Momenta of the coordinates.
 pub(crate) fn momentum<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
     forms.term(|lagrangian| lagrangian.momentum.clone())
 }
 
-/// The forces that accelerations take.
+/// Generalised forces required for given accelerations.
 pub(crate) fn inverse_dynamics<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    // what inputs do, and what holds the motion, is asked of inverse dynamics, not given
+    // inputs and constraint forces are results of inverse dynamics, not arguments
     let zero = model.graph.zero();
     let given = model.input_symbols().into_iter().chain(model.force_symbols());
     let without: FxHashMap<_, _> = given.map(|symbol| (symbol, zero)).collect();
     forms.of_balance(|balance| model.graph.substitute(&balance.rows, without.clone()))
 }
 
-/// The forces that the drives supply.
+/// Forces supplied by the drives.
 pub(crate) fn drive_forces<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     along_motion(forms, model, |reactions| reactions.drive.clone())
 }
 
-/// The wrenches of the joints that close loops.
+/// Wrenches of the joints that close loops.
 pub(crate) fn loop_wrenches<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     along_motion(forms, model, |reactions| {
         dynamics::loop_wrenches(model, reactions.held.clone())
     })
 }
 
-/// Forces for the accelerations of the right-hand side: with the forces along constraints that it has by itself.
+/// Forces at the accelerations of the right-hand side, with constraint forces that follow its friction law.
 fn along_motion<'g>(
     forms: &mut Forms<'g>,
     model: &Model<'g>,
@@ -164,7 +165,7 @@ fn along_motion<'g>(
     })
 }
 
-/// The positions and the momenta, and after them the rates of both.
+/// Positions and momenta, followed by the rates of both.
 pub(crate) fn canonical<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let chosen = forms.canonical(model);
     chosen.with(|mut momenta| {
@@ -173,7 +174,8 @@ pub(crate) fn canonical<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<
     })
 }
 
-/// The derivatives of the canonical variables by the state, column by column, and after them those of their rates.
+/// Derivatives of the canonical variables with respect to the state, column by column, followed by those of their
+/// rates.
 pub(crate) fn canonical_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let state = model.state();
     let chosen = forms.canonical_jacobian(model);
@@ -188,7 +190,7 @@ pub(crate) fn canonical_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -
     })
 }
 
-/// Columns on top of columns, on top of those with a row for each degree of freedom.
+/// Stacks three blocks of columns: `above`, `between`, and `columns` with one row for each degree of freedom.
 pub(super) fn on_top<'g>(
     model: &Model<'g>,
     above: &[Vec<Expr<'g>>],

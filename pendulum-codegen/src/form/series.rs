@@ -1,11 +1,11 @@
-//! Recurrences of power series: from an expression to the coefficients that its value has along a motion.
+//! Recurrences of power series: from an expression to the coefficients of its value along a motion.
 //!
 //! With `z = sum_k z_k h^k` each operation gives `z_k` from the coefficients of its operands (Jorba and Zou, "A
 //! software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
-//! Mathematics 2005; Griewank and Walther, "Evaluating Derivatives" 2008, ch. 13). Linear ones need those of order `k`
-//! only. The others take sums `sum_j u_j v_(k-j)`, which are split here: the interior `j = 1 .. k - 1` of all of them
-//! is a [`Slot`] each, all computed at once before anything else of order `k`, and the ends, with `u_0` and `v_0`, are
-//! written out. For example `z = u v` is `z_k = sum + u_0 v_k + v_0 u_k`.
+//! Mathematics 2005; Griewank and Walther, "Evaluating Derivatives" 2008, ch. 13). Linear operations need only the
+//! coefficients of order `k`. The others need sums `sum_j u_j v_(k-j)`, which are split here. The interior part
+//! `j = 1 .. k - 1` of each sum is a [`Slot`]; all slots are computed first at order `k`. The two end terms, with `u_0`
+//! and `v_0`, are written out. For example `z = u v` becomes `z_k = sum + u_0 v_k + v_0 u_k`.
 
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
@@ -13,40 +13,40 @@ use rustc_hash::FxHashMap;
 use crate::expr::{Binary, Expr, Graph, Level, Node, Rational, SymbolKind, Unary, ratio};
 use crate::model::Model;
 
-/// One side of a product of series.
+/// One factor in a product of series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Side<'g> {
-    /// The value whose coefficients they are.
+    /// Value whose coefficients enter the product.
     pub value: Expr<'g>,
-    /// Whether coefficient `j` counts `j` times: the series of the derivative.
+    /// True if coefficient `j` is multiplied by `j`, which gives the series of the derivative.
     pub weighted: bool,
 }
 
-/// The product of two series: its sum of order `k` takes coefficients `1 .. k - 1` of both.
+/// Product of two series: its sum of order `k` takes coefficients `1 .. k - 1` of both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Slot<'g> {
-    /// Its coefficients from the first on.
+    /// Factor whose coefficients are taken in ascending order.
     pub left: Side<'g>,
-    /// Its coefficients from the last on.
+    /// Factor whose coefficients are taken in descending order.
     pub right: Side<'g>,
 }
 
-/// The symbols that stand for what is known when the coefficients of order `k` are computed.
+/// Symbols for the quantities available when the coefficients of order `k` are computed.
 #[derive(Clone, Debug)]
 pub(crate) struct Symbols<'g> {
-    /// The number `k`.
+    /// The order `k`.
     pub order: Expr<'g>,
-    /// The number `1 / k`.
+    /// The reciprocal `1 / k`.
     pub over_order: Expr<'g>,
-    /// The coefficient of the time.
+    /// Coefficient of the time.
     pub time: Expr<'g>,
-    /// The coefficients of the coordinates, then of their rates.
+    /// Coefficients of the coordinates, then of their rates.
     pub state: Vec<Expr<'g>>,
-    /// The coefficients of the forces along the constraints.
+    /// Coefficients of the constraint forces.
     pub forces: Vec<Expr<'g>>,
-    /// The sums of the slots.
+    /// Interior sums of the slots.
     pub sums: Vec<Expr<'g>>,
-    /// What does not change from order to order.
+    /// Values of order 0 that every order reuses.
     pub kept: Vec<Expr<'g>>,
 }
 
@@ -66,7 +66,7 @@ impl<'g> Symbols<'g> {
         }
     }
 
-    /// The symbol of number `n` in a list that grows.
+    /// Symbol number `n` of a list, extended if it is shorter.
     pub(super) fn of_list(g: &'g Graph, list: &mut Vec<Expr<'g>>, name: &str, n: usize) -> Expr<'g> {
         while list.len() <= n {
             list.push(g.symbol(name, SymbolKind::Coefficient(list.len())));
@@ -75,21 +75,21 @@ impl<'g> Symbols<'g> {
     }
 }
 
-/// The coefficients of order `k` of expressions, in symbols, and the slots that they take.
+/// Symbolic coefficients of order `k` of expressions, and the slots they use.
 #[derive(Debug)]
 pub(super) struct Recurrences<'g, 's> {
     graph: &'g Graph,
     symbols: &'s mut Symbols<'g>,
-    /// The slots, in the order in which they were met.
+    /// Slots, in the order in which they were first used.
     pub(super) slots: Vec<Slot<'g>>,
     known: FxHashMap<Slot<'g>, usize>,
     coefficients: FxHashMap<Expr<'g>, Expr<'g>>,
-    /// Whether all coefficients but the first vanish.
+    /// True if all coefficients beyond order 0 vanish.
     still: FxHashMap<Expr<'g>, bool>,
 }
 
 impl<'g, 's> Recurrences<'g, 's> {
-    /// No expressions yet, but the time, the state and forces.
+    /// Starts with the coefficients of the time, the state and the constraint forces.
     pub(super) fn new(model: &Model<'g>, symbols: &'s mut Symbols<'g>) -> Self {
         let state = model.state().into_iter().zip(symbols.state.iter().copied());
         let forces = model.force_symbols().into_iter().zip(symbols.forces.iter().copied());
@@ -104,12 +104,12 @@ impl<'g, 's> Recurrences<'g, 's> {
         }
     }
 
-    /// Gives a value the coefficient that it turned out to have.
+    /// Sets the coefficient of a value.
     pub(super) fn set(&mut self, value: Expr<'g>, coefficient: Expr<'g>) {
         self.coefficients.insert(value, coefficient);
     }
 
-    /// Both sides of all slots, those included that they need in turn.
+    /// Coefficients of both factors of every slot, including slots that these coefficients add.
     pub(super) fn sides(&mut self) -> [Vec<Expr<'g>>; 2] {
         let (mut left, mut right) = (Vec::new(), Vec::new());
         let mut next = 0;
@@ -130,7 +130,7 @@ impl<'g, 's> Recurrences<'g, 's> {
         }
     }
 
-    /// The coefficient of order `k` of an expression.
+    /// Coefficient of order `k` of an expression.
     pub(super) fn coefficient(&mut self, x: Expr<'g>) -> Expr<'g> {
         if let Some(&known) = self.coefficients.get(&x) {
             return known;
@@ -144,7 +144,7 @@ impl<'g, 's> Recurrences<'g, 's> {
         coefficient
     }
 
-    /// Whether an expression does not change along a motion, or does so in jumps only.
+    /// True if an expression is constant along a motion or changes only in jumps.
     fn is_still(&mut self, x: Expr<'g>) -> bool {
         if let Some(&known) = self.still.get(&x) {
             return known;
@@ -169,7 +169,7 @@ impl<'g, 's> Recurrences<'g, 's> {
             Node::Binary(Binary::Mul, a, b) => self.product(a, b),
             Node::Binary(Binary::Div, a, b) => self.quotient(z, a, b),
             Node::Binary(Binary::Atan2, y, x) => self.angle(z, y, x),
-            // the larger or the smaller of two is one of them near by
+            // near any point where they differ, the maximum or minimum equals one of its operands
             Node::Binary(op @ (Binary::Max | Binary::Min), a, b) => {
                 let [left, right] = op.derivatives(a, b);
                 left * self.coefficient(a) + right * self.coefficient(b)
@@ -178,19 +178,19 @@ impl<'g, 's> Recurrences<'g, 's> {
         }
     }
 
-    /// `u v`
+    /// Coefficient of `u v`.
     pub(super) fn product(&mut self, u: Expr<'g>, v: Expr<'g>) -> Expr<'g> {
         let ((p, u), (q, v)) = (scaled(u), scaled(v));
         let factor = p * q;
         let (uk, vk) = (self.coefficient(u), self.coefficient(v));
         let sum = self.interior(plain(u), plain(v));
-        // the factor goes to what is known early, and not to the whole, which would wait for it
+        // apply the constant factor to the operands that are available early; on the whole sum it would have to wait
         let [sum, u, v] = [sum, u, v].map(|early| factor * early);
         let (first, second) = (v * uk, u * vk);
         sum + first + second
     }
 
-    /// `z = a / b`, from `z b = a`.
+    /// Coefficient of `z = a / b`, from `z b = a`.
     fn quotient(&mut self, z: Expr<'g>, a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
         let (ak, bk) = (self.coefficient(a), self.coefficient(b));
         let sum = self.interior(plain(z), plain(b));
@@ -198,8 +198,7 @@ impl<'g, 's> Recurrences<'g, 's> {
         (ak - sum - end) * b.recip()
     }
 
-    /// A function `z` of `u`: from a differential equation that it solves, but for the square root, whose square is
-    /// `u`.
+    /// Coefficient of a function `z = op(u)`, from the differential equation that it satisfies.
     fn unary(&mut self, op: Unary, z: Expr<'g>, u: Expr<'g>) -> Expr<'g> {
         let uk = self.coefficient(u);
         match op {
@@ -216,7 +215,8 @@ impl<'g, 's> Recurrences<'g, 's> {
         }
     }
 
-    /// `z = u^n`: products for whole `n`, `z^2 = u` for the root, and `z' u = n u' z` otherwise.
+    /// Coefficient of `z = u^n`: by products for integer `n`, from `z^2 = u` for the root, and from `z' u = n u' z`
+    /// otherwise.
     fn power(&mut self, z: Expr<'g>, u: Expr<'g>, n: &Rational) -> Expr<'g> {
         if n.is_integer() && n.is_positive() {
             let half = (n / ratio(2, 1)).floor();
@@ -233,14 +233,14 @@ impl<'g, 's> Recurrences<'g, 's> {
         (change - self.over_order(rate(z), plain(u))) * u.recip()
     }
 
-    /// `z = atan2(y, x)`, from `z' (x^2 + y^2) = x y' - y x'`.
+    /// Coefficient of `z = atan2(y, x)`, from `z' (x^2 + y^2) = x y' - y x'`.
     fn angle(&mut self, z: Expr<'g>, y: Expr<'g>, x: Expr<'g>) -> Expr<'g> {
         let norm2 = y.powi(2) + x.powi(2);
         let change = self.slope_times(y, x) - self.slope_times(x, y);
         (change - self.over_order(rate(z), plain(norm2))) * norm2.recip()
     }
 
-    /// The coefficient of order `k` of what has the derivative `u' v`.
+    /// Coefficient of order `k` of the function whose derivative is `u' v`.
     fn slope_times(&mut self, u: Expr<'g>, v: Expr<'g>) -> Expr<'g> {
         self.over_order(rate(u), plain(v)) + v * self.coefficient(u)
     }
@@ -249,7 +249,7 @@ impl<'g, 's> Recurrences<'g, 's> {
         self.symbols.over_order * self.interior(left, right)
     }
 
-    /// The sum over `j = 1 .. k - 1`; constant factors stand before it, so that multiples have one slot between them.
+    /// Interior sum over `j = 1 .. k - 1`. Constant factors are moved in front of it, so that multiples share one slot.
     pub(super) fn interior(&mut self, left: Side<'g>, right: Side<'g>) -> Expr<'g> {
         if self.is_still(left.value) || self.is_still(right.value) {
             return self.graph.zero();
@@ -268,17 +268,17 @@ impl<'g, 's> Recurrences<'g, 's> {
     }
 }
 
-/// The series itself.
+/// Factor with the coefficients of the series itself.
 pub(super) fn plain(value: Expr<'_>) -> Side<'_> {
     Side { value, weighted: false }
 }
 
-/// The series of the derivative.
+/// Factor with the coefficients of the derivative.
 fn rate(value: Expr<'_>) -> Side<'_> {
     Side { value, weighted: true }
 }
 
-/// A constant factor, and what it multiplies.
+/// Splits an expression into a constant factor and the remaining factor.
 fn scaled(x: Expr<'_>) -> (Expr<'_>, Expr<'_>) {
     let is_constant = |x: Expr<'_>| x.level() < Level::State;
     let one = x.graph().one();

@@ -1,4 +1,4 @@
-//! The accelerations, and what is made of their derivatives.
+//! Accelerations and their derivatives.
 
 use super::chosen::{Candidate, Chosen, HOPELESS};
 use super::written::Written;
@@ -7,11 +7,13 @@ use crate::dynamics::{Articulation, Entries, Inverse, derived, partials, partial
 use crate::expr::Expr;
 use crate::model::{Floating, Model};
 
-/// Where derivatives take more operations on nodes, graphs that are longer than another by that ratio are not derived,
-/// and none is whose derivatives are known by recursion.
+/// Maximum size of a balance that is differentiated in the graph, in graph nodes times variables.
+///
+/// A larger balance is differentiated only if it is within the `HOPELESS` ratio of the smallest and has no derivatives
+/// by recursion.
 const MOST_DERIVED: usize = 50_000;
 
-/// Articulated bodies with orientations, and what they are in balance by.
+/// Accelerations by the articulated-body algorithm for scenes with orientations, and the balance that they satisfy.
 #[derive(Debug)]
 pub(super) struct ByLinks<'g> {
     pub(super) form: Form,
@@ -20,32 +22,33 @@ pub(super) struct ByLinks<'g> {
     pub(super) articulation: Articulation<'g>,
 }
 
-/// A way to solve for the accelerations and for their derivatives.
+/// One way to solve for the accelerations and their derivatives.
 pub(super) struct Way<'a, 'g> {
     pub(super) form: Form,
     pub(super) inverse: &'a dyn Inverse<'g>,
     pub(super) accelerations: Vec<Expr<'g>>,
-    /// The derivatives, column by column.
+    /// Derivatives of the accelerations, column by column.
     pub(super) columns: Vec<Expr<'g>>,
 }
 
-/// What makes derivatives of the accelerations of those of a balance.
+/// Converts derivatives of a balance to derivatives of the accelerations.
 struct Derived<'a, 'g> {
     model: &'a Model<'g>,
     floating: &'a [Floating<'g>],
-    /// The accelerations as symbols.
+    /// Accelerations as symbols.
     symbols: Vec<Expr<'g>>,
-    /// How the accelerations change where what is solved for stays as it is, by each variable.
+    /// Derivatives of the coordinate accelerations at fixed unknowns of the linear system, one column for each
+    /// variable.
     beside: Vec<Vec<Expr<'g>>>,
 }
 
 impl<'g> Forms<'g> {
-    /// The shortest code for the accelerations.
+    /// Returns the shortest code for the accelerations.
     pub(crate) fn accelerations(&self) -> Chosen<'g> {
         self.accelerations.get_or_init(|| self.solve(&[])).clone()
     }
 
-    /// The shortest code for the accelerations, and for what is computed beside them.
+    /// Returns the shortest code for the accelerations together with the expressions `beside`.
     pub(super) fn accelerations_and(&self, beside: &[Expr<'g>]) -> Chosen<'g> {
         if beside.is_empty() {
             self.accelerations()
@@ -73,8 +76,8 @@ impl<'g> Forms<'g> {
         self.choose(candidates)
     }
 
-    /// The shortest code for the derivatives of the accelerations by some symbols: column by column, and before them
-    /// the accelerations themselves if these are wanted too. After them comes what is computed beside them.
+    /// Returns the shortest code for the derivatives of the accelerations with respect to `variables`, column by
+    /// column. The accelerations precede them if requested; the expressions `beside` follow them.
     pub(crate) fn jacobian(
         &mut self,
         model: &Model<'g>,
@@ -88,7 +91,8 @@ impl<'g> Forms<'g> {
         })
     }
 
-    /// The shortest code for something that is made of the accelerations, and of their derivatives by some symbols.
+    /// Returns the shortest code for `roots`, a function of the accelerations and their derivatives with respect to
+    /// `variables`.
     pub(super) fn solutions(
         &mut self,
         model: &Model<'g>,
@@ -150,7 +154,7 @@ impl<'a, 'g> Derived<'a, 'g> {
         }
     }
 
-    /// What an inverse leaves of columns of derivatives, for each form of what is solved for.
+    /// Solves for the columns of derivatives with one inverse, for each candidate form of the unknowns.
     fn ways<'w>(
         &'w self,
         inverse: &'w dyn Inverse<'g>,
@@ -176,7 +180,7 @@ impl<'a, 'g> Derived<'a, 'g> {
     }
 }
 
-/// The forms with a mass matrix that the accelerations are solved from.
+/// Forms with a mass matrix from which the accelerations are solved.
 fn solved_from<'a, 'g>(
     by_links: &Option<ByLinks<'g>>,
     oriented: &'a [Written<'g>],
@@ -189,7 +193,7 @@ fn solved_from<'a, 'g>(
     }
 }
 
-/// The accelerations of the coordinates, from what is solved for.
+/// Converts the unknowns of the linear system to accelerations of the coordinates.
 pub(super) fn of_coordinates<'g>(floating: &[Floating<'g>], mut solved: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
     floating.iter().for_each(|joint| joint.accelerate(&mut solved));
     solved

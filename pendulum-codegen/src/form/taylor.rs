@@ -1,5 +1,4 @@
-//! The power series of the motion: which form of the dynamics gives its coefficients with the fewest products of
-//! series.
+//! Power series of the motion, from the form of the dynamics that needs the fewest products of series.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -15,32 +14,33 @@ use crate::pass::{Operations, share, trig};
 
 /// Code for the coefficients of a motion `x_0, x_1, ..` in powers of time.
 ///
-/// Order 0 is computed from the state; then each order `k` from the orders before it and from what order 0 has left, in
-/// the [`Symbols`].
+/// Order 0 is computed from the state. Each order `k` is then computed from the lower orders and from the kept values
+/// of order 0, all as [`Symbols`].
 #[derive(Clone, Debug)]
 pub(crate) struct Taylor<'g> {
-    /// What stands for the quantities of order `k`.
+    /// Symbols for the quantities of order `k`.
     pub symbols: Symbols<'g>,
-    /// The number of products of series.
+    /// Number of products of series.
     pub slots: usize,
-    /// Of order 0: the right-hand side, then what [`Symbols::kept`] stands for.
+    /// Roots of order 0: the right-hand side, then the values of [`Symbols::kept`].
     pub start: Vec<Expr<'g>>,
-    /// Of order `k`: the right-hand side, then the left sides of all products, then their right sides; after them the
-    /// second derivatives of the constraints, without the forces of this order.
+    /// Roots of order `k`: the right-hand side, the left factors of all products, their right factors, then the second
+    /// derivatives of the constraints without the forces of this order.
     pub order: Vec<Expr<'g>>,
     /// Operations of one order `k`, without the sums of the products.
     pub operations: Operations,
-    /// The form that won.
+    /// Form with the fewest products, then the fewest operations.
     pub form: Form,
-    /// The best on each other basis: its products, and its operations for each order.
+    /// Best candidate on each other basis: its products, and its operations at each order.
     pub others: Vec<(Form, usize, Operations)>,
 }
 
-/// Forms with more products than the fewest by this ratio are not searched for common parts.
+/// Maximum ratio, as a fraction, of products to the fewest products; forms beyond it skip the search for common
+/// subexpressions.
 const HOPELESS: [usize; 2] = [3, 2];
 
 impl<'g> Forms<'g> {
-    /// The shortest code for the coefficients of the motion.
+    /// Returns the shortest code for the coefficients of the motion.
     pub(crate) fn taylor(&self, model: &Model<'g>) -> Taylor<'g> {
         let mut symbols = Symbols::new(model);
         let rows = constraint_accelerations(model);
@@ -87,7 +87,8 @@ impl<'g> Forms<'g> {
     }
 }
 
-/// What is solved for at every order, and the accelerations of the coordinates by that: themselves, but of what flies.
+/// Linear system solved at every order, and the coordinate accelerations in terms of its unknowns. The two differ only
+/// for floating bodies.
 #[derive(Clone, Debug)]
 struct Unknown<'g> {
     written: Written<'g>,
@@ -95,7 +96,7 @@ struct Unknown<'g> {
 }
 
 impl<'g> Unknown<'g> {
-    /// The same with common parts of the mass matrix and the residual shared.
+    /// Copy in which the mass matrix and the residual share common subexpressions.
     fn shared(&self, g: &'g Graph, factor: bool) -> Self {
         let mut shared = self.clone();
         let Balance {
@@ -109,7 +110,7 @@ impl<'g> Unknown<'g> {
     }
 }
 
-/// The second derivatives of the constraints, for the accelerations as symbols.
+/// Second derivatives of the constraints, with the accelerations as symbols.
 fn constraint_accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
     let accelerations: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
     if model.is_hybrid() {
@@ -119,7 +120,7 @@ fn constraint_accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
     }
 }
 
-/// How many products of series the dynamics take.
+/// Number of products of series in the dynamics.
 fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, unknown: &Unknown<'g>, rows: &[Expr<'g>]) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
     of_order(model, &mut recurrences, &unknown.written.balance);
@@ -131,9 +132,9 @@ fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, unknown: &Unknown<'g>
     recurrences.slots.len()
 }
 
-/// The coefficients of order `k` of `A qdd + bias - force`, but for `A_0 qdd_k`.
+/// Coefficients of order `k` of `A qdd + bias - force`, without the term `A_0 qdd_k`.
 fn of_order<'g>(model: &Model<'g>, recurrences: &mut Recurrences<'g, '_>, balance: &Balance<'g>) -> Vec<Expr<'g>> {
-    // what is not known yet is left out of every product
+    // the unknown `qdd_k` counts as zero, which leaves `A_0 qdd_k` out of every product
     for coordinate in &model.coordinates {
         recurrences.set(coordinate.acceleration, model.graph.zero());
     }
@@ -148,8 +149,8 @@ fn of_order<'g>(model: &Model<'g>, recurrences: &mut Recurrences<'g, '_>, balanc
     .collect()
 }
 
-/// Code for the dynamics in one form. The mass matrix is factored at order 0, and solved with at every order: it is
-/// never inverted as a series.
+/// Code for the dynamics in one form. The mass matrix is factored once, at order 0, and its factors are used at every
+/// order: it is never inverted as a series.
 fn code<'g>(
     model: &Model<'g>,
     mut symbols: Symbols<'g>,
@@ -202,7 +203,7 @@ fn code<'g>(
     }
 }
 
-/// The largest expressions of the state within the roots that nothing of order `k` is part of.
+/// Largest subexpressions of the roots that depend on the state but on no quantity of order `k`.
 fn kept<'g>(g: &'g Graph, roots: &[Expr<'g>], mut changing: FxHashSet<Expr<'g>>) -> Vec<Expr<'g>> {
     let reachable: Vec<Expr<'g>> = g.reachable(roots).into_iter().map(|id| g.expr(id)).collect();
     let mut read: FxHashSet<Expr<'g>> = roots.iter().copied().collect();
@@ -217,7 +218,7 @@ fn kept<'g>(g: &'g Graph, roots: &[Expr<'g>], mut changing: FxHashSet<Expr<'g>>)
 }
 
 impl<'g> Taylor<'g> {
-    /// Shares common parts of what is computed once, and of what is computed at every order.
+    /// Shares common subexpressions within the roots of order 0 and within those of order `k`.
     fn shorten(&mut self, g: &'g Graph) {
         self.start = trig::lower(g, &self.start);
         for roots in [&mut self.start, &mut self.order] {
@@ -232,7 +233,7 @@ impl<'g> Taylor<'g> {
         self.operations = Operations::of(g, &self.order);
     }
 
-    /// The same with the rates of the positions before the accelerations of order 0, as they are in the others.
+    /// Prepends the rates of the positions to order 0; those of order `k` are already there.
     fn with_kinematics(mut self, model: &Model<'g>) -> Self {
         self.start.splice(0..0, model.written_out(&model.kinematics()));
         self

@@ -1,4 +1,4 @@
-//! Balances as they are written, with a mass matrix.
+//! Balances with an explicit mass matrix.
 
 use super::closed::ClosedBalance;
 use super::{Basis, Form};
@@ -7,12 +7,12 @@ use crate::expr::{Expr, Graph, Level, Normalizer};
 use crate::model::{Floating, Model};
 use crate::pass::{Products, constants};
 
-/// A balance in some form.
+/// Balance in one form.
 #[derive(Clone, Debug)]
 pub(super) struct Written<'g> {
     pub(super) form: Form,
     pub(super) balance: Balance<'g>,
-    /// The determinant of the mass matrix, where it is known in a better form.
+    /// Determinant of the mass matrix, if a better form than its expansion is available.
     pub(super) determinant: Option<Expr<'g>>,
 }
 
@@ -25,7 +25,7 @@ impl<'g> Written<'g> {
         }
     }
 
-    /// The same with what depends on the state written out.
+    /// Copy with dependent symbols replaced by their expressions of the state.
     pub(super) fn written_out(&self, model: &Model<'g>) -> Self {
         let entries = model.written_out(&self.balance.entries());
         Self {
@@ -35,7 +35,7 @@ impl<'g> Written<'g> {
         }
     }
 
-    /// The factorings of the mass matrix that may be shortest.
+    /// Candidate factorisations of the mass matrix.
     pub(super) fn factorings(&self) -> Vec<(Factored<'g>, Solver)> {
         let matrix = &self.balance.mass_matrix;
         let coupled = matrix.len() == 2 && !matrix[0][1].is_zero();
@@ -49,8 +49,8 @@ impl<'g> Written<'g> {
     }
 }
 
-/// What the accelerations of a scene with orientations are solved from, those of `floating` bodies along their own
-/// axes: one matrix and one residual. Where `pushed`, forces at points are wrenches on the links.
+/// Linear systems for the accelerations of a scene with orientations: one matrix and one residual each. Accelerations
+/// of `floating` bodies are along their own axes. If `pushed`, forces at points act as wrenches on the links.
 pub(super) fn along_bodies<'g>(
     model: &Model<'g>,
     normalizer: &mut Normalizer<'g>,
@@ -74,13 +74,13 @@ pub(super) fn along_bodies<'g>(
     all
 }
 
-/// Expressions with constants that are zero, or equal, for a reason that shows in their normal form only.
+/// Folds expressions that are zero or equal only in normal form into constants.
 pub(super) fn folded<'g, T: Entries<'g>>(g: &'g Graph, of: T) -> T {
     let entries = constants::fold(g, &of.entries());
     of.with_entries(entries)
 }
 
-/// The balance with a mass matrix that does not depend on the state divided out.
+/// Balance premultiplied by the inverse of its mass matrix, if the matrix does not depend on the state.
 fn divided<'g>(model: &Model<'g>, balance: &Balance<'g>) -> Option<Balance<'g>> {
     let mut entries = balance.mass_matrix.iter().flatten();
     if entries.any(|entry| entry.level() >= Level::State) {

@@ -1,4 +1,4 @@
-//! Values where loops are assembled.
+//! Numerical values in the assembled configuration of loops.
 
 use rustc_hash::FxHashMap;
 
@@ -6,12 +6,12 @@ use super::Solver;
 use crate::expr::{Expr, ExprId, Symbol, SymbolKind};
 
 impl<'g> Solver<'g, '_> {
-    /// The value of an expression where the loops are assembled.
+    /// Value of an expression in the assembled configuration.
     pub(super) fn number(&self, x: Expr<'g>) -> f64 {
         self.numbers([x])[0]
     }
 
-    /// The values of expressions where the loops are assembled: parameters without a default count as 1.
+    /// Values of expressions in the assembled configuration; parameters without a default count as 1.
     pub(super) fn numbers<const N: usize>(&self, values: [Expr<'g>; N]) -> [f64; N] {
         let all = self.numbers_of(&values);
         std::array::from_fn(|n| all[n])
@@ -23,7 +23,7 @@ impl<'g> Solver<'g, '_> {
         let free = self.free.iter().map(|(&component, &value)| (component, value));
         let assembled: FxHashMap<ExprId, f64> = assembled
             .map(|(coordinate, &value)| match &coordinate.changes[..] {
-                // orientations are those of the frames that they are relative to: the scalar part is first
+                // orientations equal their reference frames: the scalar part comes first
                 [(scalar, _), _, ..] => (scalar.id(), 1.0),
                 _ => (coordinate.position.id(), value),
             })
@@ -36,7 +36,7 @@ impl<'g> Solver<'g, '_> {
         self.graph.evaluate_at(&values, value)
     }
 
-    /// Whether all parameters have values, so that the loops can be assembled.
+    /// True if all parameters have values, so that the loops can be assembled.
     pub(super) fn is_known(&self) -> bool {
         self.tree.parameters.iter().all(|parameter| parameter.default.is_some())
     }

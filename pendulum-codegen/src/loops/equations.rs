@@ -1,11 +1,12 @@
-//! Loops that are no triangles: dependent coordinates known by their rates, and these by linear equations.
+//! Loops that are not triangles: dependent coordinates are integrated from their rates, and the rates solved from
+//! linear equations.
 //!
-//! The equations `f(q) = 0` of all that is left are derived: `J v = -K u`, where `v` are the dependent rates and `u`
-//! the others. `J` is factored once into orthogonal columns, `J = Q R`, by the modified method of Gram and Schmidt
-//! without roots, which no order of the columns and no choice of rows breaks down. There may be more equations than
-//! unknowns, of which then some are redundant: they are solved in the sense of least squares, which is exact where they
-//! agree. The positions are components of the state, and Newton's method with the same factors closes what rounding and
-//! truncation open.
+//! The remaining closure equations `f(q) = 0` are differentiated: `J v = -K u`, where `v` are the dependent rates and
+//! `u` the others. `J` is factored once into orthogonal columns, `J = Q R`, by the modified Gram-Schmidt method without
+//! square roots, which does not break down for any order of the columns or choice of rows. There may be more equations
+//! than unknowns; the redundant system is solved by least squares, which is exact if the equations are consistent. The
+//! positions are components of the state, and Newton's method with the same factors corrects the drift due to rounding
+//! and truncation.
 
 use super::orthogonal::rank;
 use super::plane::Loop;
@@ -14,27 +15,27 @@ use crate::expr::{Derivative, Expr, Level, Normalizer, SymbolKind};
 use crate::model::Gap;
 use crate::model::{Combination, CoordinateId, Slopes, changes};
 
-/// How far normal forms of equations may grow.
+/// Maximum number of products of terms in the normal form of an equation.
 const BUDGET: usize = 10_000;
 
-/// What vanishes where a loop is closed.
+/// A closure equation, zero if the loop is closed.
 pub(super) struct Equation<'g> {
-    /// The number of the loop.
+    /// Index of the loop.
     pub(super) number: usize,
     pub(super) value: Expr<'g>,
     pub(super) unit: &'static str,
 }
 
-/// The derivatives of all equations.
+/// Jacobian of all equations.
 struct Jacobian<'g> {
-    /// A column for each coordinate that depends.
+    /// One column for each dependent coordinate.
     unknown: Vec<Vec<Expr<'g>>>,
-    /// A column for each of the others.
+    /// One column for each independent coordinate.
     others: Vec<Vec<Expr<'g>>>,
 }
 
 impl<'g> Solver<'g, '_> {
-    /// Closes all loops that are left by the coordinates that are left.
+    /// Closes all remaining loops with the remaining coordinates.
     pub(super) fn solve_together(&mut self, loops: &[Option<Loop<'g>>], left: &[usize]) -> Result<(), Open> {
         let free = self.tree.independent();
         let equations = self.equations(loops, left);
@@ -61,7 +62,7 @@ impl<'g> Solver<'g, '_> {
         Ok(())
     }
 
-    /// The places of the coordinates that are left. Their positions are in the state from now on.
+    /// Returns the indices of the remaining coordinates. From now on their positions are components of the state.
     fn take_unknown(&mut self) -> Vec<usize> {
         let free = self.tree.independent();
         let unknown: Vec<usize> = (0..self.declared.len())
@@ -81,7 +82,7 @@ impl<'g> Solver<'g, '_> {
         unknown
     }
 
-    /// Gives the unknowns their rates and second rates.
+    /// Sets the rates and accelerations of the unknowns.
     fn set_rates_together(
         &mut self,
         unknown: &[usize],
@@ -108,7 +109,7 @@ impl<'g> Solver<'g, '_> {
         }
     }
 
-    /// What vanishes where the loops are closed. What does so anyway is left out.
+    /// Closure equations of the loops, without those that vanish identically.
     fn equations(&self, loops: &[Option<Loop<'g>>], left: &[usize]) -> Vec<Equation<'g>> {
         let mut all = Vec::new();
         for &number in left {
@@ -134,7 +135,7 @@ impl<'g> Solver<'g, '_> {
         all
     }
 
-    /// What does not change must vanish.
+    /// Checks that constant equations vanish.
     fn check_equations(&self, equations: &[Equation<'g>]) -> Result<(), Open> {
         let constant = equations
             .iter()
@@ -152,7 +153,7 @@ impl<'g> Solver<'g, '_> {
         Err(Open { number, cause })
     }
 
-    /// The derivatives by a coordinate where those that are left stand still.
+    /// Derivatives with respect to a coordinate, with the remaining coordinates fixed.
     fn column(&self, rows: &[Expr<'g>], k: usize) -> Vec<Expr<'g>> {
         let own = self.coordinate(CoordinateId::new(k)).changes.iter().copied();
         let solved = self
@@ -167,7 +168,7 @@ impl<'g> Solver<'g, '_> {
         self.tree.with_drives(&column)
     }
 
-    /// The second derivatives by the time where nothing accelerates by itself.
+    /// Second time derivatives while no independent coordinate accelerates.
     fn bend(&self, rows: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let zero = self.graph.zero();
         let of_others = self
@@ -191,7 +192,7 @@ impl<'g> Solver<'g, '_> {
         self.tree.with_drives(&bends)
     }
 
-    /// Symbols for the solution `x` of `J x = b`, which know their derivatives: `J dx = db - dJ x`.
+    /// Returns symbols for the solution `x` of `J x = b`, with their derivatives from `J dx = db - dJ x`.
     fn solved(
         &mut self,
         factored: &Orthogonal<'g>,
@@ -233,7 +234,7 @@ impl<'g> Solver<'g, '_> {
         symbols
     }
 
-    /// What a solution may depend on, each with a name that can be part of another.
+    /// Variables that a solution may depend on, each with a name to use within other names.
     fn variables(&self) -> Vec<(String, Expr<'g>)> {
         let in_state = self
             .dependents
@@ -252,13 +253,13 @@ impl<'g> Solver<'g, '_> {
         symbols.filter_map(named).collect()
     }
 
-    /// Newton's method from the guess.
+    /// Assembles the loops by Newton's method from the guess.
     fn assemble(&mut self, unknown: &[usize], equations: &[Equation<'g>]) -> Result<(), Open> {
-        /// How often a correction is made.
+        /// Maximum number of Newton steps.
         const CORRECTIONS: usize = 100;
-        /// The longest correction.
+        /// Maximum change of a coordinate in one step, in rad or m.
         const LONGEST: f64 = 0.3;
-        /// A correction that is rounding.
+        /// Change of the coordinates at convergence, in rad or m.
         const SHORTEST: f64 = 1e-12;
         if !self.is_known() {
             return Ok(());
@@ -281,7 +282,7 @@ impl<'g> Solver<'g, '_> {
         match worst {
             Some((&Equation { number, unit, .. }, by)) if by.is_nan() || by > ROUNDING => {
                 let cause = match by.is_nan() {
-                    // no correction exists where the loop is flat
+                    // no correction exists at a singularity
                     true => Cause::AtToggle,
                     false => Cause::NotAssembled { by, unit },
                 };
@@ -291,7 +292,7 @@ impl<'g> Solver<'g, '_> {
         }
     }
 
-    /// Where they are assembled, the frames must be as they are declared: some equations vanish after half a turn too.
+    /// Checks that the assembled frames are oriented as declared: some equations vanish after half a turn too.
     fn check_turned(&self) -> Result<(), Open> {
         let angle = |gap: &Gap<'g>| (gap.number, self.number(gap.angle));
         let mut turned = self.gaps.iter().map(angle).filter(|(_, by)| *by > ROUNDING);
@@ -304,7 +305,7 @@ impl<'g> Solver<'g, '_> {
         }
     }
 
-    /// Where they are assembled the loops must determine those coordinates that depend, and no more.
+    /// Checks that the assembled loops determine the dependent coordinates, and no others.
     fn check_rank(&self, jacobian: &Jacobian<'g>) -> Result<(), Cause> {
         if !self.is_known() {
             return Ok(());
@@ -324,7 +325,7 @@ impl<'g> Solver<'g, '_> {
 }
 
 impl Jacobian<'_> {
-    /// Each coordinate that depends must move a loop.
+    /// Checks that each dependent coordinate moves a loop.
     fn check_columns(&self) -> Result<(), Cause> {
         if self
             .unknown
@@ -342,7 +343,7 @@ impl Jacobian<'_> {
     }
 }
 
-/// Whether a value is zero in all states, be it only up to rounding where it is one number.
+/// True if a value is zero in all states; a number may differ from zero by rounding.
 fn vanishes(value: Expr<'_>) -> bool {
     value.constant().is_some_and(|x| x.abs() < ROUNDING)
         || Normalizer::new(value.graph(), BUDGET).is_zero(value) == Ok(true)

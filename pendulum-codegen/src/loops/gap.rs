@@ -1,8 +1,7 @@
-//! How far loops are from being closed that have no closed form.
+//! Gaps of loops without a closed form.
 //!
-//! Their equations also vanish where an end is turned by half a turn, or the equations are redundant and Newton's
-//! method comes to rest at the least sum of their squares, so that states to start from are judged by distances and
-//! angles.
+//! The equations of such loops also vanish if an end is turned by half a turn, and with redundant equations Newton's
+//! method may converge to the least sum of squares. Initial states are therefore judged by distances and angles.
 
 use super::Solver;
 use super::equations::Equation;
@@ -13,7 +12,7 @@ use crate::model::{Closure, Tie};
 use crate::screw::Vec3;
 
 impl<'g> Solver<'g, '_> {
-    /// The gaps of the loops that are solved together.
+    /// Gaps of the loops that are solved together.
     pub(super) fn gaps_of(
         &self,
         equations: &[Equation<'g>],
@@ -45,7 +44,7 @@ impl<'g> Solver<'g, '_> {
 }
 
 impl<'g> Closure<'g> {
-    /// The angle between the two frames, or the two axes, that are tied.
+    /// Angle between the two frames, or the two axes, tied by the joint.
     fn angle(&self, tree: &Tree<'g>) -> Expr<'g> {
         let frames = between(tree, self.ends.map(|end| end.body));
         let [a, b] = [0, 1].map(|n| frames[n].rotation * self.axes[n]);
@@ -59,14 +58,14 @@ impl<'g> Closure<'g> {
                 let pairs = [0, 1, 2].map(|n| (a.column(n), b.column(n)));
                 let zero = Vec3::zero(tree.graph);
                 let twice = pairs.iter().fold(zero, |sum, (a, b)| sum + a.cross(*b));
-                // twice the sine, and the trace, which is twice the cosine and 1
+                // twice the sine, and the trace, which is 1 plus twice the cosine
                 (twice, tree.graph.sum(pairs.map(|(a, b)| a.dot(b))) - tree.graph.one())
             }
         };
         sine.dot(sine).sqrt().combine(Binary::Atan2, cosine)
     }
 
-    /// The sum of the lengths from each end to what carries both.
+    /// Sum of the lengths from each end to the body that carries both.
     fn size(&self, tree: &Tree<'g>) -> Expr<'g> {
         let carrier = self.carrier(tree);
         let of_ends = self.ends.map(|end| {

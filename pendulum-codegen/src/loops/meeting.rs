@@ -1,49 +1,49 @@
-//! Where the two unknown sides of a triangle `r1 + r2 = m` meet, in closed form.
+//! Intersection of the two unknown sides of a triangle `r1 + r2 = m`, in closed form.
 //!
-//! Sides of known lengths meet where two circles do: with `L = m . m` and `a = 1/2 + (r1^2 - r2^2) / (2 L)` the first
-//! is `a m + h m'`, `h = +-sqrt(r1^2 / L - a^2)`, where `m'` is `m` after a quarter of a turn. A side that slides ends
-//! where a line meets a circle.
+//! Sides of known lengths meet where two circles intersect: with `L = m . m` and `a = 1/2 + (r1^2 - r2^2) / (2 L)` the
+//! first is `a m + h m'`, `h = +-sqrt(r1^2 / L - a^2)`, where `m'` is `m` after a quarter turn. A sliding side ends
+//! where a line intersects a circle.
 
 use super::{Cause, ROUNDING, Solver};
 use crate::expr::{Binary, Expr, ratio};
 use crate::screw::Vec2;
 
-/// A triangle that is solved.
+/// A solved triangle.
 pub(super) struct Solution<'g> {
     pub(super) sides: [Solved<'g>; 2],
-    /// One over what the columns of the sides span.
+    /// Reciprocal of the determinant of the columns of the sides.
     pub(super) inverse: Expr<'g>,
-    /// The sine of the angle between these columns.
+    /// Sine of the angle between these columns.
     pub(super) margin: Expr<'g>,
 }
 
-/// A side that is known.
+/// A solved side.
 pub(super) struct Solved<'g> {
     /// The side, with the length by which it slides.
     pub(super) vector: Vec2<Expr<'g>>,
     pub(super) unknown: Unknown<'g>,
-    /// What the unknown moves the end by, for each unit.
+    /// Displacement of the end per unit of the unknown.
     pub(super) column: Vec2<Expr<'g>>,
-    /// The unknown where the loop is assembled.
+    /// Value of the unknown in the assembled configuration.
     pub(super) assembled: f64,
 }
 
-/// What was unknown of a side.
+/// The unknown of a side.
 #[derive(Clone, Copy)]
 pub(super) enum Unknown<'g> {
-    /// The cosine and the sine of its angle, and where the side is against what is known.
+    /// Cosine and sine of its angle, and the position of the side relative to a known vector.
     Turn([Expr<'g>; 2], Aside<'g>),
-    /// How far it slides.
+    /// Length by which it slides.
     Length(Expr<'g>),
 }
 
-/// Where a side is against the vector that it meets, or along which the other side slides: this never passes half a
-/// turn.
+/// Position of a side relative to the vector that it meets, or along which the other side slides. The angle between
+/// them never passes half a turn.
 #[derive(Clone, Copy)]
 pub(super) struct Aside<'g> {
     ahead: Expr<'g>,
     across: Expr<'g>,
-    /// Whether it points back wherever the triangle is not flat.
+    /// True if the side points backwards whenever the triangle is not flat.
     is_behind: bool,
 }
 
@@ -66,7 +66,7 @@ impl<'g> Aside<'g> {
 }
 
 impl<'g> Solution<'g> {
-    /// The rates of the unknowns that bring the end back, where all else moves it by `push`.
+    /// Rates of the unknowns that bring the end back, while everything else moves it by `push`.
     pub(super) fn answers(&self, push: Vec2<Expr<'g>>) -> [Expr<'g>; 2] {
         let [first, second] = self.sides.each_ref().map(|side| side.column);
         [-(push.cross(second) * self.inverse), push.cross(first) * self.inverse]
@@ -74,7 +74,7 @@ impl<'g> Solution<'g> {
 }
 
 impl<'g> Solver<'g, '_> {
-    /// Two sides that turn: where two circles meet.
+    /// Solves a triangle with two turning sides: the intersection of two circles.
     pub(super) fn circles(
         &self,
         m: Vec2<Expr<'g>>,
@@ -121,9 +121,9 @@ impl<'g> Solver<'g, '_> {
         })
     }
 
-    /// A side that slides along `e`, and a side `a` that turns: where a line meets a circle. What slides on the side
-    /// itself makes it `a + s e` before it turns, and only this length is known: that of `m`. Otherwise `m - s e` has
-    /// the length of `a`.
+    /// Solves a triangle with a side that slides along `e`, and a side `a` that turns: the intersection of a line with
+    /// a circle. If the slide is on the turning side, this side is `a + s e` before it turns, and only its length is
+    /// known, equal to the length of `m`. Otherwise `m - s e` has the length of `a`.
     pub(super) fn slide(
         &self,
         m: Vec2<Expr<'g>>,
@@ -176,7 +176,8 @@ impl<'g> Solver<'g, '_> {
         })
     }
 
-    /// On which end of the chord that a circle cuts off a line the guess is, and the length and the angle there.
+    /// Selects the end nearer to the guess, of the chord that a circle cuts off a line. Returns the sign of this end,
+    /// and the length and the angle there.
     fn nearest_slide(
         &self,
         [start, e, radius]: [Vec2<Expr<'g>>; 3],
@@ -199,12 +200,13 @@ impl<'g> Solver<'g, '_> {
         })
     }
 
-    /// The sign of the assembly that is nearer to a guess, and its unknowns, if both exist.
+    /// Returns the sign of the assembly nearer to a guess, and its unknowns, if both assemblies exist.
     fn nearest(
         &self,
         assemblies: Assemblies<impl Fn(f64) -> [f64; 2], impl Fn([f64; 2]) -> f64>,
     ) -> Result<(f64, [f64; 2]), Cause> {
-        /// The least difference that says anything.
+        /// Smallest significant difference of distances, and smallest significant height, relative to the size of the
+        /// triangle.
         const LEAST: f64 = 1e-6;
         let Assemblies {
             miss,
@@ -233,17 +235,17 @@ impl<'g> Solver<'g, '_> {
 
 /// The two assemblies of a triangle, in numbers.
 struct Assemblies<U, D> {
-    /// By how much the sides are too short to meet.
+    /// Length by which the sides are too short to meet.
     miss: f64,
-    /// How high the triangle is, for its size: both assemblies are one where it is flat.
+    /// Height of the triangle relative to its size. At zero the triangle is flat and both assemblies coincide.
     height: f64,
-    /// The unknowns in the assembly of a sign.
+    /// Unknowns in the assembly of a sign.
     unknowns: U,
-    /// How far unknowns are from the guesses.
+    /// Distance of unknowns from the guesses.
     distance: D,
 }
 
-/// How far an angle is from a whole number of turns.
+/// Distance of an angle from the nearest whole number of turns, in rad.
 fn turned_by(angle: f64) -> f64 {
     angle.sin().atan2(angle.cos()).abs()
 }

@@ -1,6 +1,6 @@
-//! What closed loops make of the coordinates that are declared to depend on others.
+//! Solution of closed loops for the coordinates declared to depend on others.
 //!
-//! Loops are solved one after the other as long as one is a [triangle]; what is left is solved together, [by linear
+//! Loops are solved one after the other as long as one is a [triangle]; the rest is solved together, [by linear
 //! equations].
 //!
 //! [triangle]: triangle
@@ -24,80 +24,80 @@ use rustc_hash::FxHashMap;
 use crate::expr::{Expr, ExprId, Graph, Level, Normalizer, Rational, SymbolKind};
 use crate::model::{Combination, Coordinate, CoordinateId, Dependence, Gap, Loops, Slopes, Tree, Uncounted};
 
-/// A dependent coordinate as it is declared.
+/// A dependent coordinate as declared.
 #[derive(Clone, Debug)]
 pub(crate) struct Declared<'g> {
-    /// Its name and symbols.
+    /// Name and symbols.
     pub coordinate: Coordinate<'g>,
-    /// Its value where the loops are assembled.
+    /// Guess of its value in the assembled configuration.
     pub near: Expr<'g>,
 }
 
-/// Why loops cannot be closed.
+/// Error if loops cannot be closed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Open {
-    /// The number of a loop that cannot.
+    /// Index of a loop that cannot be closed.
     pub number: usize,
     pub cause: Cause,
 }
 
-/// What keeps a loop open where it is assembled.
+/// Reason why a loop stays open in the assembled configuration.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Cause {
-    /// The sides of its triangle are by this length too short to meet, or one of them too long.
+    /// The sides of its triangle are too short to meet by this length, or one of them is too long.
     TooShort { by: f64 },
-    /// It is at its toggle.
+    /// It is at its singularity (toggle).
     AtToggle,
-    /// Its guess is as near to one assembly as to the other.
+    /// Its guess is equally near to both assemblies.
     Undecided,
-    /// Its ends are so far apart in all states.
+    /// Its ends are this far apart in all states.
     AlwaysOpen { by: f64, unit: &'static str },
     /// It would be open in all states for other parameters.
     ClosedByChance,
-    /// Its ends stay so far apart near the guess.
+    /// Its ends stay this far apart near the guess.
     NotAssembled { by: f64, unit: &'static str },
-    /// Its equations are satisfied there, but by frames, or axes, that are turned so far against each other.
+    /// Its equations are satisfied, but its frames or axes are turned against each other by this angle.
     Turned { by: f64 },
-    /// It and others determine so many coordinates.
+    /// It and others determine this number of coordinates.
     Determines(usize),
-    /// It and others do not determine the coordinates that depend.
+    /// It and others do not determine the dependent coordinates.
     DeterminesOthers,
 }
 
-/// A loop that misses by no more than this is closed, up to rounding.
+/// Maximum gap of a closed loop due to rounding, in m or rad.
 const ROUNDING: f64 = 1e-9;
 
-/// Loops that were solved.
+/// Solved loops.
 #[derive(Clone, Debug)]
 pub(crate) struct Closed<'g> {
-    /// What they determine: absolute angles of sides, and lengths.
+    /// Coordinates that the loops determine: absolute angles of sides, and lengths.
     pub dependents: Vec<Coordinate<'g>>,
-    /// What they make of these.
+    /// Slopes of these coordinates, and the margins, corrections and gaps of the loops.
     pub loops: Loops<'g>,
-    /// Each declared coordinate in those of the state, of the drives, and those.
+    /// Each declared coordinate as a combination of coordinates of the state, of the drives, and of `dependents`.
     pub combinations: Vec<Combination>,
-    /// The guess of each declared coordinate, and what it is where the loops are assembled; nothing where parameters have
-    /// no defaults.
+    /// Guess of each declared coordinate, and its value in the assembled configuration; empty if parameters have no
+    /// defaults.
     pub assembled: Vec<[f64; 2]>,
 }
 
-/// A coordinate that the loops determine.
+/// A coordinate determined by the loops.
 #[derive(Clone, Debug)]
 struct Dependent<'g> {
-    /// Its symbol, that of its rate, and its second rate in those of the others.
+    /// Its symbol, the symbol of its rate, and its acceleration in terms of the accelerations of others.
     coordinate: Coordinate<'g>,
-    /// How it changes.
+    /// Dependence of its rate on the rates of the independent coordinates.
     slopes: Slopes<'g>,
 }
 
-/// Loops while they are solved.
+/// State of the solution of loops.
 struct Solver<'g, 'm> {
     graph: &'g Graph,
     tree: &'m Tree<'g>,
     declared: &'m [Declared<'g>],
     dependents: Vec<Option<Dependent<'g>>>,
     combinations: Vec<Option<Combination>>,
-    /// The angles of unknowns with their whole turns.
+    /// Angles of unknowns, counted with their whole turns.
     counted: Vec<Option<Counted<'g>>>,
     dependence: Dependence<'g>,
     margins: Vec<Expr<'g>>,
@@ -105,14 +105,14 @@ struct Solver<'g, 'm> {
     corrections: Vec<Expr<'g>>,
     gaps: Vec<Gap<'g>>,
     uncounted: Vec<Uncounted<'g>>,
-    /// All coordinates where the loops are assembled.
+    /// All coordinates in the assembled configuration.
     assembled: Vec<f64>,
-    /// The components of orientations and positions there that have a guess.
+    /// Components of orientations and positions that have a guess, in the assembled configuration.
     free: FxHashMap<ExprId, f64>,
 }
 
-/// Closes the loops, each with its vectors if it lies in a plane. Near `near` the coordinates of the state assemble
-/// them, and those components of orientations and positions that have a guess.
+/// Closes the loops, each given by its vectors if it lies in a plane. They are assembled near `near`: the coordinates
+/// of the state, and the components of orientations and positions that have a guess.
 pub(crate) fn close<'g>(
     tree: &Tree<'g>,
     loops: &[Option<Loop<'g>>],
@@ -188,7 +188,7 @@ impl<'g, 'm> Solver<'g, 'm> {
         solver
     }
 
-    /// The place among the declared coordinates, of one of them.
+    /// Index of a coordinate among the declared ones, if it is one of them.
     fn declared_as(&self, k: CoordinateId) -> Option<usize> {
         usize::from(k).checked_sub(self.tree.independent())
     }
@@ -197,7 +197,7 @@ impl<'g, 'm> Solver<'g, 'm> {
         self.declared_as(k).is_some_and(|n| self.dependents[n].is_none())
     }
 
-    /// A sum of declared coordinates, with what is solved in the place of them.
+    /// A sum of declared coordinates, with solved coordinates replaced by their solutions.
     fn rebased(&self, sum: &Combination) -> Combination {
         sum.terms().fold(Combination::default(), |sum, (k, factor)| {
             let own = self.declared_as(k).and_then(|n| self.combinations[n].clone());
@@ -209,14 +209,14 @@ impl<'g, 'm> Solver<'g, 'm> {
         sum.filtered(|k| self.is_unknown(k))
     }
 
-    /// Gives a symbol its value.
+    /// Defines the value of a symbol.
     fn define(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
         let value = self.tree.with_drives(&[value])[0];
         self.graph.set_changes(symbol, &[(value, self.graph.one())], false);
         self.dependence.set(symbol, value);
     }
 
-    /// A symbol for a value, unless that is a constant, or a symbol already.
+    /// Returns a symbol for a value, or the value itself if it is a constant or already a symbol.
     fn named(&mut self, name: &str, value: Expr<'g>) -> Expr<'g> {
         if value.level() < Level::State || value.as_symbol().is_some() {
             return value;
@@ -226,12 +226,12 @@ impl<'g, 'm> Solver<'g, 'm> {
         symbol
     }
 
-    /// The name of an unknown.
+    /// Name of an unknown.
     fn name(&self, n: usize) -> &str {
         self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name)
     }
 
-    /// What the derivative of an unknown by the coordinate of number `j` is called.
+    /// Name of the derivative of an unknown with respect to coordinate `j`.
     fn slope_name(&self, n: usize, j: usize) -> String {
         format!(
             "slope_{}_{}",
@@ -240,21 +240,21 @@ impl<'g, 'm> Solver<'g, 'm> {
         )
     }
 
-    /// The same by a parameter.
+    /// Name of the derivative of an unknown with respect to a parameter.
     fn slope_name_of(&self, n: usize, parameter: Expr<'g>) -> String {
         let by = parameter.as_symbol().map_or("", |symbol| &symbol.name);
         format!("slope_{}_{by}", self.name(n))
     }
 
-    /// The parameters, where anything is derived by them.
+    /// Parameters, if derivatives with respect to them are generated.
     fn parameters(&self) -> Vec<Expr<'g>> {
         let derived = self.tree.generate.contains("parameter_jacobian");
         let parameters = self.tree.parameters.iter().filter(|_| derived);
         parameters.map(|parameter| parameter.symbol).collect()
     }
 
-    /// The slopes of an unknown, which are symbols or constants, give it its rate; those by parameters belong to its
-    /// position.
+    /// Sets the slopes of an unknown, which are symbols or constants, and the rate that follows from them. Slopes with
+    /// respect to parameters belong to its position.
     fn set_slopes(&mut self, n: usize, named: Vec<Expr<'g>>, of_parameters: Vec<(Expr<'g>, Expr<'g>)>) {
         let Some(Dependent { coordinate, slopes }) = self.dependents[n].clone() else {
             return;
@@ -294,12 +294,12 @@ impl<'g, 'm> Solver<'g, 'm> {
         self.dependents[n] = Some(Dependent { coordinate, slopes });
     }
 
-    /// What the second rate of an unknown is called where no coordinate accelerates.
+    /// Name of the drift of an unknown: its acceleration while no independent coordinate accelerates.
     fn drift_name(&self, n: usize) -> String {
         format!("drift_{}", self.name(n))
     }
 
-    /// Sets that second rate, which is a symbol or a constant.
+    /// Sets the drift of an unknown, which is a symbol or a constant.
     fn set_drift(&mut self, n: usize, named: Expr<'g>) {
         if let Some(dependent) = &mut self.dependents[n] {
             dependent.slopes.drift = named;
@@ -307,7 +307,7 @@ impl<'g, 'm> Solver<'g, 'm> {
         }
     }
 
-    /// Says what a declared coordinate is, now that the unknowns are known.
+    /// Defines a declared coordinate in terms of the solved unknowns.
     fn set_declared(&mut self, n: usize) {
         let Declared { coordinate, near } = self.declared[n].clone();
         let Some(sum) = self.combinations[n].clone() else {
@@ -337,7 +337,7 @@ impl<'g, 'm> Solver<'g, 'm> {
             .set(coordinate.position, self.tree.with_drives(&[value])[0]);
     }
 
-    /// A coordinate of the state, of a drive, or an unknown that was found.
+    /// A coordinate of the state, of a drive, or a solved unknown.
     fn coordinate(&self, k: CoordinateId) -> &Coordinate<'g> {
         let own = self.declared_as(k);
         let found = own.and_then(|n| self.dependents[n].as_ref().map(|dependent| &dependent.coordinate));
@@ -348,7 +348,7 @@ impl<'g, 'm> Solver<'g, 'm> {
         }
     }
 
-    /// The derivative of a coordinate by that of number `j`; zero for what is just being solved.
+    /// Derivative of a coordinate with respect to coordinate `j`; zero for an unknown being solved.
     fn slope(&self, k: CoordinateId, j: usize) -> Expr<'g> {
         match self.declared_as(k).and_then(|n| self.dependents[n].as_ref()) {
             Some(dependent) => dependent.slopes.slopes[j],
@@ -356,15 +356,15 @@ impl<'g, 'm> Solver<'g, 'm> {
         }
     }
 
-    /// The second rate of a coordinate where nothing accelerates by itself.
+    /// Drift of a coordinate: its acceleration while no independent coordinate accelerates.
     fn drift(&self, k: CoordinateId) -> Expr<'g> {
         let dependent = self.declared_as(k).and_then(|n| self.dependents[n].as_ref());
         dependent.map_or(self.graph.zero(), |dependent| dependent.slopes.drift)
     }
 
-    /// The expression, or its normal form where that is shorter.
+    /// Returns the expression, or its normal form if that is shorter.
     fn shorter(&self, x: Expr<'g>) -> Expr<'g> {
-        /// How far the normal form may grow.
+        /// Maximum number of products of terms in the normal form.
         const BUDGET: usize = 10_000;
         let mut normalizer = Normalizer::with_angles(self.graph, BUDGET, self.tree.base_angles());
         let normal = normalizer.normal(x).map(|normal| normalizer.to_expr(&normal));

@@ -1,17 +1,17 @@
-//! Orthogonal columns.
+//! Orthogonal factorisation.
 
 use std::ops::Add;
 
 use crate::expr::Expr;
 use crate::screw::Scalar;
 
-/// A matrix as orthogonal columns `Q` times `R`, an upper triangle with ones on its diagonal.
+/// A matrix factored into orthogonal columns `Q` times an upper triangle `R` with ones on its diagonal.
 pub(crate) struct Orthogonal<'g> {
-    /// `Q`
+    /// Orthogonal columns `Q`.
     columns: Vec<Vec<Expr<'g>>>,
-    /// One over the squared lengths of these.
+    /// Reciprocals of the squared lengths of the columns.
     inverses: Vec<Expr<'g>>,
-    /// `R` above its diagonal: row by row what the columns on the right have of each.
+    /// `R` above its diagonal, row by row: the components of the columns on the right along each column.
     shares: Vec<Vec<Expr<'g>>>,
 }
 
@@ -33,7 +33,7 @@ impl<'g> Orthogonal<'g> {
         }
     }
 
-    /// The `x` for which the columns times `x` come nearest to `b`.
+    /// Least-squares solution `x`, for which the columns times `x` come nearest to `b`.
     pub(super) fn solve(&self, mut b: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
         let own = self.columns.iter().zip(&self.inverses);
         let mut x: Vec<Expr<'g>> = own.map(|(own, &inverse)| take_off(&mut b, own, inverse)).collect();
@@ -46,7 +46,7 @@ impl<'g> Orthogonal<'g> {
         x
     }
 
-    /// The shortest `x` for which the product of each column and `x` is that entry of `b`.
+    /// Minimum-norm solution `x`, for which the product of each column and `x` is the entry of `b`.
     pub(crate) fn solve_transposed(&self, mut b: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
         let graph = self.columns[0][0].graph();
         let mut x = vec![graph.zero(); self.columns[0].len()];
@@ -63,8 +63,8 @@ impl<'g> Orthogonal<'g> {
         x
     }
 
-    /// The volume of what `columns` span over the product of their lengths: 1 where they are at right angles, 0 where
-    /// one is a sum of others.
+    /// Volume spanned by `columns` over the product of their lengths: 1 if they are orthogonal, 0 if they are linearly
+    /// dependent.
     pub(super) fn volume(&self, columns: &[Vec<Expr<'g>>]) -> Expr<'g> {
         let squares = columns.iter().map(|column| dot(column, column));
         let ratios = squares.zip(&self.inverses).map(|(square, &inverse)| square * inverse);
@@ -74,9 +74,9 @@ impl<'g> Orthogonal<'g> {
     }
 }
 
-/// How many of the columns are no sums of others, up to rounding.
+/// Number of linearly independent columns, up to rounding.
 pub(super) fn rank(mut columns: Vec<Vec<f64>>) -> usize {
-    /// What is left of a column that is a sum of others, of the size of the largest.
+    /// Remaining length of a linearly dependent column, relative to the largest column.
     const ROUNDING: f64 = 1e-9;
     let square = |column: &[f64]| dot(column, column);
     let largest = columns.iter().map(|column| square(column)).fold(0.0, f64::max);
@@ -95,14 +95,14 @@ pub(super) fn rank(mut columns: Vec<Vec<f64>>) -> usize {
     rank
 }
 
-/// The scalar product of vectors that are not empty.
+/// Dot product of non-empty vectors.
 fn dot<T: Scalar>(a: &[T], b: &[T]) -> T {
     let products: Vec<T> = a.iter().zip(b).map(|(&a, &b)| a * b).collect();
     products.into_iter().reduce(Add::add).expect("an entry")
 }
 
-/// Takes off a vector what it has of another, where `inverse` is one over the square of its length, and returns how
-/// much.
+/// Subtracts from a vector its projection on another, where `inverse` is the reciprocal of the squared length of the
+/// other. Returns the coefficient of the projection.
 fn take_off<T: Scalar>(vector: &mut [T], of: &[T], inverse: T) -> T {
     let share = dot(of, vector) * inverse;
     for (entry, &part) in vector.iter_mut().zip(of) {

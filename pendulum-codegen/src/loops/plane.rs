@@ -1,30 +1,30 @@
-//! Loops in a plane: vectors that add up to zero.
+//! Planar loops: vectors that add up to zero.
 
 use crate::expr::{Expr, Normalizer};
 use crate::model::{BodyId, Closure, Combination, CoordinateId, Heading, Place, Tie, Tree};
 use crate::screw::{Mat3, Vec2, Vec3};
 
-/// Why a joint cannot close its loop in a plane.
+/// Reason why a joint cannot close its loop in a plane.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NoPlane {
     /// The bodies do not turn about one axis in one frame.
     Axes,
-    /// The bodies do, but the joint turns about another.
+    /// The bodies do, but the joint turns about another axis.
     Joint,
-    /// The places lie in different planes, or move out of them.
+    /// The places lie in different planes, or move out of their plane.
     Apart,
 }
 
-/// A vector of the plane of a loop.
+/// A vector in the plane of a loop.
 #[derive(Clone, Debug)]
 pub(crate) struct Piece<'g> {
-    /// The angle by which it is turned.
+    /// Angle by which it is turned.
     pub(super) turn: Combination,
-    /// The vector before; a unit vector where it slides.
+    /// The vector before the turn; a unit vector if it slides.
     pub(super) vector: Vec2<Expr<'g>>,
-    /// The coordinate along which it slides.
+    /// Coordinate by which it slides.
     pub(super) slide: Option<CoordinateId>,
-    /// The body in whose frame it stands still; none for the frame of the plane.
+    /// Body in whose frame it is fixed; `None` for the frame of the plane.
     pub(super) body: Option<BodyId>,
 }
 
@@ -32,7 +32,7 @@ pub(crate) struct Piece<'g> {
 #[derive(Clone, Debug)]
 pub(crate) struct Loop<'g>(pub(super) Vec<Piece<'g>>);
 
-/// A vector of the frame of the plane.
+/// A vector of three components in the frame of the plane.
 struct Step<'g> {
     turn: Combination,
     vector: Vec3<'g>,
@@ -40,11 +40,11 @@ struct Step<'g> {
     body: Option<BodyId>,
 }
 
-/// How far normal forms of constants may grow.
+/// Maximum number of products of terms in the normal form of a constant.
 const BUDGET: usize = 100_000;
 
 impl<'g> Loop<'g> {
-    /// The loop that a joint closes.
+    /// Builds the loop that a joint closes.
     pub(crate) fn new(tree: &Tree<'g>, closure: &Closure<'g>) -> Result<Self, NoPlane> {
         let frame = common_frame(tree, closure).ok_or(NoPlane::Axes)?;
         let axes = closure.ends.each_ref().map(|end| axis_in(tree, end, frame));
@@ -54,7 +54,7 @@ impl<'g> Loop<'g> {
         Self::flat(tree, axis, steps)
     }
 
-    /// The loop of steps that stay in one plane across an axis.
+    /// Builds the loop from steps that stay in one plane normal to an axis.
     fn flat(tree: &Tree<'g>, axis: Vec3<'g>, steps: Vec<Step<'g>>) -> Result<Self, NoPlane> {
         let basis = Mat3::with_third_column(axis).transpose();
         let mut height = tree.graph.zero();
@@ -81,7 +81,7 @@ impl<'g> Loop<'g> {
         }
     }
 
-    /// The loop around both.
+    /// The loop around both loops: their sum, with the other one times `sign`.
     pub(super) fn joined(&self, other: &Self, sign: i64) -> Self {
         let signed = other.0.iter().map(|piece| Piece {
             vector: piece.vector.times(piece.vector.0[0].graph().integer(sign)),
@@ -101,7 +101,7 @@ impl<'g> Loop<'g> {
     }
 }
 
-/// The frame in which both ends of a loop turn about one axis; an end may be the body in whose frame the other turns.
+/// Frame in which both ends of a loop turn about one axis. One end may be the body in whose frame the other turns.
 fn common_frame(tree: &Tree<'_>, closure: &Closure<'_>) -> Option<Option<BodyId>> {
     let [first, second] = closure.ends.each_ref().map(|end| end.body);
     let station = |body: Option<BodyId>| body.and_then(|body| tree.bodies[body].heading.station);
@@ -113,8 +113,7 @@ fn common_frame(tree: &Tree<'_>, closure: &Closure<'_>) -> Option<Option<BodyId>
     }
 }
 
-/// The steps from the origin of a frame to the first end, and those from there by the second end back, as turns about
-/// one axis.
+/// Steps from the origin of a frame to the first end, and back from the second end, as turns about one axis.
 fn steps_around<'g>(
     tree: &Tree<'g>,
     closure: &Closure<'g>,
@@ -134,7 +133,7 @@ fn steps_around<'g>(
     Ok(steps)
 }
 
-/// The joint that closes a loop must let it turn about the axis of the others.
+/// Checks that the closing joint lets the loop turn about the axis of the other joints.
 fn check_joint<'g>(
     tree: &Tree<'g>,
     closure: &Closure<'g>,
@@ -157,13 +156,13 @@ fn check_joint<'g>(
     ends.all(is_along).then_some(()).ok_or(NoPlane::Joint)
 }
 
-/// The axis about which a body turns in a frame, if it turns there.
+/// Axis about which a body turns in a frame, if it turns there.
 fn axis_in<'g>(tree: &Tree<'g>, place: &Place<'g>, frame: Option<BodyId>) -> Option<Vec3<'g>> {
     let body = place.body.filter(|_| place.body != frame)?;
     tree.bodies[body].heading.axis
 }
 
-/// From the origin of a frame to a place on a body that turns in it: vectors of the frame.
+/// Steps from the origin of a frame to a place on a body that turns in it, as vectors of the frame.
 fn steps_to<'g>(tree: &Tree<'g>, place: &Place<'g>, frame: Option<BodyId>) -> Vec<Step<'g>> {
     let still = |vector: Vec3<'g>| Step {
         turn: Combination::default(),
@@ -210,7 +209,7 @@ fn steps_to<'g>(tree: &Tree<'g>, place: &Place<'g>, frame: Option<BodyId>) -> Ve
     steps
 }
 
-/// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be
+/// Returns 1 if two unit vectors are equal for all parameters, -1 if they are opposite, and `None` if neither can be
 /// proved.
 pub(crate) fn parallel<'g>(a: Vec3<'g>, b: Vec3<'g>) -> Option<i64> {
     let vanish = |v: Vec3<'g>| v.0.into_iter().all(vanishes);

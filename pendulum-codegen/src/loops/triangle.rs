@@ -1,8 +1,8 @@
-//! Loops that fall apart into triangles: what they determine, in closed form.
+//! Loops that decompose into triangles, solved in closed form.
 //!
 //! A loop with two unknown angles, or with an angle and a length, is a triangle of two unknown sides `r1 + r2 = m`,
-//! where `-m` is the sum of all that is known. Rates are solved for by Cramer's rule from two equations, whose
-//! determinant vanishes where the triangle is flat: at its toggle.
+//! where `-m` is the sum of all known vectors. Rates are solved by Cramer's rule from two equations. Their determinant
+//! vanishes where the triangle is flat: at its singularity (toggle).
 
 use num_traits::{One, Signed, ToPrimitive};
 
@@ -13,27 +13,27 @@ use crate::expr::{Derivative, Expr, Rational, SymbolKind};
 use crate::model::{Combination, Coordinate, CoordinateId, Slopes};
 use crate::screw::Vec2;
 
-/// Two unknown sides, and what is known. If one of them slides, it is the first.
+/// Two unknown sides, and the known vectors. If one of the sides slides, it is the first.
 pub(super) struct Triangle<'g> {
     pub(super) sides: [Side<'g>; 2],
     pub(super) known: Vec<Piece<'g>>,
-    /// The two declared coordinates that it determines, each in the unknowns of the two sides. These take their
-    /// numbers.
+    /// The two declared coordinates that it determines, each in terms of the unknowns of the two sides. The unknowns
+    /// take over their indices.
     places: [(CoordinateId, Combination); 2],
 }
 
 pub(super) enum Side<'g> {
-    /// Pieces that turn together, by the unknown angle of the first of them.
+    /// Pieces that turn together, by the unknown angle of the first piece.
     Turning(Combination, Vec<Piece<'g>>),
     /// A piece that slides by an unknown length.
     Sliding(CoordinateId, Piece<'g>),
 }
 
-/// A vector that moves.
+/// A moving vector.
 struct Moving<'g> {
     turn: Combination,
     slide: Option<CoordinateId>,
-    /// The unit vector along which it slides.
+    /// Unit vector along which it slides.
     direction: Vec2<Expr<'g>>,
     vector: Vec2<Expr<'g>>,
 }
@@ -46,7 +46,7 @@ impl<'g> Side<'g> {
         }
     }
 
-    /// The unknown, and what is known in it.
+    /// The unknown, together with the known coordinates in its sum.
     fn unknown(&self) -> Combination {
         match self {
             Self::Turning(angle, _) => angle.clone(),
@@ -56,8 +56,8 @@ impl<'g> Side<'g> {
 }
 
 impl<'g> Solver<'g, '_> {
-    /// A triangle among the loops that are left, or among sums and differences of two of them, and which of them it
-    /// closes.
+    /// Finds a triangle among the remaining loops, or among sums and differences of two of them. Returns the position
+    /// in `left` of the loop that it closes, and the triangle.
     pub(super) fn next(&self, loops: &[Option<Loop<'g>>], left: &[usize]) -> Option<(usize, Triangle<'g>)> {
         let in_plane = left
             .iter()
@@ -74,7 +74,7 @@ impl<'g> Solver<'g, '_> {
             .find_map(|(at, around)| Some((at, self.triangle(&around)?)))
     }
 
-    /// The loop as a triangle, if it is one.
+    /// Converts the loop to a triangle, if it is one.
     fn triangle(&self, around: &Loop<'g>) -> Option<Triangle<'g>> {
         let mut turning: Vec<(Combination, Side<'g>)> = Vec::new();
         let (mut sides, mut known) = (Vec::new(), Vec::new());
@@ -97,7 +97,7 @@ impl<'g> Solver<'g, '_> {
         }
         sides.extend(turning.into_iter().map(|(_, side)| side));
         let sides = <[Side<'g>; 2]>::try_from(sides).ok()?;
-        // what slides does so along what is known, or along the other side, without turning on it
+        // a slide must be along known vectors, or along the other side without turning on it
         let fits = match &sides {
             [Side::Sliding(_, piece), Side::Turning(angle, _)] => {
                 let turn = self.rebased(&piece.turn);
@@ -110,7 +110,7 @@ impl<'g> Solver<'g, '_> {
         Some(Triangle { sides, known, places })
     }
 
-    /// The two declared coordinates that a triangle of these sides determines.
+    /// The two declared coordinates determined by a triangle of these sides, in terms of the unknowns of the sides.
     fn in_unknowns(&self, sides: &[Side<'g>; 2]) -> Option<[(CoordinateId, Combination); 2]> {
         let sums = sides.each_ref().map(Side::unknown);
         let mut numbers: Vec<CoordinateId> = Vec::new();
@@ -125,7 +125,7 @@ impl<'g> Solver<'g, '_> {
         if !determinant.abs().is_one() {
             return None;
         }
-        // unknown - what is known in it = factors . declared
+        // unknown - its known part = factors . declared
         let alone = |k: CoordinateId, sum: &Combination| {
             Combination::one(k).plus_scaled(-1, &sum.filtered(|k| !self.is_unknown(k)))
         };
@@ -157,7 +157,7 @@ impl<'g> Solver<'g, '_> {
         Ok(())
     }
 
-    /// Gives the unknowns their symbols, and these their values.
+    /// Defines the symbols of the unknowns and their values.
     fn set_unknowns(&mut self, triangle: &Triangle<'g>, solution: &Solution<'g>) {
         let free = self.tree.independent();
         let counted = self.counted_sides(triangle, solution);
@@ -189,8 +189,8 @@ impl<'g> Solver<'g, '_> {
         }
     }
 
-    /// Gives the unknowns their rates and second rates: at fixed unknowns the end moves with all else, and they bring
-    /// it back.
+    /// Sets the rates and accelerations of the unknowns: with fixed unknowns the end moves with everything else, and
+    /// the unknowns bring it back.
     fn set_rates(&mut self, triangle: &Triangle<'g>, solution: &Solution<'g>) {
         let free = self.tree.independent();
         let numbers = triangle.places.each_ref().map(|(k, _)| usize::from(*k) - free);
@@ -219,7 +219,7 @@ impl<'g> Solver<'g, '_> {
         }
     }
 
-    /// How the end moves with each parameter that is derived by, at fixed unknowns.
+    /// Displacement of the end per unit of each parameter with generated derivatives, at fixed unknowns.
     fn pushes_of_parameters(&self, triangle: &Triangle<'g>) -> Vec<(Expr<'g>, Vec2<Expr<'g>>)> {
         let parameters = self.parameters();
         if parameters.is_empty() {
@@ -234,7 +234,7 @@ impl<'g> Solver<'g, '_> {
         parameters.into_iter().map(push).collect()
     }
 
-    /// The symbols of the unknown of a side.
+    /// Symbols of the unknown of a side.
     fn unknown(&self, place: usize, side: &Side<'g>) -> Coordinate<'g> {
         let declared = &self.declared[place - self.tree.independent()].coordinate;
         let body = match side {
@@ -250,27 +250,27 @@ impl<'g> Solver<'g, '_> {
         Coordinate::plain(name, [position, rate, self.graph.zero()])
     }
 
-    /// The vector of a piece, without the length by which it slides.
+    /// Vector of a piece, without the length by which it slides.
     fn direction(&self, piece: &Piece<'g>) -> Vec2<Expr<'g>> {
         let turn = self.rebased(&piece.turn);
         let angle = turn.of(self.graph, |k| self.coordinate(k).position);
         piece.vector.turned([angle.cos(), angle.sin()])
     }
 
-    /// The vector of a piece.
+    /// Vector of a piece.
     pub(super) fn vector(&self, piece: &Piece<'g>) -> Vec2<Expr<'g>> {
         self.slid(piece, self.direction(piece))
     }
 
-    /// A vector along which a piece slides, so many times as long.
+    /// Multiplies the direction of a piece by the length by which it slides.
     fn slid(&self, piece: &Piece<'g>, direction: Vec2<Expr<'g>>) -> Vec2<Expr<'g>> {
         piece
             .slide
             .map_or(direction, |k| direction.times(self.coordinate(k).position))
     }
 
-    /// The sum of the changes of all pieces where coordinates change by `by`; with the terms in products of rates if
-    /// `bends`.
+    /// Sum of the changes of all pieces for the changes `by` of the coordinates. If `bends` is set, terms in products
+    /// of rates are included.
     fn velocity(
         &self,
         triangle: &Triangle<'g>,
@@ -304,7 +304,7 @@ impl<'g> Solver<'g, '_> {
         sum
     }
 
-    /// A sum, and the change of a vector on top.
+    /// Adds the change of a vector to a sum.
     fn with_change(
         &self,
         mut sum: Vec2<Expr<'g>>,
@@ -334,7 +334,7 @@ impl<'g> Solver<'g, '_> {
         sum
     }
 
-    /// The triangle in closed form, in the assembly that is nearest to the guesses.
+    /// Solves the triangle in closed form, in the assembly nearest to the guesses.
     fn solution(&self, triangle: &Triangle<'g>, guesses: [f64; 2]) -> Result<Solution<'g>, Cause> {
         let known = triangle.known.iter().map(|piece| self.vector(piece));
         let target = -Vec2::sum(self.graph, known);
@@ -359,7 +359,7 @@ impl<'g> Solver<'g, '_> {
         }
     }
 
-    /// The sum of pieces in the frame that turns by an angle.
+    /// Sum of pieces in the frame that turns by an angle.
     fn on_side(&self, angle: &Combination, pieces: &[Piece<'g>]) -> Vec2<Expr<'g>> {
         let pieces = pieces.iter().map(|piece| {
             let beside = self.rebased(&piece.turn).plus_scaled(-1, angle);
@@ -370,7 +370,7 @@ impl<'g> Solver<'g, '_> {
     }
 }
 
-/// Whether the pieces of a side keep their places on it.
+/// True if the pieces of a side are fixed relative to each other.
 fn moves_as_one(pieces: &[Piece<'_>]) -> bool {
     let first = pieces.first();
     first.is_some_and(|first| {

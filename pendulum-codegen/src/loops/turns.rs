@@ -1,9 +1,10 @@
-//! Angles that follow from triangles, with the whole turns that they have made.
+//! Angles that follow from triangles, counted with their whole turns.
 //!
-//! An angle is known by its cosine and sine, and its value is wanted where springs and outputs are. In a triangle `r1 +
-//! r2 = m` the angles of the sides against `m` never pass half a turn, for it is never flat. The argument of `m`, a sum
-//! of vectors, is that of the longest one, a sum of known angles, and what lies between them, which is less than a
-//! quarter of a turn where the longest is longer than all others together. So all turns are those of known angles.
+//! A triangle gives the cosine and the sine of an angle, but springs and outputs need its value. In a triangle
+//! `r1 + r2 = m` the angles of the sides against `m` never pass half a turn, because the triangle is never flat. The
+//! argument of `m`, a sum of vectors, is the argument of the longest vector, a sum of known angles, plus the angle
+//! between `m` and this vector. The latter is less than a quarter turn if the longest vector is longer than all others
+//! together. All whole turns are therefore turns of known angles.
 
 use std::f64::consts::TAU;
 
@@ -15,27 +16,27 @@ use crate::expr::{Binary, Expr, Level, Rational, ratio};
 use crate::model::{Combination, Coordinate, CoordinateId, Uncounted};
 use crate::screw::Vec2;
 
-/// An angle with its whole turns.
+/// An angle, counted with its whole turns.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Counted<'g> {
     pub(super) angle: Expr<'g>,
-    /// 1 where these are counted, 0 where the angle is known but for whole turns: a constant, for it depends on
-    /// lengths.
+    /// 1 if whole turns are counted, 0 if the angle is known only modulo a whole turn. A constant, since it depends on
+    /// lengths only.
     pub(super) holds: Expr<'g>,
 }
 
 /// Vectors that turn together.
 struct Group<'g> {
     turn: Combination,
-    /// The sum of those of constant length.
+    /// Sum of the vectors of constant length.
     still: Vec2<Expr<'g>>,
-    /// Each of the others: a unit vector, and how far it slides.
+    /// Vectors that slide: a unit vector and the length of the slide for each.
     slides: Vec<(Vec2<Expr<'g>>, Expr<'g>)>,
 }
 
 impl<'g> Solver<'g, '_> {
-    /// The value of a declared coordinate: within half a turn of its guess where the loops are assembled, and wherever
-    /// its turns are not counted.
+    /// Value of a declared coordinate, within half a turn of its guess: in the assembled configuration, or in every
+    /// state if its turns are not counted.
     pub(super) fn value(&mut self, coordinate: &Coordinate<'g>, near: Expr<'g>, sum: &Combination) -> Expr<'g> {
         let Counted { angle, holds } = self.turned(sum);
         let [guess, start] = self.numbers([near, angle]);
@@ -54,7 +55,7 @@ impl<'g> Solver<'g, '_> {
         holds * counted + (1 - holds) * within
     }
 
-    /// The angles of the sides that turn.
+    /// Angles of the turning sides.
     pub(super) fn counted_sides(&self, triangle: &Triangle<'g>, solution: &Solution<'g>) -> [Option<Counted<'g>>; 2] {
         let known = || self.argument(&self.groups(&triangle.known, &Combination::default(), -1));
         let one = self.graph.one();
@@ -97,7 +98,7 @@ impl<'g> Solver<'g, '_> {
         self.declared_as(k).and_then(|n| self.counted[n])
     }
 
-    /// Pieces by what they turn with, in a frame that turns by some angle.
+    /// Groups pieces by the angle that they turn by, in a frame that turns by some angle.
     fn groups(&self, pieces: &[Piece<'g>], frame: &Combination, sign: i64) -> Vec<Group<'g>> {
         let mut groups: Vec<Group<'g>> = Vec::new();
         for piece in pieces {
@@ -121,12 +122,12 @@ impl<'g> Solver<'g, '_> {
         groups
     }
 
-    /// The argument of a sum of vectors.
+    /// Argument of a sum of vectors.
     fn argument(&self, groups: &[Group<'g>]) -> Counted<'g> {
         match groups {
             [own] => match own.slides[..] {
                 [] => self.turned(&own.turn).plus(self.along(own.still)),
-                // a vector that ends on a line goes round nothing
+                // a vector that ends on a line does not wind around the origin
                 [(along, length)] => {
                     let (ahead, across) = (own.still.dot(along) + length, along.cross(own.still));
                     let aside = Aside::new(ahead, across, self.number(ahead) < 0.0);
@@ -151,7 +152,7 @@ impl<'g> Solver<'g, '_> {
         }
     }
 
-    /// The argument of a sum of vectors of constant lengths, of which the longest leads.
+    /// Argument of a sum of vectors of constant lengths, which follows the longest of them.
     fn led(&self, groups: &[Group<'g>]) -> Counted<'g> {
         let (zero, one) = (self.graph.zero(), self.graph.one());
         let mut leads: Vec<Expr<'g>> = Vec::new();
@@ -159,7 +160,7 @@ impl<'g> Solver<'g, '_> {
         for (n, &square) in squares.iter().enumerate() {
             let free = one - self.graph.sum(leads.iter().copied());
             leads.push(match squares[..] {
-                // of two vectors one is the longer
+                // one of two vectors is the longer
                 [_, _] if n == 1 => free,
                 [_, other] => at_least_zero(square - other),
                 _ => {
@@ -178,7 +179,7 @@ impl<'g> Solver<'g, '_> {
             (angle, holds) = (angle + leads * own.angle, holds + leads * own.holds);
             are_counted &= own.holds.is_one();
         }
-        // of two vectors one leads, whatever their lengths
+        // one of two vectors leads, whatever their lengths
         if groups.len() == 2 && are_counted {
             holds = one;
         }
@@ -189,7 +190,7 @@ impl<'g> Solver<'g, '_> {
         }
     }
 
-    /// The direction of a constant vector, which does not jump near where the parameters have their defaults.
+    /// Direction of a constant vector, without a jump near the default parameters.
     fn along(&self, vector: Vec2<Expr<'g>>) -> Counted<'g> {
         let Vec2([x, y]) = vector;
         let [in_x, in_y] = self.numbers(vector.0);
@@ -229,11 +230,11 @@ impl<'g> Counted<'g> {
     }
 }
 
-/// 1 where a constant is not negative, else 0.
+/// Returns 1 if a constant is not negative, else 0.
 fn at_least_zero(x: Expr<'_>) -> Expr<'_> {
     if let Some(number) = x.constant().filter(|_| x.level() == Level::Constant) {
         return x.graph().integer(i64::from(number >= 0.0));
     }
-    // the angle of the point (x, 0), for equations are printed in the language of declarations, which has no sign
+    // the angle of the point (x, 0), since equations are printed in the language of declarations, which has no sign
     1 - x.graph().zero().combine(Binary::Atan2, x) / x.graph().pi()
 }

@@ -1,4 +1,4 @@
-//! What acts on a scene beside its joints.
+//! Forces, potentials and dissipation other than those of the joints.
 
 use proc_macro2::Span;
 use syn::Ident;
@@ -16,7 +16,7 @@ use crate::model::{self, Action, CoordinateId, Point, Push, Requirement};
 use crate::screw::Vec3;
 
 impl<'g> Lower<'g> {
-    /// What acts on a scene, with its points known. What has an error is left out.
+    /// Lowers the actions of a scene with the given points. Actions with an error are left out.
     pub(super) fn actions(&mut self, items: &ast::Items, points: &[Point<'g>]) -> Vec<Action<'g>> {
         let mut actions = Vec::new();
         for action in &items.actions {
@@ -25,7 +25,7 @@ impl<'g> Lower<'g> {
         actions
     }
 
-    /// Nothing where it needs a body that has an error.
+    /// Lowers an action; none if it needs a body that has an error.
     fn action(
         &mut self,
         action: &ast::Action,
@@ -102,7 +102,7 @@ impl<'g> Lower<'g> {
         })
     }
 
-    /// Refuses a force along an orientation or a position: one number says too little.
+    /// Rejects a force along an orientation or a position, which a single number cannot specify.
     fn require_one_number(&mut self, name: &Ident, items: &ast::Items) -> Result<(), Reported> {
         let kind = self.names.kind(&name.to_string());
         let is_own = |own: &Option<Ident>| own.as_ref() == Some(name);
@@ -114,15 +114,15 @@ impl<'g> Lower<'g> {
         let (fact, body) = (format!("`{name}` is {}, not a coordinate", kind.one()), &body.name);
         let help = match kind {
             Kind::Orientation => format!(
-                "write `dissipation: -m*dot({name}).x` for a moment `m`, such as `2 N m`, about the x axis of `{body}`; \
-                 the others are those of `dot({name}).y` and `dot({name}).z`"
+                "write `dissipation: -m*dot({name}).x` for a moment `m`, such as `2 N m`, about the x axis of \
+                 `{body}`; the others are those of `dot({name}).y` and `dot({name}).z`"
             ),
             _ => format!("push a point: `point middle on {body},` and `force on middle: [fx, fy, fz]`"),
         };
         Err(self.errors.at(Code::WrongKind, name.span(), fact, help))
     }
 
-    /// The force on a point, and the number of the body in whose frame it is given.
+    /// Force on a point, and the index of the declared body in whose frame it is given.
     fn push(
         &mut self,
         point: &Ident,
@@ -138,7 +138,7 @@ impl<'g> Lower<'g> {
         Ok((force?, frame?))
     }
 
-    /// The force of a spring for each unit of distance, and its potential energy.
+    /// Force of a spring per unit of distance, and its potential energy.
     fn spring_between(
         &mut self,
         [a, b]: [&Ident; 2],
@@ -165,7 +165,7 @@ impl<'g> Lower<'g> {
         Ok((k * (1 - length / distance), ratio(1, 2) * (k * stretch.powi(2))))
     }
 
-    /// The force of a damper for each unit of distance.
+    /// Force of a damper per unit of distance.
     fn damper_between(
         &mut self,
         [a, b]: [&Ident; 2],
@@ -183,14 +183,14 @@ impl<'g> Lower<'g> {
         Ok(coefficient? * approach / square_of_distance(&ends))
     }
 
-    /// A coordinate of the state; none for a dependent one.
+    /// Looks up a coordinate of the state; none for a dependent one.
     fn coordinate(&mut self, name: &Ident, items: &ast::Items) -> Result<Option<CoordinateId>, Reported> {
         let own = items
             .bodies
             .iter()
             .find(|body| body.fields.coordinate.as_ref() == Some(name));
         if let Some(body) = own {
-            // numbers are in order of declaration, those of orientations among them
+            // coordinates are numbered in order of declaration, orientations included
             let value = self.names.value(&name.to_string()).map(|quantity| quantity.value);
             let number = match value.and_then(Expr::as_symbol).map(|symbol| symbol.kind) {
                 Some(SymbolKind::Coordinate(k)) => Some(CoordinateId::new(k)),
@@ -224,7 +224,7 @@ impl<'g> Lower<'g> {
         ))
     }
 
-    /// Refuses what acts on points that cannot move, or between points of one body.
+    /// Rejects forces on points that cannot move, or between points of one body.
     fn can_move(&mut self, ends: &[Declared<'g>], at: &Ident) -> Result<(), Reported> {
         let same = ends.windows(2).any(|pair| pair[0].body == pair[1].body);
         if same && ends[0].moves {

@@ -1,4 +1,4 @@
-//! Bodies: joint, mass and forces together.
+//! Bodies: joint, mass and forces.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::expr::{Expr, Printer};
 use crate::model::{Body, BodyId, Combination, Coordinate, CoordinateId, Heading};
 
 impl<'g> Lower<'g> {
-    /// The bodies, each after its parent. Those with an error are left out.
+    /// Lowers the bodies, each after its parent. Bodies with an error are left out.
     pub(super) fn bodies(
         &mut self,
         declared: &[ast::Body],
@@ -55,7 +55,7 @@ impl<'g> Lower<'g> {
         shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
     ) -> Result<Body<'g>, Reported> {
         let (coordinate, own, start) = own_motion(body, motion.as_ref(), coordinates);
-        // an error in one part is no reason to leave the others unread
+        // all parts are lowered before the first error returns, so that the errors of each are reported
         let mass = self.mass_of_body(body, shapes);
         let geometry = self.geometry(&body.name, body.fields.joint.as_ref());
         let moves = geometry.as_ref().is_ok_and(|geometry| geometry.screw.is_some());
@@ -99,11 +99,11 @@ impl<'g> Lower<'g> {
         })
     }
 
-    /// A joint that moves must have a coordinate, and a fixed one must not.
+    /// Checks that a moving joint has a coordinate or a motion, and a fixed joint neither.
     fn require_coordinate(&mut self, body: &ast::Body, moves: bool) -> Result<(), Reported> {
         let name = &body.name;
         if let Some(reported) = body.unread {
-            // what is missing may be what could not be read
+            // the missing field may be one that could not be parsed
             let fits = moves == (body.fields.coordinate.is_some() || body.fields.motion.is_some());
             return if fits { Ok(()) } else { Err(reported) };
         }
@@ -155,7 +155,7 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// The coordinate of a joint, if it has one to itself; its motion as a sum of coordinates; and where the sum begins.
+/// Coordinate that a joint adds to the scene, its motion as a combination of coordinates, and the constant added to it.
 fn own_motion<'g>(
     body: &ast::Body,
     motion: Option<&Motion<'g>>,
@@ -173,7 +173,7 @@ fn own_motion<'g>(
     (own, own.map(Combination::one).unwrap_or_default(), None)
 }
 
-/// About which axes a body turns.
+/// Axes that a body turns about.
 fn turns<'g>(heading: &Heading<'g>) -> Turns<'g> {
     match (heading.station, heading.axis) {
         _ if heading.turns_freely() => Turns::Freely,

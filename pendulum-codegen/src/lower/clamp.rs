@@ -1,4 +1,4 @@
-//! Values between limits, and where they saturate.
+//! Clamped values, and the events of their saturation.
 
 use super::Lower;
 use super::expr::{Only, Place};
@@ -55,7 +55,7 @@ impl<'g> Lower<'g> {
         Ok(Quantity { value, measure })
     }
 
-    /// Notes where a value saturates, if that is known from the state.
+    /// Records a clamped value for a saturation event, if it depends on the state but not on inputs.
     fn note_clamp(&mut self, clamp: [Expr<'g>; 3]) {
         let is_input = |kind| matches!(kind, SymbolKind::Input(_));
         let mut symbols = self.graph.symbols_of(&clamp);
@@ -67,7 +67,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The events of values that saturate.
+    /// Events of the values that saturate.
     pub(super) fn saturations(&self) -> impl Iterator<Item = Event<'g>> {
         let half = || ratio(1, 2);
         self.clamps.iter().enumerate().map(move |(n, &[x, low, high])| {

@@ -1,4 +1,4 @@
-//! Closed loops, and the coordinates that depend on others because of them.
+//! Closed loops and their dependent coordinates.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -16,18 +16,18 @@ use crate::loops::{self, Cause, Closed, Declared, Loop, NoPlane, Open};
 use crate::model::{self, BodyId, Closure, Combination, Coordinate, Loops, Tie, Tree};
 use crate::screw::Vec3;
 
-/// How far an angle may be from its guess, in rad: beyond, the guess is rather on the other side.
+/// Maximum distance of an angle from its guess, in rad. Farther away, the guess is closer to the other assembly.
 const FAR: f64 = FRAC_PI_2;
 
-/// A component of an orientation or of a position, and its value where the loops are assembled.
+/// A component of an orientation or of a position, and its guess for the assembly of the loops.
 type Start<'g> = (Expr<'g>, Expr<'g>);
 
-/// How many coordinates a loop in a plane determines.
+/// Number of coordinates that a planar loop determines.
 const IN_PLANE: usize = 2;
 
 impl<'g> Lower<'g> {
-    /// Closes the loops of a tree: coordinates that depend become symbols with values in the state. After an error they
-    /// stand as they were declared.
+    /// Closes the loops of a tree: dependent coordinates become symbols with values in terms of the state. After an
+    /// error they stay as declared.
     pub(super) fn close(&mut self, items: &ast::Items, tree: &mut Tree<'g>) -> Loops<'g> {
         let near: Vec<Result<Expr<'g>, Reported>> = items.bodies.iter().map(|body| self.near(body)).collect();
         let free: Vec<Result<Vec<Start<'g>>, Reported>> =
@@ -55,7 +55,7 @@ impl<'g> Lower<'g> {
         loops
     }
 
-    /// Puts what loops determine in the place of the coordinates that were declared to depend.
+    /// Replaces the declared dependent coordinates by the ones that the loops determine.
     fn put_in(&self, tree: &mut Tree<'g>, closed: Closed<'g>) -> Loops<'g> {
         let first = tree.independent();
         let in_new = |sum: &Combination| {
@@ -81,7 +81,7 @@ impl<'g> Lower<'g> {
         loops
     }
 
-    /// Without loops there is nothing to guess.
+    /// Rejects guesses in a scene without loops.
     fn refuse_guesses(&mut self, items: &ast::Items) {
         let guesses = |body: &ast::Body| {
             let fields = &body.fields;
@@ -96,24 +96,26 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// What is not known where dependent coordinates are in the state.
+    /// Rejects features that a scene with dependent coordinates in its state does not support.
     fn refuse_in_state(&mut self, items: &ast::Items) {
         let words = items.generate.iter().flat_map(|(_, list)| list);
         if let Some(word) = words.into_iter().find(|word| **word == "canonical") {
-            let fact = "a scene with loops that have no closed form has no canonical equations: more positions than momenta are in its state";
-            let help = "leave out `canonical`, or let other coordinates depend; explicit methods, `Rodas5P` and `Taylor` keep the loops closed";
+            let fact = "a scene with loops that have no closed form has no canonical equations: more positions than \
+                        momenta are in its state";
+            let help = "leave out `canonical`, or let other coordinates depend; explicit methods, `Rodas5P` and \
+                        `Taylor` keep the loops closed";
             self.errors.at(Code::NotGenerated, word.span(), fact, help);
         }
         if let Some(first) = constraints_of(items).first() {
             let fact = "dry friction, stops and walls are not supported in a scene with loops that have no closed form";
-            let help = "let other coordinates depend, so that the loops are triangles, or write smooth laws: viscous friction, and a `potential` \
-                        in the place of a stop or a wall";
+            let help = "let other coordinates depend, so that the loops are triangles, or write smooth laws: viscous \
+                        friction, and a `potential` in the place of a stop or a wall";
             let help = self.left_out(first, help);
             self.errors.on(Code::NoConstraint, first, fact, help);
         }
     }
 
-    /// Declares what stands for the margin of each loop until the loops are closed.
+    /// Declares the symbol that represents the margin of each loop until the loops are closed.
     pub(super) fn declare_margins(&mut self, items: &ast::Items) {
         for (n, closure) in items.closures.iter().enumerate() {
             let [a, b] = closure.ends.each_ref().map(|end| end.body.to_string());
@@ -124,7 +126,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// `margin(a, b)`: how far the loop from `a` to `b` is from its toggle.
+    /// `margin(a, b)`: distance of the loop from `a` to `b` from its singularity (toggle).
     pub(super) fn margin(
         &mut self,
         expr: &ast::Expr,
@@ -157,7 +159,7 @@ impl<'g> Lower<'g> {
         Err(self.errors.on(Code::Arguments, expr, fact, help))
     }
 
-    /// Where a coordinate is when the loops are assembled: 0 if left out.
+    /// Guess of the coordinate of a body for the assembly of the loops; 0 if omitted.
     fn near(&mut self, body: &ast::Body) -> Result<Expr<'g>, Reported> {
         let Some(near) = &body.fields.near else {
             return Ok(self.graph.zero());
@@ -170,7 +172,7 @@ impl<'g> Lower<'g> {
         self.expr(near, &place)
     }
 
-    /// The components of an orientation and of a position where the loops are assembled.
+    /// Guesses of the components of an orientation and of a position for the assembly of the loops.
     fn near_freely(&mut self, body: &ast::Body) -> Result<Vec<Start<'g>>, Reported> {
         let ast::BodyFields {
             orientation,
@@ -195,7 +197,7 @@ impl<'g> Lower<'g> {
         Ok(starts)
     }
 
-    /// A dependent coordinate has no friction that holds it, and no stop.
+    /// Rejects dry friction and stops of a dependent coordinate.
     fn refuse_to_hold(&mut self, body: &ast::Body) {
         let (fields, name) = (&body.fields, &body.name);
         let friction = fields.dry_friction.as_ref().map(|e| &e.tokens);
@@ -263,7 +265,7 @@ impl<'g> Lower<'g> {
         ))
     }
 
-    /// The body of a number in the text; an error that is known where it could not be read.
+    /// Index in the model of a declared body. A body with an error has been reported already.
     fn at_body(&mut self, body: Option<usize>) -> Result<Option<BodyId>, Reported> {
         match self.placed(body) {
             Some(placed) => Ok(placed),
@@ -271,7 +273,8 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Solves loops, with the guesses for the coordinates of the bodies and for components of free ones.
+    /// Solves the loops, with guesses for the coordinates of the bodies and for the components of orientations and
+    /// positions.
     fn solve(
         &mut self,
         items: &ast::Items,
@@ -305,7 +308,7 @@ impl<'g> Lower<'g> {
         let closed = loops::close(tree, &vectors, &declared, (&of_state, free));
         let closed = closed.map_err(|Open { number, cause }| {
             let in_plane = planes.iter().all(Result::is_ok);
-            // loops in a plane may determine less, where lengths agree: then they are closed
+            // planar loops may determine fewer coordinates if lengths agree, and are then closed
             if in_plane && !matches!(cause, Cause::Determines(_)) {
                 let at = closures.get(declared.len() / IN_PLANE).or(closures.first());
                 let at = at.map_or(Span::call_site(), |(_, span)| *span);
@@ -321,7 +324,7 @@ impl<'g> Lower<'g> {
         Ok(closed)
     }
 
-    /// Refuses a guess that is far from where the loops close: another assembly may be meant.
+    /// Rejects a guess far from where the loops close, because another assembly may be intended.
     fn check_guesses(&mut self, items: &ast::Items, closed: &Closed<'g>) -> Result<(), Reported> {
         let bodies = items.bodies.iter().filter(|body| body.fields.depends.is_some());
         for (body, &[guess, found]) in bodies.zip(&closed.assembled) {
@@ -331,12 +334,12 @@ impl<'g> Lower<'g> {
                 continue;
             };
             if turns && beside.min(TAU - beside) > FAR {
-                // within half a turn
+                // reduce to within half a turn
                 let found = found - TAU * (found / TAU).round();
                 let fact = format_args!("`{name}` is {found:.2} where the loops close, which is far from {guess}");
                 let help = format_args!(
-                    "write `coordinate: {name} depends near {found:.2}`, or, for the other assembly, let the numbers of all \
-                     coordinates of the loop be near that"
+                    "write `coordinate: {name} depends near {found:.2}`, or, for the other assembly, let the numbers \
+                     of all coordinates of the loop be near that"
                 );
                 return Err(self.errors.at(Code::AmbiguousLoop, depends.span(), fact, help));
             }
@@ -344,7 +347,7 @@ impl<'g> Lower<'g> {
         Ok(())
     }
 
-    /// A loop that is closed once more determines nothing.
+    /// Rejects a loop that is closed twice, because the second closure determines nothing.
     fn refuse_twice(&mut self, items: &ast::Items, closures: &[(Closure<'g>, Span)]) -> Result<(), Reported> {
         let is_known = |n: usize| {
             closures[..n]
@@ -362,7 +365,7 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// The quaternion of roll, pitch and yaw, scalar first.
+/// Quaternion of roll, pitch and yaw, scalar first.
 fn quaternion<'g>(Vec3(rpy): Vec3<'g>) -> [Expr<'g>; 4] {
     let [(cr, sr), (cp, sp), (cy, sy)] = rpy.map(|angle| {
         let half = ratio(1, 2) * angle;

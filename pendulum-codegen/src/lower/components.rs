@@ -1,4 +1,4 @@
-//! The names of orientations and positions, and of their components: `o.w`, `p.x`, `dot(o).x`.
+//! Orientations, positions and their components by name: `o.w`, `p.x`, `dot(o).x`.
 
 use syn::Ident;
 
@@ -11,7 +11,7 @@ use crate::error::{Code, Reported};
 use crate::expr::{Expr, SymbolKind};
 use crate::model::Coordinate;
 
-/// What stands behind the dot of an orientation or of a position.
+/// Components of an orientation or of a position, which are written after a dot.
 #[derive(Clone, Debug)]
 pub(super) struct Components<'g> {
     kind: Kind,
@@ -31,8 +31,8 @@ impl Components<'_> {
 }
 
 impl<'g> Lower<'g> {
-    /// The coordinates of the orientations and positions of a body, behind those that are known. Their rates are known
-    /// only later, so their names come with them.
+    /// Appends the coordinates of the orientation and position of a body. Their rates are declared later, by the names
+    /// stored here.
     pub(super) fn freedom_coordinates(&mut self, body: &ast::Body, coordinates: &mut Vec<Unrated<'g>>) {
         if let Some(ident) = &body.fields.position {
             let measure = Measure::of("m");
@@ -56,7 +56,7 @@ impl<'g> Lower<'g> {
                 |axis: &str, n: usize| self.graph.symbol(&format!("{ident}.{axis}"), SymbolKind::Coordinate(n));
             let first = coordinates.len();
             let [x, y, z] = [0, 1, 2].map(|n| component(AXES[n], first + n));
-            // the number of the scalar part is that of no other component of the same name
+            // the scalar part has the same number as x, but another name
             let quaternion = [component("w", first), x, y, z];
             for (n, axis) in AXES.into_iter().enumerate() {
                 coordinates.push(Unrated {
@@ -69,7 +69,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Notes what stands behind the dots of the orientations and positions of a scene.
+    /// Records the components of the orientations and positions of a scene.
     pub(super) fn name_components(&mut self, bodies: &[ast::Body], coordinates: &[Coordinate<'g>]) {
         let of = |name: &Ident, kind| {
             let first = first_of(coordinates, name, kind)?;
@@ -101,13 +101,13 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The components of an orientation, scalar first, or of a position.
+    /// Components of an orientation, scalar first, or of a position.
     pub(super) fn components_of(&self, name: &Ident) -> impl Iterator<Item = Expr<'g>> + use<'g> {
         let values = self.components.get(&name.to_string()).map(|own| own.values.clone());
         values.into_iter().flatten().map(|(_, value)| value)
     }
 
-    /// `o.w` or `p.x`; none where the name is neither that of an orientation nor of a position.
+    /// `o.w` or `p.x`; none if the name belongs to neither an orientation nor a position.
     pub(super) fn component_of_joint(&mut self, name: &Ident, axis: &Ident) -> Option<Result<Quantity<'g>, Reported>> {
         let components = self.components.get(&name.to_string())?.clone();
         let found = components.values.iter().find(|(known, _)| axis == known);
@@ -123,7 +123,7 @@ impl<'g> Lower<'g> {
         })
     }
 
-    /// The name of the orientation that has a component.
+    /// Name of the orientation that has a component.
     pub(super) fn orientation_of(&self, component: Expr<'g>) -> Option<&str> {
         let mut all = self.components.iter();
         let found = all
@@ -164,7 +164,7 @@ impl<'g> Lower<'g> {
         Ok(Quantity { value, measure })
     }
 
-    /// Says how to write a component where the name of all of them stands: of an orientation, a position or a point.
+    /// Reports an orientation, position or point in place of a number, with help on how to write its components.
     pub(super) fn not_a_number(&mut self, name: &Ident, is_rate: bool) -> Option<Reported> {
         let text = name.to_string();
         let (kind, axes) = match self.components.get(&text) {
@@ -185,15 +185,15 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// `o.w`, `o.x`, .. as a list in words, each between other text.
+/// Lists names for use in a sentence: `o.w`, `o.x` or `o.y`.
 fn listed(axes: impl DoubleEndedIterator<Item = &'static str>, form: impl Fn(&str) -> String) -> String {
     let mut names: Vec<String> = axes.map(|axis| format!("`{}`", form(axis))).collect();
     let last = names.pop().unwrap_or_default();
     format!("{} or {last}", names.join(", "))
 }
 
-/// The first of the three coordinates of an orientation or of a position. By mistake one may have the name of the
-/// other.
+/// Index of the first of the three coordinates of an orientation or of a position. The kind matters because, by
+/// mistake, both may have the same name.
 pub(super) fn first_of(coordinates: &[Coordinate<'_>], name: &Ident, kind: Kind) -> Option<usize> {
     let turns = kind == Kind::Orientation;
     let name = format!("{name}.x");
@@ -202,19 +202,19 @@ pub(super) fn first_of(coordinates: &[Coordinate<'_>], name: &Ident, kind: Kind)
         .position(|c| c.name == name && c.is_of_orientation() == turns)
 }
 
-/// A coordinate before its rate is known.
+/// A coordinate before its rate is declared.
 #[derive(Clone, Debug)]
 pub(super) struct Unrated<'g> {
     pub(super) name: String,
-    /// The name of its rate.
+    /// Name of the rate.
     pub(super) rate: String,
     pub(super) position: Expr<'g>,
-    /// Of an orientation its quaternion, and the axis of the body.
+    /// Quaternion of an orientation, and the axis of the body.
     pub(super) turns: Option<([Expr<'g>; 4], usize)>,
 }
 
 impl<'g> Unrated<'g> {
-    /// The coordinate with its rate and its second rate.
+    /// The coordinate with its rate and acceleration.
     pub(super) fn with_rates(self, rate: Expr<'g>, acceleration: Expr<'g>) -> Coordinate<'g> {
         match self.turns {
             None => Coordinate::plain(self.name, [self.position, rate, acceleration]),

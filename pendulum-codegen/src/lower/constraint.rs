@@ -23,9 +23,9 @@ pub(super) struct Wall<'g> {
     law: Law<'g>,
 }
 
-/// The constraints of a scene, as they are written: joints, then walls.
+/// Tokens of the constraints of a scene, in the order of the source: joints, then walls.
 pub(super) fn constraints_of(items: &ast::Items) -> Vec<TokenStream> {
-    // of joints that turn freely it has been refused
+    // constraints of ball and free joints were rejected before
     let bodies = items.bodies.iter().filter(|body| freedom(body).is_none());
     let of_joints = bodies.filter_map(|body| {
         let stop = body.fields.stop.as_ref().map(|stop| &stop.tokens);
@@ -36,7 +36,7 @@ pub(super) fn constraints_of(items: &ast::Items) -> Vec<TokenStream> {
 }
 
 impl<'g> Lower<'g> {
-    /// Refuses more constraints than the core takes, and any in a scene with orientations.
+    /// Rejects more constraints than the core supports, and any constraint in a scene with orientations.
     pub(super) fn check_conditions(&mut self, items: &ast::Items, has_orientations: bool) {
         let constraints = constraints_of(items);
         if let (Some(first), true) = (constraints.first(), has_orientations) {
@@ -47,7 +47,8 @@ impl<'g> Lower<'g> {
         }
         if let Some(ninth) = constraints.get(MAX_CONSTRAINTS) {
             let fact = format_args!(
-                "{} joints with dry friction or a stop and walls are declared: at most {MAX_CONSTRAINTS} in all are possible",
+                "{} joints with dry friction or a stop and walls are declared: at most {MAX_CONSTRAINTS} in all are \
+                 possible",
                 constraints.len()
             );
             let help = self.left_out(ninth, "leave some out, or write smooth laws");
@@ -55,7 +56,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The help for a constraint; where a file declares it, all can be left out.
+    /// Help for a rejected constraint. For a constraint from a file, the help names the options that omit all of them.
     pub(super) fn left_out(&self, constraint: &TokenStream, help: &str) -> String {
         if self.errors.is_from_file(constraint) {
             let words = "leave out `limits` behind the path of the robot, or write `without dry_friction` there";
@@ -64,7 +65,7 @@ impl<'g> Lower<'g> {
         help.to_owned()
     }
 
-    /// Dry friction and the stop of a joint; none where there is neither.
+    /// Dry friction and stop of a joint; none if it has neither.
     pub(super) fn law(&mut self, body: &ast::Body) -> Result<Option<Law<'g>>, Reported> {
         let (fields, units) = (&body.fields, JointUnits::of(body));
         let mut law = self.free();
@@ -134,8 +135,8 @@ impl<'g> Lower<'g> {
         let checked = (high - low, Requirement::Positive);
         let help = if self.errors.is_from_file(&stop.tokens) {
             format!(
-                "let `lower` be less than `upper` in the `limit` of its joint, where 0 stands for one that is left out, \
-                 or write `stop: [low, high]` in a `body {}` of the scene",
+                "let `lower` be less than `upper` in the `limit` of its joint, where 0 stands for one that is left \
+                 out, or write `stop: [low, high]` in a `body {}` of the scene",
                 body.name
             )
         } else {
@@ -146,7 +147,7 @@ impl<'g> Lower<'g> {
         Ok(())
     }
 
-    /// The restitution of an impact, and the rate below which there is none.
+    /// Sets the restitution of impacts, and the rate below which nothing rebounds.
     fn impact(
         &mut self,
         owner: &str,
@@ -179,14 +180,14 @@ impl<'g> Lower<'g> {
         Ok(())
     }
 
-    /// Walls, with the symbols of points in their gaps.
+    /// Lowers the walls, with the symbols of points in their gaps.
     pub(super) fn walls(&mut self, items: &ast::Items) -> Vec<Wall<'g>> {
         let mut walls: Vec<Wall<'g>> = Vec::new();
         let coordinates = items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref());
         let coordinates: Vec<&Ident> = coordinates.collect();
         for (n, wall) in items.walls.iter().enumerate() {
             let name = &wall.name;
-            // messages of the core have no other word for a constraint
+            // the core identifies a constraint by its name alone in messages
             if coordinates.contains(&name) {
                 let fact = format_args!("`{name}` is a coordinate, and the name of a wall as well");
                 self.errors
@@ -225,7 +226,7 @@ impl<'g> Lower<'g> {
         })
     }
 
-    /// The gap of a wall, and its unit: a length or an angle.
+    /// Gap of a wall and its unit: a length or an angle.
     fn gap(&mut self, span: Span, gap: &ast::Expr, what: String) -> Result<(Expr<'g>, &'static str), Reported> {
         let place = Place {
             only: Only::Gap,
@@ -256,7 +257,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Checks a number now, or says what `new` must check: `fact` and `help` are for the first, `rule` for the other.
+    /// Checks a constant now, with `fact` and `help` for its error, or adds a rule for `new` with the text `rule`.
     pub(super) fn obeys(
         &mut self,
         code: Code,
@@ -279,7 +280,7 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// The constraints of a tree, joints in the order of their bodies, then walls; their forces act on it.
+/// Constraints of a tree: joints in the order of their bodies, then walls. Adds their forces to the tree.
 pub(super) fn constrain<'g>(tree: &mut Tree<'g>, walls: Vec<Wall<'g>>) -> Vec<Constraint<'g>> {
     let graph = tree.graph;
     let mut constraints: Vec<Constraint<'g>> = Vec::new();

@@ -1,4 +1,4 @@
-//! What a scene declares: parameters, inputs, named expressions and coordinates.
+//! Declarations of a scene: parameters, inputs, named expressions and coordinates.
 
 use super::Lower;
 use super::components::Unrated;
@@ -29,7 +29,7 @@ impl<'g> Lower<'g> {
         for param in params {
             let name = param.name.to_string();
             let unit = self.read(&param.unit).cloned().unwrap_or_default();
-            // no parameter has a value yet, so defaults are built from numbers alone
+            // no parameter has a value yet, so defaults consist of numbers only
             let default = param
                 .default
                 .as_ref()
@@ -57,7 +57,7 @@ impl<'g> Lower<'g> {
         };
         let default = self.read(default)?;
         if let (Ok(unit), ExprKind::Measured(measured)) = (unit, &default.kind) {
-            // a radian is 1, so the check of units takes one for the other
+            // the unit check treats a radian as 1, so it cannot distinguish frequencies from angular rates
             let has = |unit: &Unit, known: &[&str]| unit.names().any(|name| known.contains(&name));
             let counts = |unit: &Unit| has(unit, &["Hz", "kHz"]);
             let turns = |unit: &Unit| has(unit, &["rad", "mrad", "deg", "turn", "rpm"]);
@@ -97,8 +97,8 @@ impl<'g> Lower<'g> {
         inputs
     }
 
-    /// Declares names, and returns what they stand for as it was written. Their values come
-    /// later, so that a use before the definition is not taken for a misspelling.
+    /// Declares names, and returns their definitions as written. Values are set later, so that a use before the
+    /// definition is not reported as a misspelling.
     pub(super) fn declare_lets(&mut self, lets: &[ast::Let]) -> Vec<Definition> {
         for item in lets {
             self.names
@@ -114,7 +114,7 @@ impl<'g> Lower<'g> {
         lets.iter().filter_map(definition).collect()
     }
 
-    /// Says what each name stands for, in the order of the text.
+    /// Sets the value of each name, in the order of the source.
     pub(super) fn lets(&mut self, lets: &[ast::Let]) {
         for item in lets {
             let place = Place::moving(format!("`{}`", item.name));
@@ -130,7 +130,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The coordinates of the state, or the dependent ones; the first of them is number `first`.
+    /// Declares the coordinates of the state, or the dependent ones, numbered from `first`.
     pub(super) fn coordinates(&mut self, bodies: &[ast::Body], first: usize, depend: bool) -> Vec<Coordinate<'g>> {
         let mut coordinates = Vec::new();
         for body in bodies.iter().filter(|body| body.fields.depends.is_some() == depend) {
@@ -171,7 +171,7 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// What a declared quantity is measured in.
+/// Measure of a declared quantity.
 fn measure(unit: &Read<Unit>) -> Measure {
     unit.as_ref()
         .map_or(Measure::Unknown, |unit| Measure::in_dimension(unit.dimension))

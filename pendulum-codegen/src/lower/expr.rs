@@ -1,4 +1,4 @@
-//! Expressions of the language to expressions of the graph.
+//! Lowering of expressions of the language to expressions of the graph.
 
 use std::borrow::Cow;
 
@@ -14,33 +14,33 @@ use crate::expr::{Expr, Level, MOST_POWER, Rational, Symbol, SymbolKind, ratio};
 use crate::screw::Vec3;
 use crate::units::Power;
 
-/// Where an expression stands: what it may use, and how errors speak of it.
+/// Context of an expression: its name in errors, and the symbols that it may contain.
 #[derive(Clone, Debug)]
 pub(super) struct Place<'g> {
-    /// `the torque of `arm``
+    /// Name in errors: ``the torque of `arm` ``.
     pub(super) what: String,
-    /// On what it may depend.
+    /// Highest level of expressions allowed.
     pub(super) most: Level,
-    /// Which of the things that vary it may depend on.
+    /// Kinds of varying symbols allowed.
     pub(super) only: Only,
-    /// The coordinate and the rate of the joint, where `q` and `qd` may stand.
+    /// Coordinate and rate of the joint, if `q` and `qd` are allowed.
     pub(super) joint: Option<[Quantity<'g>; 2]>,
-    /// The unit that is needed, if there is one.
+    /// Required unit, if there is one.
     pub(super) unit: Option<Cow<'static, str>>,
 }
 
-/// Which of the things that vary may stand at a place.
+/// Kinds of varying symbols allowed at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Only {
-    /// All of them.
+    /// All kinds.
     All,
-    /// All but the inputs.
+    /// All kinds except inputs.
     State,
     /// Coordinates, points and the time.
     Positions,
-    /// The same, at the gap of a wall.
+    /// Coordinates, points and the time, in the gap of a wall.
     Gap,
-    /// The time, or coordinates.
+    /// The time or coordinates, in the motion of a joint.
     Motion,
 }
 
@@ -54,7 +54,7 @@ impl Only {
         }
     }
 
-    /// What to do about a symbol that is not allowed.
+    /// Help for a symbol that is not allowed.
     fn help(self) -> &'static str {
         match self {
             Self::All | Self::State => "an input is known only where the model is used: add its part there",
@@ -64,8 +64,8 @@ impl Only {
             }
             Self::Gap => "a gap is where bodies are: build it from coordinates, points, the time and parameters",
             Self::Motion => {
-                "a driven joint follows the time, or other joints: build it from `t` and parameters, or from coordinates; \
-                 a joint that moves by itself has a `coordinate`"
+                "a driven joint follows the time, or other joints: build it from `t` and parameters, or from \
+                 coordinates; a joint that moves by itself has a `coordinate`"
             }
         }
     }
@@ -83,7 +83,7 @@ impl Place<'_> {
         }
     }
 
-    /// A place for anything.
+    /// A place for any expression.
     pub(super) fn moving(what: impl Into<String>) -> Self {
         Self {
             most: Level::State,
@@ -91,7 +91,7 @@ impl Place<'_> {
         }
     }
 
-    /// The place for values in a unit; in any, if there is none.
+    /// The place with a required unit; none for any unit.
     pub(super) fn in_unit(self, unit: impl Into<Option<&'static str>>) -> Self {
         Self {
             unit: unit.into().map(Cow::Borrowed),
@@ -100,16 +100,16 @@ impl Place<'_> {
     }
 }
 
-/// How many operations may stand in one another, those of each `let` included: later stages work by recursion.
+/// Maximum depth of nested operations, including those of each `let`: later stages are recursive.
 const MOST_DEPTH: usize = 1000;
 
 impl<'g> Lower<'g> {
-    /// The expression at a place.
+    /// Lowers an expression.
     pub(super) fn expr(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
         self.quantity(expr, place).map(|quantity| quantity.value)
     }
 
-    /// The expression at a place, and what it is measured in.
+    /// Lowers an expression, and determines its measure.
     pub(super) fn quantity(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
         let quantity = self.operation(expr, place)?;
         let value = quantity.value;
@@ -143,13 +143,13 @@ impl<'g> Lower<'g> {
         Ok(quantity)
     }
 
-    /// Three expressions at a place.
+    /// Lowers three expressions.
     pub(super) fn vector(&mut self, vector: &Vector, place: &Place<'g>) -> Result<Vec3<'g>, Reported> {
         let [x, y, z] = vector.components.each_ref().map(|e| self.expr(e, place));
         Ok(Vec3([x?, y?, z?]))
     }
 
-    /// An operation, whose value must be finite where it is constant.
+    /// Lowers an operation. A constant value must be finite.
     pub(super) fn operation(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
         let quantity = self.unchecked(expr, place)?;
         let value = quantity.value;
@@ -185,7 +185,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// A sum, a difference, a product or a quotient.
+    /// Lowers a sum, a difference, a product or a quotient.
     fn binary(
         &mut self,
         operator: Operator,
@@ -215,7 +215,7 @@ impl<'g> Lower<'g> {
         Ok(Quantity { value, measure })
     }
 
-    /// A power with a number as its exponent.
+    /// Lowers a power whose exponent is a number.
     fn power(
         &mut self,
         expr: &ast::Expr,
@@ -248,7 +248,7 @@ impl<'g> Lower<'g> {
         })
     }
 
-    /// Refuses what varies and may not stand at a place.
+    /// Rejects varying symbols that are not allowed at a place.
     pub(super) fn permit(&mut self, value: Expr<'g>, span: Span, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
         if place.only == Only::All || place.most < Level::State || value.level() < Level::State {
             return Ok(value);
@@ -263,7 +263,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The value of an exponent: a number, and small.
+    /// Value of an exponent, which must be a small rational number.
     fn exponent(&mut self, given: &ast::Expr, value: Expr<'g>, place: &Place<'g>) -> Result<&'g Rational, Reported> {
         let Some(n) = value.as_number() else {
             let help = "write an integer or a fraction, such as `x^2` or `x^(1/2)`; `exp(b*ln(a))` is a to the power b";
@@ -279,7 +279,7 @@ impl<'g> Lower<'g> {
         Err(self.errors.on(Code::Exponent, given, fact, help))
     }
 
-    /// Refuses a coordinate or a rate where a negative number has no value.
+    /// Rejects a coordinate or a rate as the argument of a function that is undefined for negative numbers.
     pub(super) fn never_negative(
         &mut self,
         given: &ast::Expr,

@@ -1,4 +1,4 @@
-//! That values are measured in what is needed, and what to do where they are not.
+//! Unit checks, and help for values in the wrong unit.
 
 use std::f64::consts::TAU;
 use std::fmt::Display;
@@ -17,7 +17,7 @@ use crate::expr::{Level, Rational, ratio};
 use crate::units::{Dimension, Power, Scale, Unit};
 
 impl<'g> Lower<'g> {
-    /// A number with a unit, in SI units.
+    /// Converts a number with a unit to SI units.
     pub(super) fn measured(
         &mut self,
         e: &ast::Expr,
@@ -30,7 +30,7 @@ impl<'g> Lower<'g> {
             return Err(self.errors.on(Code::UnitMismatch, e, fact, help));
         }
         for name in unit.names() {
-            // a name of another dimension cannot be meant where the unit fits
+            // a declared name of another dimension than the unit cannot be confused with it
             let of_unit = Unit::dimension_of(name);
             let is_other = |measure| matches!(measure, Measure::Of(own, _) if of_unit.is_some_and(|unit| own != unit));
             if place.most > Level::Constant && self.names.measure(name).is_some_and(|measure| !is_other(measure)) {
@@ -48,7 +48,7 @@ impl<'g> Lower<'g> {
         })
     }
 
-    /// Requires that two values are alike, which are `joined`, as in "they cannot be added".
+    /// Checks that two values have the same dimension; errors say that they cannot be `joined`, for example "added".
     pub(super) fn require_alike(&mut self, [a, b]: [&ast::Expr; 2], [x, y]: [Measure; 2], joined: &str) -> Measure {
         if let Some(measure) = x.alike(y) {
             return measure;
@@ -66,7 +66,7 @@ impl<'g> Lower<'g> {
         Measure::Unknown
     }
 
-    /// Requires that a value has no unit, because of what it is: "the argument of `sin`".
+    /// Checks that a value has no unit; `what` names it in errors, for example "the argument of `sin`".
     pub(super) fn require_plain(&mut self, e: &ast::Expr, given: Quantity<'g>, what: &str) {
         if given.measure.alike(Measure::ONE).is_some() {
             return;
@@ -80,7 +80,7 @@ impl<'g> Lower<'g> {
         self.misfit(e, fact, help);
     }
 
-    /// Requires the unit of a place.
+    /// Checks that a value has the unit required at a place.
     pub(super) fn fits(&mut self, e: &ast::Expr, given: Quantity<'g>, place: &Place<'g>) {
         let Some(unit) = &place.unit else { return };
         if unit == "rad" {
@@ -99,14 +99,14 @@ impl<'g> Lower<'g> {
         self.misfit(e, fact, help);
     }
 
-    /// Notes an error of units, in a scene that has any.
+    /// Reports a unit error, unless the scene has no units.
     fn misfit(&mut self, e: &ast::Expr, fact: impl Display, help: String) {
         if self.has_units {
             self.errors.on(Code::UnitMismatch, e, fact, help);
         }
     }
 
-    /// Refuses bare numbers of radians that are more than a turn, alone or as terms of a sum, since they may be in
+    /// Rejects bare numbers beyond one turn in place of an angle in rad, alone or as terms of a sum: they may be in
     /// degrees.
     pub(super) fn not_degrees(&mut self, e: &ast::Expr, given: Quantity<'g>, what: &str) {
         if let Some(angle) = beyond_a_turn(given) {
@@ -130,8 +130,8 @@ impl<'g> Lower<'g> {
         let (fact, help) = if self.errors.is_from_file(e) {
             let radians = (angle.to_radians() * 1e4).round() / 1e4;
             let help = format!(
-                "write {radians} there for {angle} degrees; where {angle} rad are meant, write `{angle} rad` in the scene, \
-                 in a `body` of this name, which changes that of the file"
+                "write {radians} there for {angle} degrees; where {angle} rad are meant, write `{angle} rad` in the \
+                 scene, in a `body` of this name, which changes that of the file"
             );
             (format!("{what} is {angle}, more than a turn: angles are in rad"), help)
         } else {
@@ -141,7 +141,7 @@ impl<'g> Lower<'g> {
         self.errors.on(Code::Degrees, e, fact, help);
     }
 
-    /// What to do about a value that is measured in something else than is needed, in a place for values in a unit.
+    /// Help for a value of the wrong dimension, at a place that requires `unit`.
     fn help(&self, e: &ast::Expr, given: Measure, needed: Measure, unit: Option<&str>) -> String {
         if let Some(cause) = self.cause(&[e]) {
             return cause;
@@ -171,13 +171,13 @@ impl<'g> Lower<'g> {
         format!("a factor in {missing} is missing")
     }
 
-    /// Whether a name is declared with a unit.
+    /// True if a name is declared with a unit.
     fn has_declared_unit(&self, name: &syn::Ident) -> bool {
         let kind = self.names.kind(&name.to_string());
         matches!(kind, Some(Kind::Parameter | Kind::Input))
     }
 
-    /// The likely cause: a name after a number that was read as a unit, or a unit after the divisor of a fraction.
+    /// Likely cause of an error: a name after a number parsed as a unit, or a unit after the divisor of a fraction.
     fn cause(&self, given: &[&ast::Expr]) -> Option<String> {
         given.iter().find_map(|e| {
             if let Some((above, Measured { digits, number, unit })) = fraction(e) {
@@ -196,13 +196,13 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// A bare number that is more radians than a turn.
+/// Value of a bare number, in rad, if it is beyond one turn.
 fn beyond_a_turn(given: Quantity<'_>) -> Option<f64> {
     let number = given.value.as_number().and_then(ToPrimitive::to_f64);
     number.filter(|angle| given.measure == Measure::Number && angle.abs() > TAU)
 }
 
-/// The terms of a sum.
+/// Collects the terms of a sum.
 fn gather_terms<'a>(e: &'a ast::Expr, terms: &mut Vec<&'a ast::Expr>) {
     match &e.kind {
         ExprKind::Neg(a) => gather_terms(a, terms),
@@ -214,7 +214,7 @@ fn gather_terms<'a>(e: &'a ast::Expr, terms: &mut Vec<&'a ast::Expr>) {
     }
 }
 
-/// The parts of a fraction `1/2 kg`: a number, and one with a unit below it.
+/// Numerator and divisor of a fraction such as `1/2 kg`, where the unit belongs to the divisor.
 fn fraction(e: &ast::Expr) -> Option<(&Rational, &Measured)> {
     match &e.kind {
         ExprKind::Binary(Operator::Div, a, b) => match (&a.kind, &b.kind) {
@@ -226,7 +226,7 @@ fn fraction(e: &ast::Expr) -> Option<(&Rational, &Measured)> {
     }
 }
 
-/// What one value must be multiplied by to become like another.
+/// Dimension of the factor that converts a given value to the needed dimension.
 fn factor(needed: Measure, given: Measure) -> Dimension {
     factor_of(needed.dimension(), given.dimension())
 }
@@ -235,14 +235,14 @@ fn factor_of(needed: Dimension, given: Dimension) -> Dimension {
     needed.times(given, Power::from(-1)).unwrap_or(Dimension::ONE)
 }
 
-/// A dimension as the unit of a number, which begins with a name: `rad/s` for `1/s`.
+/// A dimension as the unit of a number, which must begin with a name: `rad/s` for `1/s`.
 fn after_number(dimension: Dimension) -> String {
     let text = dimension.to_string();
     text.strip_prefix("1/")
         .map_or(text.clone(), |below| format!("rad/{below}"))
 }
 
-/// An expression in a message: its text where that is short.
+/// Text of an expression for a message, or "this" if it is long.
 fn short(e: &ast::Expr) -> String {
     let text = written(e, None).to_string();
     if text.len() <= 40 {
@@ -254,14 +254,14 @@ fn short(e: &ast::Expr) -> String {
 
 /// A bare number among the factors of a product.
 struct Bare {
-    /// As it is written.
+    /// Text, as written.
     text: String,
-    /// Whether it stands in a divisor.
+    /// True if it stands in a divisor.
     below: bool,
 }
 
 impl Bare {
-    /// What to do if the product lacks a factor of some dimension.
+    /// Help for a product that lacks a factor of dimension `missing`.
     fn with_unit(&self, missing: Dimension) -> String {
         let of_number = if self.below {
             factor_of(Dimension::ONE, missing)
@@ -273,8 +273,8 @@ impl Bare {
     }
 }
 
-/// The bare number among the factors of a product that most likely stands for a quantity: the last one that is not
-/// whole, else the last. Small whole numbers are coefficients.
+/// Bare factor of a product that most likely stands for a quantity: the last one with a decimal point or exponent, else
+/// the last one. Small integers are taken as coefficients.
 fn bare_factor(e: &ast::Expr) -> Option<Bare> {
     let mut numbers = Vec::new();
     gather(e, false, &mut numbers);
@@ -299,7 +299,7 @@ fn gather(e: &ast::Expr, below: bool, numbers: &mut Vec<Bare>) {
     }
 }
 
-/// The first number with a unit that fits.
+/// First number whose unit satisfies a predicate.
 fn measured<'a>(e: &'a ast::Expr, fits: &impl Fn(&Unit) -> bool) -> Option<&'a Measured> {
     match &e.kind {
         ExprKind::Measured(measured) if fits(&measured.unit) => Some(measured),

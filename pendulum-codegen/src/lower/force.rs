@@ -9,7 +9,7 @@ use crate::error::{Code, Reported};
 use crate::expr::{Expr, Level, ratio};
 use crate::model::{Requirement, Rule};
 
-/// What acts along a joint.
+/// Forces along a joint.
 #[derive(Debug)]
 pub(super) struct Forces<'g> {
     /// Friction and spring.
@@ -21,7 +21,7 @@ pub(super) struct Forces<'g> {
 }
 
 impl<'g> Lower<'g> {
-    /// The force of the joint along its coordinate.
+    /// Lowers the forces of a joint along its coordinate.
     pub(super) fn forces(
         &mut self,
         body: &ast::Body,
@@ -60,7 +60,7 @@ impl<'g> Lower<'g> {
         let Some(friction) = &body.fields.friction else {
             return Ok(self.graph.zero());
         };
-        // the rate is known here so that a law of friction gets the error that says where it belongs
+        // `q` and `qd` are allowed, so that a friction law gets the error with help on how to write it
         let place = Place {
             joint: Some(joint),
             ..Place::fixed(format!("the friction of `{}`", body.name)).in_unit(units.friction())
@@ -89,7 +89,7 @@ impl<'g> Lower<'g> {
         Ok((-pull, ratio(1, 2) * (pull * stretch)))
     }
 
-    /// The stiffness of a spring.
+    /// Lowers the stiffness of a spring, which must not be negative.
     pub(super) fn stiffness(
         &mut self,
         stiffness: &ast::Expr,

@@ -1,4 +1,4 @@
-//! The bodies in a row that a joint is made of that turns about all axes.
+//! Ball and free joints, as series of single joints.
 
 use std::collections::BTreeMap;
 use std::mem::replace;
@@ -19,8 +19,8 @@ use crate::model::{Body, BodyId, Combination, Coordinate, CoordinateId, Heading,
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 
 impl<'g> Lower<'g> {
-    /// The bodies of a joint that turns about all axes: three turns in a row on bodies without mass, of which the first
-    /// is turned by the quaternion, and before them three slides where the joint moves freely.
+    /// Lowers a ball or free joint to bodies in series, massless except the last: three slides for a free joint, then
+    /// three turns. The rotation by the quaternion belongs to the first turn.
     pub(super) fn free_bodies(
         &mut self,
         body: &ast::Body,
@@ -30,7 +30,7 @@ impl<'g> Lower<'g> {
         coordinates: &[Coordinate<'g>],
         shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
     ) -> Result<Vec<Body<'g>>, Reported> {
-        // an error in one part is no reason to leave the others unread
+        // all parts are lowered before the first error returns, so that the errors of each are reported
         let mass = self.mass_of_body(body, shapes);
         let geometry = self.geometry(&body.name, body.fields.joint.as_ref());
         let fits = self.check_freedom(body, slides);
@@ -63,7 +63,7 @@ impl<'g> Lower<'g> {
         Ok(bodies)
     }
 
-    /// The friction of a ball joint; nothing touches what moves freely.
+    /// Friction of a ball joint; zero for a free joint, which touches nothing.
     fn friction_of_turns(&mut self, body: &ast::Body, slides: bool) -> Result<Expr<'g>, Reported> {
         let place = Place::fixed(format!("the friction of `{}`", body.name)).in_unit(JointUnits::Turns.friction());
         let friction = body.fields.friction.as_ref().filter(|_| !slides);
@@ -73,23 +73,24 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// Bodies without mass, each on the one before.
+/// A series of massless bodies, each the parent of the next.
 struct Row<'c, 'g> {
     name: String,
-    /// The number of the first of them.
+    /// Index of the first body of the series.
     behind: usize,
     coordinates: &'c [Coordinate<'g>],
     friction: Expr<'g>,
-    /// What carries the next of them, and how that is turned.
+    /// Parent of the next body.
     parent: Option<BodyId>,
+    /// Orientation of that parent.
     carried_by: Option<Heading<'g>>,
-    /// Where the next joint is.
+    /// Placement of the next joint.
     placement: Transform<'g>,
     bodies: Vec<Body<'g>>,
 }
 
 impl<'g> Row<'_, 'g> {
-    /// Three slides, along the axes of the joint.
+    /// Appends three slides along the axes of the joint.
     fn slide(&mut self, first: usize) {
         let g = self.friction.graph();
         for (n, k) in (0..3).zip(first..) {
@@ -101,7 +102,7 @@ impl<'g> Row<'_, 'g> {
         }
     }
 
-    /// Three turns, of which the first has the quaternion and all of the angular velocity.
+    /// Appends three turns, the first of which has the quaternion and the whole angular velocity.
     fn turn(&mut self, first: usize) {
         let g = self.friction.graph();
         let rotation = Mat3::of_quaternion([0, 1, 2, 3].map(|n| self.coordinates[first].changes[n].0));
@@ -117,7 +118,7 @@ impl<'g> Row<'_, 'g> {
         }
     }
 
-    /// Hangs a body on the last one, by a joint with the coordinate of number `k`.
+    /// Appends a body whose joint has the coordinate of number `k`.
     fn hang(&mut self, k: usize, screw: Twist<'g>, turned: Option<Mat3<'g>>, spin: Option<Vec3<'g>>) {
         let g = self.friction.graph();
         let identity = Transform::identity(g);

@@ -1,4 +1,4 @@
-//! Joints that turn about all axes: what they must have, and what makes no sense there.
+//! Ball and free joints: required and unsupported fields.
 
 use std::borrow::Cow;
 
@@ -9,11 +9,12 @@ use crate::ast::{self, JointKind};
 use crate::error::{Code, Reported};
 use crate::parse::HINGES;
 
-/// What a joint may lack, and what to do about it.
+/// Name of the orientation field, and help if it is missing.
 pub(super) const ORIENTATION: [&str; 2] = ["orientation", "add `orientation: o`, the name of its unit quaternion"];
+/// Name of the position field, and help if it is missing.
 const POSITION: [&str; 2] = ["position", "add `position: p`, the name of the place of its frame"];
 
-/// Whether the joint of a body turns about all axes, and whether it slides as well.
+/// `Some(false)` for a ball joint, `Some(true)` for a free joint, which slides as well, and none for any other joint.
 pub(super) fn freedom(body: &ast::Body) -> Option<bool> {
     match body.fields.joint.as_ref()?.kind {
         Ok(JointKind::Ball) => Some(false),
@@ -23,7 +24,7 @@ pub(super) fn freedom(body: &ast::Body) -> Option<bool> {
 }
 
 impl<'g> Lower<'g> {
-    /// Refuses names of orientations and positions where the joint has none.
+    /// Rejects names of orientations and positions on joints that have none.
     pub(super) fn require_no_freedom(&mut self, body: &ast::Body) -> Result<(), Reported> {
         let names = [
             (&body.fields.orientation, "turn freely, so it has no orientation"),
@@ -33,7 +34,7 @@ impl<'g> Lower<'g> {
         let Some((name, what)) = given else { return Ok(()) };
         match (&body.fields.joint, body.unread) {
             (Some(joint), _) if joint.kind.is_err() => return Ok(()),
-            // the joint may be what could not be read
+            // the joint may be the field that could not be parsed
             (None, Some(reported)) => return Err(reported),
             _ => {}
         }
@@ -43,7 +44,7 @@ impl<'g> Lower<'g> {
         Err(self.errors.at(Code::JointCoordinate, name.span(), fact, help))
     }
 
-    /// What a joint that turns about all axes must have, and what makes no sense there.
+    /// Checks that a ball or free joint has its required fields, and rejects unsupported ones.
     pub(super) fn check_freedom(&mut self, body: &ast::Body, slides: bool) -> Result<(), Reported> {
         let named = self.check_orientation(body);
         let placed = self.check_position(body, slides);
@@ -58,7 +59,7 @@ impl<'g> Lower<'g> {
         fits
     }
 
-    /// Says that a joint that turns about all axes has no coordinate.
+    /// Reports the coordinate of a ball or free joint, which has none.
     pub(super) fn refuse_coordinate(&mut self, body: &ast::Body, slides: bool, coordinate: &Ident) -> Reported {
         let (fields, name) = (&body.fields, &body.name);
         let kind = if slides { "free" } else { "ball" };
@@ -108,7 +109,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Reports what is missing, unless it may be what could not be read.
+    /// Reports a missing field, unless it may be one that could not be parsed.
     pub(super) fn missing(&mut self, body: &ast::Body, [what, help]: [&str; 2]) -> Reported {
         body.unread.unwrap_or_else(|| {
             let fact = format_args!("the joint of `{}` has no {what}", body.name);
@@ -117,7 +118,7 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// What such a joint cannot have: where it is written, what is wrong, and what to do.
+/// Unsupported fields of a ball or free joint: tokens, fact and help of each.
 fn senseless(body: &ast::Body, slides: bool) -> [(Option<&TokenStream>, &'static str, Cow<'static, str>); 7] {
     fn tokens(e: &Option<ast::Expr>) -> Option<&TokenStream> {
         e.as_ref().map(|e| &e.tokens)

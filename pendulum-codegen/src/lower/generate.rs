@@ -1,4 +1,4 @@
-//! The words of `generate`.
+//! The `generate` list: names of the routines to generate.
 
 use std::collections::BTreeSet;
 
@@ -8,7 +8,7 @@ use crate::error::Code;
 use crate::program;
 use crate::words;
 
-/// What a scene has that words of `generate` depend on.
+/// Features of a scene that some routines require or exclude.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Has {
     pub(super) parameters: bool,
@@ -19,7 +19,7 @@ pub(super) struct Has {
 }
 
 impl Lower<'_> {
-    /// What to generate.
+    /// Routines to generate, by default if the list is omitted.
     pub(super) fn generate(&mut self, items: &Items, has: Has) -> BTreeSet<&'static str> {
         let Some((word, list)) = &items.generate else {
             return ["rhs", "jacobian", "energy"].into();
@@ -54,7 +54,7 @@ impl Lower<'_> {
     }
 }
 
-/// Why a scene does not have a routine, and what to do about it.
+/// Fact and help of the error, if a scene cannot have a routine.
 fn hindrance(word: &str, has: Has) -> Option<(String, String)> {
     let (fact, help) = match word {
         "parameter_jacobian" if !has.parameters => (
@@ -84,7 +84,7 @@ fn hindrance(word: &str, has: Has) -> Option<(String, String)> {
     Some((fact.to_owned(), help.to_owned()))
 }
 
-/// What a word of `generate` asks for that takes the inputs as functions of the time.
+/// Subject of the error for a routine that would need the inputs as functions of time.
 fn motion_under_inputs(word: &str) -> Option<&'static str> {
     match word {
         "canonical" => Some("the canonical equations of a motion under inputs are"),

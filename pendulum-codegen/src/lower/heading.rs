@@ -1,4 +1,4 @@
-//! How joints turn the bodies that they carry.
+//! Orientations of bodies, as their joints determine them.
 
 use super::Lower;
 use super::joint::Geometry;
@@ -9,7 +9,7 @@ use crate::model::{Body, BodyId, Combination, Heading};
 use crate::screw::{Mat3, Twist, Vec3};
 
 impl<'g> Lower<'g> {
-    /// How the joint turns its body, and what its relative coordinate is in the coordinates of the scene.
+    /// Orientation of a body, and its relative joint coordinate as a combination of the coordinates of the scene.
     pub(super) fn heading(
         &mut self,
         body: &ast::Body,
@@ -50,7 +50,7 @@ impl<'g> Lower<'g> {
             heading.turn = own.clone();
             return Ok((heading, own));
         };
-        // turn = turn before + sign * motion; an absolute coordinate is the whole turn, seen along its own axis
+        // turn = turn before + sign * motion; an absolute coordinate is the whole turn, about its own axis
         let (turn, motion) = if absolute.is_some() {
             (own.scaled(sign), own.plus_scaled(-sign, &before.turn))
         } else {
@@ -68,7 +68,7 @@ impl<'g> Lower<'g> {
 }
 
 impl<'g> Heading<'g> {
-    /// An orientation that nothing turns yet in its station.
+    /// An orientation without any turn in its station.
     pub(super) fn unturned(station: Option<BodyId>, rest: Mat3<'g>) -> Self {
         Self {
             station,
@@ -78,10 +78,10 @@ impl<'g> Heading<'g> {
         }
     }
 
-    /// The sign of a further turn about an axis; none where that is not the axis of the turns before it.
+    /// Sign of a further turn about an axis; none if it is not parallel to the axis of the turns before it.
     fn sign_about(&self, axis: Vec3<'g>) -> Option<i64> {
         match self.axis {
-            // the axis stands still in the frame of the body alone
+            // after a quaternion, an axis is fixed only in the frame of the body
             _ if self.turns_freely() => None,
             None => Some(1),
             Some(group) => parallel(group, axis),

@@ -1,4 +1,4 @@
-//! Joints: where they sit, and their screw axes.
+//! Joints: placement and screw axis.
 
 use syn::Ident;
 
@@ -16,11 +16,11 @@ use crate::units::Power;
 #[derive(Debug)]
 pub(super) struct Geometry<'g> {
     pub(super) placement: Transform<'g>,
-    /// None for a fixed joint.
+    /// Screw axis; none for a fixed joint.
     pub(super) screw: Option<Twist<'g>>,
 }
 
-/// The rotation by roll, pitch and yaw, about the fixed x, then y, then z.
+/// Rotation by roll, pitch and yaw, about the fixed x, then y, then z axis.
 pub(super) fn rotation(Vec3(rpy): Vec3<'_>) -> Mat3<'_> {
     let g = rpy[0].graph();
     let [roll, pitch, yaw] = [0, 1, 2].map(|k| Mat3::rotation(Vec3::unit(g, k), rpy[k]));
@@ -28,22 +28,22 @@ pub(super) fn rotation(Vec3(rpy): Vec3<'_>) -> Mat3<'_> {
 }
 
 impl<'g> Geometry<'g> {
-    /// The joint with a coordinate that begins at a value of that of this one.
+    /// The joint with the origin of its coordinate moved to the value `at`.
     pub(super) fn moved(self, at: Expr<'g>) -> Self {
         let screw = self.screw;
-        // a screw stays where it is when it moves
+        // motion along a screw leaves the screw unchanged
         Self {
             screw,
             ..self.stopped(at)
         }
     }
 
-    /// A fixed joint, where this one is at a value of its coordinate.
+    /// The joint fixed at a value of its coordinate.
     pub(super) fn stopped(self, at: Expr<'g>) -> Self {
         let Some(Twist { angular: w, linear: v }) = self.screw else {
             return self;
         };
-        // exp(s q) of a normalised screw: a turn about the axis through w x v, and a slide along it
+        // exp(s q) of a normalised screw: a rotation about the axis through w x v, and a translation along it
         let rotation = if w.is_zero() {
             Mat3::identity(at.graph())
         } else {
@@ -66,7 +66,7 @@ impl<'g> Geometry<'g> {
 }
 
 impl<'g> Lower<'g> {
-    /// The geometry of a joint; a body without one is fixed where its parent is.
+    /// Geometry of a joint. A body without a joint is fixed to its parent and shares its frame.
     pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Result<Geometry<'g>, Reported> {
         let Some(joint) = joint else {
             return Ok(Geometry {
@@ -97,7 +97,7 @@ impl<'g> Lower<'g> {
         })
     }
 
-    /// The normalised screw axis in the joint frame; none for a fixed joint.
+    /// Normalised screw axis in the joint frame; none for a fixed joint.
     fn screw(&mut self, body: &Ident, kind: &Read<JointKind>) -> Result<Option<Twist<'g>>, Reported> {
         let zero = Vec3::zero(self.graph);
         let place = |what: &str| Place::fixed(format!("the {what} of the joint of `{body}`"));
@@ -167,14 +167,14 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Three components in one unit, whichever it is.
+    /// Three components in one common unit, and their measure.
     fn direction(&mut self, given: [&ast::Expr; 3], place: &Place<'g>) -> Result<(Vec3<'g>, Measure), Reported> {
         let [x, y, z] = given.map(|e| self.quantity(e, place));
         let [x, y, z] = [x?, y?, z?];
         let (mut first, mut measure) = (given[0], x.measure);
         for (e, other) in given.into_iter().zip([x, y, z]).skip(1) {
             if measure == Measure::Number {
-                // zeros have any unit
+                // a bare number, such as 0, takes any unit
                 (first, measure) = (e, other.measure);
             }
             measure = self.require_alike([first, e], [measure, other.measure], "components of one direction");
@@ -182,7 +182,7 @@ impl<'g> Lower<'g> {
         Ok((Vec3([x.value, y.value, z.value]), measure))
     }
 
-    /// `1 / |v|`; none for the zero vector. A vector of parameters must not vanish either.
+    /// `1 / |v|`; none for the zero vector. If `v` contains parameters, a rule requires that it is not zero.
     fn inverse_length(&mut self, body: &Ident, v: Vec3<'g>) -> Option<Expr<'g>> {
         let square = v.dot(v);
         if square.constant().is_some_and(|square| square == 0.0) {

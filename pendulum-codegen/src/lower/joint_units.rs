@@ -1,23 +1,23 @@
-//! The units of what belongs to a joint, by how it moves.
+//! Units of the quantities of a joint, by its kind of motion.
 
 use num_traits::Zero;
 
 use super::measure::Measure;
 use crate::ast::{self, Expr, ExprKind, JointKind};
 
-/// How a joint moves, as far as its units go.
+/// Kind of motion of a joint, which determines its units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum JointUnits {
     /// Its coordinate is an angle.
     Turns,
     /// Its coordinate is a length.
     Slides,
-    /// It has no joint that moves, or one that could not be read.
+    /// There is no joint with one coordinate, or it could not be parsed.
     Unknown,
 }
 
 impl JointUnits {
-    /// Those of the joint of a body.
+    /// Kind of motion of the joint of a body.
     pub(super) fn of(body: &ast::Body) -> Self {
         let kind = body.fields.joint.as_ref().map(|joint| joint.kind.as_ref());
         match kind {
@@ -35,37 +35,37 @@ impl JointUnits {
         }
     }
 
-    /// That of the coordinate.
+    /// Unit of the coordinate.
     pub(super) fn coordinate(self) -> Option<&'static str> {
         self.choose("rad", "m")
     }
 
-    /// That of the rate.
+    /// Unit of the rate.
     pub(super) fn rate(self) -> Option<&'static str> {
         self.choose("rad/s", "m/s")
     }
 
-    /// That of a force along it.
+    /// Unit of a force along the joint.
     pub(super) fn force(self) -> Option<&'static str> {
         self.choose("N m", "N")
     }
 
-    /// That of a force for each unit of the coordinate.
+    /// Unit of a stiffness: force per unit of the coordinate.
     pub(super) fn stiffness(self) -> Option<&'static str> {
         self.choose("N m/rad", "N/m")
     }
 
-    /// That of a force for each unit of the rate.
+    /// Unit of a friction coefficient: force per unit of the rate.
     pub(super) fn friction(self) -> Option<&'static str> {
         self.choose("N m s/rad", "N s/m")
     }
 
-    /// What the coordinate is measured in.
+    /// Measure of the coordinate.
     pub(super) fn measure(self) -> Measure {
         self.coordinate().map_or(Measure::Unknown, Measure::of)
     }
 
-    /// The unit in the place of one that a joint has, if it moved the other way, and how that is.
+    /// Corresponding unit of a joint with the other kind of motion, and the verb for that motion.
     pub(super) fn other(unit: &str) -> Option<(&'static str, &'static str)> {
         let pairs = [Self::stiffness, Self::friction].map(|of| [of(Self::Turns), of(Self::Slides)]);
         pairs.into_iter().find_map(|[turning, sliding]| {
@@ -86,7 +86,7 @@ impl JointUnits {
     }
 }
 
-/// Whether an expression is the number zero.
+/// True if an expression is the number zero.
 pub(super) fn is_zero(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Number(n) => n.is_zero(),

@@ -1,4 +1,4 @@
-//! Mass properties to spatial inertia in the body frame.
+//! Lowering of mass properties to spatial inertia in the body frame.
 
 use proc_macro2::TokenStream;
 use syn::Ident;
@@ -12,38 +12,38 @@ use crate::expr::Expr;
 use crate::model::{Figure, FigureKind, Requirement};
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
-/// Mass properties before the axis is known that a single number for the inertia is about.
+/// Mass properties, before the axis of a scalar inertia is known.
 #[derive(Clone, Debug)]
 pub(super) struct Mass<'g> {
-    /// All of it but that number.
+    /// Mass properties without the scalar inertia.
     rigid: SpatialInertia<'g>,
     about_axis: Option<AboutAxis<'g>>,
-    /// How it looks.
+    /// Figures to draw.
     pub(super) figures: Vec<Figure<'g>>,
 }
 
-/// An inertia about the axis that the body turns about.
+/// Scalar inertia about the axis that the body turns about.
 #[derive(Clone, Debug)]
 struct AboutAxis<'g> {
     moment: Expr<'g>,
-    /// Where the number is about the joint: the inertia of the mass at the centre of mass, which is in the number.
+    /// Inertia of the mass at the centre of mass, if the scalar is about the joint and thus includes it.
     included: Option<Symmetric3<'g>>,
     tokens: TokenStream,
 }
 
-/// About which axes a body may turn.
+/// Axes that a body may turn about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Turns<'g> {
-    /// It does not turn.
+    /// No axis: the body does not turn.
     Never,
-    /// About one, given in the body frame.
+    /// One axis, given in the body frame.
     About(Vec3<'g>),
-    /// About several.
+    /// Several axes.
     Freely,
 }
 
 impl<'g> Lower<'g> {
-    /// The spatial inertia of a body in its own frame, and how it looks.
+    /// Spatial inertia of a body in its own frame, and its figures.
     pub(super) fn inertia(
         &mut self,
         body: &Ident,
@@ -72,7 +72,7 @@ impl<'g> Lower<'g> {
         Ok((rigid, mass.figures))
     }
 
-    /// The mass properties of a body or shape. `unread` is there where a field may be missing for being wrong.
+    /// Mass properties of a body or shape. A field may be missing because of the error `unread`.
     pub(super) fn mass(
         &mut self,
         owner: &Ident,
@@ -101,7 +101,7 @@ impl<'g> Lower<'g> {
         })
     }
 
-    /// Mass, centre of mass and inertia as they are given.
+    /// Mass, centre of mass and inertia as given.
     fn direct(
         &mut self,
         owner: &Ident,
@@ -135,11 +135,11 @@ impl<'g> Lower<'g> {
         Ok(mass)
     }
 
-    /// Adds the rotational inertia of a body to that of its mass at the centre of mass.
+    /// Adds the rotational inertia of a body to the inertia of its mass at the centre of mass.
     fn add_inertia(&mut self, mass: &mut Mass<'g>, owner: &Ident, inertia: &Inertia, moments: Moments<'g>) {
         let about_origin = &mut mass.rigid.about_origin;
         let shift = *about_origin;
-        // moments about the joint include that of the mass
+        // moments about the joint already include the mass at the centre of mass
         if inertia.about_joint {
             *about_origin = Symmetric3::zero(self.graph);
         }
@@ -189,7 +189,7 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// How a body looks of which only the centre of mass is known.
+/// Figure of a body of which only the centre of mass is known.
 fn stick(com: Vec3<'_>) -> Vec<Figure<'_>> {
     vec![Figure {
         kind: FigureKind::Mass,
@@ -198,7 +198,7 @@ fn stick(com: Vec3<'_>) -> Vec<Figure<'_>> {
     }]
 }
 
-/// A rotational inertia as it is given.
+/// Rotational inertia, as given.
 enum Moments<'g> {
     /// About the one axis that the body turns about.
     AboutAxis(Expr<'g>),

@@ -1,46 +1,46 @@
-//! What values are measured in.
+//! Measures: dimensions of values, as far as they are known.
 
 use std::fmt::Display;
 
 use crate::expr::Expr;
 use crate::units::{Dimension, Power, Unit};
 
-/// A value, and what it is measured in.
+/// A value and its measure.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quantity<'g> {
     pub(super) value: Expr<'g>,
     pub(super) measure: Measure,
 }
 
-/// What a value is measured in, as far as its expression says.
+/// Dimension of a value, as far as its expression determines it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Measure {
-    /// Numbers alone: they stand for any quantity, in SI units.
+    /// Bare numbers only, which stand for any quantity in SI units.
     Number,
-    /// A dimension, and whether a bare number is among the factors. If there is one and no unit is left, as in
-    /// `0.3*sin(theta)`, the number may stand for any quantity.
+    /// A dimension, and true if a bare number is among the factors. If the product has no unit otherwise, as in
+    /// `0.3*sin(theta)`, this number may stand for any quantity.
     Of(Dimension, bool),
-    /// It is not known, after an error.
+    /// Unknown after an error.
     Unknown,
 }
 
 impl Measure {
-    /// Plain numbers and angles.
+    /// Measure of plain numbers and angles.
     pub(super) const ONE: Self = Self::Of(Dimension::ONE, false);
-    /// A bare number times what has no unit.
+    /// Measure of a bare number times a factor without unit.
     const SCALED: Self = Self::Of(Dimension::ONE, true);
 
-    /// What a unit measures, by its name in the language.
+    /// Measure of a unit, by its name in the language.
     pub(super) fn of(unit: &str) -> Self {
         Unit::of(unit).map_or(Self::Unknown, |unit| Self::in_dimension(unit.dimension))
     }
 
-    /// A dimension without a bare number.
+    /// Measure of a dimension, without a bare number.
     pub(super) fn in_dimension(dimension: Dimension) -> Self {
         Self::Of(dimension, false)
     }
 
-    /// That of `self * other^n`.
+    /// Measure of `self * other^n`.
     pub(super) fn times(self, other: Self, n: Power) -> Self {
         match (self, other) {
             (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
@@ -54,7 +54,7 @@ impl Measure {
         }
     }
 
-    /// That of the rate.
+    /// Measure of the rate.
     pub(super) fn rate(self) -> Self {
         match self {
             open if open.is_open() => Self::SCALED,
@@ -62,7 +62,7 @@ impl Measure {
         }
     }
 
-    /// That of a power.
+    /// Measure of a power.
     pub(super) fn power(self, n: Power) -> Self {
         match self {
             Self::Of(..) => Self::ONE.times(self, n),
@@ -70,7 +70,7 @@ impl Measure {
         }
     }
 
-    /// That of two values that must be alike; none where they are not.
+    /// Common measure of two values that must agree in dimension; none if they do not.
     pub(super) fn alike(self, other: Self) -> Option<Self> {
         match (self, other) {
             (Self::Unknown, _) | (_, Self::Unknown) => Some(Self::Unknown),
@@ -81,17 +81,17 @@ impl Measure {
         }
     }
 
-    /// Whether it takes the unit that is needed.
+    /// True if the value adopts whatever unit is required.
     pub(super) fn is_open(self) -> bool {
         self == Self::Number || self == Self::SCALED
     }
 
-    /// Whether a bare number is among its factors.
+    /// True if a bare number is among the factors.
     fn has_number(self) -> bool {
         matches!(self, Self::Number | Self::Of(_, true))
     }
 
-    /// Its dimension, where numbers count as plain.
+    /// Dimension, with bare numbers taken as dimensionless.
     pub(super) fn dimension(self) -> Dimension {
         match self {
             Self::Of(dimension, _) => dimension,

@@ -1,4 +1,5 @@
-//! Syntax to meaning: names resolved, joints and masses as screws, all in one graph.
+//! Lowering of the syntax to a typed scene: names are resolved, joints and masses become screws and inertias, and all
+//! expressions share one graph.
 
 mod action;
 mod body;
@@ -50,66 +51,66 @@ use point::Declared;
 use scope::Names;
 pub(crate) use scope::reserved;
 
-/// What a scene means, and where it says so.
+/// Result of lowering a scene.
 #[derive(Debug)]
 pub(crate) struct Lowered<'g> {
-    /// The meaning.
+    /// The typed scene.
     pub model: Model<'g>,
-    /// The text that later errors stand on.
+    /// Source locations for later errors.
     pub spans: Spans,
 }
 
-/// Places in the text, for errors that are found after lowering.
+/// Source locations, for errors that are found after lowering.
 #[derive(Debug, Default)]
 pub(crate) struct Spans {
-    /// The name of each body of the model.
+    /// Name of each body of the model.
     pub bodies: Vec<Span>,
-    /// The name of each parameter.
+    /// Name of each parameter.
     pub parameters: Vec<Span>,
-    /// The name of each input.
+    /// Name of each input.
     pub inputs: Vec<Span>,
-    /// The name of each wall.
+    /// Name of each wall.
     pub walls: Vec<Span>,
 }
 
-/// The state of lowering one scene.
+/// State of the lowering of one scene.
 #[derive(Debug)]
 struct Lower<'g> {
     graph: &'g Graph,
     names: Names<'g>,
     errors: Errors,
-    /// Names whose declaration had an error: their uses are not reported again.
+    /// Names whose declaration had an error. Their uses are not reported again.
     broken: BTreeMap<String, Reported>,
     rules: Vec<Rule<'g>>,
-    /// Rules that `new` does not check, for other numbers may be meant: defaults obey them.
+    /// Rules that defaults must satisfy but `new` does not check, because other values may be intended.
     for_defaults: Vec<Rule<'g>>,
     spans: Spans,
     time: Expr<'g>,
-    /// Whether units must fit.
+    /// True if units are checked.
     has_units: bool,
-    /// The points that are declared.
+    /// Declared points.
     points: BTreeMap<String, Declared<'g>>,
-    /// What stands behind the dots of orientations and positions.
+    /// Components of the orientations and positions, by name.
     components: BTreeMap<String, Components<'g>>,
-    /// How the solids look that were read last.
+    /// Figures of the solids that were lowered last.
     figures: Vec<Figure<'g>>,
-    /// Values that saturate, each with its limits.
+    /// Values that saturate, each with its lower and upper limit.
     clamps: Vec<[Expr<'g>; 3]>,
-    /// The names of the bodies.
+    /// Names of the bodies.
     body_names: Vec<String>,
-    /// For each body of the text what its joint does, where it has a motion.
+    /// Motion of the joint of each declared body, if it has one.
     motions: Vec<Option<Result<Motion<'g>, Reported>>>,
-    /// For each body of the text the body of the model, unless it has an error.
+    /// Index in the model of each declared body, unless it has an error.
     bodies: Vec<Option<BodyId>>,
-    /// For each closed loop the bodies that it ties, and what stands for its margin.
+    /// Names of the bodies that each closed loop ties, and the symbol of its margin.
     margins: Vec<([String; 2], Expr<'g>)>,
-    /// Whether all closed loops could be read.
+    /// True if all loop closures were parsed without errors.
     has_all_loops: bool,
-    /// The derivative along the motion of what depends on places and the time.
+    /// Time derivative of expressions in coordinates, points and the time.
     along_motion: Derivative<'g>,
 }
 
-/// The meaning of a scene, with its expressions in a graph. Errors are added to those of the reading.
+/// Lowers a scene, with its expressions in `graph`. Errors are added to those from parsing.
 pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, mut errors: Errors) -> Result<Lowered<'g>, Errors> {
     check_size(&scene.items, &mut errors)?;
     let time = graph.symbol("t", SymbolKind::Time);
@@ -137,7 +138,7 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, mut errors: Errors) -> 
     lower.scene(scene)
 }
 
-/// Refuses scenes whose expansion would not end in good time.
+/// Rejects scenes whose expansion would take too long.
 fn check_size(items: &Items, errors: &mut Errors) -> Result<(), Errors> {
     let motions = items.motions();
     if motions <= MOST_MOTIONS {
@@ -146,7 +147,8 @@ fn check_size(items: &Items, errors: &mut Errors) -> Result<(), Errors> {
     let last = items.bodies.last();
     let span = last.map_or_else(Span::call_site, |body| body.name.span());
     let fact = format_args!("{motions} coordinates and motions are declared: at most {MOST_MOTIONS} are possible");
-    let help = "hold joints that do not matter, by `joint: fixed` in a `body` of their name, or model parts of the mechanism apart";
+    let help = "hold joints that do not matter, by `joint: fixed` in a `body` of their name, or model parts of the \
+                mechanism apart";
     errors.at(Code::TooLong, span, fact, help);
     Err(std::mem::take(errors))
 }
@@ -166,7 +168,7 @@ impl<'g> Lower<'g> {
         tree.generate = self.generate(items, has);
         tree.points = self.points(&items.points);
         if tree.generate.contains("shapes") {
-            // what is drawn is used
+            // drawn points count as used
             tree.points.iter().for_each(|point| self.names.mark_used(&point.name));
         }
         tree.actions = self.actions(items, &tree.points);
@@ -207,7 +209,7 @@ impl<'g> Lower<'g> {
         Ok(Lowered { model, spans })
     }
 
-    /// What is declared, and the bodies: what is asked of them, what acts on them and their points are read later.
+    /// Lowers the declarations and the bodies. Points, actions, loops and outputs follow later.
     fn tree(&mut self, items: &Items) -> (Tree<'g>, Vec<Definition>) {
         let parameters = self.parameters(&items.params);
         let inputs = self.inputs(&items.inputs);
@@ -246,7 +248,7 @@ impl<'g> Lower<'g> {
         (tree, lets)
     }
 
-    /// A part of the text, or the report of why it cannot be read.
+    /// Returns a part of the source, or the report of its syntax error.
     fn read<'a, T>(&mut self, part: &'a Read<T>) -> Result<&'a T, Reported> {
         part.as_ref().map_err(|error| self.errors.push(error.clone()))
     }
@@ -256,7 +258,7 @@ impl<'g> Lower<'g> {
         given.unwrap_or(Vec3::zero(self.graph))
     }
 
-    /// Something must move. After another error it may be missing only because it could not be read.
+    /// Reports a scene without motion, unless another error may be the cause.
     fn require_motion(&mut self, scene: &Scene, coordinates: &[Coordinate<'g>]) {
         if !self.errors.is_empty() || !coordinates.is_empty() {
             return;
@@ -291,7 +293,7 @@ impl<'g> Lower<'g> {
         self.errors.at(code, name.span(), fact, help);
     }
 
-    /// Everything must be used. After another error a name may be unused only because its use could not be read.
+    /// Reports unused names and shapes, unless another error may hide their uses.
     fn report_unused(&mut self, items: &Items) {
         if self.errors.is_empty() {
             self.names.report_unused(&mut self.errors);

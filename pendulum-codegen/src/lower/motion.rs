@@ -1,4 +1,4 @@
-//! Joints that are driven, or follow others.
+//! Driven joints, and joints that follow others.
 
 use super::Lower;
 use super::expr::{Only, Place};
@@ -8,20 +8,19 @@ use crate::error::{Code, Reported};
 use crate::expr::{Derivative, Expr, Level, Rational, SymbolKind};
 use crate::model::{Combination, Coordinate, CoordinateId, Drive};
 
-/// What a joint with a motion does.
+/// Motion of a joint.
 #[derive(Clone, Debug)]
 pub(super) enum Motion<'g> {
-    /// It stays where it is.
+    /// Fixed at a value.
     Still(Expr<'g>),
-    /// It is driven.
+    /// Driven, by the coordinate of a drive.
     Driven(CoordinateId),
-    /// It follows other joints, from a place on.
+    /// Following other joints, by a combination of their coordinates plus a constant.
     Following(Combination, Expr<'g>),
 }
 
 impl<'g> Lower<'g> {
-    /// The drives of a scene with `dof` coordinates, numbered behind them. Also records what each joint with a motion
-    /// does.
+    /// Drives of a scene, numbered after its `dof` coordinates. Also records the motion of each joint.
     pub(super) fn drives(&mut self, bodies: &[ast::Body], dof: usize) -> Vec<Drive<'g>> {
         let mut drives: Vec<Drive<'g>> = Vec::new();
         for body in bodies {
@@ -43,7 +42,7 @@ impl<'g> Lower<'g> {
         drives
     }
 
-    /// Dependent coordinates are numbered behind the drives, of which only now is known how many there are.
+    /// Renumbers dependent coordinates to follow the drives, whose number is known only now.
     pub(super) fn number_behind(&mut self, dof: usize, drives: usize) {
         let behind = |k: CoordinateId| match usize::from(k) {
             k if k < dof => CoordinateId::new(k),
@@ -72,7 +71,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The law of a motion.
+    /// Lowers the law of a motion.
     fn motion(&mut self, body: &ast::Body, motion: &ast::Expr) -> Result<Expr<'g>, Reported> {
         let name = &body.name;
         let place = Place {
@@ -103,7 +102,7 @@ impl<'g> Lower<'g> {
         self.smooth(motion, law?, 2, &place, "acceleration")
     }
 
-    /// The coordinates of the state in a law.
+    /// Coordinates in a law, with their symbols.
     fn coordinates_of(&self, law: Expr<'g>) -> Vec<(CoordinateId, Expr<'g>)> {
         let all = self.graph.reachable(&[law]).into_iter().map(|id| self.graph.expr(id));
         let of = all.filter_map(|x| match x.as_symbol()?.kind {
@@ -113,7 +112,7 @@ impl<'g> Lower<'g> {
         of.collect()
     }
 
-    /// The law of a joint that follows others.
+    /// Motion of a joint that follows others.
     fn following(
         &mut self,
         body: &ast::Body,
@@ -153,7 +152,7 @@ impl<'g> Lower<'g> {
         Ok(Motion::Following(sum, start))
     }
 
-    /// The number by which a joint follows a coordinate.
+    /// Factor by which a joint follows a coordinate.
     fn factor(
         &mut self,
         body: &ast::Body,
@@ -165,7 +164,8 @@ impl<'g> Lower<'g> {
         let name = &body.name;
         if let Some(orientation) = self.orientation_of(position).map(str::to_owned) {
             let fact = format_args!("the motion of `{name}` follows the orientation `{orientation}`");
-            let help = "the components of a quaternion are no coordinates of joints: let it follow a joint that turns about one axis";
+            let help = "the components of a quaternion are no coordinates of joints: let it follow a joint that turns \
+                        about one axis";
             return Err(self.errors.on(Code::Motion, motion, fact, help));
         }
         let slope = Derivative::by(position).of(law);
@@ -181,7 +181,7 @@ impl<'g> Lower<'g> {
             let help = "a joint follows others as in `-a`, `0.5*a + 0.1` or `a - b`, where `a` and `b` are coordinates";
             return Err(self.errors.on(Code::Motion, motion, fact, help));
         };
-        // dependent angles are known but for whole turns
+        // dependent angles are determined up to whole turns only
         if depends && !factor.is_integer() {
             let leader = position.as_symbol().map_or("", |symbol| &symbol.name);
             let fact = format_args!("`{name}` follows `{leader}`, which depends, by a factor of {factor}");
@@ -191,7 +191,7 @@ impl<'g> Lower<'g> {
         Ok(factor)
     }
 
-    /// Refuses an expression that has fewer continuous derivatives than are needed, for one of which it is taken.
+    /// Rejects an expression with fewer than `needed` continuous derivatives; `what` is the quantity that would jump.
     pub(super) fn smooth(
         &mut self,
         given: &ast::Expr,
@@ -200,7 +200,7 @@ impl<'g> Lower<'g> {
         place: &Place<'g>,
         what: &str,
     ) -> Result<Expr<'g>, Reported> {
-        // what depends on the time alone may jump in a potential: its force is a derivative by coordinates
+        // a term of a potential in the time alone may jump: forces are derivatives by coordinates
         let by_time = place.only == Only::Motion;
         if value.continuous_derivatives(|kind| by_time || kind != SymbolKind::Time) >= needed {
             return Ok(value);
@@ -218,7 +218,7 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// The first call of `abs` or `clamp` in an expression, or of a root.
+/// First call of `abs`, `clamp` or `sqrt` in an expression.
 fn corner(expr: &ast::Expr) -> Option<&ast::Expr> {
     use ast::ExprKind::{Binary, Call, Component, Measured, Name, Neg, Number, Power, RateComponent};
     match &expr.kind {

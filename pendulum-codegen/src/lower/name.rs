@@ -1,4 +1,4 @@
-//! Names and functions in expressions.
+//! Lookup of names and functions in expressions.
 
 use syn::Ident;
 
@@ -22,7 +22,7 @@ const UNARY: [(&str, Unary); 7] = [
     ("abs", Unary::Abs),
 ];
 
-/// All functions.
+/// Names of all functions.
 fn functions() -> impl Iterator<Item = &'static str> {
     UNARY
         .iter()
@@ -30,7 +30,7 @@ fn functions() -> impl Iterator<Item = &'static str> {
         .chain(["sqrt", "atan2", "clamp", "dot", "distance", "margin"])
 }
 
-/// The number with a unit that a product ends in.
+/// Last factor of a product, if it is a number with a unit.
 fn last_measured(e: &ast::Expr) -> Option<&Measured> {
     match &e.kind {
         ExprKind::Measured(measured) => Some(measured),
@@ -40,7 +40,7 @@ fn last_measured(e: &ast::Expr) -> Option<&Measured> {
 }
 
 impl<'g> Lower<'g> {
-    /// What a name stands for at a place.
+    /// Looks up a name at a place.
     pub(super) fn name(&mut self, name: &Ident, place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
         let text = name.to_string();
         let (value, measure) = match (text.as_str(), place.joint) {
@@ -53,7 +53,7 @@ impl<'g> Lower<'g> {
         Ok(Quantity { value, measure })
     }
 
-    /// What a declared name stands for at a place.
+    /// Looks up a declared name at a place.
     fn declared(&mut self, name: &Ident, place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
         let text = name.to_string();
         if let Some(value) = self.names.value(&text) {
@@ -87,7 +87,8 @@ impl<'g> Lower<'g> {
         }
         if self.body_names.contains(&text) {
             let help = format_args!(
-                "a body is no number: declare a point, `point {text}_end on {text} at [x, y, z],`, or write `rotation({text})`"
+                "a body is no number: declare a point, `point {text}_end on {text} at [x, y, z],`, or write \
+                 `rotation({text})`"
             );
             return Err(self.errors.at(Code::WrongKind, name.span(), fact, help));
         }
@@ -107,7 +108,7 @@ impl<'g> Lower<'g> {
             .unknown(Code::UnknownName, name, fact, known, words::SYMBOLS))
     }
 
-    /// Notes an unknown name that is meant to be of the unit of a number before it, as in `2 N*m` and `9.81 m/s2`.
+    /// Reports an unknown name that seems to continue the unit of the number before it, as in `2 N*m` and `9.81 m/s2`.
     pub(super) fn rest_of_unit(
         &mut self,
         operator: Operator,
@@ -131,7 +132,7 @@ impl<'g> Lower<'g> {
         Some(self.errors.at(Code::UnknownUnit, name.span(), fact, help))
     }
 
-    /// A function of its arguments.
+    /// Lowers a function call.
     pub(super) fn call(
         &mut self,
         expr: &ast::Expr,
@@ -195,7 +196,7 @@ impl<'g> Lower<'g> {
         Ok(Quantity { value, measure })
     }
 
-    /// Reports a name that is not that of a function.
+    /// Reports a call of a name that is not a function.
     fn no_function(&mut self, name: &Ident, place: &Place<'g>) -> Reported {
         let Some(kind) = self.names.kind(&name.to_string()) else {
             let fact = format_args!("unknown function `{name}` in {}", place.what);
@@ -208,7 +209,7 @@ impl<'g> Lower<'g> {
         self.errors.at(Code::WrongKind, name.span(), fact, help)
     }
 
-    /// What a function of given arguments is measured in.
+    /// Measure of a function value.
     fn measure_of(&mut self, function: &str, arguments: &[ast::Expr], given: &[Quantity<'g>]) -> Measure {
         match (function, arguments, given) {
             ("abs", _, [x]) => return x.measure,
@@ -230,7 +231,7 @@ impl<'g> Lower<'g> {
         if is_number { Measure::Number } else { Measure::ONE }
     }
 
-    /// The derivative along the motion.
+    /// Lowers `dot(x)`, the time derivative.
     fn dot(&mut self, expr: &ast::Expr, arguments: &[ast::Expr], place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
         let [argument] = arguments else {
             return Err(self.errors.on(
@@ -255,7 +256,7 @@ impl<'g> Lower<'g> {
             }
             _ => {}
         }
-        // what may stand in the argument is what may stand here, and that it has no rates of its own
+        // the argument has the same restrictions as the place, and must not contain rates itself
         let Quantity { value, measure } = self.operation(argument, place)?;
         self.require_rate(argument, value)?;
         Ok(Quantity {
@@ -264,7 +265,7 @@ impl<'g> Lower<'g> {
         })
     }
 
-    /// The declared rate of a name; none where it follows from what the name stands for.
+    /// Declared rate of a name; none if it follows from the value of the name.
     fn rate_named(&mut self, name: &Ident) -> Result<Option<Quantity<'g>>, Reported> {
         let text = name.to_string();
         if let Some(rate) = self.names.rate(&text) {
@@ -293,7 +294,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Refuses a value whose rate is unknown or always zero.
+    /// Rejects a value whose rate is unknown or always zero.
     fn require_rate(&mut self, given: &ast::Expr, value: Expr<'g>) -> Result<(), Reported> {
         let mut symbols = self.graph.symbols_of(&[value]);
         let without_rate = symbols.find(|symbol| {

@@ -1,4 +1,4 @@
-//! What keeps closed loops open, and what to do about it.
+//! Errors of loops that do not close, with help.
 
 use proc_macro2::{Ident, Span};
 
@@ -9,7 +9,7 @@ use crate::loops::{Cause, NoPlane};
 use crate::parse::HINGES;
 
 impl<'g> Lower<'g> {
-    /// So many coordinates must depend.
+    /// Checks that the number of dependent coordinates is `needed`.
     pub(super) fn count(&mut self, items: &ast::Items, needed: usize, at: Span) -> Result<(), Reported> {
         let words = items.bodies.iter().filter_map(|body| body.fields.depends.as_ref());
         let words: Vec<&Ident> = words.collect();
@@ -21,7 +21,8 @@ impl<'g> Lower<'g> {
                 needed.to_string()
             };
             let fact = format!("{}, but closed loops determine {many}", depend(given));
-            let help = "leave out `depends` where a joint moves by itself, or close another loop: `close a at [..] to b at [..]: revolute(z)`";
+            let help = "leave out `depends` where a joint moves by itself, or close another loop: `close a at [..] to \
+                        b at [..]: revolute(z)`";
             return Err(self.errors.at(Code::LoopCount, word.span(), fact, help));
         }
         if given == needed {
@@ -32,7 +33,7 @@ impl<'g> Lower<'g> {
             0 => format!("closed loops determine {needed} {many}, but none depends"),
             _ => format!("closed loops determine {needed} {many}, but only {}", depend(given)),
         };
-        // orientations do not depend, so other joints are missing
+        // orientations cannot depend, so other joints are missing
         let coordinates = items.bodies.iter().filter(|body| body.fields.coordinate.is_some());
         let in_loops: Vec<&ast::Body> = items
             .closures
@@ -44,15 +45,15 @@ impl<'g> Lower<'g> {
         } else {
             let independent = in_loops.iter().rev().filter(|body| body.fields.depends.is_none());
             format!(
-                "a loop in a plane determines two, and one in space up to six: write `coordinate: {} depends near 0.3`, \
-                 where the number says in which assembly",
+                "a loop in a plane determines two, and one in space up to six: write `coordinate: {} depends near \
+                 0.3`, where the number says in which assembly",
                 first_coordinate(independent).map_or("phi".to_owned(), Ident::to_string)
             )
         };
         Err(self.errors.at(Code::LoopCount, at, fact, help))
     }
 
-    /// Reports what keeps a loop open.
+    /// Reports why a loop does not close.
     pub(super) fn open(
         &mut self,
         items: &ast::Items,
@@ -74,12 +75,12 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// The bodies between the ends of a loop, from each end to what carries both.
+/// Bodies between the ends of a loop, from each end to the body that carries both.
 fn between<'a>(closure: &ast::Closure, bodies: &'a [ast::Body]) -> Vec<&'a ast::Body> {
     let [first, second] = closure.ends.each_ref().map(|end| {
         let named = |name: &Ident| bodies.iter().position(|body| body.name == *name);
         let carrier = |n: &usize| bodies[*n].parent.as_ref().ok().and_then(named);
-        // as many as there are, should they carry one another
+        // `take` ends the chain if bodies carry one another in a circle
         let chain = std::iter::successors(named(&end.body), carrier).take(bodies.len());
         chain.collect::<Vec<usize>>()
     });
@@ -88,7 +89,7 @@ fn between<'a>(closure: &ast::Closure, bodies: &'a [ast::Body]) -> Vec<&'a ast::
     between.map(|n| &bodies[*n]).collect()
 }
 
-/// The orientation of a body that has no guess.
+/// Orientation of a body, if it has no guess.
 fn unguessed<'a>(body: &&'a ast::Body) -> Option<&'a Ident> {
     body.fields
         .orientation
@@ -96,7 +97,7 @@ fn unguessed<'a>(body: &&'a ast::Body) -> Option<&'a Ident> {
         .filter(|_| body.fields.turned.is_none())
 }
 
-/// Whether a body has an orientation, which cannot depend.
+/// True if any of the bodies has an orientation, which cannot depend.
 fn has_orientation(bodies: &[&ast::Body]) -> bool {
     bodies.iter().any(|body| body.fields.orientation.is_some())
 }
@@ -105,7 +106,7 @@ fn first_coordinate<'a>(bodies: impl IntoIterator<Item = &'a &'a ast::Body>) -> 
     bodies.into_iter().find_map(|body| body.fields.coordinate.as_ref())
 }
 
-/// How to say where a loop is assembled: by a coordinate of the state, if it has one.
+/// Help on how to choose the assembly of a loop: by a coordinate of the state, if it has one.
 fn assembled(bodies: &[&ast::Body]) -> String {
     let moves_by_itself = |body: &&&ast::Body| body.fields.depends.is_none() && body.fields.coordinate.is_some();
     let Some(body) = bodies.iter().find(moves_by_itself) else {
@@ -119,7 +120,7 @@ fn assembled(bodies: &[&ast::Body]) -> String {
     }
 }
 
-/// How to say which coordinate of a loop depends.
+/// Help on how to declare a dependent coordinate of a loop.
 fn dependent(bodies: &[&ast::Body]) -> String {
     let depends = bodies.iter().filter(|body| body.fields.depends.is_some());
     let name = first_coordinate(depends).or_else(|| first_coordinate(bodies));
@@ -127,15 +128,15 @@ fn dependent(bodies: &[&ast::Body]) -> String {
     format!("`coordinate: {name} depends near 0.3`")
 }
 
-/// How many coordinates a joint determines that closes a loop, in a plane and in space.
+/// Help on the number of coordinates that a loop-closing joint determines, in a plane and in space.
 fn counted(joint: &str, [in_plane, in_space]: [&str; 2], assembled: &str) -> String {
     format!(
-        "`{joint}` determines {in_plane} coordinates of a loop in a plane, and {in_space} of one in space: let as many depend, \
-         and say where the mechanism can be assembled: {assembled}"
+        "`{joint}` determines {in_plane} coordinates of a loop in a plane, and {in_space} of one in space: let as \
+         many depend, and say where the mechanism can be assembled: {assembled}"
     )
 }
 
-/// How many coordinates depend, in words.
+/// Number of dependent coordinates, in words.
 fn depend(count: usize) -> String {
     match count {
         1 => "1 coordinate depends".to_owned(),
@@ -143,7 +144,7 @@ fn depend(count: usize) -> String {
     }
 }
 
-/// Three digits of a positive number, with an exponent where many zeros would stand before or behind them.
+/// Formats a positive number to three digits, with an exponent in place of many zeros.
 fn readable(number: f64) -> String {
     let rounded = format!("{number:.2e}");
     let exponent = rounded.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
@@ -165,7 +166,7 @@ impl Cause {
         }
     }
 
-    /// The predicate of the sentence whose subject is the loop.
+    /// Predicate of the sentence that has the loop as its subject.
     fn fact(&self) -> String {
         match *self {
             Self::TooShort { by } => format!(
@@ -191,7 +192,7 @@ impl Cause {
         }
     }
 
-    /// Advice on the loop of these bodies, which the joint does not close.
+    /// Help for a loop of these bodies that `joint` does not close.
     fn help(&self, joint: &Read<JointKind>, bodies: &[&ast::Body], no_plane: Option<&NoPlane>) -> String {
         let dependent = dependent(bodies);
         match self {
@@ -209,7 +210,8 @@ impl Cause {
             Self::Undecided => format!("say in which, by a number for each coordinate of the loop: {dependent}"),
             Self::ClosedByChance => "give both ends one parameter where they must agree in order to close".to_owned(),
             Self::Turned { .. } if matches!(joint, Ok(JointKind::Revolute(_))) => format!(
-                "say where its axes have one direction: {dependent}, or turn one end over, with `rpy [..]` behind its place"
+                "say where its axes have one direction: {dependent}, or turn one end over, with `rpy [..]` behind its \
+                 place"
             ),
             Self::Turned { .. } => format!("say where the two frames coincide: {dependent}"),
             Self::Determines(_) | Self::DeterminesOthers => format!(
@@ -220,24 +222,26 @@ impl Cause {
 }
 
 impl NoPlane {
-    /// Advice on a loop in space that does not close: it may be meant to lie in a plane.
+    /// Help for a loop in space that does not close and may be intended as planar.
     fn help(&self, joint: &Read<JointKind>, bodies: &[&ast::Body]) -> String {
         let assembled = assembled(bodies);
         match (self, joint) {
             _ if has_orientation(bodies) => match bodies.iter().find_map(unguessed) {
                 Some(name) => format!(
                     "where it is assembled, `{name}` is turned by nothing: say how it is turned there, \
-                     `orientation: {name} near [roll, pitch, yaw]` with angles in rad. Or, if it follows from the loop: {HINGES}"
+                     `orientation: {name} near [roll, pitch, yaw]` with angles in rad. Or, if it follows from the \
+                     loop: {HINGES}"
                 ),
                 None => HINGES.to_owned(),
             },
-            (Self::Axes, _) => "check lengths, places and axes, and say near which values of all coordinates of the loop it can be assembled; \
-                                where these are right, more of them must depend"
+            (Self::Axes, _) => "check lengths, places and axes, and say near which values of all coordinates of the \
+                                loop it can be assembled; where these are right, more of them must depend"
                 .to_owned(),
             (Self::Joint, Ok(JointKind::Fixed)) => counted("fixed", ["three", "six"], &assembled),
             (Self::Joint, Ok(JointKind::Prismatic(_))) => counted("prismatic", ["two", "five"], &assembled),
             (Self::Joint, _) => format!(
-                "give the joint that closes the loop the axis of the others, or say where the mechanism can be assembled: {assembled}"
+                "give the joint that closes the loop the axis of the others, or say where the mechanism can be \
+                 assembled: {assembled}"
             ),
             (Self::Apart, _) => "check the places along the axis of the joints, and in which directions they slide: \
                                  the ends do not lie in one plane"

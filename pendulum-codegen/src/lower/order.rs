@@ -1,4 +1,4 @@
-//! Parents before children.
+//! Order of the bodies: parents before children.
 
 use std::collections::BTreeMap;
 
@@ -6,11 +6,11 @@ use super::Lower;
 use crate::ast;
 use crate::error::{Code, Reported};
 
-/// A declared body by its number, and the one that carries it: none for ground.
+/// Index of a declared body, and of its parent; none for ground.
 pub(super) type Hung = (usize, Result<Option<usize>, Reported>);
 
 impl Lower<'_> {
-    /// The bodies, each after its parent. Bodies that hang on nothing, or on each other, are reported.
+    /// Sorts the bodies so that each comes after its parent. Reports unknown parents and circles.
     pub(super) fn order(&mut self, bodies: &[ast::Body]) -> Vec<Hung> {
         let index = self.body_names(bodies);
         let parents: Vec<_> = bodies.iter().map(|body| self.parent(body, bodies, &index)).collect();
@@ -80,7 +80,7 @@ impl Lower<'_> {
             .filter(|name| body.name != name);
         let mut known: Vec<String> = Vec::new();
         for name in others.chain(["ground".to_owned()]) {
-            // a body that is declared twice is listed once
+            // a body declared twice is listed once
             if !known.contains(&name) {
                 known.push(name);
             }

@@ -12,7 +12,7 @@ use crate::model::{Event, FACTS, Output, OutputShape, Poses, places};
 use crate::program;
 
 impl<'g> Lower<'g> {
-    /// The outputs of a scene whose bodies are in these poses.
+    /// Lowers the outputs of a scene with the given poses of its bodies.
     pub(super) fn outputs(&mut self, items: &ast::Items, poses: &Poses<'g>) -> Vec<Output<'g>> {
         let mut outputs = Vec::new();
         for output in &items.outputs {
@@ -36,7 +36,7 @@ impl<'g> Lower<'g> {
         outputs
     }
 
-    /// A number, the position of a point, or the rotation of a body.
+    /// Lowers an output: a number, the position of a point, or the rotation of a body.
     fn output(
         &mut self,
         e: &ast::Expr,
@@ -76,7 +76,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The events of a scene.
+    /// Lowers the events of a scene.
     pub(super) fn events(&mut self, declared: &[ast::Event]) -> Vec<Event<'g>> {
         let mut events = Vec::new();
         for event in declared {
@@ -105,7 +105,7 @@ impl<'g> Lower<'g> {
         events
     }
 
-    /// No two functions of a model may have the same name.
+    /// Rejects outputs and events whose functions have the name of another function or constant of the model.
     pub(super) fn check_functions(&mut self, items: &ast::Items) {
         let outputs = items.outputs.iter().map(|output| (&output.name, "output"));
         let events = items.events.iter().map(|event| (&event.name, "event"));

@@ -1,4 +1,4 @@
-//! What numbers must obey: checked now where they are constant, rules for `new` where they depend on parameters.
+//! Conditions on numbers, checked now for constants, or by `new` for expressions of parameters.
 
 use std::collections::BTreeSet;
 
@@ -14,11 +14,11 @@ use crate::expr::{Expr, Level, Printer, Symbol, SymbolKind};
 use crate::model::{Parameter, Requirement, Rule};
 use crate::screw::Symmetric3;
 
-/// The three ways to write that the largest principal moment is at most the sum of the others, for each axis.
+/// Triangle inequality for each axis: the sum of the first two principal moments is at least the third.
 const TRIANGLES: [[&str; 3]; 3] = [["iyy", "izz", "ixx"], ["ixx", "izz", "iyy"], ["ixx", "iyy", "izz"]];
 
 impl<'g> Lower<'g> {
-    /// An expression that must be positive, or at least not negative.
+    /// Lowers an expression that must be positive, or must not be negative.
     pub(super) fn positive(
         &mut self,
         e: &ast::Expr,
@@ -30,7 +30,7 @@ impl<'g> Lower<'g> {
         Ok(value)
     }
 
-    /// Checks a number, which errors call `what`.
+    /// Checks the sign of a value; `what` names it in errors.
     pub(super) fn require(&mut self, at: &impl ToTokens, value: Expr<'g>, requirement: Requirement<'g>, what: &str) {
         let must = if requirement == Requirement::Positive {
             "must be positive"
@@ -53,8 +53,8 @@ impl<'g> Lower<'g> {
 
     /// Checks a rotational inertia about the centre of mass.
     ///
-    /// It is that of some mass exactly when `tr(J)/2 - J`, the matrix of second moments, has no negative eigenvalue
-    /// (Traversaro et al. 2016), that is, when no principal minor of it is negative.
+    /// An inertia is physical exactly if `tr(J)/2 - J`, the matrix of second moments, has no negative eigenvalue
+    /// (Traversaro et al. 2016), that is, if none of its principal minors is negative.
     pub(super) fn physical(&mut self, owner: &Ident, inertia: &Inertia, about_com: Symmetric3<'g>) {
         let diagonal = inertia.entries.len() == 3 && inertia.rpy.is_none() && !inertia.about_joint;
         for (n, (value, scale)) in minors(about_com).into_iter().enumerate().filter(|_| !inertia.judged) {
@@ -102,7 +102,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Checks an inertia about the joint's axis: what is left about the centre of mass must not be negative.
+    /// Checks an inertia about the joint axis: the remainder about the centre of mass must not be negative.
     pub(super) fn physical_about_axis(
         &mut self,
         owner: &Ident,
@@ -134,7 +134,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Reports defaults that `new` would refuse, one rule for each of them.
+    /// Reports defaults that `new` would reject, with one rule for each parameter.
     pub(super) fn report_refused_defaults(&mut self, params: &[ast::Param], parameters: &[Parameter<'g>]) {
         let value_of = |symbol: &Symbol| match symbol.kind {
             SymbolKind::Parameter(n) => parameters[n].default.unwrap_or(f64::NAN),
@@ -165,7 +165,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The value of a constant that does not obey.
+    /// Value of a constant that violates a requirement.
     pub(super) fn broken_by(&self, value: Expr<'g>, requirement: Requirement<'g>) -> Option<f64> {
         let scale = requirement.scale().map_or(Some(0.0), Expr::constant)?.abs();
         value.constant().filter(|&number| !requirement.allows(number, scale))
@@ -179,7 +179,7 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// The principal minors of `tr(J) - 2 J`, each with a number of the size of its terms.
+/// Principal minors of `tr(J) - 2 J`, each with a number of the size of its terms.
 fn minors(about_com: Symmetric3<'_>) -> [(Expr<'_>, Expr<'_>); 7] {
     let [xx, yy, zz, xy, xz, yz] = about_com.0;
     let trace = xx + yy + zz;
@@ -188,7 +188,7 @@ fn minors(about_com: Symmetric3<'_>) -> [(Expr<'_>, Expr<'_>); 7] {
     // the off-diagonal entries are -2 J_ij; their signs matter in the determinant only
     let [d, e, f] = [xy, xz, yz].map(|product| -(2 * product));
     let (ab, ac, bc) = (a * b - d * d, a * c - e * e, b * c - f * f);
-    // expanded along the first row
+    // by expansion along the first row
     let determinant = a * bc - d * (d * c - e * f) + e * (d * f - b * e);
     [
         (a, trace),

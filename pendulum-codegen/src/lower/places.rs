@@ -1,4 +1,4 @@
-//! The constants by which a model names the places of its coordinates in the state.
+//! Constants for the indices of the coordinates in the state.
 
 use super::Lower;
 use crate::ast;
@@ -6,7 +6,7 @@ use crate::error::Code;
 use crate::model::{FACTS, places};
 
 impl Lower<'_> {
-    /// No two constants of a model may have the same name.
+    /// Rejects coordinates whose constants have the name of another constant of the model.
     pub(super) fn check_places(&mut self, bodies: &[ast::Body]) {
         let mut taken: Vec<(String, String)> = FACTS
             .map(|fact| (fact.to_owned(), "another fact of the model".to_owned()))

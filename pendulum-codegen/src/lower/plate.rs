@@ -1,4 +1,4 @@
-//! Uniform plates of any simple outline.
+//! Uniform plates with any simple outline.
 
 use syn::Ident;
 
@@ -8,11 +8,12 @@ use crate::expr::{Expr, Level, Normalizer, Unary, ratio};
 use crate::model::{Requirement, Rule};
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
-/// How far the small normal forms of corners may grow.
+/// Maximum number of products of terms formed to normalise expressions of the corners.
 const BUDGET: usize = 10_000;
 
 impl<'g> Lower<'g> {
-    /// A uniform polygon in the xy plane, as a sum over the triangles between its sides and the origin (Green).
+    /// Inertia of a uniform polygon in the xy plane, as a sum over the triangles between its sides and the origin
+    /// (Green's theorem).
     pub(super) fn uniform_plate(
         &mut self,
         owner: &Ident,
@@ -42,7 +43,7 @@ impl<'g> Lower<'g> {
             let (x1, y1) = corners[(n + 1) % corners.len()];
             let twice = x0 * y1 - x1 * y0;
             let (sx, sy) = (x0 + x1, y0 + y1);
-            // a^2 + a b + b^2 = (a + b)^2 - a b, written without a cancellation
+            // a^2 + a b + b^2 = (a + b)^2 - a b, in a form without cancellation
             let (xx, yy) = (x0.powi(2) + x1 * sx, y0.powi(2) + y1 * sy);
             let xy = x0 * y0 + x1 * y1 + sx * sy;
             for (total, factor) in sums.iter_mut().zip([self.graph.one(), sx, sy, xx, yy, xy]) {
@@ -61,7 +62,7 @@ impl<'g> Lower<'g> {
         self.require_simple(owner, corners, twice_area);
         let density = mass / twice_area;
         let part = |total: Expr<'g>, share: i64| ratio(1, share) * (density * total);
-        // of twice the area: 2/6 for the first moments, 2/12 and 2/24 for the second ones
+        // fractions of twice the area: 2/6 for the first moments, 2/12 and 2/24 for the second ones
         let (x, y, xx, yy, xy) = (part(x, 3), part(y, 3), part(xx, 6), part(yy, 6), part(xy, 12));
         let zero = self.graph.zero();
         Ok(SpatialInertia {
@@ -73,7 +74,7 @@ impl<'g> Lower<'g> {
 }
 
 impl<'g> Lower<'g> {
-    /// No two sides may cross, whatever the parameters: a rule for each two that they might make cross.
+    /// Adds a rule for each pair of sides that might cross for some parameters.
     fn require_simple(&mut self, owner: &Ident, corners: &[(Expr<'g>, Expr<'g>)], twice_area: Expr<'g>) {
         let mut normalizer = Normalizer::new(self.graph, BUDGET);
         for ends in sides_apart(corners.len()) {
@@ -82,9 +83,10 @@ impl<'g> Lower<'g> {
                 .iter()
                 .all(|(x, y)| x.level().max(y.level()) == Level::Constant)
             {
-                continue; // these are known not to meet
+                continue; // sides with constant corners were checked before
             }
-            // they cross where the ends of each lie on both sides of the other: then the larger product is negative
+            // two sides cross if the ends of each lie on both sides of the other: then even the larger product is
+            // negative
             let sides = [[turn(a, b, c), turn(a, b, d)], [turn(c, d, a), turn(c, d, b)]];
             let same = |[p, q]: &[Expr<'g>; 2]| normalizer.is_zero(*p - *q) == Ok(true);
             if sides.iter().any(same) {
@@ -102,18 +104,18 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// Twice the area of a triangle, positive where its corners turn to the left.
+/// Twice the signed area of a triangle, positive if its corners turn left.
 fn turn<'g>(a: (Expr<'g>, Expr<'g>), b: (Expr<'g>, Expr<'g>), c: (Expr<'g>, Expr<'g>)) -> Expr<'g> {
     (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
 }
 
-/// The ends of each two sides of a polygon that have no common corner.
+/// Ends of each pair of sides of a polygon without a common corner.
 fn sides_apart(n: usize) -> impl Iterator<Item = [usize; 4]> {
     let pairs = (0..n).flat_map(move |i| (i + 2..n).map(move |j| [i, i + 1, j, (j + 1) % n]));
     pairs.filter(|[a, .., d]| a != d)
 }
 
-/// Whether no two sides of a polygon share a point but their common corner, as far as its corners are numbers.
+/// True if no two sides of a polygon meet except at a common corner, as far as its corners are constant.
 fn may_be_simple(corners: &[Option<(f64, f64)>]) -> bool {
     let turn = |a: (f64, f64), b: (f64, f64), c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0);
     let between = |a: (f64, f64), b: (f64, f64), p: (f64, f64)| {

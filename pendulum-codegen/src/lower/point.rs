@@ -15,26 +15,26 @@ use crate::expr::{Expr, SymbolKind};
 use crate::model::{self, BodyId};
 use crate::screw::Vec3;
 
-/// A point that is declared, before the place of its body is known.
+/// A declared point, before the place of its body is known.
 #[derive(Clone, Debug)]
 pub(super) struct Declared<'g> {
-    /// The number of the body in the text; none for ground.
+    /// Index of the declared body; none for ground.
     pub(super) body: Option<usize>,
-    /// Whether the body can move.
+    /// True if the body can move.
     pub(super) moves: bool,
     position: Vec3<'g>,
     velocity: Vec3<'g>,
 }
 
 impl<'g> Declared<'g> {
-    /// The symbols of its position, and those of its velocity.
+    /// Symbols of the position, and of the velocity.
     pub(super) fn symbols(&self) -> [Vec3<'g>; 2] {
         [self.position, self.velocity]
     }
 }
 
 impl<'g> Lower<'g> {
-    /// Declares the names of points, and the symbols that stand for their coordinates until all bodies are known.
+    /// Declares the names of points, and the symbols that represent their coordinates until all bodies are known.
     pub(super) fn declare_points(&mut self, items: &ast::Items) {
         let (points, bodies, moves) = (&items.points, &items.bodies, moving(items));
         for point in points {
@@ -69,7 +69,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The points on the bodies that they belong to. Those with an error are left out.
+    /// Lowers the points with their bodies. Points with an error are left out.
     pub(super) fn points(&mut self, points: &[ast::Point]) -> Vec<model::Point<'g>> {
         let mut placed = Vec::new();
         for point in points {
@@ -96,7 +96,7 @@ impl<'g> Lower<'g> {
         placed
     }
 
-    /// The body of a number in the text, and ground for none; nothing where the body has an error.
+    /// Index in the model of a declared body: `Some(None)` for ground, and none if the body has an error.
     pub(super) fn placed(&self, body: Option<usize>) -> Option<Option<BodyId>> {
         match body {
             Some(body) => self.bodies.get(body).copied().flatten().map(Some),
@@ -104,7 +104,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The number of a body in the text; none for ground.
+    /// Index of a declared body; none for ground.
     pub(super) fn body_named(&mut self, name: &Ident, bodies: &[ast::Body]) -> Result<Option<usize>, Reported> {
         if name == "ground" {
             return Ok(None);
@@ -124,7 +124,7 @@ impl<'g> Lower<'g> {
         Err(self.errors.unknown(Code::UnknownName, name, fact, known, &[]))
     }
 
-    /// The body to which a point belongs, or what its joint has: a coordinate, an orientation or a position.
+    /// Name of the body that has a point, coordinate, orientation or position of this name.
     fn owner(&self, name: &Ident, bodies: &[ast::Body]) -> Option<String> {
         if let Some(point) = self.points.get(&name.to_string()) {
             return Some(point.body.map_or("ground".to_owned(), |n| bodies[n].name.to_string()));
@@ -141,7 +141,7 @@ impl<'g> Lower<'g> {
         bodies.iter().find(has).map(|body| body.name.to_string())
     }
 
-    /// A declared point.
+    /// Looks up a declared point, and marks it as used.
     pub(super) fn point_named(&mut self, name: &Ident) -> Result<Declared<'g>, Reported> {
         let text = name.to_string();
         self.names.mark_used(&text);
@@ -221,7 +221,7 @@ impl<'g> Lower<'g> {
         Ok(square.sqrt())
     }
 
-    /// Two points that are not one.
+    /// Looks up two points, which must differ.
     pub(super) fn ends(&mut self, [first, second]: [&Ident; 2], span: Span) -> Result<[Declared<'g>; 2], Reported> {
         let (a, b) = (self.point_named(first), self.point_named(second));
         let ends = [a?, b?];
@@ -238,7 +238,7 @@ pub(super) fn square_of(v: Vec3<'_>) -> Expr<'_> {
     v.dot(v)
 }
 
-/// Which bodies have a joint that moves between them and ground.
+/// True for each body with a moving joint between it and ground.
 fn moving(items: &ast::Items) -> Vec<bool> {
     let bodies = &items.bodies;
     let names: BTreeMap<&Ident, usize> = bodies

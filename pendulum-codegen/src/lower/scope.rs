@@ -1,4 +1,4 @@
-//! Names and what they stand for.
+//! Declared names and their values.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use super::measure::{Measure, Quantity};
 use crate::error::{Code, Errors};
 use crate::expr::Expr;
 
-/// The names of a scene. Everything that can stand in an expression shares one space of names.
+/// Names of a scene. All names that can stand in an expression share one namespace.
 #[derive(Debug, Default)]
 pub(super) struct Names<'g>(BTreeMap<String, Name<'g>>);
 
@@ -24,7 +24,7 @@ struct Name<'g> {
     order: usize,
 }
 
-/// What a name is the name of.
+/// Kind of a declared name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Parameter,
@@ -37,12 +37,12 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// Whether joints have it: all of these matter to the motion.
+    /// True for names that belong to joints, which always affect the motion.
     fn is_of_joint(self) -> bool {
         matches!(self, Self::Coordinate | Self::Orientation | Self::Position)
     }
 
-    /// With its article: `an input`.
+    /// Kind with its article: `an input`.
     pub(super) fn one(self) -> String {
         let article = if matches!(self, Self::Input | Self::Orientation) {
             "an"
@@ -67,7 +67,7 @@ impl std::fmt::Display for Kind {
     }
 }
 
-/// Words of the language that no declared name may take, and what they stand for.
+/// Reserved words of the language, and their meanings.
 const RESERVED: [(&str, &str); 7] = [
     ("t", "the time"),
     ("pi", "the number"),
@@ -78,7 +78,7 @@ const RESERVED: [(&str, &str); 7] = [
     ("ground", "the body that does not move"),
 ];
 
-/// What a word of the language stands for, that no declared name may take.
+/// Meaning of a reserved word.
 pub(crate) fn reserved(name: &str) -> Option<&'static str> {
     RESERVED
         .iter()
@@ -87,7 +87,7 @@ pub(crate) fn reserved(name: &str) -> Option<&'static str> {
 }
 
 impl<'g> Names<'g> {
-    /// Declares a name. A second declaration is an error.
+    /// Declares a name, or reports that it is declared twice or reserved.
     pub(super) fn declare(
         &mut self,
         errors: &mut Errors,
@@ -116,28 +116,28 @@ impl<'g> Names<'g> {
         }
     }
 
-    /// Says what the rate of a declared name is.
+    /// Sets the rate of a declared name.
     pub(super) fn set_rate(&mut self, name: &str, rate: Expr<'g>) {
         if let Some(known) = self.0.get_mut(name) {
             known.rate = Some(rate);
         }
     }
 
-    /// Says what a declared name stands for.
+    /// Sets the value of a declared name.
     pub(super) fn set_value(&mut self, name: &str, value: Expr<'g>) {
         if let Some(known) = self.0.get_mut(name) {
             known.value = Some(value);
         }
     }
 
-    /// Says what a declared name is measured in.
+    /// Sets the measure of a declared name.
     pub(super) fn set_measure(&mut self, name: &str, measure: Measure) {
         if let Some(known) = self.0.get_mut(name) {
             known.measure = measure;
         }
     }
 
-    /// What a name stands for.
+    /// Value of a name, which is marked as used.
     pub(super) fn value(&mut self, name: &str) -> Option<Quantity<'g>> {
         let known = self.0.get_mut(name)?;
         known.used = true;
@@ -152,17 +152,17 @@ impl<'g> Names<'g> {
         }
     }
 
-    /// What a declared name is measured in.
+    /// Measure of a declared name.
     pub(super) fn measure(&self, name: &str) -> Option<Measure> {
         self.0.get(name).map(|known| known.measure)
     }
 
-    /// What the name is the name of, if it is declared.
+    /// Kind of a declared name.
     pub(super) fn kind(&self, name: &str) -> Option<Kind> {
         self.0.get(name).map(|known| known.kind)
     }
 
-    /// The rate of a name.
+    /// Rate of a name, which is marked as used.
     pub(super) fn rate(&mut self, name: &str) -> Option<Quantity<'g>> {
         let known = self.0.get_mut(name)?;
         known.used = true;
@@ -170,7 +170,7 @@ impl<'g> Names<'g> {
         known.rate.map(|value| Quantity { value, measure })
     }
 
-    /// The declared names whose values fit, in order, and some of the language.
+    /// Declared names whose values satisfy a predicate, in order of declaration, followed by `more`.
     pub(super) fn known<'a>(&'a self, fits: impl Fn(Expr<'g>) -> bool, more: &[&'a str]) -> Vec<&'a str> {
         let fitting = self.0.iter().filter(|(_, name)| name.value.is_some_and(&fits));
         let mut names: Vec<_> = fitting.map(|(text, name)| (name.order, text.as_str())).collect();
@@ -182,7 +182,7 @@ impl<'g> Names<'g> {
             .collect()
     }
 
-    /// The names that have rates, in order.
+    /// Names that have rates, in order of declaration.
     pub(super) fn with_rates(&self) -> Vec<&str> {
         let with_rates = self.0.iter().filter(|(_, name)| name.rate.is_some());
         let mut names: Vec<_> = with_rates.map(|(text, name)| (name.order, text.as_str())).collect();
@@ -190,7 +190,7 @@ impl<'g> Names<'g> {
         names.into_iter().map(|(_, text)| text).collect()
     }
 
-    /// The coordinate whose rate a name such as `theta_dot` seems to mean.
+    /// Coordinate whose rate a name such as `theta_dot` probably means.
     pub(super) fn rate_meant(&self, text: &str) -> Option<&str> {
         let forms = |name: &str| {
             [
@@ -204,7 +204,7 @@ impl<'g> Names<'g> {
         names.find(|name| forms(name).iter().any(|form| form == text))
     }
 
-    /// Reports every name that nothing uses.
+    /// Reports every unused name.
     pub(super) fn report_unused(&self, errors: &mut Errors) {
         let mut unused: Vec<_> = self
             .0

@@ -1,4 +1,4 @@
-//! Shapes, and the mass properties that bodies have of them or of their own.
+//! Shapes, and mass properties of bodies, from a shape or their own.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -26,7 +26,7 @@ impl<'g> Lower<'g> {
         shapes
     }
 
-    /// The mass of a body, if it has any.
+    /// Mass properties of a body, if it has any.
     pub(super) fn mass_of_body(
         &mut self,
         body: &ast::Body,

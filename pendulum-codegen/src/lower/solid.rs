@@ -11,18 +11,18 @@ use crate::expr::{Expr, ratio};
 use crate::model::{Figure, FigureKind, Requirement};
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
-/// What all solids have: a name for errors, and a mass, whose error does not keep the rest from being read.
+/// Data common to all solids. An error in the mass does not stop the lowering of the rest.
 struct Common<'g, 'a> {
-    /// The body or shape.
+    /// Body or shape that the solid belongs to.
     owner: &'a Ident,
     word: &'a Ident,
-    /// ``a rod of `arm` ``
+    /// Name in errors: ``a rod of `arm` ``.
     what: String,
     mass: Result<Expr<'g>, Reported>,
 }
 
 impl<'g> Lower<'g> {
-    /// The sum of solids.
+    /// Sum of the solids of a body or shape.
     pub(super) fn solids(&mut self, owner: &Ident, solids: &[Read<Solid>]) -> Result<SpatialInertia<'g>, Reported> {
         if solids.is_empty() {
             let help =
@@ -160,7 +160,7 @@ impl<'g> Lower<'g> {
             points: vec![from, to],
             radius: Some(radius),
         });
-        // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
+        // a rod, plus a disk about the direction u of the rod: m r^2/4 (1 + u u^T)
         let quarter = times_square(mass, radius, 4);
         let round = Symmetric3::diagonal([quarter; 3]);
         let axial = Symmetric3::outer(quarter / length2, axis);
@@ -182,7 +182,7 @@ impl<'g> Lower<'g> {
             let (x, y) = (self.expr(x, &place), self.expr(y, &place));
             Ok((x?, y?))
         };
-        // all of them are read before the first error ends it
+        // all corners are lowered before the first error returns
         let corners: Vec<_> = corners.iter().map(corner).collect();
         let corners: Vec<_> = corners.into_iter().collect::<Result<_, _>>()?;
         let zero = self.graph.zero();

@@ -1,10 +1,10 @@
-//! Expressions of the language as formulas that keep their names and their form.
+//! Formulas of expressions as written, with their names and their form.
 
 use crate::ast::{Expr, ExprKind, Operator};
 use crate::expr::{Formula, Summand};
 
-/// The formula of an expression as it stands in the declaration, in which `q` and `qd` are written as the position and
-/// the rate of the joint.
+/// Formula of an expression as written in the declaration, with `q` and `qd` replaced by the position and the rate of
+/// the joint.
 pub(super) fn written(expr: &Expr, joint: Option<&[Formula; 2]>) -> Formula {
     let part = |expr: &Expr| written(expr, joint);
     let boxed = |expr: &Expr| Box::new(part(expr));
@@ -23,7 +23,7 @@ pub(super) fn written(expr: &Expr, joint: Option<&[Formula; 2]>) -> Formula {
         }
         ExprKind::Neg(a) => Formula::Neg(boxed(a)),
         ExprKind::Binary(operator @ (Operator::Add | Operator::Sub), a, b) => {
-            // sums are read from the left, and brackets on the right stay
+            // sums associate to the left, and brackets on the right are kept
             let mut terms = part(a).into_terms(false);
             terms.push(Summand {
                 negative: *operator == Operator::Sub,

@@ -1,56 +1,55 @@
-//! What acts on a scene beside its joints.
+//! Forces, potentials and dissipation other than those of the joints.
 
 use super::{BodyId, CoordinateId};
 use crate::expr::{Expr, Formula};
 use crate::screw::Vec3;
 
-/// A place on a body.
+/// A point fixed to a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Place<'g> {
-    /// The body; none for ground.
+    /// Body; none for ground.
     pub body: Option<BodyId>,
-    /// Where in its frame.
+    /// Position in the frame of the body.
     pub at: Vec3<'g>,
 }
 
-/// A force at a place.
+/// A force at a point of a body.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Push<'g> {
-    /// Where it acts.
+    /// Point of application.
     pub place: Place<'g>,
-    /// The force.
+    /// Force.
     pub force: Vec3<'g>,
-    /// The body in whose frame the force is given; none for ground.
+    /// Body in whose frame the force is given; none for ground.
     pub frame: Option<BodyId>,
 }
 
-/// What acts on a scene.
+/// A force, potential energy or dissipation of a scene, other than those of its joints.
 #[derive(Clone, Debug)]
 pub(crate) enum Action<'g> {
-    /// A force along a coordinate, and how it was written.
+    /// Force along a coordinate of the state, and its formula as written.
     Along(CoordinateId, Expr<'g>, Formula),
-    /// Minus the slope of a potential energy by each coordinate.
+    /// Potential energy; minus its derivative by a coordinate is the force along it.
     Potential(Expr<'g>),
-    /// Minus the slope of a function by each rate.
+    /// Dissipation function; minus its derivative by a rate is the force along that coordinate.
     Dissipation(Expr<'g>),
-    /// A force along a value, and that value.
+    /// Force along a value, and the value: the power is the force times the rate of the value.
     Press(Expr<'g>, Expr<'g>),
-    /// A force at a place.
+    /// Force at a point.
     Push(Push<'g>),
-    /// A spring or a damper between two places `a` and `b`: the force `factor (b - a)` on the first, and its opposite
-    /// on the second.
+    /// Spring or damper between points `a` and `b`: the force `factor (b - a)` on `a`, and its opposite on `b`.
     Between {
-        /// The two places.
+        /// End points `a` and `b`.
         ends: [Place<'g>; 2],
-        /// The force for each unit of distance.
+        /// Force per unit of distance, in N/m.
         factor: Expr<'g>,
-        /// The potential energy of a spring.
+        /// Potential energy of a spring; none for a damper.
         potential: Option<Expr<'g>>,
     },
 }
 
 impl<'g> Action<'g> {
-    /// Its potential energy, if it has one.
+    /// Potential energy, if it has one.
     pub(crate) fn potential(&self) -> Option<Expr<'g>> {
         match *self {
             Self::Potential(potential) => Some(potential),
@@ -59,7 +58,7 @@ impl<'g> Action<'g> {
         }
     }
 
-    /// The expressions that it is made of.
+    /// Mutable references to all its expressions except places, which depend on parameters only.
     pub(super) fn expressions(&mut self) -> Vec<&mut Expr<'g>> {
         match self {
             Self::Along(_, x, _) | Self::Potential(x) | Self::Dissipation(x) => vec![x],

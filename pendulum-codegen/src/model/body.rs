@@ -1,38 +1,39 @@
-//! Bodies and the joints that carry them.
+//! Bodies and their joints.
 
 use super::{BodyId, Combination, CoordinateId, Figure, Law};
 use crate::expr::{Expr, Formula, Level};
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 
-/// A rigid body and the joint that carries it.
+/// A rigid body and the joint that connects it to its parent.
 #[derive(Debug)]
 pub(crate) struct Body<'g> {
     /// Name.
     pub name: String,
-    /// The body that carries it; none for ground.
+    /// Parent body; none for ground.
     pub parent: Option<BodyId>,
-    /// Where the joint frame sits in the parent's frame: constant, but for an orientation.
+    /// Pose of the joint frame in the parent frame: constant unless it includes the rotation by a quaternion.
     pub placement: Transform<'g>,
-    /// The joint's screw axis in the joint frame, normalised; none for a fixed joint.
+    /// Screw axis of the joint in the joint frame, normalised; none for a fixed joint.
     pub screw: Option<Twist<'g>>,
-    /// Of the three joints of an orientation, in a row on bodies without mass, the angular velocity that each adds: all
-    /// of it by the first, whose placement is turned by the quaternion, and none by the others.
+    /// Angular velocity that the joint adds, if it is one of the three joints of an orientation. They stand in series
+    /// on massless bodies: the first adds all of the angular velocity, and its placement includes the rotation by the
+    /// quaternion; the other two add none.
     pub spin: Option<Vec3<'g>>,
-    /// The coordinate that this joint brings into the scene; a driven one has one too.
+    /// Coordinate that the joint adds to the scene. A driven joint adds one too, a joint that follows others does not.
     pub coordinate: Option<CoordinateId>,
-    /// The relative joint coordinate in terms of the scene's coordinates.
+    /// Relative joint coordinate, as a combination of the coordinates of the scene.
     pub motion: Combination,
-    /// How the body is turned.
+    /// Orientation in its station.
     pub heading: Heading<'g>,
     /// Inertia in the body frame.
     pub inertia: SpatialInertia<'g>,
-    /// How it looks.
+    /// Figures to draw.
     pub figures: Vec<Figure<'g>>,
-    /// Force of the joint along its relative coordinate: friction, spring and torque, and whatever holds it.
+    /// Force of the joint along its relative coordinate: friction, spring, torque and constraint force.
     pub force: Expr<'g>,
-    /// The part of the force that is friction and spring, and whatever holds the joint.
+    /// Part of the force without the torque: friction, spring and constraint force.
     pub passive: Expr<'g>,
-    /// The rest of it, the torque, as it was written.
+    /// Torque, as written.
     pub torque: Option<Formula>,
     /// Potential energy of the joint.
     pub potential: Expr<'g>,
@@ -40,24 +41,24 @@ pub(crate) struct Body<'g> {
     pub law: Option<Law<'g>>,
 }
 
-/// The orientation of a body in its station: the rotation by `turn` about `axis`, after the constant rotation `rest`.
+/// Orientation of a body in its station: the constant rotation `rest`, followed by the rotation by `turn` about `axis`.
 ///
-/// A station is a frame in which a group of bodies turns about one axis only: the ground, or the body before the first
-/// joint of the group. Parallel joints so become one rotation by a sum of angles.
+/// A station is a frame in which a group of bodies turns about a single axis: ground, or the body before the first
+/// joint of the group. The rotations of parallel joints thus combine into one rotation by a sum of angles.
 #[derive(Clone, Debug)]
 pub(crate) struct Heading<'g> {
-    /// The body whose frame is the station; none for ground.
+    /// Body whose frame is the station; none for ground.
     pub station: Option<BodyId>,
-    /// Unit vector of the axis in the station, unless nothing turns yet.
+    /// Unit vector along the axis in the station; none if nothing turns yet.
     pub axis: Option<Vec3<'g>>,
-    /// The angle.
+    /// Angle of the rotation about the axis.
     pub turn: Combination,
-    /// The orientation at angle zero: constant, but for an orientation by a quaternion.
+    /// Orientation at angle zero: constant unless it includes the rotation by a quaternion.
     pub rest: Mat3<'g>,
 }
 
 impl Heading<'_> {
-    /// Whether a quaternion turns it.
+    /// True if a quaternion turns the body.
     pub(crate) fn turns_freely(&self) -> bool {
         let entries = self.rest.0.iter().flat_map(|row| row.0);
         entries.into_iter().any(|entry| entry.level() == Level::State)

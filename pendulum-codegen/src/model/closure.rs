@@ -1,4 +1,4 @@
-//! Joints that close loops, as equations in space.
+//! Joints that close loops, and their closure equations in space.
 
 use super::pose::{between, carrier};
 use super::{BodyId, Place, Tree};
@@ -8,39 +8,39 @@ use crate::screw::{Mat3, Vec3, Wrench};
 /// A joint that closes a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Closure<'g> {
-    /// The origins of its two frames.
+    /// Origins of the two joint frames.
     pub ends: [Place<'g>; 2],
-    /// The axes of its frames in those of the bodies, as columns.
+    /// Axes of the joint frames in the frames of the bodies, as columns.
     pub axes: [Mat3<'g>; 2],
-    /// How the frames are tied.
+    /// Kind of joint between the frames.
     pub tie: Tie<'g>,
 }
 
-/// How two frames are tied.
+/// Kind of joint between two frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Tie<'g> {
-    /// One turns against the other about this axis, which stands still in both.
+    /// Revolute joint about this axis, which has the same components in both frames.
     Revolute(Vec3<'g>),
-    /// One slides against the other along this axis.
+    /// Prismatic joint along this axis.
     Prismatic(Vec3<'g>),
-    /// Their origins coincide.
+    /// Ball joint: the origins coincide.
     Ball,
-    /// They coincide.
+    /// Rigid connection: the frames coincide.
     Fixed,
 }
 
-/// What vanishes where a loop is closed.
+/// One scalar closure equation: `value` vanishes where the loop is closed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row<'g> {
     pub value: Expr<'g>,
     pub unit: &'static str,
-    /// What acts on the first end about the origin of the second one, and on the second in return, where a unit of
-    /// force along `value` keeps it at zero: in the frame of the [carrier](Closure::carrier).
+    /// Wrench on the first end, about the origin of the second, from a unit constraint force along `value`, in the
+    /// frame of the [carrier](Closure::carrier). The second end takes the opposite wrench.
     pub wrench: Wrench<'g>,
 }
 
 impl<'g> Closure<'g> {
-    /// Whether both tie the same frames in the same way, in whichever order.
+    /// True if both tie the same frames in the same way, in either order.
     pub(crate) fn ties_the_same(&self, other: &Self) -> bool {
         let ([a, b], [of_a, of_b]) = (other.ends, other.axes);
         let reversed = Self {
@@ -51,19 +51,19 @@ impl<'g> Closure<'g> {
         *self == *other || *self == reversed
     }
 
-    /// The names of the two bodies.
+    /// Names of the two bodies.
     pub(crate) fn bodies(&self, tree: &Tree<'g>) -> [String; 2] {
         let name = |end: &Place<'g>| end.body.map_or("ground", |body| &tree.bodies[body].name).to_owned();
         self.ends.each_ref().map(name)
     }
 
-    /// The last body that carries both ends; the loop moves as one with it.
+    /// Last body that carries both ends, or is one of them; the loop as a whole moves with it.
     pub(crate) fn carrier(&self, tree: &Tree<'g>) -> Option<BodyId> {
         carrier(tree, self.ends.map(|end| end.body))
     }
 
-    /// What vanishes where the loop is closed: where places coincide, and the cosines of angles that are right ones.
-    /// The bodies that carry the loop do not occur.
+    /// Closure equations: differences of positions, and cosines of angles that are right angles where the loop is
+    /// closed. The coordinates of the bodies that carry the loop do not occur in them.
     pub(crate) fn equations(&self, tree: &Tree<'g>) -> Vec<Row<'g>> {
         let frames = between(tree, self.ends.map(|end| end.body));
         let [(a, p), (b, r)] = [0, 1].map(|n| {

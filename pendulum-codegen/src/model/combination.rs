@@ -1,4 +1,4 @@
-//! Sums of coordinates.
+//! Linear combinations of coordinates.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use num_traits::{One, Signed, Zero};
 use super::CoordinateId;
 use crate::expr::{Expr, Graph, Rational, ratio};
 
-/// A sum of coordinates with numbers as factors.
+/// A linear combination of coordinates with rational factors.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Combination(
     /// Pairs of coordinate and factor, sorted by coordinate; no factor is zero.
@@ -15,17 +15,17 @@ pub(crate) struct Combination(
 );
 
 impl Combination {
-    /// The coordinate itself.
+    /// The combination of a single coordinate with factor 1.
     pub(crate) fn one(coordinate: CoordinateId) -> Self {
         Self(vec![(coordinate, Rational::one())])
     }
 
-    /// The coordinates and their factors, sorted by coordinate.
+    /// Coordinates and their factors, sorted by coordinate.
     pub(crate) fn terms(&self) -> impl Iterator<Item = (CoordinateId, &Rational)> {
         self.0.iter().map(|(k, factor)| (*k, factor))
     }
 
-    /// The sign of the first coordinate; 0 for the empty sum.
+    /// Sign of the factor of the first coordinate; 0 for the empty sum.
     pub(crate) fn leading_sign(&self) -> i64 {
         match self.0.first() {
             None => 0,
@@ -34,26 +34,26 @@ impl Combination {
         }
     }
 
-    /// The factor of a coordinate; 0 where it does not occur.
+    /// Factor of a coordinate; 0 if it does not occur.
     pub(crate) fn factor(&self, coordinate: CoordinateId) -> Rational {
         self.0
             .binary_search_by_key(&coordinate, |term| term.0)
             .map_or(Rational::zero(), |at| self.0[at].1.clone())
     }
 
-    /// The sum without one of its coordinates.
+    /// The sum without one coordinate.
     #[must_use]
     pub(crate) fn without(&self, coordinate: CoordinateId) -> Self {
         self.filtered(|k| k != coordinate)
     }
 
-    /// The sum of some of its coordinates.
+    /// The terms whose coordinates satisfy a predicate.
     #[must_use]
     pub(crate) fn filtered(&self, keeps: impl Fn(CoordinateId) -> bool) -> Self {
         Self(self.0.iter().filter(|(k, _)| keeps(*k)).cloned().collect())
     }
 
-    /// The same sum where coordinates have other numbers, in the same order.
+    /// The sum with its coordinates renumbered. The new numbers must be in the same order.
     pub(crate) fn renumbered(&self, number: impl Fn(CoordinateId) -> CoordinateId) -> Self {
         Self(self.terms().map(|(k, factor)| (number(k), factor.clone())).collect())
     }
@@ -70,7 +70,7 @@ impl Combination {
         self.plus_multiple(&ratio(factor, 1), other)
     }
 
-    /// The same for any number.
+    /// `self + factor * other` for a rational factor
     #[must_use]
     pub(crate) fn plus_multiple(&self, factor: &Rational, other: &Self) -> Self {
         let mut sum: BTreeMap<CoordinateId, Rational> = self.0.iter().cloned().collect();
@@ -80,7 +80,7 @@ impl Combination {
         Self(sum.into_iter().filter(|(_, f)| !f.is_zero()).collect())
     }
 
-    /// The value of the sum, for example of positions or of rates.
+    /// Value of the sum for given values of the coordinates, for example positions or rates.
     pub(crate) fn of<'g>(&self, graph: &'g Graph, value: impl Fn(CoordinateId) -> Expr<'g>) -> Expr<'g> {
         graph.sum(self.terms().map(|(k, factor)| factor * value(k)))
     }

@@ -1,6 +1,6 @@
-//! The constants of a model.
+//! Constants of a model.
 
-/// The constants that a model has beside the places of its coordinates.
+/// Names of the constants of a model, other than those for the indices of its coordinates.
 pub(crate) const FACTS: [&str; 11] = [
     "DOF",
     "COORDINATES",
@@ -15,10 +15,10 @@ pub(crate) const FACTS: [&str; 11] = [
     "VELOCITY_LIMITS",
 ];
 
-/// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`, of `p.x` `P_X`
-/// and `DOT_P_X`, and of an orientation the first of them.
+/// Names of the constants for the indices of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1` for
+/// `theta1`, `P_X` and `DOT_P_X` for `p.x`. For an orientation they give the index of its first component.
 ///
-/// Greek letters are spelled out, for `rustc` warns of capitals that look like the small letters.
+/// Greek letters are spelled out, because `rustc` warns of capitals that look like the small letters.
 pub(crate) fn places(coordinate: &str) -> [String; 2] {
     let name = coordinate.trim_start_matches("r#").replace('.', "_");
     let spelled = name

@@ -5,45 +5,45 @@ use num_traits::ToPrimitive;
 use super::{Combination, CoordinateId, Model};
 use crate::expr::{Expr, Rational, Unary};
 
-/// The most constraints of a scene: the core keeps a bit for each.
+/// Maximum number of constraints of a scene: the core stores one bit for each.
 pub(crate) const MAX_CONSTRAINTS: usize = 8;
 
-/// A constraint of the motion: a value that the state determines, with friction against its rate, or limits.
+/// A constraint of the motion: a function of the state, with limits or with dry friction against its rate.
 #[derive(Clone, Debug)]
 pub(crate) struct Constraint<'g> {
-    /// The coordinate of a joint, or the name of a wall.
+    /// Name of the joint coordinate, or of the wall.
     pub name: String,
-    /// The coordinate that a joint brings into the scene; none for a wall.
+    /// Coordinate that the joint adds to the scene; none for a wall.
     pub coordinate: Option<CoordinateId>,
-    /// A joint's own coordinate in those of the scene; nothing for a wall.
+    /// Relative joint coordinate, as a combination of the coordinates of the scene; empty for a wall.
     pub motion: Combination,
-    /// The value.
+    /// Constrained function of the state.
     pub value: Expr<'g>,
-    /// The symbol of the force along it.
+    /// Symbol of the constraint force.
     pub force: Expr<'g>,
-    /// Its numbers.
+    /// Friction, limits and restitution.
     pub law: Law<'g>,
 }
 
-/// What friction and impacts do. Numbers that are left out are zero.
+/// Friction and impact parameters. Those that are omitted are zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Law<'g> {
-    /// The friction force while it slips.
+    /// Friction force while slipping.
     pub slipping: Expr<'g>,
-    /// The largest friction force at rest.
+    /// Maximum friction force while sticking.
     pub sticking: Expr<'g>,
-    /// The least value.
+    /// Lower limit of the value.
     pub low: Option<Expr<'g>>,
-    /// The largest value.
+    /// Upper limit of the value.
     pub high: Option<Expr<'g>>,
-    /// How much of the rate remains after an impact.
+    /// Coefficient of restitution: rate after an impact, relative to the rate before.
     pub restitution: Expr<'g>,
-    /// Below this rate nothing rebounds.
+    /// Minimum rate of an impact that rebounds.
     pub slow: Expr<'g>,
 }
 
 impl<'g> Law<'g> {
-    /// Its numbers, one after the other.
+    /// All its expressions.
     pub(crate) fn numbers(&self) -> Vec<Expr<'g>> {
         let ends = [self.slipping, self.sticking, self.restitution, self.slow];
         ends.into_iter().chain(self.low).chain(self.high).collect()
@@ -51,8 +51,9 @@ impl<'g> Law<'g> {
 }
 
 impl<'g> Constraint<'g> {
-    /// The components of the state whose sum is the rate, with their signs; empty where the rate is anything else. The
-    /// joint's own coordinate stands last, and in no constraint before, as a joint is listed after those below it.
+    /// Indices of the components of the state whose sum is the rate, with their signs; empty if the rate is anything
+    /// else. The joint's own coordinate comes last and occurs in no earlier constraint, because joints are listed after
+    /// those below them.
     pub(crate) fn rate(&self, model: &Model<'g>) -> Vec<(usize, i8)> {
         let Some(own) = self.coordinate else { return Vec::new() };
         let rate = self.motion.without(own);
@@ -71,22 +72,22 @@ impl<'g> Constraint<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// Whether there are constraints.
+    /// True if there are constraints.
     pub(crate) fn is_hybrid(&self) -> bool {
         !self.constraints.is_empty()
     }
 
-    /// The symbols of the forces along the constraints.
+    /// Symbols of the constraint forces.
     pub(crate) fn force_symbols(&self) -> Vec<Expr<'g>> {
         self.constraints.iter().map(|constraint| constraint.force).collect()
     }
 
-    /// The values of the constraints.
+    /// Values of the constraints.
     pub(crate) fn constraint_values(&self) -> Vec<Expr<'g>> {
         self.constraints.iter().map(|constraint| constraint.value).collect()
     }
 
-    /// Their rates.
+    /// Rates of the constraints.
     pub(crate) fn constraint_rates(&self) -> Vec<Expr<'g>> {
         let mut along = self.along_motion();
         self.constraint_values()
@@ -95,7 +96,7 @@ impl<'g> Model<'g> {
             .collect()
     }
 
-    /// What decides when a mode ends: rates, and the values that have limits.
+    /// Functions that decide when a mode ends: the rates, then the values that have limits.
     pub(crate) fn watched(&self) -> Vec<Expr<'g>> {
         let rates = self.constraint_rates().into_iter();
         let limited = self
@@ -106,7 +107,7 @@ impl<'g> Model<'g> {
         self.with_drives(&watched)
     }
 
-    /// Expressions in which friction acts by the sign of each rate, and nothing else along the constraints.
+    /// Replaces the force of each constraint by the slipping friction, opposite in sign to the rate.
     pub(crate) fn with_friction(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
         if !self.is_hybrid() {
             return roots.to_vec();

@@ -2,24 +2,24 @@
 
 use crate::expr::{Derivative, Expr, ratio};
 
-/// A coordinate and the symbols of its derivatives.
+/// A coordinate, with the symbols of its derivatives.
 #[derive(Clone, Debug)]
 pub(crate) struct Coordinate<'g> {
     /// Name.
     pub name: String,
-    /// The coordinate; the number 0 for a component of the angular velocity of an
-    /// [orientation](Self::is_of_orientation).
+    /// Position; the number 0 for a component of the angular velocity of an [orientation](Self::is_of_orientation).
     pub position: Expr<'g>,
-    /// The components of the state that a unit of its rate changes, and how fast: a column of `K` in `q' = K(q) v`.
+    /// Components of the state that a unit of its rate changes, and their rates of change: a column of `K` in
+    /// `q' = K(q) v`.
     pub changes: Vec<(Expr<'g>, Expr<'g>)>,
-    /// Its rate.
+    /// Rate.
     pub rate: Expr<'g>,
-    /// Its second rate, where it is held fixed while other things vary.
+    /// Acceleration, as an independent variable.
     pub acceleration: Expr<'g>,
 }
 
 impl<'g> Coordinate<'g> {
-    /// A coordinate whose position is one component of the state.
+    /// Creates a coordinate whose position is one component of the state.
     pub(crate) fn plain(name: String, [position, rate, acceleration]: [Expr<'g>; 3]) -> Self {
         Self {
             name,
@@ -30,8 +30,8 @@ impl<'g> Coordinate<'g> {
         }
     }
 
-    /// The component of the angular velocity of a body along one of its axes, for the unit quaternion from body to
-    /// parent, `q' = q (0, w) / 2`. It is the rate of no coordinate, but its screw is that of a joint that turns.
+    /// Creates the component of the angular velocity of a body along one of its axes, for the unit quaternion from body
+    /// to parent, `q' = q (0, w) / 2`. It is not the rate of any coordinate, but its screw is that of a turning joint.
     pub(crate) fn turn(
         name: String,
         quaternion: [Expr<'g>; 4],
@@ -48,18 +48,19 @@ impl<'g> Coordinate<'g> {
         }
     }
 
-    /// Whether it is a component of the angular velocity of an orientation.
+    /// True for a component of the angular velocity of an orientation.
     pub(crate) fn is_of_orientation(&self) -> bool {
         self.changes.len() > 1
     }
 
-    /// The derivative by the coordinate: where it is one of an angular velocity, that by a turn about its axis.
+    /// Derivative by the coordinate; for a component of an angular velocity, the derivative by a rotation about its
+    /// axis.
     pub(crate) fn derivative(&self) -> Derivative<'g> {
         Derivative::along(self.changes.iter().copied())
     }
 }
 
-/// `q (0, e)` for the unit vector `e` of an axis.
+/// `q (0, e)` for the unit vector `e` along an axis
 fn by_turn<'g>([w, x, y, z]: [Expr<'g>; 4], axis: usize) -> [Expr<'g>; 4] {
     match axis {
         0 => [-x, w, z, -y],
@@ -68,7 +69,7 @@ fn by_turn<'g>([w, x, y, z]: [Expr<'g>; 4], axis: usize) -> [Expr<'g>; 4] {
     }
 }
 
-/// The positions of coordinates, and how fast they change along a motion.
+/// Positions of coordinates, with their time derivatives along a motion.
 pub(crate) fn changes<'g, 'm>(coordinates: impl Iterator<Item = &'m Coordinate<'g>>) -> Vec<(Expr<'g>, Expr<'g>)>
 where
     'g: 'm,

@@ -1,4 +1,4 @@
-//! Coordinates that depend on others, where loops are closed.
+//! Dependent coordinates of closed loops.
 
 use num_traits::ToPrimitive;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -6,52 +6,52 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::{CoordinateId, Model, Tree};
 use crate::expr::{Binary, Derivative, Expr, Graph, Node, Normalizer, Rational, Unary};
 
-/// What dependent coordinates are in the state: symbols that stand in expressions until these are written out.
+/// Values of the dependent coordinates in terms of the state, represented by symbols until they are written out.
 ///
-/// Between, they are as good as variables: forms are expanded in them, and derivatives know how they
-/// change. What they stand for has roots and quotients that no form could be expanded in.
+/// Until then the symbols act as variables: forms are expanded in them, and derivatives account for their changes.
+/// Their values contain roots and quotients in which no form could be expanded.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Dependence<'g> {
-    /// The values of symbols, in the state.
+    /// Values of the symbols, in terms of the state.
     values: FxHashMap<Expr<'g>, Expr<'g>>,
-    /// Cosine and sine of angles, in the state.
+    /// Cosines and sines of angles, in terms of the state.
     turns: FxHashMap<Expr<'g>, [Expr<'g>; 2]>,
-    /// Angles as sums of others, with whole factors where these have a turn.
+    /// Angles that are sums of others, with integer factors for those that have a cosine and sine in `turns`.
     sums: FxHashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>,
-    /// What each symbol stands for, as it was given.
+    /// Definition of each symbol, as given.
     definitions: Vec<(Expr<'g>, Expr<'g>)>,
 }
 
-/// How far the normal form of an angle may grow.
+/// Maximum number of products of terms formed to normalise an angle.
 const BUDGET: usize = 10_000;
 
 impl<'g> Dependence<'g> {
-    /// Gives a symbol its value, which may hold what was given before.
+    /// Sets the value of a symbol. The value may contain symbols that were set before.
     pub(crate) fn set(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
         self.definitions.push((symbol, value));
         let value = self.written_out(symbol.graph(), &[value])[0];
         self.values.insert(symbol, value);
     }
 
-    /// Gives an angle its cosine and sine.
+    /// Sets the cosine and sine of an angle.
     pub(crate) fn set_turn(&mut self, angle: Expr<'g>, [cosine, sine]: [Expr<'g>; 2]) {
         self.set(angle, sine.combine(Binary::Atan2, cosine));
         let turn = self.written_out(angle.graph(), &[cosine, sine]);
         self.turns.insert(angle, [turn[0], turn[1]]);
     }
 
-    /// Says which sum an angle is.
+    /// Records an angle as a sum of other angles.
     pub(crate) fn set_sum(&mut self, angle: Expr<'g>, sum: Vec<(Expr<'g>, Rational)>) {
         self.sums.insert(angle, sum);
     }
 
-    /// What each symbol stands for, in the state and in symbols before it.
+    /// Definition of each symbol, in terms of the state and of earlier symbols.
     pub(crate) fn definitions(&self) -> impl Iterator<Item = (Expr<'g>, Expr<'g>)> {
         self.definitions
             .iter()
             .map(|&(symbol, value)| match self.sums.get(&symbol) {
                 None => (symbol, value),
-                // but for whole turns it is that sum, in the value too
+                // the angle equals the sum up to whole turns; its value may contain the angle itself
                 Some(sum) => {
                     let graph = symbol.graph();
                     let sum = graph.sum(sum.iter().map(|(part, n)| n * *part));
@@ -61,7 +61,7 @@ impl<'g> Dependence<'g> {
             })
     }
 
-    /// The expressions in the state alone.
+    /// Replaces the symbols by their values, so that the expressions depend on the state alone.
     pub(crate) fn written_out(&self, graph: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
         if self.values.is_empty() && self.turns.is_empty() {
             return roots.to_vec();
@@ -78,7 +78,8 @@ impl<'g> Dependence<'g> {
         graph.substitute(roots, known)
     }
 
-    /// Cosine and sine of an angle, where dependent angles are part of it.
+    /// Cosine and sine of an angle that contains dependent angles, by the addition theorems; none if it contains none,
+    /// or if its normal form is too large or has fractional multiples of them.
     fn turn(&self, angle: Expr<'g>) -> Option<[Expr<'g>; 2]> {
         let graph = angle.graph();
         let mut normalizer = Normalizer::new(graph, BUDGET);
@@ -122,7 +123,7 @@ impl<'g> Dependence<'g> {
 }
 
 impl<'g> Tree<'g> {
-    /// The symbols that stand in forces, but for angles of which these have the cosine and sine alone.
+    /// Symbols in the forces, except dependent angles that occur only within sines and cosines.
     pub(crate) fn turns_in_forces(&self, dependence: &Dependence<'g>) -> FxHashSet<Expr<'g>> {
         let of_joints = self.bodies.iter().flat_map(|body| [body.force, body.potential]);
         let mut actions = self.actions.clone();
@@ -143,7 +144,7 @@ impl<'g> Tree<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// The derivative by a coordinate of the state, where all that depends on it moves along.
+    /// Derivative by a coordinate of the state, with the dependent coordinates following it.
     pub(crate) fn along(&self, k: CoordinateId) -> Derivative<'g> {
         let own = self.coordinate(k).changes.iter().copied();
         let dependents = self.dependents.iter().zip(&self.loops.dependents);
@@ -152,13 +153,13 @@ impl<'g> Model<'g> {
         Derivative::along(own.chain(dependents))
     }
 
-    /// The derivatives of a coordinate by those of the state, if it depends on them.
+    /// Derivatives of a dependent coordinate by those of the state; none for an independent coordinate.
     pub(crate) fn slopes(&self, k: CoordinateId) -> Option<&[Expr<'g>]> {
         let n = usize::from(k).checked_sub(self.independent())?;
         Some(&self.loops.dependents[n].slopes[..self.dof()])
     }
 
-    /// Expressions in which dependent coordinates are written out.
+    /// Replaces the symbols of dependent coordinates by their values.
     pub(crate) fn written_out(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
         self.loops.dependence.written_out(self.graph, roots)
     }

@@ -3,23 +3,23 @@
 use super::{Combination, Coordinate, CoordinateId, Model, Slopes, Tree};
 use crate::expr::Expr;
 
-/// A joint that is driven: its coordinate is a function of time, and no part of the state.
+/// A driven joint: its coordinate is a function of time and not part of the state.
 #[derive(Clone, Debug)]
 pub(crate) struct Drive<'g> {
-    /// What stands for the coordinate and its derivatives until their values are put in.
+    /// Symbols of the coordinate and of its derivatives, until their values are substituted.
     pub coordinate: Coordinate<'g>,
-    /// The coordinate and its first two derivatives as functions of time.
+    /// Coordinate and its first two derivatives, as functions of time.
     pub law: [Expr<'g>; 3],
 }
 
 impl<'g> Tree<'g> {
-    /// How many coordinates depend on no others: those of the state and of the drives. The others are numbered behind
-    /// them.
+    /// Number of independent coordinates: those of the state and of the drives. Dependent coordinates are numbered
+    /// after them.
     pub(crate) fn independent(&self) -> usize {
         self.dof() + self.drives.len()
     }
 
-    /// A coordinate of the state, of a drive, or one that depends on these.
+    /// The coordinate of number `k`, which belongs to the state or to a drive, or depends on these.
     pub(crate) fn coordinate(&self, k: CoordinateId) -> &Coordinate<'g> {
         let (dof, independent, k) = (self.dof(), self.independent(), usize::from(k));
         if k < dof {
@@ -31,7 +31,7 @@ impl<'g> Tree<'g> {
         }
     }
 
-    /// The coordinates of the state, then those of the drives, then the dependent ones.
+    /// All coordinates: those of the state, those of the drives, then the dependent ones.
     pub(crate) fn all_coordinates(&self) -> impl Iterator<Item = &Coordinate<'g>> {
         self.coordinates
             .iter()
@@ -39,17 +39,17 @@ impl<'g> Tree<'g> {
             .chain(&self.dependents)
     }
 
-    /// Whether a coordinate is one of the state.
+    /// True for a coordinate of the state.
     pub(crate) fn is_free(&self, k: CoordinateId) -> bool {
         usize::from(k) < self.dof()
     }
 
-    /// Whether a coordinate is that of a drive.
+    /// True for the coordinate of a drive.
     pub(crate) fn is_driven(&self, k: CoordinateId) -> bool {
         (self.dof()..self.independent()).contains(&usize::from(k))
     }
 
-    /// Expressions in which the laws of the drives stand in the place of their symbols.
+    /// Replaces the symbols of the drives by their laws.
     pub(crate) fn with_drives(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
         if self.drives.is_empty() {
             return roots.to_vec();
@@ -63,12 +63,12 @@ impl<'g> Tree<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// The second rate of a combination of coordinates where those of the state do not accelerate.
+    /// Acceleration of a combination of coordinates if the coordinates of the state do not accelerate.
     pub(crate) fn driven_acceleration_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.driven_acceleration(k))
     }
 
-    /// The second rate of a coordinate where those of the state do not accelerate.
+    /// Acceleration of a coordinate if the coordinates of the state do not accelerate.
     pub(crate) fn driven_acceleration(&self, k: CoordinateId) -> Expr<'g> {
         if self.is_free(k) {
             return self.graph.zero();
@@ -83,7 +83,7 @@ impl<'g> Model<'g> {
         })
     }
 
-    /// The second rate of a combination of coordinates where only those of the state accelerate.
+    /// Acceleration of a combination of coordinates if only the coordinates of the state accelerate.
     pub(crate) fn own_acceleration_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| match self.slopes(k) {
             Some(slopes) => {

@@ -1,20 +1,20 @@
-//! How bodies look.
+//! Figures that represent bodies in drawings.
 
 use crate::expr::Expr;
 use crate::screw::Vec3;
 
-/// Something to see of a body, in its frame.
+/// A figure that represents a body, in the body frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Figure<'g> {
-    /// What it is.
+    /// Kind of figure.
     pub kind: FigureKind,
-    /// Its points.
+    /// Points of the figure, as its kind requires.
     pub points: Vec<Vec3<'g>>,
-    /// The radius of a cylinder.
+    /// Radius of a cylinder.
     pub radius: Option<Expr<'g>>,
 }
 
-/// What is seen: the names are those of the core.
+/// Kind of a figure. The names match those in the core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureKind {
     /// A point mass.
@@ -39,6 +39,6 @@ pub enum FigureKind {
     Damper,
     /// A named point that moves.
     Point,
-    /// A named point that does not.
+    /// A named point that does not move.
     Anchor,
 }

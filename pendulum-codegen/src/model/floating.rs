@@ -1,4 +1,4 @@
-//! Bodies that move freely against the ground.
+//! Bodies that move freely relative to ground.
 
 use num_traits::Zero;
 
@@ -6,43 +6,46 @@ use super::{BodyId, CoordinateId, Model, Poses};
 use crate::expr::Expr;
 use crate::screw::{Mat3, Vec3};
 
-/// A free joint on the ground, or on what is fixed to it.
+/// A free joint on ground, or on a body fixed to it.
 ///
-/// The acceleration of its position is `gravity + rotation a`. What is solved for is `a`, along the axes of the body:
-/// in these the mass matrix does not depend on the orientation, nor on gravity what the acceleration takes.
+/// The acceleration of its position is `gravity + rotation a`, and the unknown solved for is `a`, along the axes of the
+/// body. With this choice the mass matrix does not depend on the orientation, and the forces that `a` requires do not
+/// depend on gravity.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Floating<'g> {
-    /// The first of its three slides, and of its three turns.
+    /// First of its three slides.
     pub slide: BodyId,
+    /// First of its three turns.
     pub turn: BodyId,
-    /// The coordinate of the first slide; those of the others follow.
+    /// Coordinate of the first slide; those of the other two follow.
     pub coordinate: CoordinateId,
-    /// From the axes of the body to those of the position.
+    /// Rotation from the axes of the body to those of the position.
     pub rotation: Mat3<'g>,
-    /// Along the axes of the position.
+    /// Acceleration of gravity, along the axes of the position.
     pub gravity: Vec3<'g>,
 }
 
 impl<'g> Floating<'g> {
-    /// The coordinates of the position.
+    /// Coordinates of the position.
     fn coordinates(&self) -> [CoordinateId; 3] {
         let first = usize::from(self.coordinate);
         [0, 1, 2].map(|n| CoordinateId::new(first + n))
     }
 
-    /// Turns forces along the position to the axes of the body, within forces along all coordinates.
+    /// Rotates the forces along the position into the axes of the body, within the forces along all coordinates.
     pub(crate) fn turn_forces(&self, along: &mut [Expr<'g>]) {
         let forces = self.rotation.transpose() * self.of(along);
         self.set(along, forces);
     }
 
-    /// Puts the acceleration of the position in place of `a`, within accelerations.
+    /// Replaces `a` by the acceleration of the position, within all accelerations.
     pub(crate) fn accelerate(&self, solved: &mut [Expr<'g>]) {
         let acceleration = self.gravity + self.rotation * self.of(solved);
         self.set(solved, acceleration);
     }
 
-    /// Puts a derivative of that in place of one of `a`; `beside` is the derivative where `a` stays as it is.
+    /// Replaces a derivative of `a` by that of the acceleration of the position; `beside` is the latter at constant
+    /// `a`.
     pub(crate) fn differentiate(&self, column: &mut [Expr<'g>], beside: &[Expr<'g>]) {
         let derivative = self.rotation * self.of(column) + self.of(beside);
         self.set(column, derivative);
@@ -58,8 +61,8 @@ impl<'g> Floating<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// The free joints on the ground; none where a loop ties one of them to something else, or where a joint follows
-    /// its position: these move along the axes of the position.
+    /// Free joints on ground. Empty if a loop ties one of them to another body or a joint follows its position: the
+    /// accelerations of all are then solved for along the axes of the position.
     pub(crate) fn floating(&self) -> Vec<Floating<'g>> {
         let floating: Vec<Floating<'g>> = self.bodies().filter_map(|(turn, _)| self.floating_from(turn)).collect();
         let is_followed = |k: CoordinateId| {
@@ -78,13 +81,13 @@ impl<'g> Model<'g> {
         floating
     }
 
-    /// The free joint whose turns begin with a body, if it is on the ground.
+    /// The free joint on ground whose turns start at the given body; none if there is none.
     fn floating_from(&self, turn: BodyId) -> Option<Floating<'g>> {
         let turning = &self.bodies[turn];
         turning.spin?;
         let below: Vec<BodyId> = std::iter::successors(turning.parent, |&body| self.bodies[body].parent).collect();
         let (slides, ground) = below.split_at_checked(3)?;
-        // those of one declaration have one name
+        // all bodies of one declaration have the same name
         let is_slide = |&body: &BodyId| {
             let body = &self.bodies[body];
             body.name == turning.name && body.screw.is_some_and(|screw| !screw.turns())

@@ -1,6 +1,6 @@
-//! Positions in lists, each of a type of its own.
+//! Typed indices into lists.
 
-/// Declares types of positions in lists: with one of them a list of anything is indexed.
+/// Declares index types, each of which indexes lists of any element type.
 macro_rules! index_types {
     ($($(#[$doc:meta])* $vis:vis $name:ident;)*) => {$(
         $(#[$doc])*
@@ -8,12 +8,12 @@ macro_rules! index_types {
         $vis struct $name(usize);
 
         impl $name {
-            /// The position `index`.
+            /// Creates the index of position `index`.
             $vis fn new(index: usize) -> Self {
                 Self(index)
             }
 
-            /// The positions in a list of some length.
+            /// Iterates over the indices of a list.
             $vis fn all(length: usize) -> impl DoubleEndedIterator<Item = Self> + ExactSizeIterator {
                 (0..length).map(Self)
             }
@@ -56,8 +56,8 @@ macro_rules! index_types {
 pub(crate) use index_types;
 
 index_types! {
-    /// A body of a model.
+    /// Index of a body in a model.
     pub BodyId;
-    /// A coordinate of a model.
+    /// Index of a coordinate in a model.
     pub CoordinateId;
 }

@@ -1,58 +1,58 @@
-//! What closed loops make of the coordinates that depend on others.
+//! Solutions of closed loops.
 
 use super::{Coordinate, Dependence};
 use crate::expr::Expr;
 
-/// What closed loops make of the coordinates that depend on others.
+/// Solution of the closed loops: dependent coordinates, margins and residuals.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Loops<'g> {
-    /// How each of these coordinates changes.
+    /// Derivatives of each dependent coordinate.
     pub dependents: Vec<Slopes<'g>>,
-    /// What the symbols of these stand for.
+    /// Values of the symbols of dependent coordinates.
     pub dependence: Dependence<'g>,
-    /// For each closed loop how far it is from its toggle, where it is zero: the sine of the angle between the two
-    /// sides of a triangle; of loops that are solved together the volume that the directions of the dependent
-    /// coordinates span.
+    /// Margin of each closed loop, which vanishes at its singularity (toggle): the sine of the angle between two sides
+    /// of a triangle or, for loops that are solved together, the volume spanned by the directions of the dependent
+    /// coordinates.
     pub margins: Vec<Expr<'g>>,
-    /// What vanishes where loops are closed that have no closed form.
+    /// Residuals of the loops that have no closed form.
     pub closings: Vec<Expr<'g>>,
-    /// What Newton's method adds to the dependent coordinates in the state.
+    /// Newton corrections of the dependent coordinates that are part of the state.
     pub corrections: Vec<Expr<'g>>,
-    /// How far these loops are from being closed.
+    /// Closure errors of the loops that have no closed form.
     pub gaps: Vec<Gap<'g>>,
-    /// The angles whose turns forces take, and are not counted.
+    /// Angles whose whole turns affect forces but are not counted.
     pub uncounted: Vec<Uncounted<'g>>,
 }
 
-/// How a coordinate changes that depends on those of the state and of the drives.
+/// Derivatives of a dependent coordinate.
 #[derive(Clone, Debug)]
 pub(crate) struct Slopes<'g> {
-    /// Its derivatives by the coordinates of the state, then by those of the drives.
+    /// Derivatives by the coordinates of the state, then by those of the drives.
     pub slopes: Vec<Expr<'g>>,
-    /// Its second rate where none of these accelerates.
+    /// Acceleration if none of these coordinates accelerates.
     pub drift: Expr<'g>,
-    /// Whether its position is a component of the state: no closed form of it is known, only its rate.
+    /// True if the position is a component of the state, because only its rate has a closed form.
     pub in_state: bool,
 }
 
-/// How far a loop is from being closed.
+/// Closure error of a loop.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gap<'g> {
-    /// The number of the loop.
+    /// Index of the loop.
     pub number: usize,
-    /// The distance between its ends, in m, along the directions in which they are tied.
+    /// Distance between its ends along the directions in which they are tied, in m.
     pub distance: Expr<'g>,
-    /// The angle between its frames, or their axes, in rad.
+    /// Angle between its frames, or between their axes, in rad.
     pub angle: Expr<'g>,
-    /// The sum of the lengths around it, in m.
+    /// Sum of the lengths around the loop, in m.
     pub size: Expr<'g>,
 }
 
-/// An angle that is known within half a turn of its guess.
+/// An angle that is determined only within half a turn of its guess.
 #[derive(Clone, Debug)]
 pub(crate) struct Uncounted<'g> {
     pub coordinate: Coordinate<'g>,
-    /// The cosine of half the angle from its guess: 0 where it would leave that half turn. 1 where its turns are
-    /// counted, which depends on lengths.
+    /// Cosine of half the angle from its guess: 0 where the angle would leave this half turn, 1 where its turns are
+    /// counted. The lengths decide whether they are.
     pub margin: Expr<'g>,
 }

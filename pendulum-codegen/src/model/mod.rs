@@ -1,4 +1,4 @@
-//! The typed scene: what a declaration means, without its text.
+//! The typed scene: the meaning of a declaration, independent of its source text.
 
 mod action;
 mod body;
@@ -48,66 +48,66 @@ use crate::expr::{BaseAngles, Definition, Expr, Graph, ratio};
 use crate::screw::Vec3;
 use crate::units::Unit;
 
-/// Bodies that hang on each other, and what moves them: the loops of a scene are open.
+/// The bodies of a scene and everything that moves them, as a tree: its loops are cut open.
 #[derive(Debug)]
 pub(crate) struct Tree<'g> {
-    /// The store of all its expressions.
+    /// Graph that stores all expressions of the scene.
     pub graph: &'g Graph,
     /// Parameters.
     pub parameters: Vec<Parameter<'g>>,
     /// Inputs.
     pub inputs: Vec<Input<'g>>,
-    /// Coordinates, in the order of their bodies in the text.
+    /// Coordinates of the state, in the order of their bodies in the source.
     pub coordinates: Vec<Coordinate<'g>>,
-    /// Joints that are driven: their coordinates are numbered behind those of the state.
+    /// Driven joints, whose coordinates are numbered after those of the state.
     pub drives: Vec<Drive<'g>>,
-    /// Coordinates that depend on those before, behind which they are numbered: in a tree those that are declared, in
-    /// a model the angles and lengths by which its loops are closed.
+    /// Dependent coordinates, numbered after those of the state and of the drives: in a tree the declared ones, in a
+    /// model the angles and lengths that close its loops.
     pub dependents: Vec<Coordinate<'g>>,
-    /// The joints that close loops.
+    /// Joints that close loops.
     pub closures: Vec<Closure<'g>>,
-    /// The symbol of time.
+    /// Symbol of time.
     pub time: Expr<'g>,
     /// Acceleration of gravity in the ground frame.
     pub gravity: Vec3<'g>,
-    /// Bodies, each after the one that carries it.
+    /// Bodies, each after its parent.
     pub bodies: Vec<Body<'g>>,
     /// Points of bodies.
     pub points: Vec<Point<'g>>,
-    /// What acts on the scene beside its joints.
+    /// Forces, potentials and dissipation other than those of the joints.
     pub actions: Vec<Action<'g>>,
-    /// What to generate, in the words of `generate`.
+    /// Routines to generate, as named in `generate`.
     pub generate: BTreeSet<&'static str>,
 }
 
-/// A scene: a tree whose loops are closed, and what is asked of it.
+/// A tree with its loops closed, together with its constraints, outputs, events and rules.
 #[derive(Debug)]
 pub(crate) struct Model<'g> {
     /// Name.
     pub name: String,
     /// Documentation, line by line.
     pub docs: Vec<String>,
-    /// What was repaired in the file of a robot.
+    /// Descriptions of the repairs made to the robot's URDF file.
     pub repaired: Vec<String>,
-    /// The largest force and rate of each coordinate, where the file of a robot gives any.
+    /// Effort and velocity limit of each coordinate, infinite if unlimited; empty if no URDF file gives any.
     pub most: Vec<[f64; 2]>,
-    /// Each `let`, as it was written.
+    /// Definition of each `let`, as written.
     pub lets: Vec<Definition>,
-    /// Bodies, and what moves them.
+    /// Bodies and everything that moves them.
     pub tree: Tree<'g>,
-    /// What closed loops make of the coordinates that depend.
+    /// Solution of the closed loops: derivatives of the dependent coordinates, margins and residuals.
     pub loops: Loops<'g>,
-    /// The constraints: joints in the order of their bodies, then walls.
+    /// Constraints: joints in the order of their bodies, then walls.
     pub constraints: Vec<Constraint<'g>>,
     /// Quantities to evaluate.
     pub outputs: Vec<Output<'g>>,
-    /// Functions whose zeros are events.
+    /// Events at the zeros of functions.
     pub events: Vec<Event<'g>>,
-    /// What the parameters must obey.
+    /// Conditions that the parameters must satisfy.
     pub rules: Vec<Rule<'g>>,
 }
 
-/// A model is a tree, and more.
+/// Gives access to the fields and methods of the underlying tree.
 impl<'g> Deref for Model<'g> {
     type Target = Tree<'g>;
 
@@ -125,9 +125,9 @@ pub(crate) struct Parameter<'g> {
     pub docs: Vec<String>,
     /// Unit.
     pub unit: Unit,
-    /// Value where none is given.
+    /// Default value, if there is one.
     pub default: Option<f64>,
-    /// Its symbol.
+    /// Symbol in expressions.
     pub symbol: Expr<'g>,
 }
 
@@ -140,18 +140,18 @@ pub(crate) struct Input<'g> {
     pub docs: Vec<String>,
     /// Unit.
     pub unit: Unit,
-    /// Its symbol.
+    /// Symbol in expressions.
     pub symbol: Expr<'g>,
 }
 
 impl<'g> Tree<'g> {
-    /// Whether joints follow others.
+    /// True if any joint follows other joints.
     pub(crate) fn has_followers(&self) -> bool {
         let follows = |body: &Body<'g>| body.coordinate.is_none() && body.motion != Combination::default();
         self.bodies.iter().any(follows)
     }
 
-    /// The components of the quaternions in the state.
+    /// Components of each quaternion in the state.
     pub(crate) fn quaternions(&self) -> Vec<[Expr<'g>; 4]> {
         let of = |c: &Coordinate<'g>| c.changes.iter().map(|&(component, _)| component).collect::<Vec<_>>();
         let mut all: Vec<[Expr<'g>; 4]> = self.coordinates.iter().filter_map(|c| of(c).try_into().ok()).collect();
@@ -159,42 +159,42 @@ impl<'g> Tree<'g> {
         all
     }
 
-    /// The number of degrees of freedom.
+    /// Number of degrees of freedom.
     pub(crate) fn dof(&self) -> usize {
         self.coordinates.len()
     }
 
-    /// The bodies and their positions, each after the one that carries it.
+    /// Iterates over the bodies and their indices, each body after its parent.
     pub(crate) fn bodies(&self) -> impl DoubleEndedIterator<Item = (BodyId, &Body<'g>)> {
         BodyId::all(self.bodies.len()).zip(&self.bodies)
     }
 
-    /// Whether it has orientations: then positions outnumber rates.
+    /// True if the state has orientations, so that positions outnumber rates.
     pub(crate) fn has_orientations(&self) -> bool {
         self.coordinates.iter().any(Coordinate::is_of_orientation)
     }
 
-    /// The symbols of the inputs.
+    /// Symbols of the inputs.
     pub(crate) fn input_symbols(&self) -> Vec<Expr<'g>> {
         self.inputs.iter().map(|input| input.symbol).collect()
     }
 
-    /// The value of a combination of coordinates.
+    /// Position of a combination of coordinates.
     pub(crate) fn position_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.coordinate(k).position)
     }
 
-    /// The rate of a combination of coordinates.
+    /// Rate of a combination of coordinates.
     pub(crate) fn rate_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.coordinate(k).rate)
     }
 
-    /// The second rate of a combination of coordinates.
+    /// Acceleration of a combination of coordinates.
     pub(crate) fn acceleration_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.coordinate(k).acceleration)
     }
 
-    /// The names of the coordinates.
+    /// Names of the coordinates.
     pub(crate) fn coordinate_names(&self) -> Vec<&str> {
         self.coordinates
             .iter()
@@ -202,7 +202,8 @@ impl<'g> Tree<'g> {
             .collect()
     }
 
-    /// What each turning coordinate is in base angles: the absolute angles of parallel joints within their station.
+    /// Base angles of each coordinate of a turning joint, with their factors: the absolute angles of parallel joints
+    /// within their station.
     pub(crate) fn base_angles(&self) -> BaseAngles<'g> {
         let mut angles = BaseAngles::default();
         for body in &self.bodies {
@@ -211,11 +212,11 @@ impl<'g> Tree<'g> {
             };
             let turn = body.heading.turn.filtered(|k| !self.is_driven(k));
             let factor = turn.factor(own);
-            // a body below may follow the coordinate: then it is its own base
+            // the factor is not 1 or -1 if a body below follows the coordinate, which is then its own base
             if !factor.abs().is_one() {
                 continue;
             }
-            // turn = factor * own + others, where the others are the turn of the parent, or none for an absolute
+            // turn = factor * own + others, where the others are the turn of the parent, or zero for an absolute
             // coordinate
             let sign = turn.leading_sign();
             let mut shares = vec![(self.position_of(&turn.scaled(sign)), &factor * ratio(sign, 1))];
@@ -238,19 +239,19 @@ impl<'g> Tree<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// The coordinates, then their rates.
+    /// State vector: positions, then rates.
     pub(crate) fn state(&self) -> Vec<Expr<'g>> {
         let rates = self.coordinates.iter().map(|c| c.rate);
         self.positions().into_iter().chain(rates).collect()
     }
 
-    /// The positions: of orientations the four components of their quaternions, of other coordinates themselves. Behind
-    /// them those of dependent coordinates that are known by their rates alone.
+    /// Positions: the four quaternion components of each orientation, the value of every other coordinate, then the
+    /// dependent coordinates that are part of the state.
     pub(crate) fn positions(&self) -> Vec<Expr<'g>> {
         self.changes().into_iter().map(|(x, _)| x).collect()
     }
 
-    /// How the positions change: the kinematic part of the right-hand side.
+    /// Time derivatives of the positions: the kinematic part of the right-hand side.
     pub(crate) fn kinematics(&self) -> Vec<Expr<'g>> {
         self.changes().into_iter().map(|(_, rate)| rate).collect()
     }
@@ -263,7 +264,8 @@ impl<'g> Model<'g> {
         )
     }
 
-    /// The dependent coordinates that are known by their rates alone, so that their positions are in the state.
+    /// Dependent coordinates without a closed form: only their rates are known, so their positions are part of the
+    /// state.
     pub(crate) fn in_state(&self) -> impl Iterator<Item = (CoordinateId, &Coordinate<'g>)> {
         let numbered = (self.independent()..).map(CoordinateId::new).zip(&self.dependents);
         let in_state = numbered
@@ -272,12 +274,12 @@ impl<'g> Model<'g> {
         in_state.map(|(coordinate, _)| coordinate)
     }
 
-    /// Whether positions outnumber rates.
+    /// True if positions outnumber rates.
     pub(crate) fn has_more_positions(&self) -> bool {
         self.has_orientations() || self.in_state().next().is_some()
     }
 
-    /// Every name of the declaration that can stand in an expression, without the marks of raw identifiers.
+    /// All declared names that can stand in an expression, without the `r#` of raw identifiers.
     pub(crate) fn names(&self) -> BTreeSet<String> {
         let parameters = self.parameters.iter().map(|p| &p.name);
         let inputs = self.inputs.iter().map(|i| &i.name);

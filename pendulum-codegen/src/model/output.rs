@@ -9,18 +9,18 @@ pub(crate) struct Output<'g> {
     pub name: String,
     /// Documentation, line by line.
     pub docs: Vec<String>,
-    /// What it is.
+    /// Kind of quantity.
     pub shape: OutputShape,
-    /// Its components, those of a matrix column by column.
+    /// Components; those of a matrix are stored column by column.
     pub values: Vec<Expr<'g>>,
 }
 
-/// What an output is.
+/// Kind of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum OutputShape {
     /// One number.
     Scalar,
-    /// A list of this many.
+    /// A list of numbers, of this length.
     Vector(usize),
     /// The position of a point.
     Point,
@@ -28,21 +28,22 @@ pub(crate) enum OutputShape {
     Rotation,
 }
 
-/// A function whose zeros are events.
+/// An event at the zeros of a function.
 #[derive(Clone, Debug)]
 pub(crate) struct Event<'g> {
     /// Name.
     pub name: String,
     /// Documentation, line by line.
     pub docs: Vec<String>,
-    /// What passes zero.
+    /// Function whose zeros are the events.
     pub value: Expr<'g>,
-    /// Whether the motion has a kink there.
+    /// True if the motion has a kink at the event.
     pub is_kink: bool,
 }
 
 impl Output<'_> {
-    /// The names of its components: `tip` for one number, `tip.x` for the three of a point, `tip[0]` of other lists.
+    /// Names of the components: `tip` for a number, `tip.x` for a point, `tip[0]` for a list, `tip[0, 0]` for a
+    /// rotation.
     pub(crate) fn labels(&self) -> Vec<String> {
         let name = self.name.trim_start_matches("r#");
         match self.shape {

@@ -11,17 +11,17 @@ use crate::screw::Vec3;
 pub(crate) struct Point<'g> {
     /// Name.
     pub name: String,
-    /// Where it is.
+    /// Position on its body.
     pub place: Place<'g>,
-    /// Whether its body can move.
+    /// True if its body can move.
     pub moves: bool,
-    /// The symbols that stand for its position in the ground frame while a scene is read.
+    /// Symbols of its position in the ground frame, until all bodies are known.
     pub position: Vec3<'g>,
-    /// Those for its velocity.
+    /// Symbols of its velocity in the ground frame.
     pub velocity: Vec3<'g>,
 }
 
-/// The derivative along the motion of what depends on coordinates, points and the time only.
+/// Time derivative of expressions in coordinates, points and the time.
 pub(crate) fn along_motion<'g, 'm>(
     time: Expr<'g>,
     coordinates: impl Iterator<Item = &'m Coordinate<'g>>,
@@ -36,14 +36,14 @@ where
 }
 
 impl<'g> Tree<'g> {
-    /// The derivative along the motion of what depends on coordinates and the time only.
+    /// Time derivative of expressions in coordinates and the time.
     pub(crate) fn along_motion(&self) -> Derivative<'g> {
         along_motion(self.time, self.all_coordinates(), std::iter::empty())
     }
 }
 
 impl<'g> Model<'g> {
-    /// Puts the positions and velocities of points in the place of their symbols.
+    /// Replaces the symbols of points by their positions and velocities.
     pub(crate) fn resolve_points(&mut self) {
         let poses = Poses::new(self);
         let mut along_motion = self.along_motion();

@@ -1,26 +1,26 @@
-//! Where bodies and their points are.
+//! Poses of bodies, and positions of their points.
 
 use super::{Body, Heading, Tree};
 use crate::expr::{Expr, Graph};
 use crate::model::BodyId;
 use crate::screw::{Mat3, Transform, Twist, Vec3};
 
-/// Poses and screws of the bodies of a tree, each written in the station of its body.
+/// Poses and screws of the bodies of a tree, each in the station of its body.
 ///
-/// In a station, parallel joints turn by sums of angles, and what lies below the station does not appear at all.
+/// Within a station, parallel joints turn by sums of angles, and coordinates below the station do not occur.
 #[derive(Debug)]
 pub(crate) struct Poses<'g> {
     graph: &'g Graph,
-    /// Where each body is.
+    /// Pose of each body.
     pub poses: Vec<Transform<'g>>,
-    /// The screw of each joint; none for a fixed one.
+    /// Screw of each joint; none for a fixed joint.
     pub screws: Vec<Option<Twist<'g>>>,
-    /// The station of each body; none for ground.
+    /// Station of each body; none for ground.
     pub stations: Vec<Option<BodyId>>,
 }
 
 impl<'g> Poses<'g> {
-    /// The poses of a tree.
+    /// Computes the poses of a tree.
     pub(crate) fn new(tree: &Tree<'g>) -> Self {
         let mut poses: Vec<Transform<'g>> = Vec::new();
         let mut screws = Vec::new();
@@ -42,46 +42,46 @@ impl<'g> Poses<'g> {
         }
     }
 
-    /// A point of a body, or of ground, in the ground frame.
+    /// Position in the ground frame of a point of a body, or of ground.
     pub(crate) fn point(&self, body: Option<BodyId>, at: Vec3<'g>) -> Vec3<'g> {
         self.stations_below(body)
             .fold(at, |at, body| self.poses[body].point(at))
     }
 
-    /// A direction of a body, or of ground, in the ground frame.
+    /// Direction in the ground frame of a vector of a body, or of ground.
     pub(crate) fn direction(&self, body: Option<BodyId>, direction: Vec3<'g>) -> Vec3<'g> {
         let turned = |v, body: BodyId| self.poses[body].rotation * v;
         self.stations_below(body).fold(direction, turned)
     }
 
-    /// The axes of a body in the ground frame, as columns.
+    /// Axes of a body in the ground frame, as columns.
     pub(crate) fn rotation(&self, body: Option<BodyId>) -> Mat3<'g> {
         let turned = |m, body: BodyId| self.poses[body].rotation * m;
         self.stations_below(body).fold(Mat3::identity(self.graph), turned)
     }
 
-    /// The body, its station, the station of that, and so on to ground.
+    /// The body, its station, the station of its station, and so on down to ground.
     fn stations_below(&self, body: Option<BodyId>) -> impl Iterator<Item = BodyId> {
         std::iter::successors(body, |&body| self.stations[body])
     }
 }
 
-/// Where two bodies are in the frame of the last body that carries both, or that is one of them.
+/// Poses of two bodies in the frame of their carrier: the last body that carries both, or is one of them.
 ///
-/// Where they turn about one axis, that body included, its own turn is taken off the sums of angles, so it does not
-/// occur.
+/// If the bodies turn about the same axis as the carrier, its turn is subtracted from the sums of angles, so that its
+/// coordinates do not occur.
 pub(crate) fn between<'g>(tree: &Tree<'g>, bodies: [Option<BodyId>; 2]) -> [Transform<'g>; 2] {
     let carrier = carrier(tree, bodies);
     bodies.map(|body| in_frame_of(tree, carrier, body))
 }
 
-/// The last body that carries both, or that is one of them; none for ground.
+/// Last body that carries both, or is one of them; none for ground.
 pub(super) fn carrier(tree: &Tree<'_>, [first, second]: [Option<BodyId>; 2]) -> Option<BodyId> {
     let below = |body: Option<BodyId>| std::iter::successors(body, |&body| tree.bodies[body].parent);
     below(first).find(|&body| below(second).any(|other| other == body))
 }
 
-/// Where a body is in the frame of one that carries it.
+/// Pose of a body in the frame of a body that carries it.
 fn in_frame_of<'g>(tree: &Tree<'g>, carrier: Option<BodyId>, body: Option<BodyId>) -> Transform<'g> {
     let Some(at) = body.filter(|_| body != carrier) else {
         return Transform::identity(tree.graph);
@@ -91,7 +91,7 @@ fn in_frame_of<'g>(tree: &Tree<'g>, carrier: Option<BodyId>, body: Option<BodyId
     let carried = carrier.map(|carrier| &tree.bodies[carrier].heading);
     let mut heading = own.heading.clone();
     let before = match carried {
-        // all turn in the frame of a body below
+        // both turn about one axis in the same station
         Some(carried) if carried.station == heading.station => {
             heading.turn = heading.turn.plus_scaled(-1, &carried.turn);
             Some(carried.rest.transpose())
@@ -122,7 +122,7 @@ fn orientation<'g>(heading: &Heading<'g>, angle: Expr<'g>) -> Mat3<'g> {
     }
 }
 
-/// Where a body's origin is and what the screw of its joint is, in the frame in which its parent stands at `base`.
+/// Origin of a body and screw of its joint, in the frame in which `base` is the pose of its parent.
 fn place<'g>(
     base: &Transform<'g>,
     body: &Body<'g>,
@@ -137,7 +137,7 @@ fn place<'g>(
         return (joint.point(position * screw.linear), Some(joint.twist(&screw)));
     }
     let Twist { angular: w, linear: v } = screw;
-    // a turn does not move its own axis, so the axis needs the constant rotation only
+    // a turn leaves its own axis fixed, so the axis needs the constant rotation only
     let angular = body.heading.rest * w;
     let twist = Twist {
         angular,

@@ -2,35 +2,35 @@
 
 use crate::expr::Expr;
 
-/// A condition on parameters that `new` checks.
+/// A condition on parameters, checked by `new`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Rule<'g> {
-    /// What is checked.
+    /// Value to check.
     pub value: Expr<'g>,
-    /// What it must be.
+    /// Condition on the value.
     pub requirement: Requirement<'g>,
-    /// The parameter, or the expression of parameters, as text.
+    /// Text of the parameter, or of the expression of parameters.
     pub name: String,
-    /// The rule as a sentence: `the mass of `upper` must be positive`.
+    /// Rule as a sentence: ``the mass of `upper` must be positive``.
     pub text: String,
 }
 
-/// What a checked value must be.
+/// Condition on a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Requirement<'g> {
     /// Above zero.
     Positive,
     /// Zero or above.
     NonNegative,
-    /// Zero or above, up to rounding of a difference of numbers of this size.
+    /// Zero or above, within the rounding error of a difference of numbers of this size.
     NonNegativeWithin(Expr<'g>),
 }
 
-/// How much of a difference is rounding.
+/// Rounding error of a difference, relative to the size of its terms.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
 impl<'g> Requirement<'g> {
-    /// The number by whose size the rounding is measured.
+    /// Number whose size the rounding error is relative to.
     pub(crate) fn scale(self) -> Option<Expr<'g>> {
         match self {
             Self::NonNegativeWithin(scale) => Some(scale),
@@ -38,7 +38,7 @@ impl<'g> Requirement<'g> {
         }
     }
 
-    /// Whether a value obeys, where `scale` is the size that the rounding is measured by.
+    /// True if a value satisfies the condition; `scale` is the size that the rounding error is relative to.
     pub(crate) fn allows(self, value: f64, scale: f64) -> bool {
         match self {
             Self::Positive => value > 0.0,

@@ -1,4 +1,4 @@
-//! What acts on a scene beside its joints: forces, springs and dampers between points, potentials.
+//! Actions outside of joints: forces, springs and dampers between points, potentials.
 
 use syn::parse::ParseStream;
 use syn::{Ident, Token, token};
@@ -8,7 +8,7 @@ use super::{read, skip_to};
 use crate::ast::{Action, ActionKind, Expr, Read};
 use crate::error::{Code, Errors, at};
 
-/// What follows the word of the item.
+/// Parses an action after its first word.
 pub(super) fn action(input: ParseStream, word: Ident, errors: &mut Errors) -> syn::Result<Action> {
     let kind = match word.to_string().as_str() {
         "force" => force(input, errors)?,
@@ -105,7 +105,7 @@ fn between(input: ParseStream, word: &Ident, form: &str, errors: &mut Errors) ->
     let expected = |input: ParseStream, what: &str| {
         let found: Option<Ident> = input.parse()?;
         let Some(_) = found.filter(|found| found == what) else {
-            // the rest of the item is read no more
+            // leave the rest of the item unparsed
             skip_to(input, |input| input.peek(Token![:]));
             let fact = format_args!("a {word} of the scene acts between two points");
             return Err(at(Code::Syntax, word.span(), fact, format_args!("write `{form}`")));

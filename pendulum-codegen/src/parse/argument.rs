@@ -1,4 +1,4 @@
-//! Lists in brackets, and what may stand in the parentheses of solids and joints.
+//! Lists in brackets, and arguments of solids and joints.
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -51,7 +51,7 @@ impl Parse for Argument {
 }
 
 impl Argument {
-    /// The argument as three components, if it has them.
+    /// Returns the argument as a vector, or unchanged if it does not have three components.
     pub(super) fn vector(self) -> Result<Vector, Self> {
         match self {
             Self::List(entries, tokens) => match <[Expr; 3]>::try_from(entries) {

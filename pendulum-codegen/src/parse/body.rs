@@ -14,7 +14,7 @@ use crate::ast::{Body, BodyFields, Expr, Inertia, Properties, Read, Shape, Vecto
 use crate::error::{Code, Errors, at, on};
 use crate::words::{self, Advice, advice};
 
-/// A field that is being read into a `T`, after its name and the colon.
+/// A field to be parsed into a `T`, after its name and the colon.
 struct Field<'a> {
     input: ParseStream<'a>,
     key: &'a Ident,
@@ -22,10 +22,10 @@ struct Field<'a> {
     owner: &'a Ident,
 }
 
-/// The name of a field, and how it is read.
+/// Name of a field, and its parser.
 type Row<T> = (&'static str, fn(&Field, &mut T) -> syn::Result<()>);
 
-/// The fields of shapes, and of bodies too.
+/// Fields of shapes and bodies.
 const PROPERTIES: [Row<Properties>; 4] = [
     ("mass", |field, properties| field.value(&mut properties.mass)),
     ("com", |field, properties| field.value(&mut properties.com)),
@@ -36,7 +36,7 @@ const PROPERTIES: [Row<Properties>; 4] = [
     }),
 ];
 
-/// The other fields of bodies.
+/// Fields of bodies only.
 const BODY_FIELDS: [Row<BodyFields>; 11] = [
     ("joint", |field, body| {
         let joint = joint(field.input, field.owner)?;
@@ -56,8 +56,8 @@ const BODY_FIELDS: [Row<BodyFields>; 11] = [
     ("spring", |field, body| field.spring(body)),
     ("torque", |field, body| {
         if field.input.peek(Bracket) {
-            let help = "along a joint acts one number; a moment `m` about the x axis of a body with the orientation `o` is \
-                        `dissipation: -m*dot(o).x,` among the items of the scene";
+            let help = "along a joint acts one number; a moment `m` about the x axis of a body with the orientation \
+                        `o` is `dissipation: -m*dot(o).x,` among the items of the scene";
             return Err(at(Code::Arguments, field.key.span(), "a torque is no list", help));
         }
         field.value(&mut body.torque)
@@ -67,10 +67,11 @@ const BODY_FIELDS: [Row<BodyFields>; 11] = [
     ("stop", |field, body| field.value(&mut body.stop)),
 ];
 
-/// How a ball joint is written that follows from a closed loop.
+/// Help text on replacing a ball joint that depends on a closed loop by hinges.
 pub(crate) const HINGES: &str = "of the ball joints of a loop let one close it, `close a at [..] to b at [..]: ball`; \
                                  write each other as hinges whose coordinates depend, on bodies without mass: \
-                                 `joint: revolute(x), coordinate: u depends near 0.3`, then one about y, and one about z";
+                                 `joint: revolute(x), coordinate: u depends near 0.3`, then one about y, \
+                                 and one about z";
 
 fn names<T>(rows: &'static [Row<T>]) -> impl Iterator<Item = &'static str> {
     rows.iter().map(|(name, _)| *name)
@@ -87,7 +88,7 @@ pub(super) fn body(input: ParseStream, errors: &mut Errors) -> syn::Result<Body>
             "the name of a shape",
             &format!("body {name} on ground: shape {{ .. }}"),
         )?;
-        // where no parent was read, the parent may be meant
+        // without a parent, this word may be the parent
         shape = parent.is_ok().then_some(word);
     }
     let form = format!("body {name} on ground {{ joint: .., coordinate: .. }}");
@@ -145,7 +146,7 @@ pub(super) fn shape(input: ParseStream, errors: &mut Errors) -> syn::Result<Shap
     })
 }
 
-/// The braces, even if something else stands before them.
+/// Parses the braces; reports and skips other tokens before them.
 fn fields_of<'a>(input: &ParseBuffer<'a>, what: &str, form: &str, errors: &mut Errors) -> syn::Result<ParseBuffer<'a>> {
     braces(input, what, form).or_else(|error| {
         skip_to(input, |input| input.peek(Brace));
@@ -156,7 +157,8 @@ fn fields_of<'a>(input: &ParseBuffer<'a>, what: &str, form: &str, errors: &mut E
     })
 }
 
-/// The word that a field begins with, and the colon after it. After a mistake with a clear meaning reading goes on.
+/// Parses the name of a field and the colon. If a wrong name has an obvious meaning, reports it and returns the
+/// intended one.
 fn key(input: ParseStream, owner: &Ident, known: &[&'static str], errors: &mut Errors) -> syn::Result<Ident> {
     docs(input)?;
     let mut key = input.call(Ident::parse_any).map_err(|e| {
@@ -165,7 +167,7 @@ fn key(input: ParseStream, owner: &Ident, known: &[&'static str], errors: &mut E
     })?;
     let text = key.to_string();
     if !known.contains(&text.as_str()) {
-        // `force: e` in a body means the force of its joint
+        // in a body, `force: e` means the force of its joint
         let means_field = input.peek(Token![:]) && words::synonym(&text, words::FIELDS).is_some();
         if ITEMS.contains(&text.as_str()) && text != "let" && !means_field {
             let help = format!("write it outside of the braces of `{owner}`");
@@ -219,7 +221,7 @@ fn body_field(input: ParseStream, owner: &Ident, body: &mut BodyFields, errors: 
 }
 
 impl Field<'_> {
-    /// Reads the field by its row, if it has one here.
+    /// Parses the field with its parser in `rows`, if it has one there.
     fn read<T>(&self, rows: &[Row<T>], target: &mut T) -> syn::Result<()> {
         let row = rows.iter().find(|(name, _)| self.key == name);
         row.map_or(Ok(()), |(_, read)| read(self, target))
@@ -229,7 +231,7 @@ impl Field<'_> {
         once(place, self.input.parse()?, self.key)
     }
 
-    /// The name of what a joint that moves freely has, and its guess: in the form with that.
+    /// Parses the name of an orientation or a position, and its guess; `guessed` is the syntax with the guess.
     fn name(
         &self,
         (place, near): (&mut Option<Ident>, &mut Option<Vector>),
@@ -253,7 +255,7 @@ impl Field<'_> {
         let name = identifier(self.input, &format!("the name of {what}"), form)?;
         if self.input.peek(Ident) && !starts_item(self.input) {
             let word: Ident = self.input.parse()?;
-            // so that its uses are no errors of their own
+            // stored so that its uses are not reported too
             once(place, name, self.key)?;
             return Err(match word.to_string().as_str() {
                 "depends" if self.key == "position" => {

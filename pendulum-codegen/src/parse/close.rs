@@ -12,7 +12,7 @@ use crate::error::{Code, Errors, at};
 
 const FORM: &str = "close coupler at [b, 0, 0] to rocker at [c, 0, 0]: revolute(z)";
 
-/// The joints that close loops.
+/// Joints that can close a loop.
 const CLOSING: [&str; 4] = ["revolute", "prismatic", "ball", "fixed"];
 
 /// `body at [x, y, z] rpy [x, y, z] to body at [x, y, z] rpy [x, y, z]: revolute(z)`, after the word `close`
@@ -52,7 +52,7 @@ pub(super) fn close(input: ParseStream, word: Ident, errors: &mut Errors) -> syn
     })
 }
 
-/// Refuses a place without the word `at`.
+/// Rejects a place without the word `at`.
 fn no_place(input: ParseStream, end: &End) -> syn::Result<()> {
     if input.peek(Bracket) {
         let fact = format_args!("expected `at` before the place on `{}`", end.body);
@@ -69,7 +69,7 @@ fn end(input: ParseStream) -> syn::Result<End> {
         at: None,
         rpy: None,
     };
-    // a word before the colon would begin an item elsewhere
+    // elsewhere, a word before a colon would begin an item
     let at_end = |input: ParseStream| {
         let word = input.cursor().ident().map(|(word, _)| word);
         let is_next = word.is_some_and(|word| ["to", "at", "rpy"].iter().any(|next| word == next));

@@ -1,5 +1,5 @@
-//! What declares a name: parameters, inputs and `let`. The name is kept even if the rest is wrong, so that its uses
-//! are no errors too.
+//! Items that declare a name: parameters, inputs, `let`, outputs and events. The name is kept even if the rest is
+//! wrong, so that its uses are not reported too.
 
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
@@ -11,7 +11,7 @@ use crate::ast::{Event, Expr, Input, Let, Output, OutputValue, Param, Read};
 use crate::error::{Code, Errors, at};
 use crate::units::Unit;
 
-/// The braces of `params { .. }`.
+/// Parses the braces of `params { .. }`.
 pub(super) fn params<'a>(input: &ParseBuffer<'a>, errors: &mut Errors) -> syn::Result<ParseBuffer<'a>> {
     let ahead = input.fork();
     if ahead.parse::<Option<Token![:]>>()?.is_some() && ahead.peek(syn::token::Brace) {
@@ -150,7 +150,7 @@ fn valued<T>(
     value.inspect_err(|_| skip_to(input, |input| input.peek(Token![,])))
 }
 
-/// `: unit` after the name of a parameter or an input, of which `such` is one
+/// `: unit` after the name of a parameter or an input; messages show the unit `such` as an example
 fn unit(input: ParseStream, kind: &str, name: &Ident, such: &str) -> Read<Unit> {
     if input.parse::<Option<Token![:]>>()?.is_some() {
         return read(input, |input| input.peek(Token![=]));

@@ -13,11 +13,12 @@ use crate::error::{Code, at};
 use crate::expr::{Rational, ratio};
 use crate::units::Unit;
 
-/// The longest expression, in tokens, and how deep its brackets may be nested: later stages work by recursion.
+/// Maximum length of an expression, in tokens: later stages work by recursion.
 const MOST_TOKENS: usize = 2000;
+/// Maximum nesting of brackets in an expression, for the same reason.
 const MOST_NESTING: usize = 100;
 
-/// The most digits of a number.
+/// Maximum number of digits of a number.
 const MOST_DIGITS: usize = 500;
 
 impl Parse for Expr {
@@ -39,7 +40,7 @@ impl Parse for Expr {
     }
 }
 
-/// The number of tokens before the next comma, and how deep they are nested; the count ends where there are too many.
+/// Counts the tokens before the next comma and the depth of their nesting; stops beyond [`MOST_TOKENS`].
 fn size_until_comma(mut rest: Cursor<'_>) -> (usize, usize) {
     let (mut count, mut deepest) = (0, 0);
     while let Some((token, next)) = rest.token_tree()
@@ -71,7 +72,7 @@ fn size_until_comma(mut rest: Cursor<'_>) -> (usize, usize) {
     (count, deepest)
 }
 
-/// Parses with `parser` and keeps the tokens that it took.
+/// Parses with `parser`, and also returns the consumed tokens.
 pub(super) fn recorded<T>(
     input: ParseStream,
     parser: impl FnOnce(ParseStream) -> syn::Result<T>,
@@ -85,13 +86,13 @@ pub(super) fn recorded<T>(
     Ok((value, tokens))
 }
 
-/// An expression with all of its tokens.
+/// Parses an expression, and stores all of its tokens.
 fn whole(input: ParseStream, parser: impl FnOnce(ParseStream) -> syn::Result<Expr>) -> syn::Result<Expr> {
     let (expr, tokens) = recorded(input, parser)?;
     Ok(Expr { tokens, ..expr })
 }
 
-/// An expression whose tokens are still those of its first operand; `whole` completes them.
+/// Returns an expression with the tokens of its first operand only; [`whole`] completes them.
 fn joined(first: TokenStream, kind: ExprKind) -> Expr {
     Expr { kind, tokens: first }
 }
@@ -119,7 +120,7 @@ fn sum(input: ParseStream) -> syn::Result<Expr> {
 fn term(input: ParseStream) -> syn::Result<Expr> {
     whole(input, |input| {
         if input.peek(Token![-]) {
-            // in a loop: signs have no limit of their own, and the stack has one
+            // iterate: the number of signs is unlimited, but the stack is not
             let mut negative = false;
             while input.parse::<Option<Token![-]>>()?.is_some() {
                 negative = !negative;
@@ -211,7 +212,7 @@ fn atom(input: ParseStream) -> syn::Result<Expr> {
     Ok(Expr { kind, tokens })
 }
 
-/// `.x` after the name of a point; a call after the dot is another language's.
+/// Parses `.x` after the name of a point. Leaves a method call, as in other languages, unparsed.
 fn component(input: ParseStream) -> Option<syn::Result<Ident>> {
     let ahead = input.fork();
     ahead.parse::<Token![.]>().ok()?;
@@ -222,7 +223,7 @@ fn component(input: ParseStream) -> Option<syn::Result<Ident>> {
     })
 }
 
-/// A number, perhaps with a unit.
+/// Parses a number, optionally with a unit.
 fn number(input: ParseStream) -> syn::Result<ExprKind> {
     let literal: Lit = input.parse()?;
     let (digits, suffix) = match &literal {
@@ -262,7 +263,7 @@ fn number(input: ParseStream) -> syn::Result<ExprKind> {
     })
 }
 
-/// The exact value of decimal digits with an optional point and exponent.
+/// Returns the exact value of decimal digits with an optional point and exponent, if it is in range.
 fn decimal(digits: &str) -> Option<Rational> {
     let (mantissa, exponent) = match digits.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
@@ -273,7 +274,7 @@ fn decimal(digits: &str) -> Option<Rational> {
     if integer.is_zero() {
         return Some(Rational::zero());
     }
-    // far from any overflow by the digits
+    // a value with an exponent beyond this is out of range, whatever its digits
     let range = -2000..=2000;
     let exponent = exponent.clamp(*range.start(), *range.end()) - i32::try_from(fraction.len()).ok()?;
     let value = Rational::from(integer) * ratio(10, 1).pow(exponent);

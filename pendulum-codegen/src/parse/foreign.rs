@@ -1,4 +1,4 @@
-//! What other languages have in expressions, and what to write instead.
+//! Syntax of other languages in expressions, and what to write instead.
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -12,7 +12,7 @@ use crate::error::{Code, at, on};
 use crate::units::{self, Unit};
 use crate::words::{SYMBOLS, synonym};
 
-/// Something other than an operand stands where one should.
+/// Returns the error for a token that cannot begin an operand.
 pub(super) fn no_operand(input: ParseStream) -> syn::Error {
     let span = input.span();
     if let Ok(keyword) = input.call(Ident::parse_any) {
@@ -45,7 +45,7 @@ pub(super) fn no_operand(input: ParseStream) -> syn::Error {
     at(Code::Syntax, span, fact, help)
 }
 
-/// Refuses `f64::sin` and `std::f64::consts::PI`, of which `first` was read.
+/// Rejects paths such as `f64::sin` and `std::f64::consts::PI`; the `first` word has been parsed.
 pub(super) fn no_path(input: ParseStream, first: &Ident) -> syn::Result<()> {
     if !input.peek(Token![::]) {
         return Ok(());
@@ -66,7 +66,7 @@ pub(super) fn no_path(input: ParseStream, first: &Ident) -> syn::Result<()> {
     Err(on(Code::NotInLanguage, text, fact, help))
 }
 
-/// Refuses what may follow an operand elsewhere: `theta.sin()`, `3 Nm`.
+/// Rejects what follows an operand in other languages: `theta.sin()`, `3 Nm`.
 pub(super) fn nothing_after(input: ParseStream, kind: &ExprKind, operand: &TokenStream) -> syn::Result<()> {
     if input.peek(Token![.]) {
         return Err(method(input, operand));
@@ -120,7 +120,7 @@ fn method(input: ParseStream, operand: &TokenStream) -> syn::Error {
     on(Code::NotInLanguage, text, fact, help)
 }
 
-/// Refuses letters after a number that are no unit.
+/// Rejects a suffix of a number that is not a unit.
 pub(super) fn no_suffix(literal: &Lit, digits: &str, suffix: &str) -> syn::Result<()> {
     if suffix.is_empty() || Unit::is_name(suffix) {
         return Ok(());

@@ -1,4 +1,4 @@
-//! Joints.
+//! Joints and their arguments.
 
 use syn::parse::{Parse, ParseStream};
 use syn::token::Bracket;
@@ -11,7 +11,7 @@ use crate::ast::{Axis, Expr, Joint, JointKind, Read, Vector};
 use crate::error::{Code, at, on};
 use crate::words::{self, Advice, advice};
 
-/// The word of a joint, how it is written, and how its arguments are read: none if they do not fit.
+/// Word of a joint, its syntax, and the parser of its arguments: `None` if they do not fit.
 type Row = (&'static str, &'static str, fn(&mut Arguments) -> Option<JointKind>);
 
 const JOINTS: [Row; 7] = [
@@ -27,7 +27,7 @@ const JOINTS: [Row; 7] = [
     ("fixed", "fixed", |_| Some(JointKind::Fixed)),
 ];
 
-/// The words of all joints.
+/// Words of all joints.
 fn all() -> [&'static str; 7] {
     JOINTS.map(|(word, ..)| word)
 }
@@ -39,7 +39,7 @@ pub(super) fn joint(input: ParseStream, body: &Ident) -> syn::Result<Joint> {
         at: None,
         rpy: None,
     };
-    // a word before a colon is the next field, after a comma that is missing
+    // a word before a colon is the next field, after a missing comma
     while input.peek(Ident) && !starts_item(input) {
         let word: Ident = input.parse()?;
         match word.to_string().as_str() {
@@ -55,7 +55,7 @@ pub(super) fn joint(input: ParseStream, body: &Ident) -> syn::Result<Joint> {
     Ok(joint)
 }
 
-/// `kind(arguments)`, which stands in the text as in `form`; an unknown word means one of the `known` ones
+/// `kind(arguments)`; messages show the syntax `form`, and suggest the `known` joints for an unknown word
 pub(super) fn kind(
     input: ParseStream,
     owner: &Ident,
@@ -77,12 +77,12 @@ pub(super) fn kind(
     Ok(of_arguments(owner, &word, arguments, known))
 }
 
-/// The error of a word that is no joint.
+/// Returns the error for a word that is no joint.
 fn unknown(word: &Ident, known: &[&'static str]) -> syn::Error {
     let text = word.to_string();
     let meant = words::synonym(&text, words::JOINTS).filter(|meant| all().contains(meant) && !known.contains(meant));
     let Advice { help, .. } = match meant {
-        // where only some may stand, another one is no advice
+        // a joint that is not allowed here would be no help
         Some(_) => advice("", known.iter().copied(), &[]),
         None => advice(&text, known.iter().copied(), words::JOINTS),
     };
@@ -138,7 +138,7 @@ impl Parse for JointArgument {
     }
 }
 
-/// The arguments of a joint, taken one after the other.
+/// Arguments of a joint, consumed in order.
 struct Arguments<'a> {
     body: &'a Ident,
     word: &'a Ident,

@@ -1,4 +1,4 @@
-//! Tokens to syntax tree. A mistake costs only the item or field it stands in: reading goes on after it.
+//! Parses tokens to a syntax tree. A mistake costs only its item or field: parsing continues after it.
 
 mod action;
 mod argument;
@@ -29,7 +29,7 @@ use crate::error::{Code, Errors, Reported, at, on};
 use crate::words::{self, Advice, advice};
 use token::{brackets, colon, identifier, list, starts_known, unexpected};
 
-/// The items of a scene.
+/// Names of the items of a scene.
 const ITEMS: [&str; 19] = [
     "units",
     "params",
@@ -52,16 +52,16 @@ const ITEMS: [&str; 19] = [
     "generate",
 ];
 
-/// How deep brackets may be nested anywhere: deeper than those of an expression, which has a message of its own.
+/// Maximum nesting of brackets in a declaration. It exceeds the limit for expressions, which has its own message.
 const MOST_LEVELS: usize = 256;
 
-/// Names that the generated code uses itself: not even a stand-in can be made under one of them.
+/// Names used by the generated code; a scene of this name does not even get a stand-in.
 const USED: [&str; 7] = ["T", "N", "M", "D", "bool", "f64", "usize"];
 
-/// Traits of the core's prelude: a model of this name would hide one of them, and its methods with it.
+/// Traits in the prelude of the core; a model of this name would hide the trait and its methods.
 const HIDDEN: [&str; 6] = ["Controlled", "Energy", "Ensemble", "Jacobian", "Method", "System"];
 
-/// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
+/// Parses a declaration. Returns its scene unless the head could not be parsed, and all errors.
 pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     let mut errors = Errors::default();
     if let Some(bracket) = too_deep(tokens.clone()) {
@@ -71,8 +71,7 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     }
     let clamps = occurrences(tokens.clone(), "clamp");
     let scene = (|whole: ParseStream| {
-        // syn reports what is left in brackets when a stream ends, but not when a copy of it does; here every mistake
-        // has an error of its own
+        // syn reports tokens left in brackets at the end of a stream, but not of a fork; mistakes have their own errors
         let input = &whole.fork();
         whole.parse::<TokenStream>()?;
         let head = head(input)?;
@@ -108,7 +107,7 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     (scene, errors)
 }
 
-/// How often a word stands among tokens.
+/// Counts the occurrences of a word among the tokens.
 fn occurrences(tokens: TokenStream, word: &str) -> usize {
     let of = |token| match token {
         TokenTree::Group(group) => occurrences(group.stream(), word),
@@ -118,11 +117,11 @@ fn occurrences(tokens: TokenStream, word: &str) -> usize {
     tokens.into_iter().map(of).sum()
 }
 
-/// Reads the bodies of a robot.
+/// Parses the bodies of a robot.
 pub(crate) fn bodies(tokens: TokenStream, errors: &mut Errors) -> Result<Vec<Body>, Reported> {
     let mut items = Items::default();
     let read = |whole: ParseStream| {
-        // as in `parse`
+        // forked as in `parse`
         let input = &whole.fork();
         whole.parse::<TokenStream>()?;
         Ok(each(input, errors, |input, errors| item(input, &mut items, errors)))
@@ -134,7 +133,7 @@ pub(crate) fn bodies(tokens: TokenStream, errors: &mut Errors) -> Result<Vec<Bod
     }
 }
 
-/// A bracket that stands in too many others: `syn` reads them by recursion.
+/// Returns the first bracket that is nested too deep: `syn` parses brackets by recursion.
 fn too_deep(tokens: TokenStream) -> Option<Span> {
     let mut levels = vec![tokens.into_iter()];
     while let Some(level) = levels.last_mut() {
@@ -186,16 +185,15 @@ fn head(input: ParseStream) -> syn::Result<Head> {
     })
 }
 
-/// How an item ends.
+/// Delimiter at the end of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum End {
-    /// With a comma.
     Comma,
-    /// With its own braces; a comma may follow.
+    /// The item's own braces; a comma may follow.
     Braces,
 }
 
-/// Reads items until the end. After a mistake it skips to the next item. Returns the last error, if there was one.
+/// Parses items up to the end of the input. After a mistake, skips to the next item. Returns the last error, if any.
 fn each(
     input: ParseStream,
     errors: &mut Errors,
@@ -205,7 +203,7 @@ fn each(
     while !input.is_empty() {
         let start = input.cursor();
         match item(input, errors).and_then(|end| Ok((end, input.parse::<Option<Token![,]>>()?))) {
-            // where a comma alone is missing, the next item can be read
+            // if only a comma is missing, the next item can be parsed
             Ok((End::Comma, None)) if !input.is_empty() => {
                 reported = Some(errors.push(unexpected(input)));
                 if !starts_item(input) {
@@ -220,7 +218,7 @@ fn each(
             Err(error) => {
                 reported = Some(errors.push(error));
                 if input.cursor() == start {
-                    // at least one token, or the reading would not end
+                    // consume at least one token, or the loop would not end
                     let _ = input.parse::<TokenTree>();
                 }
                 skip(input);
@@ -230,7 +228,7 @@ fn each(
     reported
 }
 
-/// Skips to where the next item may begin.
+/// Skips to the next possible start of an item.
 fn skip(input: ParseStream) {
     while !starts_known(input)
         && let Ok(token) = input.parse::<TokenTree>()
@@ -238,7 +236,7 @@ fn skip(input: ParseStream) {
         match token {
             TokenTree::Punct(end) if [',', ';'].contains(&end.as_char()) => return,
             TokenTree::Group(group) if group.delimiter() == Delimiter::Brace && !input.peek(Token![else]) => {
-                // a parse of nothing cannot fail here: the comma is optional
+                // this cannot fail: the comma is optional
                 let _ = input.parse::<Option<Token![,]>>();
                 return;
             }
@@ -247,7 +245,7 @@ fn skip(input: ParseStream) {
     }
 }
 
-/// Reads a part of an item. After a mistake it skips to the end of the part, where `ends` holds, or of the item.
+/// Parses a part of an item. After a mistake, skips to the end of the part, where `ends` holds, or of the item.
 fn read<T: Parse>(input: ParseStream, ends: impl Fn(ParseStream) -> bool) -> Read<T> {
     input
         .parse()
@@ -258,7 +256,7 @@ fn skip_to(input: ParseStream, ends: impl Fn(ParseStream) -> bool) {
     while !ends(input) && !starts_item(input) && input.parse::<TokenTree>().is_ok() {}
 }
 
-/// The lines of documentation comments; no other attribute has a meaning here.
+/// Parses the lines of documentation comments; rejects all other attributes.
 fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
     const FACT: &str = "only documentation comments may stand here";
     const HELP: &str = "remove the attribute";
@@ -277,7 +275,7 @@ fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
     attributes.into_iter().map(line).collect()
 }
 
-/// Puts a value where none was, or refuses the second one.
+/// Stores a value, or rejects it if there already is one.
 fn once<T>(place: &mut Option<T>, value: T, key: &Ident) -> syn::Result<()> {
     if place.is_some() {
         return Err(at(
@@ -376,7 +374,7 @@ fn routines(input: ParseStream) -> syn::Result<Vec<Ident>> {
     })
 }
 
-/// The word that an item begins with. After a mistake whose meaning is clear the reading goes on.
+/// Parses the first word of an item. If a wrong word has an obvious meaning, reports it and returns the intended word.
 fn item_key(input: ParseStream, errors: &mut Errors) -> syn::Result<Ident> {
     let key = input.call(Ident::parse_any).map_err(|e| {
         let help = format_args!("known here: {}", ITEMS.join(", "));

@@ -1,4 +1,4 @@
-//! A robot from a file.
+//! Robots from files.
 
 use syn::parse::ParseStream;
 use syn::{Ident, LitStr, Token};
@@ -46,8 +46,9 @@ pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
                 return Err(at(Code::UnknownWord, what.span(), "limits are left out anyway", help));
             }
             _ => {
-                let help = "known here: `limits`, which makes stops of the limits of joints, `without dry_friction`, `repair`, \
-                     which changes inertias that no body can have, and `strict`, which refuses unknown elements";
+                let help = "known here: `limits`, which makes stops of the limits of joints, `without dry_friction`, \
+                     `repair`, which changes inertias that no body can have, and `strict`, \
+                     which refuses unknown elements";
                 let fact = format_args!("unknown word `{word}`");
                 return Err(at(Code::UnknownWord, word.span(), fact, help));
             }

@@ -1,4 +1,4 @@
-//! Solids.
+//! Solids and their arguments.
 
 use syn::Ident;
 use syn::ext::IdentExt;
@@ -10,7 +10,7 @@ use crate::ast::{Expr, Read, Solid, SolidKind, Vector};
 use crate::error::{Code, at, on};
 use crate::words::{self, Advice, advice};
 
-/// The word of a solid, how it is written, and how its arguments after the mass are read: none if they do not fit.
+/// Word of a solid, its syntax, and the parser of its arguments after the mass: `None` if they do not fit.
 type Row = (&'static str, &'static str, fn(&mut Arguments) -> Option<SolidKind>);
 
 const SOLIDS: [Row; 7] = [
@@ -49,7 +49,7 @@ pub(super) fn solids(input: ParseStream, owner: &Ident) -> syn::Result<Vec<Read<
 }
 
 fn call(input: ParseStream) -> syn::Result<(Ident, Vec<Argument>)> {
-    // also `box`, which is a keyword
+    // any identifier, since `box` is a keyword
     let help = "write one such as `point(m, [0, -l, 0])`";
     let word = input
         .call(Ident::parse_any)
@@ -88,7 +88,7 @@ fn solid(owner: &Ident, word: Ident, arguments: Vec<Argument>) -> Read<Solid> {
     Ok(Solid { word, mass, kind })
 }
 
-/// The arguments of a solid, taken one after the other.
+/// Arguments of a solid, consumed in order.
 struct Arguments {
     /// ``a rod of `arm` ``
     what: String,

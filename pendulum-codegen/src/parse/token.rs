@@ -1,4 +1,4 @@
-//! What a declaration is built of: names, colons, brackets and lists, with messages for what stands there instead.
+//! Names, colons, brackets and lists, with messages for other tokens in their place.
 
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
@@ -7,7 +7,7 @@ use syn::{Ident, Token, braced, bracketed, parenthesized, token};
 use super::ITEMS;
 use crate::error::{Code, Errors, at};
 
-/// The fields of bodies: where one of these words stands, something new begins.
+/// Names of the fields of bodies; each of these words begins a field.
 pub(super) const FIELDS: [&str; 15] = [
     "mass",
     "com",
@@ -26,9 +26,9 @@ pub(super) const FIELDS: [&str; 15] = [
     "stop",
 ];
 
-/// The name of `what`, which stands in the text as in `form`.
+/// Parses a name. Messages call it `what`, and show the syntax `form`.
 ///
-/// A name has one spelling: the mark of a raw identifier stays only on keywords.
+/// Each name has one spelling: only keywords keep the `r#` of a raw identifier.
 pub(super) fn identifier(input: ParseStream, what: &str, form: &str) -> syn::Result<Ident> {
     if let Ok(ident) = input.parse::<Ident>() {
         let (text, plain) = (ident.to_string(), ident.unraw().to_string());
@@ -49,12 +49,12 @@ pub(super) fn identifier(input: ParseStream, what: &str, form: &str) -> syn::Res
     ))
 }
 
-/// Whether a name may stand as it is. `gen` is a keyword since the edition of 2024, which `syn` does not count.
+/// True if a text is a valid identifier. `gen` is a keyword since edition 2024, but not in `syn`.
 pub(crate) fn is_identifier(text: &str) -> bool {
     text != "gen" && syn::parse_str::<Ident>(text).is_ok()
 }
 
-/// A keyword where a name should be.
+/// Returns the error for a keyword in place of a name.
 pub(super) fn is_keyword(word: &Ident) -> syn::Error {
     let raw = !["self", "Self", "super", "crate", "_"]
         .iter()
@@ -68,7 +68,7 @@ pub(super) fn is_keyword(word: &Ident) -> syn::Error {
     at(Code::NameTaken, word.span(), fact, help)
 }
 
-/// The colon after a word. An equals sign in its place is an error after which the reading goes on.
+/// Parses the colon after a word. Reports and accepts an equals sign in its place.
 pub(super) fn colon(input: ParseStream, after: &Ident, errors: &mut Errors) -> syn::Result<()> {
     if input.parse::<Option<Token![:]>>()?.is_some() {
         return Ok(());
@@ -86,7 +86,7 @@ pub(super) fn colon(input: ParseStream, after: &Ident, errors: &mut Errors) -> s
     Ok(())
 }
 
-/// What stands in braces.
+/// Parses braces, and returns their contents.
 pub(super) fn braces<'a>(input: &ParseBuffer<'a>, what: &str, form: &str) -> syn::Result<ParseBuffer<'a>> {
     if !input.peek(token::Brace) {
         return Err(at(
@@ -101,7 +101,7 @@ pub(super) fn braces<'a>(input: &ParseBuffer<'a>, what: &str, form: &str) -> syn
     Ok(inner)
 }
 
-/// What stands in square brackets.
+/// Parses square brackets, and returns their contents.
 pub(super) fn brackets<'a>(input: &ParseBuffer<'a>, what: &str, form: &str) -> syn::Result<ParseBuffer<'a>> {
     if !input.peek(token::Bracket) {
         let fact = format_args!("expected {what} in square brackets");
@@ -112,7 +112,7 @@ pub(super) fn brackets<'a>(input: &ParseBuffer<'a>, what: &str, form: &str) -> s
     Ok(inner)
 }
 
-/// What stands in parentheses, if they are there.
+/// Parses parentheses, if there are any, and returns their contents.
 pub(super) fn parentheses<'a>(input: &ParseBuffer<'a>) -> syn::Result<Option<ParseBuffer<'a>>> {
     if !input.peek(token::Paren) {
         return Ok(None);
@@ -122,7 +122,7 @@ pub(super) fn parentheses<'a>(input: &ParseBuffer<'a>) -> syn::Result<Option<Par
     Ok(Some(inner))
 }
 
-/// `e, e, ..` up to the end, which stands in the text as in `form`.
+/// Parses `e, e, ..` up to the end of the input; messages show the syntax `form`.
 pub(super) fn list<T>(
     input: ParseStream,
     form: &str,
@@ -142,7 +142,7 @@ pub(super) fn list<T>(
     Ok(entries)
 }
 
-/// The word before a colon.
+/// Returns the next word if a colon follows it.
 pub(super) fn label(input: ParseStream) -> Option<Ident> {
     let (word, rest) = input.cursor().ident()?;
     let (colon, _) = rest.punct()?;
@@ -150,7 +150,7 @@ pub(super) fn label(input: ParseStream) -> Option<Ident> {
     (colon.as_char() == ':' && !is_path).then_some(word)
 }
 
-/// Whether a known item or field begins here.
+/// True if a known item or field begins here.
 pub(super) fn starts_known(input: ParseStream) -> bool {
     let word = input.cursor().ident().map(|(word, _)| word);
     let is_item = word.is_some_and(|word| ITEMS.iter().any(|item| word == item))
@@ -158,17 +158,17 @@ pub(super) fn starts_known(input: ParseStream) -> bool {
     input.peek(Token![let]) || is_item || label(input).is_some_and(|word| is_field(&word.to_string()))
 }
 
-/// Whether bodies have a field of this name.
+/// True if bodies have a field of this name.
 pub(super) fn is_field(name: &str) -> bool {
     FIELDS.contains(&name)
 }
 
-/// Whether something begins here that has a name of its own: an item, a field, a parameter.
+/// True if an item, a field or a parameter begins here.
 pub(crate) fn starts_item(input: ParseStream) -> bool {
     starts_known(input) || label(input).is_some()
 }
 
-/// What is left inside brackets must be nothing.
+/// Checks that nothing is left in the brackets.
 pub(super) fn end_of(input: ParseStream) -> syn::Result<()> {
     if input.is_empty() {
         Ok(())
@@ -177,7 +177,7 @@ pub(super) fn end_of(input: ParseStream) -> syn::Result<()> {
     }
 }
 
-/// Something stands where a comma or an operator should.
+/// Returns the error for a token in place of a comma or an operator.
 pub(super) fn unexpected(input: ParseStream) -> syn::Error {
     let mark = input.cursor().punct().map(|(punct, _)| punct.as_char());
     let (code, fact, help) = match mark {

@@ -1,4 +1,4 @@
-//! What the motion cannot pass: stops of joints, and walls.
+//! Stops of joints, and walls.
 
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};

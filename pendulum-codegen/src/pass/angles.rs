@@ -1,4 +1,4 @@
-//! Products of sines and cosines back to sums of angles: `cos a cos b + sin a sin b` becomes `cos(a - b)`.
+//! Collects products of sines and cosines into sums of angles: `cos a cos b + sin a sin b` becomes `cos(a - b)`.
 
 use std::collections::BTreeSet;
 
@@ -6,14 +6,15 @@ use num_traits::One;
 
 use crate::expr::{Expr, Graph, Level, Monomial, Node, Normalizer, Poly, Rational, TooLarge, Unary, ratio};
 
-/// A polynomial with more terms is no closed form that anybody would want: recursive forms are far shorter then.
+/// Maximum number of terms of a polynomial to rewrite. A longer closed form has no use: recursive forms are far
+/// shorter.
 const MOST_TERMS: usize = 200;
 
-/// Nor is one with a product of the sines and cosines of more angles.
+/// Maximum number of angles whose sines and cosines occur in one product.
 const MOST_ANGLES: usize = 16;
 
-/// Rewrites a normal form with sums and differences of its angles wherever that leaves fewer terms. The result is equal
-/// in value, and shorter, but no longer canonical.
+/// Rewrites a normal form in sums and differences of its angles wherever this leaves fewer terms. The result is equal
+/// in value and shorter, but no longer canonical.
 pub(crate) fn collect(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Poly, TooLarge> {
     if is_large(normalizer.graph(), poly) {
         return Err(TooLarge);
@@ -25,7 +26,7 @@ pub(crate) fn collect(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Po
     Ok(poly)
 }
 
-/// The same, beginning with squares: `sin a - cos(a - b) sin b` hides that it is `cos b sin(a - b)`, which this finds.
+/// Like [`collect`], but replaces squares first, which finds `cos b sin(a - b)` in `sin a - cos(a - b) sin b`.
 pub(crate) fn collect_squares_first(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Poly, TooLarge> {
     if is_large(normalizer.graph(), poly) {
         return Err(TooLarge);
@@ -44,7 +45,7 @@ fn is_large(graph: &Graph, poly: &Poly) -> bool {
             .any(|(monomial, _)| angles_of(graph, monomial).len() > MOST_ANGLES)
 }
 
-/// Sine and cosine of one angle.
+/// An angle with its sine and cosine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Angle<'g> {
     angle: Expr<'g>,
@@ -93,7 +94,7 @@ fn angles_of<'g>(graph: &'g Graph, monomial: &Monomial) -> Vec<Angle<'g>> {
     angles.into_iter().collect()
 }
 
-/// Two terms of the addition theorems, starting from `cos x cos y` or `sin x cos y`.
+/// Merges two terms by the addition theorems, starting from `cos x cos y` or `sin x cos y`.
 fn pair<'g>(
     normalizer: &mut Normalizer<'g>,
     poly: &Poly,
@@ -142,7 +143,7 @@ fn pair<'g>(
     Ok(None)
 }
 
-/// `1 - sin^2` where it is `cos^2`.
+/// Replaces `1 - sin^2` by `cos^2`.
 fn square(poly: &Poly, (monomial, coefficient): (&Monomial, &Rational), a: Angle<'_>) -> Option<Poly> {
     if monomial.power_of(a.sine) < 2 {
         return None;
@@ -153,7 +154,7 @@ fn square(poly: &Poly, (monomial, coefficient): (&Monomial, &Rational), a: Angle
     shorter(poly, &[monomial, &rest], &new)
 }
 
-/// The polynomial with some terms replaced, if it then has fewer.
+/// Returns the polynomial with the terms `without` replaced by `new`, if this leaves fewer terms.
 fn shorter(poly: &Poly, without: &[&Monomial], new: &Poly) -> Option<Poly> {
     let mut replaced = poly.clone();
     for monomial in without {

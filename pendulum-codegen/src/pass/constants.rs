@@ -1,13 +1,13 @@
-//! Constants in normal form, so that those which cancel are zero exactly, and equal ones are one.
+//! Brings constants into normal form, so that constants that cancel are exactly zero and equal ones are the same node.
 
 use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, Graph, Level, Normalizer};
 
-/// What the constants of one scene may take.
+/// Maximum number of products of terms formed for the constants of one scene.
 const BUDGET: usize = 100_000;
 
-/// The roots with every constant operand of something that varies replaced by its normal form.
+/// Replaces each constant operand of a varying expression by its normal form.
 pub(crate) fn fold<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let mut normalizer = Normalizer::new(g, BUDGET);
     let mut folded = FxHashMap::default();

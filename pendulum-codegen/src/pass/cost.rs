@@ -1,4 +1,4 @@
-//! Counted operations.
+//! Operation counts.
 
 use std::collections::BTreeSet;
 
@@ -7,8 +7,8 @@ use rustc_hash::FxHashMap;
 
 use crate::expr::{CostKind, Expr, ExprId, Graph, Level, Node, Unary};
 
-/// How many operations an evaluation takes. What depends on parameters alone is computed when the model is built, and
-/// is not counted.
+/// Number of operations of one evaluation. Expressions of parameters alone are computed when the model is built, and
+/// are not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Additions, subtractions and negations.
@@ -17,17 +17,17 @@ pub struct Operations {
     pub multiplications: usize,
     /// Divisions.
     pub divisions: usize,
-    /// Angles of which the sine, the cosine or both are called.
+    /// Angles whose sine, cosine or both are computed.
     pub sincos: usize,
     /// Other functions, square roots included.
     pub functions: usize,
-    /// The longest chain of operations that wait for each other, in additions: a division counts 4, a sine-cosine pair
-    /// 20, another function 10.
+    /// Length of the longest chain of dependent operations, in additions: a division counts 4, a sine-cosine pair 20,
+    /// another function 10.
     pub chain: usize,
 }
 
 impl Operations {
-    /// The operations that the roots need, each shared one once.
+    /// Counts the operations that the roots need, each shared one once.
     pub fn of<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Self {
         let mut operations = Self::default();
         let mut angles = BTreeSet::new();
@@ -64,33 +64,34 @@ impl Operations {
         operations
     }
 
-    /// One number to choose by: the time of an evaluation, in multiples of an addition among many.
+    /// Estimated time of an evaluation, in multiples of one addition among many independent ones. Forms of the same
+    /// function are compared by it.
     ///
-    /// Work keeps a processor busy, and a chain of operations that wait for each other keeps it waiting; the less of
-    /// the two hides behind the other. A processor that looks ahead beyond a short function does other work meanwhile.
-    /// The weights are rounded from the times of generated functions (`bench/`, measurements `weights` and `scaling`):
-    /// among others a division takes 5 to 10 additions, a sine-cosine pair 56 to 81, another function 30 to 70; an
-    /// addition that is waited for takes as long as some twelve.
+    /// Work is limited by throughput and a chain of dependent operations by latency; the smaller of the two hides
+    /// behind the larger. A processor that looks ahead past the end of a short function overlaps its chain with other
+    /// work. The weights are rounded from the times of generated functions (`bench/`, measurements `weights` and
+    /// `scaling`): among others a division takes 5 to 10 additions, a sine-cosine pair 56 to 81, another function 30 to
+    /// 70; an addition on the chain takes as long as about twelve independent ones.
     pub fn weight(&self) -> usize {
-        /// An addition that is waited for.
+        /// Time of an addition on the chain, in independent additions.
         const WAIT: usize = 12;
-        /// How much work a processor looks ahead.
+        /// Look-ahead of the processor, in independent additions.
         const AHEAD: usize = 500;
         let work = self.arithmetic() + 60 * self.sincos + 30 * self.functions;
         let chain = WAIT * self.chain * work / (work + AHEAD);
-        // the larger of the two, and a little more where they are of one size: (work^8 + chain^8)^(1/8)
+        // the larger of the two, and slightly more if they are of similar size: (work^8 + chain^8)^(1/8)
         let (larger, smaller) = (work.max(chain) as f64, work.min(chain) as f64);
         let more = 1.0 + (smaller / larger.max(1.0)).powi(8);
         (larger * more.sqrt().sqrt().sqrt()) as usize
     }
 
-    /// The part of the work in which the forms of one function differ: they hardly do in their sines.
+    /// Work without sines and functions, in additions. The forms of one function hardly differ in their sines.
     pub(crate) fn arithmetic(&self) -> usize {
         self.additions + self.multiplications + 6 * self.divisions
     }
 }
 
-/// The longest chain of operations from the state to a root, in additions that wait for each other.
+/// Length of the longest chain of dependent operations from the state to a root, in additions.
 fn chain<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> usize {
     let mut ends: FxHashMap<ExprId, usize> = FxHashMap::default();
     for id in g.reachable(roots) {
@@ -105,7 +106,7 @@ fn chain<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> usize {
             Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Unary(Unary::Neg, _) => 0,
             Node::Unary(op, _) => waiting(op.cost()),
             Node::Binary(op, ..) => waiting(op.cost()),
-            // squares mostly, and roots
+            // mostly squares and square roots
             Node::Power(_, n) => waiting(if n.is_integer() {
                 CostKind::Multiplication
             } else {
@@ -122,7 +123,7 @@ fn chain<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> usize {
         .unwrap_or(0)
 }
 
-/// How long a result is waited for.
+/// Latency of an operation, in additions.
 fn waiting(kind: CostKind) -> usize {
     match kind {
         CostKind::Addition | CostKind::Multiplication => 1,
@@ -150,7 +151,7 @@ mod tests {
             last = weight;
         }
         assert!(of(1000, 300).weight() > of(1000, 100).weight());
-        // a chain that many operations hide
+        // a chain that hides behind many operations
         assert_eq!(of(100_000, 10).weight(), 100_000);
     }
 }

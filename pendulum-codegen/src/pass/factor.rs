@@ -1,4 +1,5 @@
-//! Polynomials to short expressions: coefficients of parameters as one constant each, then common factors drawn out.
+//! Converts polynomials to short expressions: collects coefficients of parameters into one constant each, then extracts
+//! common factors.
 
 use std::collections::BTreeMap;
 
@@ -7,29 +8,29 @@ use num_traits::{One, Signed};
 
 use crate::expr::{Expr, Graph, Level, Monomial, Normalizer, Poly, Rational};
 
-/// A product with a sign: factors may repeat.
+/// A product with a sign; factors may repeat.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Term<'g> {
     negative: bool,
     factors: Vec<Expr<'g>>,
 }
 
-/// How sums of products are written.
+/// Form of sums of products.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Products {
-    /// With common factors drawn out, those of the state first.
+    /// Common factors extracted, state factors first.
     Factored,
-    /// As they are.
+    /// Unchanged.
     Expanded,
 }
 
 impl Products {
-    /// Both.
+    /// Both forms.
     pub(crate) const ALL: [Self; 2] = [Self::Factored, Self::Expanded];
 }
 
-/// The terms of a polynomial, one for each product of state quantities. What multiplies it becomes one constant, up to
-/// a rational factor, so that equal combinations of parameters are the same constant everywhere.
+/// Returns the terms of a polynomial, one for each product of state quantities. Its coefficient becomes one constant,
+/// up to a rational factor, so that equal combinations of parameters are the same constant everywhere.
 pub(crate) fn terms<'g>(normalizer: &Normalizer<'g>, poly: &Poly) -> Vec<Term<'g>> {
     let g = normalizer.graph();
     normalizer
@@ -56,8 +57,8 @@ pub(crate) fn terms<'g>(normalizer: &Normalizer<'g>, poly: &Poly) -> Vec<Term<'g
         .collect()
 }
 
-/// The number to draw out of a sum: its sign, and the common factor of its coefficients unless one of them is 1
-/// already.
+/// Number to extract from a sum: its sign, times the greatest common divisor of its coefficients unless one of them is
+/// already 1 or -1.
 fn content(poly: &Poly) -> Rational {
     let coefficients = || poly.terms().map(|(_, coefficient)| coefficient);
     let negative = coefficients().next().is_some_and(Signed::is_negative);
@@ -71,7 +72,7 @@ fn content(poly: &Poly) -> Rational {
     if negative { -content } else { content }
 }
 
-/// The polynomial of terms, in which constants are atoms.
+/// Converts terms to a polynomial; constants become atoms.
 pub(crate) fn polynomial(terms: &[Term<'_>]) -> Poly {
     let mut poly = Poly::default();
     for term in terms {
@@ -92,7 +93,7 @@ pub(crate) fn polynomial(terms: &[Term<'_>]) -> Poly {
     poly
 }
 
-/// The expression of terms.
+/// Converts terms to an expression.
 pub(crate) fn factor<'g>(g: &'g Graph, terms: &[Term<'g>], products: Products) -> Expr<'g> {
     let common = match products {
         Products::Factored if terms.len() > 1 => most_frequent(terms),
@@ -119,8 +120,8 @@ pub(crate) fn factor<'g>(g: &'g Graph, terms: &[Term<'g>], products: Products) -
     common * inside + rest
 }
 
-/// The factor that stands in most terms, if it stands in two or more, one of the state before others. Terms without
-/// state cost nothing, so they do not count.
+/// Returns the most frequent factor, if it occurs in at least two terms; a factor of the state wins a tie. Terms
+/// without state cost nothing and are not counted.
 fn most_frequent<'g>(terms: &[Term<'g>]) -> Option<Expr<'g>> {
     let mut counts: BTreeMap<Expr<'g>, usize> = BTreeMap::new();
     for term in terms {

@@ -1,4 +1,4 @@
-//! Expressions as sums of terms, like terms together.
+//! Expressions as sums of terms, with like terms collected.
 
 use std::collections::BTreeMap;
 
@@ -9,27 +9,27 @@ use crate::expr::{
     Binary, Expr, Graph, LONGEST_CONSTANT, Level, MOST_BITS, Node, Normalizer, Rational, Unary, is_short, multiply,
 };
 
-/// What constants may take to be brought into normal form.
+/// Maximum number of products of terms formed to bring constants into normal form.
 const BUDGET: usize = 100_000;
 
-/// How many terms all sums together may have.
+/// Maximum number of terms of all sums together.
 const MOST_TERMS: usize = 200_000;
 
-/// Terms with their factors: the number 1 stands for a term that is a number.
+/// Terms with their rational factors; a purely numerical term is a multiple of the number 1.
 pub(super) type Linear<'g> = BTreeMap<Expr<'g>, Rational>;
 
-/// Expressions whose sums are flat.
+/// Expressions with flat sums.
 pub(super) struct Flat<'g> {
     pub(super) g: &'g Graph,
     normalizer: Normalizer<'g>,
-    /// The terms of each expression of the original.
+    /// Terms of each original expression.
     linear: FxHashMap<Expr<'g>, Linear<'g>>,
-    /// The terms of each flat sum.
+    /// Terms of each flat sum.
     pub(super) sums: FxHashMap<Expr<'g>, Linear<'g>>,
 }
 
 impl<'g> Flat<'g> {
-    /// The roots with flat sums; none if these have too many terms.
+    /// Flattens the sums of the roots. Returns `None` if they have too many terms.
     pub(super) fn new(g: &'g Graph, roots: &[Expr<'g>]) -> Option<(Self, Vec<Expr<'g>>)> {
         let mut flat = Self {
             g,
@@ -50,13 +50,13 @@ impl<'g> Flat<'g> {
         Some((flat, roots))
     }
 
-    /// The flat sum of an expression that has been taken apart.
+    /// Flat sum of an expression in `linear`.
     fn sum_of(&mut self, id: Expr<'g>) -> Expr<'g> {
         let linear = self.linear[&id].clone();
         self.whole(&linear)
     }
 
-    /// The terms of an expression, whose operands have been taken apart.
+    /// Terms of an expression; its operands must be in `linear`.
     fn take_apart(&mut self, id: Expr<'g>) -> Linear<'g> {
         let g = self.g;
         if id.level() < Level::State {
@@ -103,9 +103,9 @@ impl<'g> Flat<'g> {
         }
     }
 
-    /// The terms of a constant: those of its normal form.
+    /// Terms of the normal form of a constant.
     fn constant(&mut self, id: Expr<'g>) -> Linear<'g> {
-        // a long constant is printed as the number that it is
+        // a long constant is printed as its value
         let is_long = id.level() == Level::Constant && id.length() > LONGEST_CONSTANT;
         let Some(normal) = (!is_long).then(|| self.normalizer.normal(id).ok()).flatten() else {
             return self.term(id, Rational::one());
@@ -145,7 +145,7 @@ impl<'g> Flat<'g> {
         self.term(self.times(self.g.one(), &merged), factor)
     }
 
-    /// An expression as a number times another.
+    /// Writes an expression as a number times another expression.
     fn one_term(&mut self, id: Expr<'g>) -> (Rational, Expr<'g>) {
         let linear = self.linear[&id].clone();
         let Some((&first, factor)) = linear.first_key_value() else {
@@ -180,7 +180,7 @@ impl<'g> Flat<'g> {
             .fold(id, |product, (&atom, &power)| product * atom.powi(power))
     }
 
-    /// A number times an expression, which may have been simplified to a number or to its opposite.
+    /// Terms of a number times an expression, which simplification may have turned into a number or a negation.
     fn term(&self, id: Expr<'g>, factor: Rational) -> Linear<'g> {
         let (g, mut linear) = (self.g, Linear::new());
         match id.node() {
@@ -196,7 +196,7 @@ impl<'g> Flat<'g> {
         linear
     }
 
-    /// The sum of terms.
+    /// Sum of terms.
     pub(super) fn whole(&mut self, linear: &Linear<'g>) -> Expr<'g> {
         let id = linear.iter().fold(self.g.zero(), |sum, (&atom, factor)| {
             let term = factor.clone() * atom;
@@ -209,10 +209,10 @@ impl<'g> Flat<'g> {
     }
 }
 
-/// Factors<'g> of a product and their powers.
+/// Factors of a product and their powers.
 type Factors<'g> = BTreeMap<Expr<'g>, i64>;
 
-/// The factors of a product with whole powers.
+/// Factors of a product, with integer powers.
 fn factors(x: Expr<'_>) -> Factors<'_> {
     let mut factors = Factors::new();
     let mut stack = vec![x];
@@ -230,7 +230,7 @@ fn factors(x: Expr<'_>) -> Factors<'_> {
     factors
 }
 
-/// The factors that all terms share.
+/// Factors common to all terms.
 fn common_factor<'g>(linear: &Linear<'g>) -> Factors<'g> {
     let mut terms = linear.keys().map(|&atom| factors(atom));
     let mut common = terms.next().unwrap_or_default();
@@ -244,23 +244,23 @@ fn common_factor<'g>(linear: &Linear<'g>) -> Factors<'g> {
     common
 }
 
-/// The power, if it is whole and of a size that declarations have.
+/// Returns the power as an integer, if it is one and fits an `i32`.
 fn whole_number(power: &Rational) -> Option<i32> {
     power.is_integer().then(|| power.to_i32()).flatten()
 }
 
-/// Whether a power of a number is short enough to be computed.
+/// True if a power of a number is short enough to be computed.
 fn is_short_power(x: &Rational, n: i32) -> bool {
     let bits = |n: &num_bigint::BigInt| n.bits().saturating_sub(1);
     x.is_one() || (bits(x.numer()) + bits(x.denom())).saturating_mul(n.unsigned_abs().into()) <= MOST_BITS
 }
 
-/// Terms times a number.
+/// Multiplies terms by a number.
 fn scaled<'g>(linear: &Linear<'g>, factor: &Rational) -> Linear<'g> {
     linear.iter().map(|(&atom, own)| (atom, own * factor)).collect()
 }
 
-/// Adds terms times a number.
+/// Adds `other` times a number to `sum`.
 pub(super) fn add_scaled<'g>(sum: &mut Linear<'g>, other: &Linear<'g>, factor: &Rational) {
     for (&atom, own) in other {
         let entry = sum.entry(atom).or_insert_with(Rational::zero);

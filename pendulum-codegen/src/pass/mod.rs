@@ -1,4 +1,4 @@
-//! Rewriting of expressions: shorter forms of the same values. Nothing here knows of mechanics.
+//! Rewrites expressions into shorter forms of equal value. Nothing here depends on mechanics.
 
 mod angles;
 pub(crate) mod constants;

@@ -1,8 +1,8 @@
-//! Sums written with the sums that they contain.
+//! Writes sums in terms of the sums that they contain.
 //!
-//! Recursions over the links of a chain add a little to a sum from link to link. Where some of that cancels, or comes
-//! in another order, the chain of sums no longer shows. Here every sum becomes a list of its terms, and then the
-//! longest sum that it contains, and the rest.
+//! Recursions over the links of a chain extend a sum from link to link. Where terms cancel, or come in another order,
+//! this chain of sums is lost. The pass expands every sum into its terms, then rebuilds it as the longest sum that it
+//! contains, plus the rest.
 
 use std::collections::BTreeSet;
 
@@ -12,8 +12,8 @@ use rustc_hash::FxHashMap;
 use super::flat::{Flat, Linear, add_scaled};
 use crate::expr::{Binary, Expr, Graph, Level, Node, Rational};
 
-/// The roots, in which each sum is written with the longest sum that it contains; as they are, if their sums are too
-/// long.
+/// Writes each sum in the roots with the longest sum that it contains. Returns the roots unchanged if their sums are
+/// too long.
 pub(crate) fn nest<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let Some((flat, flat_roots)) = Flat::new(g, roots) else {
         return roots.to_vec();
@@ -21,7 +21,7 @@ pub(crate) fn nest<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let needed: BTreeSet<Expr<'g>> = g.reachable(&flat_roots).into_iter().map(|id| g.expr(id)).collect();
     let sums = flat.sums.iter().filter(|(id, _)| needed.contains(id));
     let mut sums: Vec<Linear<'g>> = sums.map(|(_, linear)| linear.clone()).collect();
-    // the longest first, and those of one length in the order of their terms, whatever the order of the table
+    // longest first, and sums of equal length in the order of their terms, independent of the order of the table
     sums.sort_by(|a, b| b.len().cmp(&a.len()).then_with(|| a.cmp(b)));
     let mut nested = Nested {
         flat,
@@ -31,10 +31,10 @@ pub(crate) fn nest<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     flat_roots.into_iter().map(|root| nested.build(root)).collect()
 }
 
-/// Flat expressions on their way to nested ones.
+/// Builder of nested expressions from flat ones.
 struct Nested<'g> {
     flat: Flat<'g>,
-    /// The sums, the longest first.
+    /// Flat sums, longest first.
     sums: Vec<Linear<'g>>,
     built: FxHashMap<Expr<'g>, Expr<'g>>,
 }
@@ -88,7 +88,7 @@ impl<'g> Nested<'g> {
         for (atom, factor) in rest {
             terms.push((factor, self.build(atom)));
         }
-        // a leading term that is subtracted is easily overlooked, and so is a sum after its rest: this order is kept
+        // keep this order (the sort is stable): a leading minus is easily overlooked, and so is a sum behind its rest
         terms.sort_by_key(|(factor, _)| factor.is_negative());
         let sum = terms
             .into_iter()
@@ -109,8 +109,8 @@ impl<'g> Nested<'g> {
     }
 }
 
-/// The sign with which all terms of one sum stand in another. Of terms that do not vary, it is enough that both have
-/// some: they are easily mended.
+/// Returns the sign with which all terms of `part` occur in `whole`. Terms that do not vary need not match, since a
+/// difference in them is easily corrected; if `part` has any of them, `whole` must have one too.
 fn contained<'g>(part: &Linear<'g>, whole: &Linear<'g>) -> Option<Rational> {
     let varies = |atom: &Expr<'g>| atom.level() == Level::State;
     let fixed = |linear: &Linear<'g>| linear.keys().any(|atom| !varies(atom));

@@ -1,4 +1,4 @@
-//! Which sines and cosines are called, and which follow from others by the addition theorems.
+//! Selects the sines and cosines to call, and derives the others by the addition theorems.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,13 +7,13 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::expr::{Expr, Graph, Level, Node, Normalizer, Rational, SymbolKind, Unary, ratio};
 
-/// An angle as a combination of coordinates, and of what else it depends on: pairs of expression and factor.
+/// An angle as a linear combination of coordinates and of other expressions: the factor of each.
 type Angle<'g> = BTreeMap<Expr<'g>, Rational>;
 
-/// What the normal forms of all angles together may take.
+/// Maximum number of products of terms formed for the normal forms of all angles.
 const BUDGET: usize = 100_000;
 
-/// Replaces sines and cosines of sums of coordinates by products of others that are there anyway. A call costs as much
+/// Replaces sines and cosines of sums of coordinates by products of others that are needed anyway. A call costs as much
 /// as dozens of multiplications, the addition theorem three operations.
 pub(crate) fn lower<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let mut needed: BTreeSet<Expr<'g>> = BTreeSet::new();
@@ -44,9 +44,9 @@ pub(crate) fn lower<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
 #[derive(Default)]
 struct Available<'g> {
     angles: Vec<(Angle<'g>, [Expr<'g>; 2])>,
-    /// The places of each angle, in order.
+    /// Indices of each angle in `angles`, ascending.
     places: FxHashMap<Angle<'g>, Vec<usize>>,
-    /// What they are combinations of.
+    /// Expressions that the angles are combinations of.
     parts: FxHashSet<Expr<'g>>,
 }
 
@@ -57,7 +57,7 @@ impl<'g> Available<'g> {
         self.angles.push((angle, sine_and_cosine));
     }
 
-    /// Sine and cosine of `angle` as a sum or difference of two available angles.
+    /// Sine and cosine of `angle`, if it is a sum or difference of two available angles.
     fn derived(&self, angle: &Angle<'g>) -> Option<[Expr<'g>; 2]> {
         if !angle.keys().all(|part| self.parts.contains(part)) {
             return None;
@@ -95,8 +95,8 @@ fn scaled_sum<'g>(a: &Angle<'g>, first: i64, b: &Angle<'g>, second: i64) -> Angl
     sum
 }
 
-/// The angle as a combination, if it is one with factors that are not large. What is not a coordinate, such as the
-/// angle of a drive, is one part of it.
+/// Writes an angle as a linear combination of coordinates, if their factors are small. The remainder, such as the angle
+/// of a drive, is one part of the combination.
 fn combination<'g>(normalizer: &mut Normalizer<'g>, x: Expr<'g>) -> Option<Angle<'g>> {
     if x.level() != Level::State {
         return None;

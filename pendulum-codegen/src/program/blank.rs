@@ -1,4 +1,4 @@
-//! The program of a declaration that has errors, so that uses of its model are no errors of their own.
+//! Program of a declaration with errors, which keeps uses of its model from causing further errors.
 
 use std::collections::BTreeSet;
 
@@ -12,8 +12,8 @@ use crate::ast::{Axis, Body, BodyFields, ExprKind, Input, Items, JointKind, Outp
 use crate::model::{self, FACTS, MAX_CONSTRAINTS, OutputShape, places};
 
 impl Program {
-    /// Everything that a declaration could ask for, with these of its inputs, and this many coordinates that were not
-    /// read: each routine computes zeros.
+    /// Program with everything that a declaration could request, for the given inputs and `unread` more coordinates:
+    /// each routine computes zeros.
     pub(crate) fn blank(scene: &Scene, inputs: &[Input], unread: usize) -> Self {
         let items = &scene.items;
         let (layout, constraints) = (layout(items, unread), constraints(items));
@@ -49,7 +49,7 @@ impl Program {
         program
     }
 
-    /// Takes routines, outputs, events and series into a program without any.
+    /// Adds routines, outputs, events and series to a program without any.
     fn take(&mut self, items: &Items) {
         let counts = Counts {
             state: self.layout.len(),
@@ -72,7 +72,7 @@ impl Program {
         let rows = ROUTINES.iter().filter(|row| (row.wanted)(&request, row.word));
         let mut heads: Vec<Head> = rows.map(|row| row.head(&counts)).collect();
 
-        // a name that is declared twice is a function once
+        // a name declared twice gives one function
         let mut known: BTreeSet<String> = BTreeSet::new();
         let mut is_new = |name: &String| !is_function(name, items.is_hybrid()) && known.insert(name.clone());
         let outputs = items.outputs.iter();
@@ -111,7 +111,7 @@ impl Program {
     }
 }
 
-/// Fields of different names.
+/// Fields with distinct names.
 fn quantities<'a>(items: impl Iterator<Item = (&'a Ident, &'a Vec<String>)>) -> Vec<Quantity> {
     let mut known = BTreeSet::new();
     let fields = items.filter(|(name, _)| known.insert(*name));
@@ -124,10 +124,10 @@ fn quantities<'a>(items: impl Iterator<Item = (&'a Ident, &'a Vec<String>)>) -> 
     fields.collect()
 }
 
-/// The coordinates, as far as they could be read, and more of them.
+/// Layout of the coordinates that could be read, and of `unread` more.
 ///
-/// Whether those that depend in closed loops are in the state shows once the loops are solved: those of loops in a plane
-/// are taken to have a closed form.
+/// Only the solution of the loops decides if their dependent coordinates are in the state. Here loops in a plane are
+/// assumed to have a closed form.
 fn layout(items: &Items, unread: usize) -> StateLayout {
     let (mut slots, mut taken) = (Vec::new(), BTreeSet::from(FACTS.map(str::to_owned)));
     let depends = |body: &&Body| body.fields.depends.is_some() && body.fields.orientation.is_none();
@@ -151,7 +151,7 @@ fn layout(items: &Items, unread: usize) -> StateLayout {
     }
     let (mut position, mut rate) = (0, coordinates.iter().map(|(_, _, [positions, _])| positions).sum());
     for (n, (name, kind, [positions, rates])) in coordinates.into_iter().enumerate() {
-        // by mistake a place may have the name of another
+        // the constant of one position may have the name of another by mistake
         let mut own = |place: String, other: &str| {
             if taken.insert(place.clone()) {
                 place
@@ -178,7 +178,7 @@ fn layout(items: &Items, unread: usize) -> StateLayout {
     }
 }
 
-/// Whether all hinges turn about the same axis, and nothing but hinges and slides closes loops.
+/// True if all hinges are parallel to one axis, and only hinges and slides close loops.
 fn lies_in_a_plane(items: &Items) -> bool {
     let joints = items.bodies.iter().filter_map(|body| body.fields.joint.as_ref());
     let is_straight = joints.clone().all(|joint| joint.rpy.is_none());
@@ -207,7 +207,7 @@ fn kind(fields: &BodyFields, name: &str) -> SlotKind {
     }
 }
 
-/// The constraints by their names.
+/// Constraints with their names only.
 fn constraints(items: &Items) -> Vec<Constraint> {
     let is_held = |body: &&Body| body.fields.dry_friction.is_some() || body.fields.stop.is_some();
     let joints = items
@@ -244,7 +244,7 @@ fn blank_output(items: &Items, output: &Output) -> model::Output<'static> {
     }
 }
 
-/// Whether an output seems to depend on rates.
+/// True if an output appears to depend on rates.
 fn has_rates(items: &Items, output: &Output) -> bool {
     let is_rate = |kind: &ExprKind| matches!(kind, ExprKind::Call(function, _) if function == "dot");
     match &output.value {

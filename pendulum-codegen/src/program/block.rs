@@ -1,118 +1,119 @@
-//! Straight-line code, in no language: what a routine computes, statement by statement.
+//! Straight-line code of a routine, statement by statement, independent of the output language.
 
 use std::collections::BTreeSet;
 
 use crate::expr::{Binary, Unary};
 
-/// Statements in the order in which they are computed, and the values that they are for.
+/// Statements in the order of evaluation, and the results they lead to.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Block {
-    /// The names of the values that statements define; a [`Local`] is a position in this list.
+    /// Names of the values defined by statements; a [`Local`] is an index into this list.
     pub names: Vec<String>,
-    /// The statements. Each reads only what stands before it.
+    /// Statements. Each reads only values defined by earlier ones.
     pub lets: Vec<Let>,
-    /// The values that the block is for.
+    /// Results of the block.
     pub results: Vec<Term>,
 }
 
-/// A value that a statement defines.
+/// Value defined by a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Local(pub(super) usize);
 
 impl Local {
-    /// The position in [`Block::names`].
+    /// Index into [`Block::names`].
     pub fn index(self) -> usize {
         self.0
     }
 }
 
-/// A statement.
+/// Statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Let {
-    /// One value.
+    /// A single value.
     Value(Local, Term),
-    /// The sines and cosines of one angle, or of two, which take hardly longer together than one alone.
+    /// Sines and cosines of one angle, or of two: a pair takes hardly longer than one alone.
     SinCos(Vec<SinCos>),
 }
 
-/// The sine and the cosine of an angle; what is not used has no name.
+/// Sine and cosine of an angle. An unused one has no name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SinCos {
-    /// The angle, in radians.
+    /// Angle in radians.
     pub angle: Term,
-    /// Its sine.
+    /// Sine of the angle.
     pub sine: Option<Local>,
-    /// Its cosine.
+    /// Cosine of the angle.
     pub cosine: Option<Local>,
 }
 
-/// An expression within a statement. Operations are computed as they stand: a printer keeps their order and their
-/// brackets.
+/// Expression within a statement. A printer must keep the order of operations and the parentheses, so that the value is
+/// computed exactly as written.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Term {
-    /// A finite number.
+    /// Finite number.
     Number(f64),
-    /// The value of another statement.
+    /// Value of another statement.
     Local(Local),
-    /// The value of a variable.
+    /// Value of a variable.
     Read(Variable),
-    /// An operation of one operand, other than a sine or a cosine.
+    /// Unary operation other than a sine or a cosine.
     Unary(Unary, Box<Term>),
-    /// An operation of two operands.
+    /// Binary operation.
     Binary(Binary, Box<Term>, Box<Term>),
-    /// A square root.
+    /// Square root.
     Sqrt(Box<Term>),
-    /// A constant power that is neither whole nor a root.
+    /// Constant power whose exponent is neither an integer nor one half.
     Power(Box<Term>, f64),
 }
 
-/// What code can read that it does not compute. Numbers are positions in the lists of the [`Program`](super::Program).
+/// Variable that code reads but does not compute. Numbers are indices into the lists of the
+/// [`Program`](super::Program).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Variable {
-    /// A component of the state.
+    /// Component of the state.
     State(usize),
-    /// A given acceleration: the second rate of a coordinate.
+    /// Given acceleration: second time derivative of a coordinate.
     Acceleration(usize),
-    /// The time.
+    /// Time.
     Time,
-    /// An input.
+    /// Input.
     Input(usize),
-    /// A force along a constraint.
+    /// Force along a constraint.
     Force(usize),
-    /// A constant of the model.
+    /// Constant of the model.
     Constant(usize),
-    /// A parameter: in the blocks that are computed once, when the model is built.
+    /// Parameter, in the blocks evaluated once when the model is built.
     Parameter(usize),
-    /// A quantity of the order of a power series that is being computed.
+    /// Quantity of the current order of a power series.
     Series(Coefficient),
 }
 
-/// What is known when the coefficients of order `k` of a motion are computed.
+/// Quantity available when the coefficients of order `k` of a motion are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Coefficient {
-    /// The number `k`.
+    /// The order `k`.
     Order,
-    /// The number `1 / k`.
+    /// The reciprocal `1 / k`.
     OverOrder,
-    /// The coefficient of the time: 1 for `k = 1`, 0 for every other.
+    /// Coefficient of the time: 1 for `k = 1`, 0 otherwise.
     Time,
-    /// The coefficient of a component of the state.
+    /// Coefficient of a component of the state.
     State(usize),
-    /// The interior sum of a product of series.
+    /// Interior sum of a product of series.
     Sum(usize),
-    /// What order 0 has left for all others.
+    /// Value of order 0 that every order reuses.
     Kept(usize),
-    /// The coefficient of a force along a constraint.
+    /// Coefficient of a force along a constraint.
     Force(usize),
 }
 
 impl Block {
-    /// The name of a value that a statement defines.
+    /// Name of a value defined by a statement.
     pub fn name(&self, local: Local) -> &str {
         &self.names[local.0]
     }
 
-    /// A block for this many zeros.
+    /// Block whose results are `count` zeros.
     pub(super) fn zeros(count: usize) -> Self {
         Self {
             results: vec![Term::Number(0.0); count],
@@ -120,8 +121,8 @@ impl Block {
         }
     }
 
-    /// What can be computed before some variables are known, with the last `count` results, and the rest, which also
-    /// reads what was computed before. The results of the first part go on with what the rest reads of it.
+    /// Splits the block in two. The first part holds the statements that need no late variable, and ends in the last
+    /// `count` results followed by the values that the second part reads. The second part holds the rest.
     pub(super) fn split(mut self, count: usize, is_late: impl Fn(Variable) -> bool) -> [Self; 2] {
         let mut late: BTreeSet<Local> = BTreeSet::new();
         let mut parts = [(); 2].map(|()| Self {
@@ -145,7 +146,7 @@ impl Block {
         parts
     }
 
-    /// Every variable that is read.
+    /// Variables read by the block.
     pub fn reads(&self) -> BTreeSet<Variable> {
         let mut reads = BTreeSet::new();
         let mut leaf = |leaf: &Term| {
@@ -160,7 +161,7 @@ impl Block {
 }
 
 impl Let {
-    /// The expressions that the statement computes with.
+    /// Expressions evaluated by the statement.
     pub fn terms(&self) -> impl Iterator<Item = &Term> {
         let (value, angles) = match self {
             Self::Value(_, term) => (Some(term), &[][..]),
@@ -169,7 +170,7 @@ impl Let {
         value.into_iter().chain(angles.iter().map(|pair| &pair.angle))
     }
 
-    /// The values that the statement defines.
+    /// Values defined by the statement.
     pub fn defines(&self) -> impl Iterator<Item = Local> {
         let (value, pairs) = match self {
             Self::Value(local, _) => (Some(*local), &[][..]),
@@ -179,14 +180,14 @@ impl Let {
         value.into_iter().chain(of_pairs)
     }
 
-    /// The values of other statements that it needs.
+    /// Values of other statements read by this one.
     pub fn needs(&self) -> BTreeSet<Local> {
         self.terms().flat_map(Term::locals).collect()
     }
 }
 
 impl Term {
-    /// Calls `see` with every number, local and variable.
+    /// Calls `see` for every number, local and variable.
     fn leaves(&self, see: &mut impl FnMut(&Self)) {
         match self {
             Self::Number(_) | Self::Local(_) | Self::Read(_) => see(self),
@@ -198,7 +199,7 @@ impl Term {
         }
     }
 
-    /// The values of statements that it needs.
+    /// Values of statements read by the term.
     pub fn locals(&self) -> BTreeSet<Local> {
         let mut locals = BTreeSet::new();
         self.leaves(&mut |leaf| {

@@ -1,4 +1,4 @@
-//! From expressions to statements: one for each value that is used more than once.
+//! From expressions to statements: one statement for each value used more than once.
 
 use std::collections::BTreeMap;
 
@@ -9,18 +9,18 @@ use super::block::{Block, Let, Local, SinCos, Term, Variable};
 use super::schedule::{Step, schedule};
 use crate::expr::{Binary, Expr, ExprId, Graph, Level, Node, Printer, Rational, Symbol, SymbolKind, Unary, ratio};
 
-/// Longer expressions are broken up by a statement.
+/// Number of operations at which an expression becomes a statement of its own.
 const MOST_OPERATIONS: usize = 8;
 
-/// A constant whose value is not a finite number, as text.
+/// Text of a constant whose value is not a finite number.
 #[derive(Clone, Debug)]
 pub(crate) struct NotFinite(pub(crate) String);
 
-/// Code that computes `roots`, in which the expressions `known` are variables.
+/// Generates code that computes `roots`, with the expressions in `known` as variables.
 ///
 /// # Errors
 ///
-/// The first constant that has no finite value.
+/// Returns the first constant without a finite value.
 pub(crate) fn block(
     graph: &Graph,
     roots: &[Expr<'_>],
@@ -36,7 +36,7 @@ pub(crate) fn block(
     Ok(builder.in_order(&order, results))
 }
 
-/// A term, and the number of its operations.
+/// Term, and its number of operations.
 #[derive(Clone, Debug)]
 struct Piece {
     term: Term,
@@ -67,7 +67,7 @@ impl Piece {
     }
 }
 
-/// A statement, and the expression it was made for.
+/// Statement, and the expression it computes.
 #[derive(Debug)]
 struct Statement {
     id: ExprId,
@@ -78,13 +78,13 @@ struct Statement {
 struct Builder<'g> {
     graph: &'g Graph,
     uses: FxHashMap<ExprId, usize>,
-    /// The angles whose sine, or cosine, is used.
+    /// Angles with used sines or cosines, with a flag for each.
     sines: BTreeMap<ExprId, [bool; 2]>,
-    /// Those of them that need no other sine or cosine and are not computed yet.
+    /// Angles in `sines` that need no other sine or cosine and are not computed yet.
     independent: Vec<ExprId>,
     known: FxHashMap<ExprId, Term>,
     statements: Vec<Statement>,
-    /// For each local the angle of which it is the sine or cosine.
+    /// For each local, the angle of which it is the sine or cosine.
     locals: Vec<Option<ExprId>>,
     not_finite: Option<ExprId>,
 }
@@ -123,9 +123,9 @@ impl<'g> Builder<'g> {
         }
     }
 
-    /// The term of each root; what it needs becomes statements.
+    /// Term of each root; the values it needs become statements.
     fn results(&mut self, roots: &[ExprId]) -> Vec<Term> {
-        // a few results stand where they are returned; of many, what they are made of would have to wait until then
+        // a few results are written where they are returned; many would keep their operands alive until then
         let few = roots.len() <= MOST_OPERATIONS;
         let result = |&root: &ExprId| {
             let is_leaf = self.graph.operands(root).next().is_none() || self.graph.level(root) == Level::Constant;
@@ -138,7 +138,7 @@ impl<'g> Builder<'g> {
         roots.iter().map(result).collect()
     }
 
-    /// What each statement needs of the others.
+    /// Dependences among the statements.
     fn steps(&self, roots: &[ExprId]) -> Vec<Step> {
         let roots: FxHashSet<ExprId> = roots.iter().copied().collect();
         let mut origins: FxHashMap<Local, usize> = FxHashMap::default();
@@ -153,7 +153,7 @@ impl<'g> Builder<'g> {
         self.statements.iter().map(step).collect()
     }
 
-    /// The statements in the order in which they shall stand, with names that count along it.
+    /// Block of the statements in the given order, with names numbered in that order.
     fn in_order(self, order: &[usize], results: Vec<Term>) -> Block {
         let mut statements: Vec<Option<Let>> = self.statements.into_iter().map(|s| Some(s.code)).collect();
         let lets: Vec<Let> = order.iter().filter_map(|&n| statements[n].take()).collect();
@@ -218,7 +218,7 @@ impl<'g> Builder<'g> {
         Piece::atom(Term::Local(local))
     }
 
-    /// A constant, folded.
+    /// Value of a constant.
     fn constant(&mut self, id: ExprId) -> Piece {
         let value = self.graph.constant(id).filter(|value| value.is_finite());
         if value.is_none() {
@@ -227,7 +227,7 @@ impl<'g> Builder<'g> {
         Piece::number(value.unwrap_or_default())
     }
 
-    /// Sine and cosine of an angle, and of another one that can be computed with it.
+    /// Sine and cosine of an angle, paired with another angle that can be computed at the same time.
     fn sines_and_cosines(&mut self, id: ExprId, angle: ExprId) {
         let mut batch = vec![angle];
         if let Some(at) = self.independent.iter().position(|&other| other == angle) {
@@ -265,7 +265,7 @@ impl<'g> Builder<'g> {
         }
     }
 
-    /// Whole powers as products, square roots, and what is left.
+    /// Writes integer powers as products, then square roots, then general powers.
     fn power(&mut self, base: ExprId, exponent: &Rational) -> Piece {
         let count = exponent.abs().to_i64().filter(|_| exponent.is_integer());
         if let Some(count) = count {
@@ -292,19 +292,19 @@ impl<'g> Builder<'g> {
     }
 }
 
-/// Whether a symbol has a name that a language could take: a rate has none, and neither has a component.
+/// True if the name of a symbol is an identifier. Rates and components have none.
 fn is_name(symbol: &Symbol) -> bool {
     !matches!(symbol.kind, SymbolKind::Rate(_)) && !symbol.name.contains('.')
 }
 
-/// Whether an expression is a sine or a cosine.
+/// True if an expression is a sine or a cosine.
 fn is_sine(graph: &Graph, id: ExprId) -> bool {
     matches!(graph.node(id), Node::Unary(Unary::Sin | Unary::Cos, _))
 }
 
-/// A constant as text that fits into a message.
+/// Text of a constant, short enough for a message.
 fn text(graph: &Graph, id: ExprId) -> String {
-    /// The longest text.
+    /// Maximum length of the text, in characters.
     const MOST: usize = 60;
     let text = Printer::new(graph).print(id);
     match graph.as_number(id) {

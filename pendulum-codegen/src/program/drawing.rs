@@ -1,4 +1,4 @@
-//! How a scene looks.
+//! Drawing of a scene.
 
 use rustc_hash::FxHashMap;
 
@@ -9,37 +9,37 @@ use crate::form::{self, Chosen, Forms};
 use crate::model::{Action, Body, BodyId, FigureKind, Model, Poses};
 use crate::screw::{Twist, Vec3};
 
-/// What there is to see, and code for where it is.
+/// Outlines of a scene, and code for their positions.
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
-    /// What there is.
+    /// Outlines.
     pub outlines: Vec<Outline>,
-    /// The points of each outline one after the other, each as three coordinates in the ground frame, and after them
-    /// the radius.
+    /// Points of each outline in turn, each as three coordinates in the ground frame, followed by the radius if there
+    /// is one.
     pub block: Block,
 }
 
-/// Something to see.
+/// Outline of one object.
 #[derive(Clone, Debug)]
 pub struct Outline {
-    /// The body, or the point; for springs and dampers the body of their first end.
+    /// Body, or point; for springs and dampers the body of their first end.
     pub name: String,
-    /// What it is.
+    /// Kind of the object.
     pub kind: FigureKind,
-    /// The number of its points.
+    /// Number of points.
     pub points: usize,
-    /// Whether it has a radius.
+    /// True if the outline has a radius.
     pub radius: bool,
 }
 
-/// What there is to see in a scene, and the values that it takes.
+/// Outlines of a scene, and expressions for their points and radii.
 pub(super) struct Sketch<'g> {
     outlines: Vec<Outline>,
     pub(super) chosen: Chosen<'g>,
 }
 
 impl<'g> Sketch<'g> {
-    /// The sketch of a model.
+    /// Collects the outlines of a model.
     pub(super) fn new(forms: &mut Forms<'g>, model: &Model<'g>) -> Self {
         let mut shown = Shown {
             model,
@@ -58,7 +58,7 @@ impl<'g> Sketch<'g> {
         }
     }
 
-    /// The drawing; `known` is what its code can read.
+    /// Generates the code of the drawing. `known` maps expressions to the variables that the code may read.
     pub(super) fn finish(self, model: &Model<'g>, known: &FxHashMap<ExprId, Variable>) -> Result<Drawing, NotFinite> {
         Ok(Drawing {
             outlines: self.outlines,
@@ -67,7 +67,7 @@ impl<'g> Sketch<'g> {
     }
 }
 
-/// Outlines, and the values that they take.
+/// Outlines collected so far, and expressions for their points and radii.
 struct Shown<'m, 'g> {
     model: &'m Model<'g>,
     poses: Poses<'g>,
@@ -97,7 +97,7 @@ impl<'g> Shown<'_, 'g> {
         }
     }
 
-    /// Of a body without solids, rods to the joints that it carries, and to those that close loops.
+    /// Adds rods for bodies without solids: to the joints they carry and to those that close loops.
     fn arms(&mut self) {
         let model = self.model;
         let moving = model.bodies.iter().filter(|body| body.screw.is_some());
@@ -115,7 +115,7 @@ impl<'g> Shown<'_, 'g> {
 
     fn pivots(&mut self) {
         let model = self.model;
-        // what moves freely hangs on nothing; the slides of its joint have its name
+        // a free body hangs on no pivot; the slides of its joint have its name
         let is_free = |body: &Body<'g>| {
             let parts = model.bodies.iter().filter(|part| part.name == body.name);
             parts.filter_map(|part| part.screw).any(|screw| !screw.turns())

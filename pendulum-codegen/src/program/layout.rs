@@ -1,4 +1,4 @@
-//! What each part of the state is, and the symmetries of the right-hand side.
+//! Layout of the state, and the symmetries of the right-hand side.
 
 use std::ops::Range;
 
@@ -9,47 +9,47 @@ use crate::expr::{Binary, Expr, ExprId, Graph, Node, Normalizer, Rational, Unary
 use crate::model::{CoordinateId, Model, places};
 use crate::screw::Twist;
 
-/// What each part of the state is.
+/// Layout of the state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateLayout {
-    /// The coordinates, in the order in which they stand in the state.
+    /// Coordinates, in the order of the state.
     pub slots: Vec<Slot>,
-    /// Whether the right-hand side is known not to depend on time.
+    /// True if the right-hand side is proven not to depend on time.
     pub autonomous: bool,
 }
 
-/// A coordinate and its place in the state.
+/// Coordinate and its indices in the state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slot {
     /// Name.
     pub name: String,
-    /// What it measures.
+    /// Quantity that the coordinate measures.
     pub kind: SlotKind,
-    /// Where its position stands in the state.
+    /// Indices of its position in the state.
     pub positions: Range<usize>,
-    /// Where its rate stands in the state: nowhere, if it depends on those of others.
+    /// Indices of its rate in the state. Empty if the rate depends on those of other coordinates.
     pub rates: Range<usize>,
-    /// The constants that hold the two places, for a coordinate of one component: `THETA1` and `DOT_THETA1`.
+    /// Names of the constants for the two indices of a coordinate with one component: `THETA1` and `DOT_THETA1`.
     pub constants: [String; 2],
-    /// Whether a full turn is known to leave everything as it was.
+    /// True if a full turn is proven to leave the scene unchanged.
     pub periodic: bool,
-    /// Whether the right-hand side is known not to depend on the position.
+    /// True if the right-hand side is proven not to depend on the position.
     pub cyclic: bool,
 }
 
-/// What a coordinate measures.
+/// Quantity that a coordinate measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SlotKind {
-    /// An angle.
+    /// Angle.
     Angle,
-    /// A length.
+    /// Length.
     Length,
-    /// An orientation: a unit quaternion, and three components of the angular velocity.
+    /// Orientation: a unit quaternion, and three components of the angular velocity.
     Quaternion,
 }
 
 impl SlotKind {
-    /// The unit of positions.
+    /// Unit of positions.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Angle => "rad",
@@ -58,7 +58,7 @@ impl SlotKind {
         }
     }
 
-    /// The unit of rates.
+    /// Unit of rates.
     pub fn rate_unit(self) -> &'static str {
         match self {
             Self::Angle | Self::Quaternion => "rad/s",
@@ -68,9 +68,9 @@ impl SlotKind {
 }
 
 impl StateLayout {
-    /// The layout of the state of a model with these roots of its right-hand side.
+    /// Layout of the state of a model whose right-hand side has these roots.
     ///
-    /// A law for inputs may depend on anything, so with inputs no symmetry is known.
+    /// A control law may depend on anything, so a model with inputs has no proven symmetry.
     pub(super) fn new<'g>(model: &Model<'g>, roots: &[Expr<'g>]) -> Self {
         let g = model.graph;
         let nodes = g.reachable(roots);
@@ -123,7 +123,7 @@ impl StateLayout {
 }
 
 impl StateLayout {
-    /// The number of components of the state.
+    /// Number of components of the state.
     pub fn len(&self) -> usize {
         self.slots
             .iter()
@@ -131,12 +131,12 @@ impl StateLayout {
             .sum()
     }
 
-    /// Whether the state has no components.
+    /// True if the state has no components.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The names of the components of the state that are positions, then those of the rates without the mark of a rate.
+    /// Names of the position components of the state, then names of the rate components, without `dot`.
     pub fn components(&self) -> [Vec<String>; 2] {
         let names = |slot: &Slot, axes: &[&str]| match slot.kind {
             SlotKind::Quaternion => axes.iter().map(|axis| format!("{}.{axis}", slot.name)).collect(),
@@ -148,25 +148,25 @@ impl StateLayout {
         [positions.collect(), rates.collect()]
     }
 
-    /// Where the quaternions stand in the state.
+    /// Indices of the quaternions in the state.
     pub fn quaternions(&self) -> impl Iterator<Item = Range<usize>> {
         let slots = self.slots.iter().filter(|slot| slot.kind == SlotKind::Quaternion);
         slots.map(|slot| slot.positions.clone())
     }
 
-    /// Where the dependent coordinates stand in the state, which have no rates there.
+    /// Indices of the dependent coordinates in the state, which have no rates there.
     pub fn dependents(&self) -> impl Iterator<Item = usize> {
         let slots = self.slots.iter().filter(|slot| slot.rates.is_empty());
         slots.map(|slot| slot.positions.start)
     }
 
-    /// The number of degrees of freedom: of rates.
+    /// Number of degrees of freedom, which is the number of rates.
     pub fn dof(&self) -> usize {
         self.slots.iter().map(|slot| slot.rates.len()).sum()
     }
 }
 
-/// An angle where the joint of the coordinate turns, with or without sliding.
+/// Returns an angle if the joint of the coordinate turns, with or without sliding, and a length otherwise.
 fn kind(model: &Model<'_>, coordinate: CoordinateId) -> SlotKind {
     let own = model.bodies.iter().find(|body| body.coordinate == Some(coordinate));
     match own.and_then(|body| body.screw) {
@@ -175,8 +175,8 @@ fn kind(model: &Model<'_>, coordinate: CoordinateId) -> SlotKind {
     }
 }
 
-/// Whether a full turn of the coordinate brings each body back to its place: every joint that it moves turns without
-/// sliding, by whole turns.
+/// True if a full turn of the coordinate returns each body to its place: every joint that it moves turns without
+/// sliding, by an integer factor.
 fn returns(model: &Model<'_>, coordinate: CoordinateId) -> bool {
     let moves = model.bodies.iter().map(|body| (body.motion.factor(coordinate), body));
     moves
@@ -185,7 +185,7 @@ fn returns(model: &Model<'_>, coordinate: CoordinateId) -> bool {
         .all(|(factor, screw)| factor.is_integer() && turns_only(model.graph, &screw))
 }
 
-/// Whether a normalised screw is a rotation: it has no component along its axis.
+/// True if a normalised screw is a pure rotation, of zero pitch.
 fn turns_only<'g>(g: &'g Graph, screw: &Twist<'g>) -> bool {
     if screw.angular.is_zero() || screw.linear.is_zero() {
         return !screw.angular.is_zero();
@@ -194,14 +194,14 @@ fn turns_only<'g>(g: &'g Graph, screw: &Twist<'g>) -> bool {
     Normalizer::new(g, BUDGET).is_zero(pitch) == Ok(true)
 }
 
-/// How far the normal form of a pitch may grow.
+/// Maximum size of the normal form of a pitch.
 const BUDGET: usize = 100_000;
 
-/// Whether the roots are the same after a full turn of the coordinate.
+/// True if a full turn of the coordinate leaves the roots unchanged.
 ///
-/// For each node, operands first, this finds the turns by which it grows: 1 for the coordinate itself, 0 for the sine
-/// of anything that grows by whole turns and for what is computed from such sines. `None` is for growth that depends on
-/// the state or on parameters.
+/// For each node, operands first, this computes its growth in turns: 1 for the coordinate itself, 0 for the sine of an
+/// argument that grows by whole turns and for expressions of such sines. `None` means that the growth depends on the
+/// state or on parameters.
 fn repeats(g: &Graph, nodes: &[ExprId], roots: &[Expr<'_>], coordinate: Expr<'_>) -> bool {
     let zero = ratio(0, 1);
     let mut growths: FxHashMap<ExprId, Option<Rational>> = FxHashMap::default();
@@ -227,7 +227,7 @@ fn repeats(g: &Graph, nodes: &[ExprId], roots: &[Expr<'_>], coordinate: Expr<'_>
     roots.iter().all(|root| growths[&root.id()] == Some(zero.clone()))
 }
 
-/// The growth of an operation, in which anything but none is unknown.
+/// Growth of an operation that is unknown unless no operand grows.
 fn still(operands: impl IntoIterator<Item = Option<Rational>>) -> Option<Rational> {
     let mut operands = operands.into_iter();
     operands

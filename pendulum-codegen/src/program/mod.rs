@@ -1,4 +1,4 @@
-//! All that a printer needs to know of a scene, in no language.
+//! Everything a printer needs of a scene, independent of the output language.
 
 mod blank;
 mod block;
@@ -41,124 +41,125 @@ use drawing::Sketch;
 use routine::Head;
 use table::{Counts, ROUTINES, Request};
 
-/// A scene, ready to be printed in a language.
+/// Scene ready for printing in a language.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// The name of the scene.
+    /// Name of the scene.
     pub name: String,
     /// Documentation of the scene, line by line.
     pub docs: Vec<String>,
-    /// The parameters, in the order of their declaration.
+    /// Parameters, in the order of their declaration.
     pub parameters: Vec<Quantity>,
-    /// The inputs, in the order of their declaration.
+    /// Inputs, in the order of their declaration.
     pub inputs: Vec<Quantity>,
-    /// What the components of the state are.
+    /// Layout of the state.
     pub layout: StateLayout,
-    /// What the parameters must obey.
+    /// Conditions on the parameters.
     pub rules: Vec<Rule>,
-    /// The values that the rules speak of, from the parameters.
+    /// Values that the rules check, as functions of the parameters.
     pub checked: Block,
-    /// The constants of the model, from the parameters: computed once, when it is built.
+    /// Constants of the model, computed from the parameters once when the model is built.
     pub constants: Block,
     /// Each constant as text.
     pub constants_text: Vec<String>,
-    /// What can be evaluated.
+    /// Functions that can be evaluated.
     pub routines: Vec<Routine>,
-    /// The names of the components of all outputs.
+    /// Names of the components of all outputs.
     pub outputs: Vec<String>,
-    /// The events.
+    /// Events.
     pub events: Vec<Event>,
-    /// The bodies that close each loop.
+    /// Bodies that close each loop.
     pub loops: Vec<[String; 2]>,
-    /// The numbers of those that have no closed form.
+    /// Indices of the loops without a closed form.
     pub open_loops: Vec<usize>,
-    /// The angles whose turns forces take, and are not counted.
+    /// Names of the angles whose turns are not counted although forces depend on them.
     pub uncounted: Vec<String>,
-    /// The bodies whose joints are driven.
+    /// Bodies whose joints are driven.
     pub drives: Vec<String>,
-    /// What was repaired in the file of a robot.
+    /// Repairs made to the file of a robot.
     pub repaired: Vec<String>,
-    /// The largest force and rate of each coordinate, where the file of a robot gives any.
+    /// Maximum force and rate of each coordinate, if the file of a robot gives any.
     pub most: Vec<[f64; 2]>,
-    /// The constraints.
+    /// Constraints.
     pub constraints: Vec<Constraint>,
-    /// Of each constraint the friction that slips and that sticks, the restitution and the rate below which there is
-    /// none, then the limits that it has.
+    /// Law of each constraint: kinetic friction, static friction, restitution and the rate below which it is zero, then
+    /// the limits that exist.
     pub laws: Block,
-    /// How the scene looks, if it asks for that.
+    /// Drawing of the scene, if requested.
     pub drawing: Option<Drawing>,
-    /// The power series of the motion, if the scene asks for it.
+    /// Power series of the motion, if requested.
     pub series: Option<Series>,
-    /// The equations of motion.
+    /// Equations of motion.
     pub equations: Equations,
 }
 
-/// A parameter or an input.
+/// Parameter or input.
 #[derive(Clone, Debug)]
 pub struct Quantity {
     /// Name.
     pub name: String,
     /// Documentation, line by line.
     pub docs: Vec<String>,
-    /// Unit, as it is written in the declaration.
+    /// Unit, as written in the declaration.
     pub unit: String,
-    /// The value of a parameter where none is given.
+    /// Default value of a parameter.
     pub default: Option<f64>,
 }
 
-/// A constraint: dry friction and stops of a joint, or a wall.
+/// Constraint: dry friction and stops of a joint, or a wall.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Constraint {
-    /// The coordinate of the joint, or the name of the wall.
+    /// Coordinate of the joint, or name of the wall.
     pub name: String,
-    /// The components of the state, and their signs, whose sum is its rate; none where it is no such sum.
+    /// Components of the state, with signs, that add up to the rate. Empty if the rate is no such sum.
     pub rate: Vec<(usize, i8)>,
-    /// Whether it has a least value.
+    /// True if the constraint has a lower limit.
     pub low: bool,
-    /// Whether it has a largest value.
+    /// True if the constraint has an upper limit.
     pub high: bool,
 }
 
-/// A condition on the parameters, checked when the model is built.
+/// Condition on the parameters, checked when the model is built.
 #[derive(Clone, Debug)]
 pub struct Rule {
-    /// Which of the checked values it is about.
+    /// Index of the checked value.
     pub value: usize,
-    /// What that must be.
+    /// Condition that the value must meet.
     pub condition: Condition,
-    /// The parameter, or the expression of parameters, as text.
+    /// Text of the parameter, or of the expression of parameters.
     pub name: String,
     /// The rule as a sentence.
     pub text: String,
-    /// The parameters that the value is computed from; none where it is a parameter itself.
+    /// Parameters in the expression of the value. Empty if the value is a parameter itself.
     pub parameters: Vec<usize>,
 }
 
-/// What a checked value must be.
+/// Condition on a checked value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Condition {
     /// Above zero.
     Positive,
     /// Zero or above.
     NonNegative,
-    /// Zero or above, up to the rounding of a difference of numbers as large as another checked value.
+    /// Zero or above, up to the rounding error of a difference of numbers as large as another checked value.
     NonNegativeWithin(usize),
 }
 
-/// The numbers of a law without limits: the friction that slips and that sticks, the restitution, and the rate below
-/// which there is none.
+/// Number of values in a law without limits: kinetic friction, static friction, restitution, and the rate below which
+/// the restitution is zero.
 pub(crate) const LAW: usize = 4;
-/// What every parameter must be.
+/// Message for a parameter that is not finite.
 pub(crate) const FINITE_PARAMETER: &str = "a parameter must be finite";
-/// What every constant must be.
-pub(crate) const FINITE_CONSTANT: &str = "a constant of the equations is not finite: a coordinate has no inertia, a divisor is zero, or a number is too large";
+/// Message for a constant that is not finite.
+pub(crate) const FINITE_CONSTANT: &str = "a constant of the equations is not finite: a coordinate has no inertia, \
+                                          a divisor is zero, or a number is too large";
 
 impl Program {
-    /// The program of a scene, and what stands before its braces.
+    /// Generates the program of a scene.
     ///
     /// # Errors
     ///
-    /// The first constant that has no finite value.
+    /// Returns the first constant without a finite value.
     pub(crate) fn new<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Result<Self, NotFinite> {
         let g = model.graph;
         let mut forms = Forms::new(model, dynamics);
@@ -221,12 +222,12 @@ impl Program {
         })
     }
 
-    /// The routine with a role, other than [`Role::Function`].
+    /// Routine with a role other than [`Role::Function`].
     pub fn with_role(&self, role: Role) -> Option<&Routine> {
         self.routines.iter().find(|routine| routine.role == role)
     }
 
-    /// A routine by its name.
+    /// Routine of the given name.
     pub fn routine(&self, name: &str) -> Option<&Routine> {
         self.routines.iter().find(|routine| routine.name == name)
     }
@@ -242,7 +243,7 @@ impl Constraint {
         }
     }
 
-    /// How many numbers its law has.
+    /// Number of values in the law of the constraint.
     fn numbers(&self) -> usize {
         LAW + usize::from(self.low) + usize::from(self.high)
     }
@@ -268,7 +269,7 @@ impl Quantity {
     }
 }
 
-/// The routines that a scene asks for, each in the form of the least weight.
+/// Routines that a scene requests, each in the form of the least weight.
 fn chosen<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Vec<(Head, Chosen<'g>)> {
     let mut request = Request {
         counts: Counts::of(model),
@@ -276,7 +277,7 @@ fn chosen<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Vec<(Head, Chosen<'g>
         time_occurs: false,
     };
     let mut chosen = Vec::new();
-    // the right-hand side stands first, and shows whether there is a derivative by the time
+    // the right-hand side is first; it decides if there is a time derivative
     for row in ROUTINES {
         if (row.wanted)(&request, row.word) {
             let own = (row.form)(forms, model);
@@ -289,7 +290,7 @@ fn chosen<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Vec<(Head, Chosen<'g>
     chosen
 }
 
-/// The expressions of parameters that the routines read.
+/// Largest expressions of parameters read by the routines.
 fn constants<'g, 'a>(g: &'g Graph, lists: impl Iterator<Item = &'a Vec<Expr<'g>>>) -> Vec<Expr<'g>>
 where
     'g: 'a,
@@ -304,7 +305,7 @@ where
     constants.into_iter().collect()
 }
 
-/// What the routines can read.
+/// Expressions available to the routines, as variables.
 fn known<'g>(model: &Model<'g>, constants: &[Expr<'g>]) -> FxHashMap<ExprId, Variable> {
     let state = model.state().into_iter().enumerate();
     let accelerations = model.coordinates.iter().map(|c| c.acceleration).enumerate();
@@ -320,7 +321,7 @@ fn known<'g>(model: &Model<'g>, constants: &[Expr<'g>]) -> FxHashMap<ExprId, Var
     all.chain([(model.time.id(), Variable::Time)]).collect()
 }
 
-/// The parameters, which is all that is known when the model is built.
+/// Parameters as variables: the only ones available when the model is built.
 fn parameters(model: &Model<'_>) -> FxHashMap<ExprId, Variable> {
     let parameters = model.parameters.iter().enumerate();
     parameters
@@ -328,7 +329,7 @@ fn parameters(model: &Model<'_>) -> FxHashMap<ExprId, Variable> {
         .collect()
 }
 
-/// The rules, and the values that they check.
+/// Rules, and the values that they check.
 fn rules<'g>(model: &Model<'g>) -> (Vec<Rule>, Vec<Expr<'g>>) {
     let mut checked = Vec::new();
     let rules = model.rules.iter().map(|rule| {

@@ -1,4 +1,4 @@
-//! Outputs and events as routines.
+//! Routines for outputs and events.
 
 use super::routine::{Argument, Head, Role, Shape};
 use super::table::ROUTINES;
@@ -6,7 +6,7 @@ use crate::expr::{Expr, SymbolKind};
 use crate::form::{self, Chosen, Forms};
 use crate::model::{self, Model, Output, OutputShape};
 
-/// Functions that every model may have beside its routines.
+/// Names of functions that a model may have beside its routines.
 const OTHERS: [&str; 16] = [
     "new",
     "cast",
@@ -26,27 +26,27 @@ const OTHERS: [&str; 16] = [
     "outputs_and_jacobian",
 ];
 
-/// Whether a model may have a function of this name, whatever else its scene declares; some only where there are
-/// constraints.
+/// True if some model may have a function of this name, regardless of its declaration. Names of constraint routines
+/// count only if `is_hybrid`.
 pub(crate) fn is_function(name: &str, is_hybrid: bool) -> bool {
     let with = name.strip_suffix("_with").unwrap_or(name);
     let mut rows = ROUTINES.iter().filter(|row| is_hybrid || !row.is_of_constraints());
     OTHERS.contains(&with) || rows.any(|row| row.name == with)
 }
 
-/// The functions of an output: its value, its rate, and both its value and its derivatives.
+/// Names of the functions of an output: its value, its rate, and its value with derivatives.
 pub(crate) fn functions_of_output(name: &impl ToString) -> [String; 3] {
     let name = name.to_string();
     let plain = name.trim_start_matches("r#").to_owned();
     [name, format!("{plain}_rate"), format!("{plain}_and_jacobian")]
 }
 
-/// A function of a model whose zeros are events.
+/// Function of a model whose zeros are events.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Event {
-    /// Its name.
+    /// Name of the event.
     pub name: String,
-    /// Whether the motion has a kink there, at which a step should end.
+    /// True if the motion has a kink at the event, where a step should end.
     pub is_kink: bool,
 }
 
@@ -59,34 +59,34 @@ impl Event {
     }
 }
 
-/// The name of the event at which `clamp` number `n` saturates.
+/// Name of the event at which `clamp` number `n` saturates.
 pub(crate) fn saturation(n: usize) -> String {
     format!("saturation_{}", n + 1)
 }
 
-/// The functions of an event: its value, and what finds its zeros.
+/// Names of the functions of an event: its value, and the event for a root search.
 pub(crate) fn functions_of_event(name: &impl ToString) -> [String; 2] {
     let name = name.to_string();
     let plain = name.trim_start_matches("r#").to_owned();
     [name, format!("{plain}_event")]
 }
 
-/// Values of one kind: of an output, or of all of them.
+/// Observed values: one output, or all of them.
 pub(super) struct Observed<'g> {
-    /// The names of its three functions.
+    /// Names of the three functions.
     names: [String; 3],
     docs: String,
-    /// In a sentence: `` `height` ``.
+    /// Subject of a sentence: `` `height` ``.
     of_which: String,
     shape: Shape<usize>,
     values: Vec<Expr<'g>>,
 }
 
-/// The routines of the outputs and events of a model.
+/// Routines of the outputs and events of a model.
 pub(super) fn routines<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Vec<(Head, Chosen<'g>)> {
     let mut routines = Vec::new();
     for observed in Observed::each_and_all(&model.outputs) {
-        // accelerations are in the rate of a rate, and what inputs do is in them
+        // the rate of a rate depends on the accelerations, and those on the inputs
         let takes_inputs = !model.inputs.is_empty() && has_rates(model, &observed.values);
         let values = observed.values.clone();
         let chosen = [form::values, form::rates, form::values_and_jacobian].map(|form| form(forms, model, &values));
@@ -105,7 +105,7 @@ pub(super) fn routines<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Vec<(Hea
 }
 
 impl<'g> Observed<'g> {
-    /// Each output, and all of them together, if there are any.
+    /// Each output, followed by all of them together. Empty if there are no outputs.
     pub(super) fn each_and_all(outputs: &[Output<'g>]) -> Vec<Self> {
         let mut each: Vec<Self> = outputs.iter().map(Self::one).collect();
         let values: Vec<Expr<'g>> = outputs.iter().flat_map(|output| output.values.clone()).collect();
@@ -138,7 +138,7 @@ impl<'g> Observed<'g> {
         }
     }
 
-    /// The functions for values, for rates, and for values with their derivatives by the components of the state.
+    /// Functions for the values, for their rates, and for the values with their derivatives with respect to the state.
     pub(super) fn heads(self, takes_inputs: bool, state: usize) -> [Head; 3] {
         let Self {
             names: [own, rate, both],
@@ -147,9 +147,10 @@ impl<'g> Observed<'g> {
             shape,
             ..
         } = self;
-        let of_rate = format!("The rate of {of_which} along the motion.");
+        let of_rate = format!("Rate of {of_which} along the motion.");
         let of_both = format!(
-            "The value of {of_which}, and its derivatives by the state: a row for each component, column by column for a matrix."
+            "Value of {of_which}, and its derivatives with respect to the state: one row for each component, \
+             with the components of a matrix in column-major order."
         );
         let inputs = takes_inputs.then_some(Argument::Inputs).into_iter().collect();
         let jacobian = Shape::Matrix(shape.len(), state);
@@ -162,9 +163,12 @@ impl<'g> Observed<'g> {
 }
 
 impl Head {
-    /// The function whose zeros are an event.
+    /// Function whose zeros are an event.
     pub(super) fn of_event(name: &str, docs: &[String]) -> Self {
-        let first = format!("What passes zero at event `{}`.", name.trim_start_matches("r#"));
+        let first = format!(
+            "Function whose zeros are the event `{}`.",
+            name.trim_start_matches("r#")
+        );
         let docs = [&[first][..], docs].concat().join("\n");
         Self::of_function(name.to_owned(), docs, Vec::new(), vec![Shape::Scalar])
     }
@@ -180,7 +184,7 @@ impl Head {
     }
 }
 
-/// Whether expressions depend on the rates of the state.
+/// True if expressions depend on the rates of the state.
 fn has_rates<'g>(model: &Model<'g>, values: &[Expr<'g>]) -> bool {
     let values = model.with_drives(values);
     let mut symbols = model.graph.symbols_of(&values);

@@ -1,4 +1,4 @@
-//! Routines: what they are called, take and give, and what an evaluation takes.
+//! Routines: their names, arguments, results and costs.
 
 use rustc_hash::FxHashMap;
 
@@ -9,66 +9,66 @@ use crate::form::{Chosen, Form};
 use crate::model::Model;
 use crate::pass::Operations;
 
-/// A function of the generated model: of the time and the state, and of its [arguments](Self::arguments).
+/// Function of the generated model: of the time, the state and its [arguments](Self::arguments).
 #[derive(Clone, Debug)]
 pub struct Routine {
-    /// Its name, also in the list of costs.
+    /// Name, also in the list of costs.
     pub name: String,
-    /// What printers make of it.
+    /// Part of the interface that a printer makes of the routine.
     pub role: Role,
-    /// What it computes.
+    /// Documentation of the result.
     pub doc: String,
-    /// What it takes beside the time and the state.
+    /// Arguments beside the time and the state.
     pub arguments: Vec<Argument>,
-    /// The shapes of its results, which stand one after the other in those of the block.
+    /// Shapes of the results, which follow one another in the results of the block.
     pub shapes: Vec<Shape<usize>>,
-    /// Its code.
+    /// Code.
     pub block: Block,
-    /// What an evaluation takes.
+    /// Cost of an evaluation.
     pub cost: Cost,
 }
 
-/// What printers make of a routine: a part of an interface, or a function by itself.
+/// Part of the interface that a printer makes of a routine, or a function of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// A function by itself, and no more.
+    /// Separate function.
     Function,
-    /// The right-hand side.
+    /// Right-hand side.
     Rhs,
-    /// The right-hand side with its derivatives by the state.
+    /// Right-hand side with its derivatives with respect to the state.
     Jacobian,
-    /// Its derivative by the time.
+    /// Derivative of the right-hand side with respect to time.
     TimeDerivative,
-    /// Its derivatives by the inputs.
+    /// Derivatives of the right-hand side with respect to the inputs.
     InputJacobian,
-    /// The values and the rates of the constraints.
+    /// Values and rates of the constraints.
     Measures,
-    /// Their derivatives.
+    /// Derivatives of the constraint values and rates.
     MeasureDerivatives,
-    /// What forces along the constraints do.
+    /// Response to forces along the constraints.
     Response,
-    /// Its derivatives.
+    /// Derivatives of the response.
     ResponseDerivative,
-    /// The canonical equations.
+    /// Canonical equations.
     Canonical,
-    /// Their derivatives.
+    /// Derivatives of the canonical equations.
     CanonicalJacobian,
     /// Kinetic energy.
     Kinetic,
     /// Potential energy.
     Potential,
-    /// A function by itself: how far closed loops are from their toggles.
+    /// Separate function: margins of closed loops from their singularities (toggles).
     LoopMargins,
-    /// A function by itself: how far closed loops are from being closed.
+    /// Separate function: closure errors of loops.
     LoopGaps,
-    /// A function by itself: what closes them.
+    /// Separate function: Newton corrections that close the loops.
     LoopCorrections,
-    /// A function by itself: how far angles are from where their turns are not known.
+    /// Separate function: margins of angles from the point where their turns become ambiguous.
     TurnMargins,
 }
 
 impl Role {
-    /// Whether the routine is a function by itself.
+    /// True if the routine is a separate function.
     pub(crate) fn is_function(self) -> bool {
         matches!(
             self,
@@ -77,16 +77,16 @@ impl Role {
     }
 }
 
-/// What an evaluation takes.
+/// Cost of an evaluation.
 #[derive(Clone, Debug, Default)]
 pub struct Cost {
-    /// The form that the code is written in, for example "recursion, L^T D L".
+    /// Form of the code, for example "recursion, L^T D L".
     pub form: String,
-    /// Its operations.
+    /// Number of operations.
     pub operations: Operations,
-    /// Of a power series: the number of products of series that each order also takes.
+    /// For a power series, the number of products of series at each order, not included in `operations`.
     pub products: Option<usize>,
-    /// The best of each other kind of form, from the least weight on.
+    /// Best of each other kind of form, in ascending order of weight.
     pub others: Vec<Self>,
 }
 
@@ -101,31 +101,31 @@ impl Cost {
     }
 }
 
-/// What a routine takes beside the time and the state.
+/// Argument of a routine beside the time and the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Argument {
-    /// The inputs, in a scene that has some.
+    /// Inputs, if the scene has any.
     Inputs,
-    /// The accelerations of the coordinates.
+    /// Accelerations of the coordinates.
     Accelerations,
-    /// The forces along the constraints, in a scene that has some.
+    /// Forces along the constraints, if the scene has any.
     Forces,
 }
 
-/// The shape of a result, whose lengths are of type `N`. The entries of a matrix are listed column by column.
+/// Shape of a result, with lengths of type `N`. Entries of a matrix are in column-major order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape<N> {
-    /// One number.
+    /// Single number.
     Scalar,
-    /// A vector of this length.
+    /// Vector of this length.
     Vector(N),
-    /// A matrix of this many rows and columns.
+    /// Matrix of this many rows and columns.
     Matrix(N, N),
-    /// A symmetric matrix of this many rows, as its upper triangle, row by row.
+    /// Symmetric matrix of this many rows, as its upper triangle, row by row.
     Symmetric(N),
 }
 
-/// What a routine is called, takes and gives.
+/// Signature of a routine: name, role, documentation, arguments and results.
 #[derive(Clone, Debug)]
 pub(super) struct Head {
     pub(super) name: String,
@@ -136,7 +136,7 @@ pub(super) struct Head {
 }
 
 impl Routine {
-    /// The routine in the form that was chosen; `known` is what it can read.
+    /// Routine in the chosen form. `known` maps expressions to the variables that its code may read.
     pub(super) fn new<'g>(
         model: &Model<'g>,
         head: Head,
@@ -161,7 +161,7 @@ impl Routine {
         })
     }
 
-    /// The routine that computes zeros.
+    /// Routine whose results are zeros.
     pub(super) fn blank(head: Head) -> Self {
         Self {
             block: Block::zeros(head.shapes.iter().map(|shape| shape.len()).sum()),
@@ -176,7 +176,7 @@ impl Routine {
 }
 
 impl<N> Shape<N> {
-    /// The same shape over other lengths.
+    /// Applies a function to each length.
     pub(crate) fn map<M>(self, mut length: impl FnMut(N) -> M) -> Shape<M> {
         match self {
             Self::Scalar => Shape::Scalar,
@@ -188,7 +188,7 @@ impl<N> Shape<N> {
 }
 
 impl Shape<usize> {
-    /// How many results of the block it takes.
+    /// Number of results of the block that the shape takes.
     pub fn len(self) -> usize {
         match self {
             Self::Scalar => 1,
@@ -198,7 +198,7 @@ impl Shape<usize> {
         }
     }
 
-    /// Whether it takes none.
+    /// True if the shape takes no results.
     pub fn is_empty(self) -> bool {
         self.len() == 0
     }

@@ -1,23 +1,23 @@
-//! The order of statements.
+//! Order of statements.
 
 use std::collections::BTreeSet;
 
 use rustc_hash::FxHashMap;
 
-/// What a statement defines, and which values of others it needs.
+/// Number of values defined by a statement, and the statements it depends on.
 #[derive(Debug, Default)]
 pub(super) struct Step {
-    /// How many values it defines.
+    /// Number of values that the step defines.
     pub(super) defines: usize,
-    /// The steps whose values it needs.
+    /// Indices of the steps whose values it needs.
     pub(super) needs: BTreeSet<usize>,
-    /// Whether its values are results, and need not be kept.
+    /// True if its values are results, which need not stay alive.
     pub(super) is_result: bool,
 }
 
-/// An order that keeps few values alive: of the steps whose needs are met the next is the one behind which the fewest
-/// values are waiting, the first of equals in the given order. A processor has 16 or 32 registers; every value beyond
-/// waits in memory.
+/// Orders steps so that few values are alive at a time. Among the steps whose needs are met, the next is the one after
+/// which the fewest values are alive; the first in the given order wins a tie. A processor has 16 or 32 registers, and
+/// further values are spilled to memory.
 pub(super) fn schedule(steps: &[Step]) -> Vec<usize> {
     let mut users: FxHashMap<usize, Vec<usize>> = FxHashMap::default();
     for (n, step) in steps.iter().enumerate() {
@@ -67,7 +67,7 @@ mod tests {
         }
     }
 
-    /// The most values that wait at once.
+    /// Maximum number of values alive at a time.
     fn most_alive(steps: &[Step], order: &[usize]) -> usize {
         let place = |n: usize| order.iter().position(|&m| m == n).expect("every step is done");
         let alive = |now: usize| {

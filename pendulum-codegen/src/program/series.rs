@@ -1,4 +1,4 @@
-//! The power series of the motion.
+//! Power series of the motion.
 
 use rustc_hash::FxHashMap;
 
@@ -9,27 +9,26 @@ use crate::expr::ExprId;
 use crate::form::Taylor;
 use crate::model::Model;
 
-/// Code for the coefficients of a motion in powers of time: order 0 from the state, then each order from those before
-/// it.
+/// Code for the coefficients of a motion in powers of time: order 0 from the state, then each order from lower ones.
 #[derive(Clone, Debug, Default)]
 pub struct Series {
-    /// The number of products of series.
+    /// Number of products of series.
     pub products: usize,
-    /// How many values of order 0 the other orders read.
+    /// Number of values of order 0 read by the other orders.
     pub kept: usize,
-    /// Of order 0: the right-hand side, then what is kept.
+    /// Order 0: the right-hand side, then the kept values.
     pub start: Block,
-    /// Of order `k`, before the forces along the constraints are known: the second derivatives of the constraints
-    /// without those of this order, then what `order` reads beside.
+    /// Order `k`, before the forces along the constraints are known: the second derivatives of the constraints without
+    /// the forces of this order, then further values read by `order`.
     pub before: Block,
-    /// Of order `k`: the right-hand side, then the left sides of all products, then their right sides.
+    /// Order `k`: the right-hand side, then the left factors of all products, then their right factors.
     pub order: Block,
-    /// What one order `k` takes, without the sums of the products.
+    /// Cost of one order `k`, without the sums of the products.
     pub cost: Cost,
 }
 
 impl Series {
-    /// The series in the form that was chosen; `known` is what routines can read.
+    /// Series in the chosen form. `known` maps expressions to the variables that routines may read.
     pub(super) fn new<'g>(
         model: &Model<'g>,
         taylor: Taylor<'g>,

@@ -1,4 +1,4 @@
-//! The one table of all routines that can be generated.
+//! Table of all routines that can be generated.
 
 use std::collections::BTreeSet;
 
@@ -6,37 +6,37 @@ use super::routine::{Argument, Head, Role, Shape};
 use crate::form::{self, Chosen, Forms};
 use crate::model::Model;
 
-/// A length that depends on the scene.
+/// Length that depends on the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Length {
-    /// The components of the state.
+    /// Number of components of the state.
     State,
-    /// The degrees of freedom.
+    /// Number of degrees of freedom.
     Freedom,
-    /// The inputs.
+    /// Number of inputs.
     Inputs,
-    /// The parameters.
+    /// Number of parameters.
     Parameters,
-    /// The joints that are driven.
+    /// Number of driven joints.
     Drives,
-    /// The constraints.
+    /// Number of constraints.
     Constraints,
-    /// The closed loops.
+    /// Number of closed loops.
     Loops,
-    /// The closed loops that have no closed form.
+    /// Number of closed loops without a closed form.
     Gaps,
-    /// The angles whose turns forces take, and are not counted.
+    /// Number of angles whose turns are not counted although forces depend on them.
     Uncounted,
-    /// The dependent coordinates in the state.
+    /// Number of dependent coordinates in the state.
     Dependents,
-    /// The components of a wrench.
+    /// Number of components of a wrench.
     Wrench,
 }
 
-/// The components of a wrench.
+/// Number of components of a wrench: a moment and a force.
 const WRENCH: usize = 6;
 
-/// How much of everything a scene has.
+/// Sizes of a scene.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Counts {
     pub(crate) state: usize,
@@ -84,14 +84,14 @@ impl Counts {
     }
 }
 
-/// What a scene asks for, as far as routines depend on it.
+/// Requests of a scene that decide its routines.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Request<'a> {
-    /// How much of everything it has.
+    /// Sizes of the scene.
     pub(crate) counts: Counts,
-    /// The words of `generate`.
+    /// Words of `generate`.
     pub(crate) words: &'a BTreeSet<&'static str>,
-    /// Whether the right-hand side depends on the time.
+    /// True if the right-hand side depends on time.
     pub(crate) time_occurs: bool,
 }
 
@@ -108,40 +108,40 @@ impl Request<'_> {
         self.counts.constraints > 0
     }
 
-    /// Whether a scene gets the right-hand side.
+    /// True if a scene has the right-hand side.
     fn rhs(&self) -> bool {
         self.jacobian() || ["rhs", "canonical", "taylor"].iter().any(|word| self.asks(word))
     }
 
-    /// A scene with inputs gets the derivatives by them together with its right-hand side.
+    /// True if a scene has the Jacobian. A scene with inputs has the input Jacobian whenever it has a right-hand side.
     fn jacobian(&self) -> bool {
         self.asks("jacobian") || (self.is_controlled() && self.asks("rhs"))
     }
 }
 
-/// A row of the table of routines.
+/// Row of the table of routines.
 pub(crate) struct Row {
-    /// The word of `generate` that asks for it.
+    /// Word of `generate` that requests the routine.
     pub(crate) word: &'static str,
     pub(crate) name: &'static str,
-    /// What printers make of it.
+    /// Part of the interface that a printer makes of it.
     pub(crate) role: Role,
     pub(crate) doc: &'static str,
     pub(crate) arguments: &'static [Argument],
     pub(crate) shapes: &'static [Shape<Length>],
-    /// Whether a scene gets it; the word is that of the row.
+    /// Returns true if a scene has the routine, given the word of the row.
     pub(crate) wanted: fn(&Request<'_>, &str) -> bool,
-    /// Its results, in the form that was chosen.
+    /// Expressions of its results, in the chosen form.
     pub(crate) form: for<'g> fn(&mut Forms<'g>, &Model<'g>) -> Chosen<'g>,
 }
 
 impl Row {
-    /// Whether it is about constraints.
+    /// True if the routine concerns constraints.
     pub(super) fn is_of_constraints(&self) -> bool {
         self.shapes.contains(&Vector(Constraints))
     }
 
-    /// The head of the routine in a scene.
+    /// Signature of the routine in a scene.
     pub(super) fn head(&self, counts: &Counts) -> Head {
         let arguments = self.arguments.iter().copied();
         let shapes = self.shapes.iter();
@@ -161,14 +161,14 @@ impl Row {
     }
 }
 
-/// A scene gets the routine if it asks for it by its word, whatever else it has.
+/// Condition met if the scene requests the routine by its word, regardless of anything else.
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
 use Argument::{Accelerations, Forces, Inputs};
 use Length::{Constraints, Dependents, Drives, Freedom, Gaps, Loops, Parameters, State, Uncounted};
 use Shape::{Matrix, Scalar, Symmetric, Vector};
 
-/// What a response holds.
+/// Shapes of the results of a response.
 const RESPONSE: &[Shape<Length>] = &[
     Vector(State),
     Vector(Constraints),
@@ -176,8 +176,8 @@ const RESPONSE: &[Shape<Length>] = &[
     Symmetric(Constraints),
 ];
 
-/// Every routine that can be generated. What is read from here: the code, its documentation and costs, and the stand-in
-/// for a scene with errors.
+/// Every routine that can be generated. The code, its documentation and costs, and the stand-in for a scene with errors
+/// are all derived from this table.
 pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "rhs",
@@ -193,8 +193,8 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "rhs",
         name: "loop_margins",
         role: Role::LoopMargins,
-        doc: "How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1. And the rates \
-              of that.",
+        doc: "Margin of each closed loop from its singularity (toggle), in the order of the declaration: 0 there, and \
+              at most 1. Then the rates of the margins.",
         arguments: &[],
         shapes: &[Vector(Loops), Vector(Loops)],
         wanted: |scene, _| scene.rhs() && scene.counts.loops > 0,
@@ -204,7 +204,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "rhs",
         name: "loop_corrections",
         role: Role::LoopCorrections,
-        doc: "What a step of Newton's method adds to the coordinates that follow and are in the state, to close their loops.",
+        doc: "Newton corrections of the dependent coordinates in the state, to close their loops.",
         arguments: &[],
         shapes: &[Vector(Dependents)],
         wanted: |scene, _| scene.rhs() && scene.counts.dependents > 0,
@@ -214,8 +214,9 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "rhs",
         name: "loop_gaps",
         role: Role::LoopGaps,
-        doc: "How far the loops that have no closed form are from being closed, in the order of the declaration: the distances between \
-              their ends in m, the angles between their frames, or axes, in rad, and the sums of the lengths around them in m.",
+        doc: "Closure errors of the loops without a closed form, in the order of the declaration: the distances \
+              between their ends in m, the angles between their frames, or axes, in rad, and the sums of the lengths \
+              around them in m.",
         arguments: &[],
         shapes: &[Vector(Gaps), Vector(Gaps), Vector(Gaps)],
         wanted: |scene, _| scene.rhs() && scene.counts.gaps > 0,
@@ -225,8 +226,8 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "rhs",
         name: "turn_margins",
         role: Role::TurnMargins,
-        doc: "For each angle whose turns a force takes, but do not follow from the state, the cosine of half the angle from its `near`: \
-              0 where the force would jump. And the rates of that.",
+        doc: "Margin of each angle whose turns affect a force but do not follow from the state: the cosine of half \
+              the angle from its `near`, 0 where the force would jump. Then the rates of the margins.",
         arguments: &[],
         shapes: &[Vector(Uncounted), Vector(Uncounted)],
         wanted: |scene, _| scene.rhs() && scene.counts.uncounted > 0,
@@ -246,8 +247,8 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "rhs",
         name: "response",
         role: Role::Response,
-        doc: "The time derivative of the state, the second derivatives of the constraints, \
-              and what a unit of each force along it adds to the first and to the second.",
+        doc: "The time derivative of the state, the second derivatives of the constraints, and what a unit of each \
+              force along it adds to the first and to the second.",
         arguments: &[Inputs, Forces],
         shapes: RESPONSE,
         wanted: |scene, _| scene.rhs() && scene.is_hybrid(),
@@ -257,7 +258,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "jacobian",
         name: "jacobian",
         role: Role::Jacobian,
-        doc: "The time derivative of the state, and its derivatives by the state.",
+        doc: "The time derivative of the state, and its derivatives with respect to the state.",
         arguments: &[Inputs, Forces],
         shapes: &[Vector(State), Matrix(State, State)],
         wanted: |scene, _| scene.jacobian(),
@@ -267,7 +268,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "jacobian",
         name: "time_derivative",
         role: Role::TimeDerivative,
-        doc: "The derivative of the right-hand side by the time.",
+        doc: "The derivative of the right-hand side with respect to time.",
         arguments: &[Inputs, Forces],
         shapes: &[Vector(State)],
         wanted: |scene, _| scene.jacobian() && scene.time_occurs,
@@ -277,7 +278,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "jacobian",
         name: "input_jacobian",
         role: Role::InputJacobian,
-        doc: "The derivatives of the right-hand side by the inputs.",
+        doc: "The derivatives of the right-hand side with respect to the inputs.",
         arguments: &[Inputs],
         shapes: &[Matrix(State, Length::Inputs)],
         wanted: |scene, _| scene.jacobian() && scene.is_controlled(),
@@ -287,8 +288,8 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "jacobian",
         name: "response_derivative",
         role: Role::ResponseDerivative,
-        doc: "The response with its derivatives at fixed forces: those of the right-hand side by the state, \
-              those of each second derivative, a column for each, and those of both by the time.",
+        doc: "The response with its derivatives at fixed forces: of the right-hand side with respect to the state, of \
+              each second derivative with respect to the state, a column for each, and of both with respect to time.",
         arguments: &[Inputs, Forces],
         shapes: &[
             RESPONSE[0],
@@ -307,8 +308,8 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "jacobian",
         name: "measure_derivatives",
         role: Role::MeasureDerivatives,
-        doc: "The derivatives of the values of the constraints, and of their rates, by the state, \
-              a column for each, and by the time.",
+        doc: "The derivatives of the values of the constraints, and of their rates, with respect to the state, a \
+              column for each, and to time.",
         arguments: &[],
         shapes: &[
             Matrix(State, Constraints),
@@ -383,7 +384,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "canonical",
         name: "canonical_jacobian",
         role: Role::CanonicalJacobian,
-        doc: "The derivatives of coordinates and momenta, and of their rates, by the state.",
+        doc: "The derivatives of coordinates and momenta, and of their rates, with respect to the state.",
         arguments: &[Forces],
         shapes: &[Matrix(State, State), Matrix(State, State)],
         wanted: ASKED,
@@ -393,8 +394,9 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "inverse_dynamics",
         name: "inverse_dynamics",
         role: Role::Function,
-        doc: "The generalised forces `A qdd + b - Q` that must act beside gravity and all forces of the declaration for the accelerations `qdd`: \
-              zero along a free motion. Inputs count as zero: where each coordinate has one, these are their values.",
+        doc: "The generalised forces `A qdd + b - Q` that must act beside gravity and all forces of the declaration \
+              for the accelerations `qdd`: zero along a free motion. Inputs count as zero: where each coordinate has \
+              one, these are their values.",
         arguments: &[Accelerations],
         shapes: &[Vector(Freedom)],
         wanted: ASKED,
@@ -404,7 +406,8 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "drive_forces",
         name: "drive_forces",
         role: Role::Function,
-        doc: "The forces that the drives supply along their joints, in the order of the declaration: N m where a joint turns, N where it slides.",
+        doc: "Forces supplied by the drives along their joints, in the order of the declaration: in N m where a joint \
+              turns, in N where it slides.",
         arguments: &[Inputs],
         shapes: &[Vector(Drives)],
         wanted: ASKED,
@@ -414,8 +417,8 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "loop_wrenches",
         name: "loop_wrenches",
         role: Role::Function,
-        doc: "For each `close a .. to b ..`, in the order of the declaration, the wrench with which `a` acts on `b`, about the place on `b`: \
-              the moment in N m and the force in N, both in the ground frame.",
+        doc: "For each `close a .. to b ..`, in the order of the declaration, the wrench of `a` on `b` about the \
+              place on `b`: the moment in N m and the force in N, both in the ground frame.",
         arguments: &[Inputs],
         shapes: &[Matrix(Length::Wrench, Loops)],
         wanted: ASKED,
@@ -425,7 +428,8 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "parameter_jacobian",
         name: "parameter_jacobian",
         role: Role::Function,
-        doc: "The derivatives of the accelerations by the parameters: one column for each, in the order of their declaration.",
+        doc: "The derivatives of the accelerations with respect to the parameters: one column for each, in the order \
+              of their declaration.",
         arguments: &[Inputs],
         shapes: &[Matrix(Freedom, Parameters)],
         wanted: ASKED,
@@ -433,7 +437,7 @@ pub(crate) const ROUTINES: &[Row] = &[
     },
 ];
 
-/// The words of `generate`, in the order in which messages list them.
+/// Words of `generate`, in the order in which messages list them.
 pub(crate) fn words() -> Vec<&'static str> {
     let mut words: Vec<&'static str> = ROUTINES.iter().map(|row| row.word).collect();
     words.dedup();

@@ -5,10 +5,10 @@ use std::ops::{Add, Mul};
 use super::{Symmetric3, Twist, Vec3, Wrench};
 use crate::expr::{Expr, Graph};
 
-/// The inertia of a rigid body or of several, about the origin of the frame it is written in.
+/// Spatial inertia of one or several rigid bodies, about the origin of the frame it is written in.
 ///
 /// With `c` the centre of mass and `J` the rotational inertia about it, the three parts are `m`, `m c` and
-/// `J + m [c][c]^T`: sums over bodies, so inertias of parts add up.
+/// `J + m [c][c]^T`. They are sums over bodies, so the inertias of parts add up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct SpatialInertia<'g> {
     /// Mass, in kg.
@@ -20,7 +20,7 @@ pub(crate) struct SpatialInertia<'g> {
 }
 
 impl<'g> SpatialInertia<'g> {
-    /// Nothing.
+    /// Zero inertia.
     pub(crate) fn zero(g: &'g Graph) -> Self {
         Self {
             mass: g.zero(),
@@ -29,7 +29,7 @@ impl<'g> SpatialInertia<'g> {
         }
     }
 
-    /// A body by its mass, its centre of mass and its rotational inertia about the centre of mass.
+    /// Spatial inertia of a body from its mass, its centre of mass and its rotational inertia about the centre of mass.
     pub(crate) fn of_body(mass: Expr<'g>, com: Vec3<'g>, about_com: Symmetric3<'g>) -> Self {
         let shift = Symmetric3::of_point(mass, com);
         Self {

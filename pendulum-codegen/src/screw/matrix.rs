@@ -5,12 +5,12 @@ use std::ops::{Add, Index, Mul};
 use super::Vec3;
 use crate::expr::{Expr, Graph, ratio};
 
-/// A matrix, row by row.
+/// A matrix, stored row by row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Mat3<'g>(pub [Vec3<'g>; 3]);
 
 impl<'g> Mat3<'g> {
-    /// The unit matrix.
+    /// Identity matrix.
     pub(crate) fn identity(g: &'g Graph) -> Self {
         Self([0, 1, 2].map(|i| Vec3::unit(g, i)))
     }
@@ -33,7 +33,7 @@ impl<'g> Mat3<'g> {
         let identity = Self::identity(angle.graph());
         Self::from_fn(|i, j| {
             let outer = axis[i] * axis[j];
-            // on the diagonal of a coordinate axis this is 1 without further ado
+            // the diagonal entry of a coordinate axis is 1, with no need for simplification
             let symmetric = if outer.is_one() {
                 outer
             } else {
@@ -51,16 +51,16 @@ impl<'g> Mat3<'g> {
         })
     }
 
-    /// A rotation whose third column is a unit vector: a permutation where that is a coordinate axis.
+    /// A rotation whose third column is a given unit vector: a permutation if that is a coordinate axis.
     pub(crate) fn with_third_column(z: Vec3<'g>) -> Self {
         let g = z[0].graph();
         let axis = (0..3).find(|&k| (0..3).all(|i| i == k || z[i].is_zero()));
         let x = match axis {
-            // any coordinate axis at a right angle will do
+            // any perpendicular coordinate axis will do
             Some(k) => Vec3::unit(g, (k + 1) % 3),
             None => {
-                // the part of a coordinate axis that is at a right angle to z, normalised; the axis where z is zero is
-                // best
+                // part of a coordinate axis perpendicular to z, normalised; best is an axis along which z has no
+                // component
                 let k = (0..3).find(|&k| z[k].is_zero()).unwrap_or(0);
                 let across = Vec3::unit(g, k) - z[k] * z;
                 across.dot(across).power(ratio(-1, 2)) * across
@@ -69,7 +69,7 @@ impl<'g> Mat3<'g> {
         Self([x, z.cross(x), z]).transpose()
     }
 
-    /// The rotation of a unit quaternion, scalar first.
+    /// Rotation matrix of a unit quaternion, scalar first.
     pub(crate) fn of_quaternion([w, x, y, z]: [Expr<'g>; 4]) -> Self {
         let [xx, yy, zz] = [x, y, z].map(|x| x * x);
         let twice = |a: Expr<'g>, b: Expr<'g>| 2 * (a + b);
@@ -81,18 +81,18 @@ impl<'g> Mat3<'g> {
         ])
     }
 
-    /// The transposed matrix.
+    /// Transpose.
     #[must_use]
     pub(crate) fn transpose(self) -> Self {
         Self::from_fn(|i, j| self[j][i])
     }
 
-    /// A column.
+    /// Column `j`.
     pub(crate) fn column(self, j: usize) -> Vec3<'g> {
         Vec3(self.0.map(|row| row[j]))
     }
 
-    /// The matrix whose rows are functions of the rows.
+    /// The matrix with a function applied to each row.
     #[must_use]
     pub(crate) fn map_rows(self, f: impl FnMut(Vec3<'g>) -> Vec3<'g>) -> Self {
         Self(self.0.map(f))

@@ -1,8 +1,8 @@
 //! Screws over symbolic expressions: vectors and rotations, twists and wrenches, spatial inertia, transforms.
 //!
-//! Right-handed frames. A twist is `(angular; linear)` with the linear part the velocity of the point at the origin of
-//! the frame it is written in; a wrench is `(moment; force)` about that origin. Structural zeros vanish in the
-//! constructors of the graph, so a planar scene written in these terms comes out planar.
+//! Frames are right-handed. A twist is `(angular; linear)`, where the linear part is the velocity of the point at the
+//! origin of the frame it is written in; a wrench is `(moment; force)` about that origin. The graph drops structural
+//! zeros when it builds expressions, so a planar scene yields planar equations.
 
 mod inertia;
 mod matrix;

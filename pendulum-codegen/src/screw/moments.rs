@@ -7,8 +7,8 @@ use crate::expr::{Expr, Graph, ratio};
 
 /// Mass, first moment `integral r dm` and second moments `integral r r^T dm` about the origin of a frame.
 ///
-/// The second moments hold what the rotational inertia `J = tr(S) 1 - S` holds, in a form that a displacement and the
-/// inertial moment of a motion treat more simply.
+/// The second moments carry the same information as the rotational inertia `J = tr(S) 1 - S`, in a form that simplifies
+/// displacements and the inertial moment of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct MassMoments<'g> {
     /// Mass.
@@ -20,7 +20,7 @@ pub(crate) struct MassMoments<'g> {
 }
 
 impl<'g> MassMoments<'g> {
-    /// Nothing.
+    /// Zero mass.
     pub(crate) fn zero(g: &'g Graph) -> Self {
         Self {
             mass: g.zero(),
@@ -29,13 +29,13 @@ impl<'g> MassMoments<'g> {
         }
     }
 
-    /// The rotational inertia about the origin: `J = tr(S) 1 - S`.
+    /// Rotational inertia about the origin: `J = tr(S) 1 - S`.
     pub(crate) fn rotational(&self) -> Symmetric3<'g> {
         let Symmetric3([xx, yy, zz, xy, xz, yz]) = self.second;
         Symmetric3([yy + zz, xx + zz, xx + yy, -xy, -xz, -yz])
     }
 
-    /// The same mass, seen from a frame in which its own frame is turned by `rotation`.
+    /// Moments in a frame in which the frame of these moments is rotated by `rotation`.
     #[must_use]
     pub(crate) fn rotated(&self, rotation: Mat3<'g>) -> Self {
         Self {
@@ -45,7 +45,7 @@ impl<'g> MassMoments<'g> {
         }
     }
 
-    /// The same mass, seen from a frame in which its own frame sits at `p`: `S + (h + m p) p^T + p h^T`.
+    /// Moments in a frame in which the frame of these moments has its origin at `p`: `S + (h + m p) p^T + p h^T`.
     #[must_use]
     pub(crate) fn moved(&self, p: Vec3<'g>) -> Self {
         let h = self.first;

@@ -1,39 +1,38 @@
-//! Vectors of a plane.
+//! Vectors in a plane.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::expr::{Expr, Graph};
 
-/// A vector of a plane, of expressions or of numbers. The second axis of the plane is the first after a quarter of a
-/// turn.
+/// A vector in a plane, of expressions or of numbers. A quarter turn takes the first axis of the plane to the second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Vec2<T>(pub [T; 2]);
 
 impl<T: Scalar> Vec2<T> {
-    /// The scalar product.
+    /// Scalar product.
     pub(crate) fn dot(self, other: Self) -> T {
         let (Self([a, b]), Self([c, d])) = (self, other);
         a * c + b * d
     }
 
-    /// What of the product of two vectors stands across the plane.
+    /// Component of the vector product normal to the plane.
     pub(crate) fn cross(self, other: Self) -> T {
         let (Self([a, b]), Self([c, d])) = (self, other);
         a * d - b * c
     }
 
-    /// The vector, so many times as long.
+    /// The vector scaled by a factor.
     pub(crate) fn times(self, factor: T) -> Self {
         Self(self.0.map(|x| factor * x))
     }
 
-    /// The vector after a quarter of a turn.
+    /// The vector rotated by a quarter turn.
     pub(crate) fn quarter(self) -> Self {
         let Self([x, y]) = self;
         Self([-y, x])
     }
 
-    /// The vector after the turn of this cosine and sine.
+    /// The vector rotated by the angle with this cosine and sine.
     pub(crate) fn turned(self, [cosine, sine]: [T; 2]) -> Self {
         let Self([x, y]) = self;
         Self([cosine * x - sine * y, sine * x + cosine * y])
@@ -41,17 +40,17 @@ impl<T: Scalar> Vec2<T> {
 }
 
 impl<'g> Vec2<Expr<'g>> {
-    /// The zero vector.
+    /// Zero vector.
     pub(crate) fn zero(g: &'g Graph) -> Self {
         Self([g.zero(); 2])
     }
 
-    /// The sum of vectors, from the first to the last.
+    /// Sum of vectors, in order.
     pub(crate) fn sum(g: &'g Graph, vectors: impl IntoIterator<Item = Self>) -> Self {
         vectors.into_iter().fold(Self::zero(g), Add::add)
     }
 
-    /// Cosine and sine of the turn that takes the vector to another one of its length.
+    /// Cosine and sine of the rotation that takes the vector to another of the same length.
     pub(crate) fn turn_to(self, other: Self) -> [Expr<'g>; 2] {
         let (Self([x, y]), Self([u, v])) = (self, other);
         if y.is_zero() {
@@ -66,18 +65,18 @@ impl<'g> Vec2<Expr<'g>> {
 }
 
 impl Vec2<f64> {
-    /// The length.
+    /// Length.
     pub(crate) fn norm(self) -> f64 {
         self.0[0].hypot(self.0[1])
     }
 
-    /// The angle from the vector to another.
+    /// Angle from the vector to another.
     pub(crate) fn angle_to(self, other: Self) -> f64 {
         self.cross(other).atan2(self.dot(other))
     }
 }
 
-/// What vectors are made of.
+/// Component of a vector: an expression or a number.
 pub(crate) trait Scalar:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {

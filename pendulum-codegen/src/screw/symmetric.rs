@@ -5,25 +5,25 @@ use std::ops::{Add, Mul, Sub};
 use super::{Mat3, Vec3};
 use crate::expr::{Expr, Graph};
 
-/// A symmetric matrix as `[xx, yy, zz, xy, xz, yz]`.
+/// A symmetric matrix, stored as `[xx, yy, zz, xy, xz, yz]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Symmetric3<'g>(pub [Expr<'g>; 6]);
 
 impl<'g> Symmetric3<'g> {
-    /// Row and column of each entry, in the order in which they are stored.
+    /// Row and column of each entry, in storage order.
     pub(crate) const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
-    /// The matrix of zeros.
+    /// Zero matrix.
     pub(crate) fn zero(g: &'g Graph) -> Self {
         Self([g.zero(); 6])
     }
 
-    /// The matrix with entries `entry(row, column)`, built in the order in which they are stored.
+    /// The matrix with entries `entry(row, column)`, built in storage order.
     pub(crate) fn from_fn(mut entry: impl FnMut(usize, usize) -> Expr<'g>) -> Self {
         Self(Self::PLACES.map(|(i, j)| entry(i, j)))
     }
 
-    /// A matrix that is zero off its diagonal.
+    /// Diagonal matrix.
     pub(crate) fn diagonal([x, y, z]: [Expr<'g>; 3]) -> Self {
         let zero = x.graph().zero();
         Self([x, y, z, zero, zero, zero])

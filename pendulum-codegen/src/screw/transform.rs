@@ -5,17 +5,17 @@ use std::ops::Mul;
 use super::{Mat3, SpatialInertia, Symmetric3, Twist, Vec3};
 use crate::expr::Graph;
 
-/// Where a frame `b` sits in a frame `a`, so that `point_in_a = rotation * point_in_b + translation`: `a_from_b`.
+/// Pose `a_from_b` of a frame `b` in a frame `a`: `point_in_a = rotation * point_in_b + translation`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Transform<'g> {
-    /// The axes of `b` in `a`, as columns.
+    /// Axes of `b` in `a`, as columns.
     pub rotation: Mat3<'g>,
-    /// The origin of `b` in `a`.
+    /// Origin of `b` in `a`.
     pub translation: Vec3<'g>,
 }
 
 impl<'g> Transform<'g> {
-    /// No displacement.
+    /// Identity.
     pub(crate) fn identity(g: &'g Graph) -> Self {
         Self {
             rotation: Mat3::identity(g),
@@ -33,12 +33,12 @@ impl<'g> Transform<'g> {
         }
     }
 
-    /// A point of `b`, in `a`.
+    /// Maps a point from `b` to `a`.
     pub(crate) fn point(&self, point: Vec3<'g>) -> Vec3<'g> {
         self.rotation * point + self.translation
     }
 
-    /// A twist written in `b`, in `a` (the adjoint).
+    /// Maps a twist from `b` to `a` (the adjoint).
     pub(crate) fn twist(&self, twist: &Twist<'g>) -> Twist<'g> {
         let angular = self.rotation * twist.angular;
         Twist {
@@ -47,7 +47,7 @@ impl<'g> Transform<'g> {
         }
     }
 
-    /// A twist written in `a`, in `b` (the inverse adjoint).
+    /// Maps a twist from `a` to `b` (the inverse adjoint).
     pub(crate) fn twist_back(&self, twist: &Twist<'g>) -> Twist<'g> {
         let back = self.rotation.transpose();
         let linear = twist.linear - self.translation.cross(twist.angular);
@@ -57,7 +57,7 @@ impl<'g> Transform<'g> {
         }
     }
 
-    /// A spatial inertia written in `b`, in `a`.
+    /// Maps a spatial inertia from `b` to `a`.
     pub(crate) fn inertia(&self, inertia: &SpatialInertia<'g>) -> SpatialInertia<'g> {
         let p = self.translation;
         let turned = inertia.about_origin.rotated(self.rotation);

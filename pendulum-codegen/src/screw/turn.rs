@@ -5,7 +5,7 @@ use std::ops::Mul;
 use super::{Symmetric3, Vec3};
 use crate::expr::Expr;
 
-/// A rotation about z. Times a vector of the turned frame it is that vector in the frame that it is turned in.
+/// A rotation about z, which maps vectors of the rotated frame to the frame it is rotated in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Turn<'g> {
     /// Sine of the angle.
@@ -15,7 +15,7 @@ pub(crate) struct Turn<'g> {
 }
 
 impl<'g> Turn<'g> {
-    /// The rotation by an angle.
+    /// Rotation by an angle.
     pub(crate) fn by(angle: Expr<'g>) -> Self {
         Self {
             sine: angle.sin(),
@@ -23,7 +23,7 @@ impl<'g> Turn<'g> {
         }
     }
 
-    /// The opposite rotation.
+    /// Inverse rotation.
     #[must_use]
     pub(crate) fn inverse(self) -> Self {
         Self {
@@ -32,7 +32,7 @@ impl<'g> Turn<'g> {
         }
     }
 
-    /// A symmetric tensor of the turned frame, in the frame that it is turned in.
+    /// Maps a symmetric tensor of the rotated frame to the frame it is rotated in.
     pub(crate) fn tensor(self, Symmetric3([xx, yy, zz, xy, xz, yz]): Symmetric3<'g>) -> Symmetric3<'g> {
         let Self { sine: s, cosine: c } = self;
         let Vec3([xz, yz, _]) = self * Vec3([xz, yz, zz]);

@@ -15,7 +15,7 @@ pub struct Twist<'g> {
 }
 
 impl<'g> Twist<'g> {
-    /// Rest.
+    /// Zero twist.
     pub fn zero(g: &'g Graph) -> Self {
         Self {
             angular: Vec3::zero(g),
@@ -23,7 +23,7 @@ impl<'g> Twist<'g> {
         }
     }
 
-    /// Whether it turns, and does not slide only.
+    /// True if the angular part is not zero, so that the motion is not a pure translation.
     pub fn turns(&self) -> bool {
         !self.angular.is_zero()
     }

@@ -4,38 +4,38 @@ use std::ops::{Add, Index, Mul, Neg, Sub};
 
 use crate::expr::{Expr, Graph, Rational};
 
-/// A vector.
+/// A vector of three expressions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Vec3<'g>(pub [Expr<'g>; 3]);
 
 impl<'g> Vec3<'g> {
-    /// The vector of zeros.
+    /// Zero vector.
     pub fn zero(g: &'g Graph) -> Self {
         Self([g.zero(); 3])
     }
 
-    /// The unit vector along a coordinate axis.
+    /// Unit vector along a coordinate axis.
     pub fn unit(g: &'g Graph, axis: usize) -> Self {
         Self(std::array::from_fn(|i| if i == axis { g.one() } else { g.zero() }))
     }
 
-    /// The unit vector along the third axis.
+    /// Unit vector along the third axis.
     pub fn z(g: &'g Graph) -> Self {
         Self::unit(g, 2)
     }
 
-    /// Whether all components are the number 0.
+    /// True if all components are the number 0.
     pub fn is_zero(self) -> bool {
         self.0.iter().all(|x| x.is_zero())
     }
 
-    /// The scalar product.
+    /// Scalar product.
     pub fn dot(self, other: Self) -> Expr<'g> {
         let [x, y, z] = [0, 1, 2].map(|i| self[i] * other[i]);
         x + y + z
     }
 
-    /// The vector product.
+    /// Vector product.
     pub fn cross(self, other: Self) -> Self {
         Self([(1, 2), (2, 0), (0, 1)].map(|(i, j)| self[i] * other[j] - self[j] * other[i]))
     }

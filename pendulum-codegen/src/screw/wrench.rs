@@ -15,7 +15,7 @@ pub struct Wrench<'g> {
 }
 
 impl<'g> Wrench<'g> {
-    /// The power of the wrench along a twist.
+    /// Power of the wrench along a twist.
     pub fn power(&self, twist: &Twist<'g>) -> Expr<'g> {
         self.moment.dot(twist.angular) + self.force.dot(twist.linear)
     }

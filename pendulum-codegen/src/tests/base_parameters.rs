@@ -1,4 +1,4 @@
-//! The number of base parameters is the rank of the regressor: the matrix that takes all inertial parameters to the
+//! The number of base parameters equals the rank of the regressor, the matrix that maps all inertial parameters to the
 //! forces of a motion.
 
 use rustc_hash::FxHashMap;
@@ -9,14 +9,14 @@ use super::{dynamics, numbers};
 use crate::dynamics::base_parameters;
 use crate::expr::Graph;
 
-/// Where a joint sits, and how it moves.
+/// Joint with its placement, and its parent.
 type Joint = (&'static str, Option<usize>);
 
-/// The least singular value that counts, over the largest. Those of rounding are some 1e-16, those that matter above
+/// Minimum ratio of a nonzero singular value to the largest. Rounding errors are near 1e-16, and nonzero values exceed
 /// 1e-6 here.
 const RANK: f64 = 1e-10;
 
-/// A scene whose bodies have ten inertial parameters each.
+/// Scene whose bodies have ten inertial parameters each.
 fn scene(gravity: &str, joints: &[Joint]) -> String {
     let (mut params, mut bodies) = (String::new(), String::new());
     for (n, (joint, parent)) in joints.iter().enumerate() {
@@ -27,13 +27,14 @@ fn scene(gravity: &str, joints: &[Joint]) -> String {
         let parent = parent.map_or("ground".to_owned(), |parent| format!("b{parent}"));
         bodies += &format!(
             "body b{n} on {parent} {{ mass: m{n}, com: [hx{n}/m{n}, hy{n}/m{n}, hz{n}/m{n}],
-                inertia: [ixx{n}, iyy{n}, izz{n}, ixy{n}, ixz{n}, iyz{n}] about joint, joint: {joint}, coordinate: q{n} }}"
+                inertia: [ixx{n}, iyy{n}, izz{n}, ixy{n}, ixz{n}, iyz{n}] about joint, joint: {joint}, \
+                    coordinate: q{n} }}"
         );
     }
     format!("pub Scene {{ params {{ {params} }} gravity: {gravity}, {bodies} }}")
 }
 
-/// The number of base parameters, and the rank of the regressor.
+/// Number of base parameters, and the rank of the regressor.
 fn counts(gravity: &str, joints: &[Joint]) -> (usize, usize) {
     let graph = Graph::new();
     let (model, dynamics) = dynamics(&graph, &scene(gravity, joints));
@@ -75,7 +76,7 @@ fn chain(joints: &[&'static str]) -> Vec<Joint> {
 fn a_double_pendulum_has_six() {
     let joints = chain(&["revolute(z)", "revolute(z) at [0, -1, 0]"]);
     assert_eq!(counts("[0, -9.8, 0]", &joints), (6, 6));
-    // without gravity across the axes the upper plate has an inertia only
+    // without gravity across the axes only the moment of inertia of the upper plate matters
     assert_eq!(counts("[0, 0, -9.8]", &joints), (4, 4));
 }
 
@@ -125,7 +126,7 @@ fn slides_have_a_mass() {
     let joints = chain(&["revolute(z)", "revolute(x) at [0, 0, 1]", "prismatic([0, 1, 0])"]);
     let (count, rank) = counts("[0, 0, -9.81]", &joints);
     assert!(count >= rank, "{count} for {rank}");
-    // whichever way the axis points
+    // the sign of the axis does not matter
     let [up, down] =
         ["prismatic(z)", "prismatic(-z)"].map(|slide| counts("[0, 0, -9.81]", &chain(&["revolute(z)", slide])));
     assert_eq!(up, down);

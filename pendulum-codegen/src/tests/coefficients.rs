@@ -1,4 +1,5 @@
-//! A, B and C of spatial scenes: B against the Christoffel symbols of A, C against the slope of the potential energy.
+//! A, B and C of spatial scenes: B against the Christoffel symbols of A, C against the gradient of the potential
+//! energy.
 
 use super::{model, numbers};
 use crate::dynamics::{Coefficients, Kinematics};
@@ -21,7 +22,8 @@ const SCENES: [&str; 3] = [
     // branches, parallel and opposite axes, a fixed joint between
     "pub Tree {
         gravity: [0, 0, -9.81],
-        body trunk on ground { mass: 4, com: [0, 0.05, -0.3], inertia: [0.3, 0.2, 0.1], joint: revolute(x), coordinate: q1 }
+        body trunk on ground { mass: 4, com: [0, 0.05, -0.3], inertia: [0.3, 0.2, 0.1], joint: revolute(x), \
+            coordinate: q1 }
         body left on trunk { mass: 1, com: [0.1, 0, -0.2], inertia: [0.02, 0.03, 0.02],
             joint: revolute(-x) at [0.2, 0, -0.5], coordinate: q2 }
         body bracket on trunk { mass: 0.2, com: [0, 0.1, 0], joint: fixed at [0, 0.2, 0] rpy [pi/2, 0, pi/3] }
@@ -34,7 +36,8 @@ const SCENES: [&str; 3] = [
     "pub Chain {
         gravity: [0, -9.81, 0],
         body a on ground { mass: 1, com: [0, -0.5, 0], inertia: 0.1, joint: revolute(z), coordinate: q1 }
-        body b on a { mass: 2, com: [0.1, -0.2, 0], inertia: 0.2, joint: prismatic([1, -2, 0]) at [0, -1, 0], coordinate: q2 }
+        body b on a { mass: 2, com: [0.1, -0.2, 0], inertia: 0.2, joint: prismatic([1, -2, 0]) at [0, -1, 0], \
+            coordinate: q2 }
         body c on b { mass: 1, com: [0, -0.5, 0], inertia: 0.1, joint: revolute(-z) at [0.1, 0, 0], coordinate: q3 }
         body d on c { mass: 1, com: [0.2, -0.5, 0], inertia: 0.1, joint: revolute(z) at [0, -1, 0], coordinate: q4 }
     }",
@@ -44,7 +47,7 @@ struct Case<'g> {
     model: Model<'g>,
     coefficients: Coefficients<'g>,
     potential: Expr<'g>,
-    /// The body of each coordinate.
+    /// Body of each coordinate.
     bodies: Vec<BodyId>,
 }
 
@@ -80,7 +83,7 @@ impl<'g> Case<'g> {
         Derivative::by(self.model.coordinates[by].position).of(of)
     }
 
-    /// Two lists of expressions have the same values wherever they are evaluated.
+    /// Asserts that two lists of expressions agree at random values of their symbols.
     fn assert_equal(&self, ours: &[Expr<'g>], theirs: &[Expr<'g>]) {
         for seed in 0..20 {
             let mut next = numbers(100 * seed);
@@ -164,7 +167,8 @@ fn a_is_positive_definite() {
         for seed in 0..20 {
             let mut next = numbers(77 * seed);
             let mut a: Vec<f64> = case.model.graph.evaluate(&entries, |_| 3.0 * next());
-            // Gauss without pivoting: a symmetric matrix is positive definite exactly when every pivot is positive
+            // Gaussian elimination without pivoting: a symmetric matrix is positive definite exactly if every pivot is
+            // positive
             for k in 0..n {
                 assert!(a[k * n + k] > 0.0, "pivot {k} is {}", a[k * n + k]);
                 for i in k + 1..n {

@@ -1,4 +1,4 @@
-//! The generated equations against hand-written ones, in symbols: the difference has normal form zero.
+//! Generated equations against hand-written ones, in symbols: the difference has normal form zero.
 
 use rustc_hash::FxHashMap;
 
@@ -94,7 +94,7 @@ fn the_printed_eq22b_differs_in_one_velocity_term() {
     );
 }
 
-/// Mass, damping and stiffness of small motions about hanging.
+/// Mass, damping and stiffness of small oscillations about the hanging equilibrium.
 fn linearized<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> [[[Expr<'g>; 2]; 2]; 3] {
     let angles = ["theta1", "theta2"].map(|name| symbol(model, name));
     let rates = ["dot(theta1)", "dot(theta2)"].map(|name| symbol(model, name));
@@ -114,8 +114,9 @@ fn linearized<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> [[[Expr<'g>; 2]
 }
 
 /// Printed Eq. 24a has `+ gamma1 theta1'` among the torques. With `gamma1 theta1''` in its place, solving for the
-/// accelerations gives all of the printed Eq. 25 but some powers of `m`: friction in the denominator and in two more
-/// entries, and no damping by `gamma1`. The denominator vanishes at `gamma1 = det M/(d^2 m + I)`, the `a` of Section 5.
+/// accelerations gives all of the printed Eq. 25 except for some powers of `m`: friction in the denominator and in two
+/// more entries, and no damping by `gamma1`. The denominator vanishes at `gamma1 = det M/(d^2 m + I)`, the `a` of
+/// Section 5.
 #[test]
 fn the_printed_eq25_is_eq24a_with_an_acceleration_for_a_rate() {
     let graph = Graph::new();
@@ -132,7 +133,7 @@ fn the_printed_eq25_is_eq24a_with_an_acceleration_for_a_rate() {
     let denominator = formula(&model, "d^4*m^2 - gamma1*(d^2*m + I) + 3*d^2*m*I + I^2");
     assert_eq!(determinant(mass), normal_text(denominator));
 
-    // the numerators of theta1'' and theta2'', beside theta1, theta2, theta1' and theta2'
+    // numerators of theta1'' and theta2'' in front of theta1, theta2, theta1' and theta2'
     let numerators = [
         [
             "-2*m*g*d*(d^2*m + I)",
@@ -183,7 +184,7 @@ fn relative_and_absolute_coordinates_are_the_same_motion() {
     ] {
         let [first, second] = [0, 1].map(|k| put(of_relative[k]));
         for (ours, theirs) in [(first - second, of_absolute[0]), (second, of_absolute[1])] {
-            // A is a tensor, and so is the acceleration: T is constant, so nothing else appears
+            // A and the acceleration are tensors: T is constant, so no other terms appear
             assert_eq!(normal_text(ours), normal_text(theirs));
         }
     }
@@ -193,7 +194,7 @@ fn relative_and_absolute_coordinates_are_the_same_motion() {
     );
 }
 
-/// What does not matter to a planar motion leaves no trace, though all screws have six components.
+/// Parameters without influence on a planar motion do not appear, although all screws have six components.
 #[test]
 fn a_planar_scene_comes_out_planar() {
     let graphs = [Graph::new(), Graph::new()];

@@ -1,4 +1,4 @@
-//! The printed equations are read back by the language's own parser and evaluated: what is printed is the equation.
+//! The printed equations, parsed by the language's own parser and evaluated, equal the equations of motion.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::program::equations::equations;
 use crate::program::{Equations, Listing};
 
-/// The longest text of a chain of eight links.
+/// Maximum length of the text for a chain of eight links, in bytes.
 const PAGE: usize = 5_000;
 
 const MAGNET: &str = "pub Magnet {
@@ -35,13 +35,14 @@ const CUBIC: &str = "pub Cubic {
     body b on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: th, torque: -k*(th - a)^3 }
 }";
 
-/// A torque that acts on two absolute coordinates, and one that is shorter than its name.
+/// A torque on two absolute coordinates, and one that is shorter than its name.
 const ABSOLUTE: &str = "pub Absolute {
     params { c: N m s, k: N m, u0: N m }
     input u: N m,
     gravity: [0, -9.81, 0],
     let stretch = q2 - q1 - 1/3,
-    body upper on ground { mass: 2, com: [0, -1, 0], joint: revolute(z), coordinate: q1, friction: c, torque: u0*sin(3*t) }
+    body upper on ground { mass: 2, com: [0, -1, 0], joint: revolute(z), coordinate: q1, friction: c, \
+        torque: u0*sin(3*t) }
     body lower on upper {
         mass: 1, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: q2 absolute, friction: c,
         torque: -k*stretch*(1 + stretch^2) - tanh(qd)/abs(q)^(1/2) + atan2(u, 2 + cos(q)),
@@ -51,7 +52,7 @@ const ABSOLUTE: &str = "pub Absolute {
     }
 }";
 
-/// Drives, points by their names in a torque and a force, and what acts between points.
+/// Drives, points by name in a torque and a force, and elements between points.
 const ACTED: &str = "pub Acted {
     params { l: m, k: N/m, c: N s/m, w: rad/s }
     gravity: [0, -9.81, 0],
@@ -65,7 +66,8 @@ const ACTED: &str = "pub Acted {
     potential: k*tip.y^4,
     body pivot on ground { joint: prismatic(x), motion: l*cos(w*t) }
     body upper on pivot { mass: 2, com: [0, -1, 0], joint: revolute(z), coordinate: q1, torque: -k*tip.y }
-    body lower on upper { mass: 1, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: q2 absolute, friction: c }
+    body lower on upper { mass: 1, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: q2 absolute, \
+        friction: c }
 }";
 
 /// A ball that carries an arm.
@@ -76,11 +78,12 @@ const BALL: &str = "pub Ball {
     body bob on ground {
         mass: m, com: [0, 0, -l], inertia: [0.04, 0.07, 0.05], joint: ball, orientation: o, friction: gamma,
     }
-    body arm on bob { mass: 1, com: [0, l, 0], inertia: [0.05, 0.05, 0.1], joint: revolute(z) at [0, 0, -l], coordinate: q1 }
+    body arm on bob { mass: 1, com: [0, l, 0], inertia: [0.05, 0.05, 0.1], joint: revolute(z) at [0, 0, -l], \
+        coordinate: q1 }
 }";
 
-/// Links of one shape on parallel joints; `absolute` is put after the names of coordinates, and a letter for a number
-/// is a parameter.
+/// Identical links on parallel joints. `absolute` is appended to the names of coordinates, and a letter in place of a
+/// number is a parameter.
 fn chain(n: usize, link: &str, mass: &str, length: &str, absolute: &str) -> String {
     let body = |k: usize| {
         let parent = if k == 0 {
@@ -135,7 +138,7 @@ fn crooked(mass: &str, length: &str, absolute: &str) -> String {
     )
 }
 
-/// The equations of a scene without its code, which takes far longer.
+/// Equations of a scene without its code, which takes far longer.
 fn written<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>, Equations) {
     let (model, dynamics) = dynamics(graph, declaration);
     let recursive = Dynamics::recursive(&model, dynamics.lagrangian.potential, false);
@@ -148,7 +151,7 @@ fn written<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>,
     (model, dynamics, equations)
 }
 
-/// Lines `name = formula` by their names, in which entries have names as well: `A[x, y]` becomes `A__x__y`.
+/// Lines `name = formula` by name. Entries become names: `A[x, y]` is `A__x__y`.
 fn lines(text: &str) -> BTreeMap<String, Expr> {
     let whole = text.replace("\n    ", " ");
     let lines = whole
@@ -180,7 +183,7 @@ fn plain(line: &str) -> String {
     plain
 }
 
-/// The value of a formula, in which names stand for numbers or for other lines.
+/// Value of a formula whose names are numbers or other lines.
 fn value(expr: &Expr, symbols: &FxHashMap<String, f64>, lines: &BTreeMap<String, Expr>) -> f64 {
     let of = |expr: &Expr| value(expr, symbols, lines);
     match &expr.kind {
@@ -190,7 +193,7 @@ fn value(expr: &Expr, symbols: &FxHashMap<String, f64>, lines: &BTreeMap<String,
         ExprKind::Name(name) => match (symbols.get(&name.to_string()), lines.get(&name.to_string())) {
             (Some(value), _) => *value,
             (None, Some(line)) => of(line),
-            // rows that are zero are not printed
+            // zero rows are not printed
             (None, None) => panic!("{name} stands for nothing"),
         },
         ExprKind::Call(function, arguments) => match (function.to_string().as_str(), &arguments[..]) {
@@ -222,14 +225,14 @@ fn value(expr: &Expr, symbols: &FxHashMap<String, f64>, lines: &BTreeMap<String,
         ExprKind::Power(a, b) => of(a).powf(of(b)),
         ExprKind::Component(of_what, axis) => {
             let name = format!("{of_what}.{axis}");
-            // of a point, or of an orientation
+            // component of a point, or of an orientation
             lines.get(&name).map_or_else(|| symbols[&name], of)
         }
         ExprKind::RateComponent(of_what, axis) => symbols[&format!("dot({of_what}).{axis}")],
     }
 }
 
-/// Asserts what holds of all equations, and gives their text.
+/// Asserts the properties of all equations, and returns their text.
 fn checked(declaration: &str) -> String {
     let graph = Graph::new();
     let (model, dynamics, equations) = written(&graph, declaration);
@@ -239,14 +242,14 @@ fn checked(declaration: &str) -> String {
     equations.to_string()
 }
 
-/// Every entry has the value that it has in the dynamics from A, B and C, near where loops are assembled.
+/// Asserts that every entry equals its value in the dynamics from A, B and C, near the assembled configuration.
 fn assert_true(declaration: &str, model: &Model<'_>, dynamics: &Dynamics<'_>, equations: &Equations) {
     let g = model.graph;
     let mut next = 0.0_f64;
     let mut symbols: FxHashMap<String, f64> = g
         .symbols()
         .map(|symbol| {
-            // numbers without a pattern: a Weyl sequence
+            // quasi-random numbers: a Weyl sequence
             next += 0.618_033_988_749_895;
             let value = next.fract() * 2.0 - 1.0;
             let value = match (near(declaration, &symbol.name), symbol.kind) {
@@ -286,7 +289,7 @@ fn assert_true(declaration: &str, model: &Model<'_>, dynamics: &Dynamics<'_>, eq
     }
 }
 
-/// Every definition is used, and stands before its uses.
+/// Asserts that every definition is used, and precedes its uses.
 fn assert_ordered(equations: &Equations) {
     for Listing { rows, definitions } in [&equations.short, &equations.full] {
         let rows = rows.iter().map(|row| &row.formula);
@@ -306,7 +309,7 @@ fn assert_ordered(equations: &Equations) {
     }
 }
 
-/// Braces and brackets are balanced, and all commands are known.
+/// Asserts that braces and brackets are balanced, and that all commands are known.
 fn assert_well_formed(latex: &str) {
     const KNOWN: [&str; 27] = [
         "[",
@@ -366,7 +369,7 @@ fn what_is_printed_is_the_equation() {
     }
 }
 
-/// What loops determine is defined in terms of the state, line by line.
+/// Quantities determined by loops are defined in terms of the state, line by line.
 #[test]
 fn loops_in_closed_form_are_printed_with_all_that_they_determine() {
     let mut count = 0;
@@ -393,7 +396,7 @@ fn chains_are_printed_on_a_page() {
     }
 }
 
-/// Written out, each name would double the length.
+/// Expanding a name would double the length each time.
 #[test]
 fn a_chain_of_names_keeps_names() {
     let lets: String = (1..=30)
@@ -452,7 +455,7 @@ torque_lower = -k*stretch*(1 + stretch^2) - tanh(dot(q2) - dot(q1))/abs(q2 - q1)
     assert!(text.ends_with(law), "{text}");
 }
 
-/// Names that the declaration has for something else are left alone.
+/// Names that the declaration uses for something else are not reused.
 #[test]
 fn names_do_not_clash() {
     let declaration = chain(5, "mass: s1, com: [t0, -w2, 0]", "s1", "w2", "").replace("s1: kg", "s1: kg, t0: m");
@@ -481,7 +484,8 @@ fn latex_names_are_letters_with_indices() {
     let expected = [
         "A_{\\theta_{1},\\,\\theta_{1}} = \\mathrm{inertia} + m\\,l_{\\mathrm{max}}^{2}",
         "b_{\\theta_{1}} = 9.81\\,m\\,l_{\\mathrm{max}}\\,\\sin \\theta_{1}",
-        "Q_{\\theta_{1}} = -\\gamma_{2}\\,\\dot{\\theta}_{1} - \\sin(\\theta_{1})\\,m\\,\\frac{1}{2} + \\frac{\\dot{\\theta}_{1}^{2}}{m}",
+        "Q_{\\theta_{1}} = -\\gamma_{2}\\,\\dot{\\theta}_{1} - \\sin(\\theta_{1})\\,m\\,\\frac{1}{2} \
+            + \\frac{\\dot{\\theta}_{1}^{2}}{m}",
     ];
     for row in expected {
         assert!(latex.contains(row), "{row} in\n{latex}");

@@ -1,4 +1,4 @@
-//! Bodies in flight, whose accelerations are solved along their own axes.
+//! Floating bodies, whose accelerations are solved along their own axes.
 
 use std::collections::BTreeMap;
 
@@ -14,77 +14,103 @@ const SCENES: [&str; 7] = [
         params { g: m/s^2, c: m, k: N/m }
         gravity: [0.3*g, g, -9.81],
         body post on ground { joint: fixed at [1, 2, 3] rpy [0.3, -0.2, 0.5] }
-        body stone on post { mass: 1.3, com: [c, 0.1, 0.2*c], inertia: [0.1, 0.2, 0.25], joint: free at [0, 1, 0] rpy [0, 0.4, 0.1], orientation: o, position: p }
+        body stone on post { mass: 1.3, com: [c, 0.1, 0.2*c], inertia: [0.1, 0.2, 0.25], \
+            joint: free at [0, 1, 0] rpy [0, 0.4, 0.1], orientation: o, position: p }
         point a on stone at [0.1, 0.2, 0.3], point b on ground at [0, 0, 1],
         spring between a and b: (k, 0), force on a: [0.1, 0.2*dot(o).x, p.x] in stone, potential: 0.3*o.x*p.y,
     }",
-    // a carrier of hinges and of a loop, beside another one and a pendulum; one hinge is driven
+    // a carrier of hinges and a loop, beside another floating body and a pendulum; one hinge is driven
     "pub Carrier {
         gravity: [0.1, 0.4, -9.81],
-        body pendulum on ground { mass: 1, com: [0, 0, -0.4], inertia: [0.1, 0.1, 0.1], joint: revolute(x), coordinate: r }
-        body trunk on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free, orientation: o, position: p }
-        body arm on trunk { mass: 0.4, com: [0.1, 0.05, 0.2], inertia: [0.01, 0.02, 0.025], joint: revolute([1, 1, 0]) at [0.2, 0.1, 0], coordinate: lean, friction: 0.3 }
-        body hand on arm { mass: 0.2, com: [0.1, 0, 0.1], inertia: [0.01, 0.02, 0.015], joint: prismatic(z), motion: 0.3*sin(t) }
-        body crank on trunk { mass: 0.5, com: [0.1, 0, 0], inertia: [0.002, 0.003, 0.004], joint: revolute(z), coordinate: a near 0.8 }
-        body coupler on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], joint: revolute(z) at [0.2, 0, 0], coordinate: b depends near -0.3 }
-        body rocker on trunk { mass: 0.9, com: [0.2, 0.1, 0], inertia: [0.01, 0.02, 0.02], joint: revolute(z) at [0.6, 0, 0], coordinate: c depends near 1.6 }
+        body pendulum on ground { mass: 1, com: [0, 0, -0.4], inertia: [0.1, 0.1, 0.1], joint: revolute(x), \
+            coordinate: r }
+        body trunk on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free, orientation: o, \
+            position: p }
+        body arm on trunk { mass: 0.4, com: [0.1, 0.05, 0.2], inertia: [0.01, 0.02, 0.025], \
+            joint: revolute([1, 1, 0]) at [0.2, 0.1, 0], coordinate: lean, friction: 0.3 }
+        body hand on arm { mass: 0.2, com: [0.1, 0, 0.1], inertia: [0.01, 0.02, 0.015], joint: prismatic(z), \
+            motion: 0.3*sin(t) }
+        body crank on trunk { mass: 0.5, com: [0.1, 0, 0], inertia: [0.002, 0.003, 0.004], joint: revolute(z), \
+            coordinate: a near 0.8 }
+        body coupler on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], \
+            joint: revolute(z) at [0.2, 0, 0], coordinate: b depends near -0.3 }
+        body rocker on trunk { mass: 0.9, com: [0.2, 0.1, 0], inertia: [0.01, 0.02, 0.02], \
+            joint: revolute(z) at [0.6, 0, 0], coordinate: c depends near 1.6 }
         close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
-        body ball on ground { mass: 0.3, com: [0, 0, 0.1], inertia: [0.01, 0.01, 0.01], joint: free at [1, 0, 0], orientation: u, position: s }
+        body ball on ground { mass: 0.3, com: [0, 0, 0.1], inertia: [0.01, 0.01, 0.01], joint: free at [1, 0, 0], \
+            orientation: u, position: s }
         point x on pendulum at [0, 0, -1], point y on ball at [0.1, 0, 0], point z on hand,
         spring between x and y: (3, 0.1), damper between y and z: 0.2,
     }",
-    // what flies against a body that moves is solved along the axes of its position
+    // a body floating relative to a moving one is solved along the axes of its position
     "pub Riding {
         gravity: [0.1, 0.4, -9.81],
-        body carrier on ground { mass: 1, com: [0.3, 0, -0.4], inertia: [0.1, 0.1, 0.1], joint: revolute(x), coordinate: r }
-        body rider on carrier { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free at [0.1, 0, 0], orientation: o, position: p }
+        body carrier on ground { mass: 1, com: [0.3, 0, -0.4], inertia: [0.1, 0.1, 0.1], joint: revolute(x), \
+            coordinate: r }
+        body rider on carrier { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free at [0.1, 0, 0], \
+            orientation: o, position: p }
         point a on rider at [0.1, 0.2, 0.3], point b on carrier at [0, 0, 1], point c on ground at [1, 1, 1],
         spring between a and b: (3, 0.1), damper between a and c: 0.2, force on a: [0.1, 0.2*dot(o).x, p.x] in rider,
     }",
-    // as is what has a follower
+    // so is a body with a follower
     "pub Followed {
         gravity: [0.1, 0.4, -9.81],
-        body stone on ground { mass: 1, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free, orientation: o, position: p }
-        body arm on stone { mass: 0.5, com: [0.3, 0, 0], inertia: [0.01, 0.02, 0.02], joint: revolute(z), motion: 2*p.x - p.z }
+        body stone on ground { mass: 1, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free, orientation: o, \
+            position: p }
+        body arm on stone { mass: 0.5, com: [0.3, 0, 0], inertia: [0.01, 0.02, 0.02], joint: revolute(z), \
+            motion: 2*p.x - p.z }
     }",
-    // and what a loop ties to the ground
+    // and a body tied to the ground by a loop
     "pub Tied {
         gravity: [0.1, 0.4, -9.81],
-        body stone on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free, orientation: o, position: p }
-        body crank on stone { mass: 0.5, com: [0.1, 0, 0], inertia: [0.002, 0.003, 0.004], joint: revolute(z), coordinate: a depends near 0.42 }
-        body coupler on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], joint: revolute(x) at [0.2, 0, 0], coordinate: b depends near 0.13 }
-        body rod on coupler { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], joint: prismatic(y) at [0.2, 0, 0], coordinate: c depends near 0.78 }
+        body stone on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free, orientation: o, \
+            position: p }
+        body crank on stone { mass: 0.5, com: [0.1, 0, 0], inertia: [0.002, 0.003, 0.004], joint: revolute(z), \
+            coordinate: a depends near 0.42 }
+        body coupler on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], \
+            joint: revolute(x) at [0.2, 0, 0], coordinate: b depends near 0.13 }
+        body rod on coupler { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], \
+            joint: prismatic(y) at [0.2, 0, 0], coordinate: c depends near 0.78 }
         close rod to ground at [0.05, 0.87, 0.1]: ball,
     }",
-    // balls in a row give way one by one
+    // articulated bodies: ball joints in a row
     "pub Chain {
         params { g: m/s^2, c: m, k: N*m*s }
         gravity: [0.3*g, g, -9.81],
-        body a on ground { mass: 1, com: [0.01, c, -0.2], inertia: [0.1, 0.2, 0.15, 0.01, 0.02, -0.01], joint: ball at [0.1, 0, 0] rpy [0, 0.4, 0.1], orientation: o, friction: k }
-        body b on a { mass: 0.5, com: [0.1, 0, 0], inertia: [0.02, 0.03, 0.04], joint: ball at [0.1, 0, -0.5], orientation: u }
-        body c on b { mass: 0.3, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], joint: ball at [0, 0.1, -0.4] rpy [0.2, 0, 0.3], orientation: v }
+        body a on ground { mass: 1, com: [0.01, c, -0.2], inertia: [0.1, 0.2, 0.15, 0.01, 0.02, -0.01], \
+            joint: ball at [0.1, 0, 0] rpy [0, 0.4, 0.1], orientation: o, friction: k }
+        body b on a { mass: 0.5, com: [0.1, 0, 0], inertia: [0.02, 0.03, 0.04], joint: ball at [0.1, 0, -0.5], \
+            orientation: u }
+        body c on b { mass: 0.3, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], \
+            joint: ball at [0, 0.1, -0.4] rpy [0.2, 0, 0.3], orientation: v }
         point x on c at [0.1, 0, -1], point y on ground at [0.1, 0, 0],
         spring between x and y: (3, 0.1), force on x: [0.1, 0.2*dot(u).x, 0.3] in c, potential: 0.3*o.x*v.y,
     }",
-    // as they do in flight, with a slide and a drive between them
+    // articulated bodies in flight, with a slide and a drive between them
     "pub Tail {
         gravity: [0.1, 0.4, -9.81],
         body post on ground { joint: fixed at [1, 2, 3] rpy [0.3, -0.2, 0.5] }
-        body head on post { mass: 1, com: [0.01, 0.1, -0.2], inertia: [0.1, 0.2, 0.15], joint: free at [0, 1, 0] rpy [0, 0.4, 0.1], orientation: o, position: p }
-        body a on head { mass: 0.5, com: [0.1, 0, 0], inertia: [0.02, 0.03, 0.04], joint: ball at [0.1, 0, -0.5], orientation: u }
-        body b on a { mass: 0.2, com: [0.1, 0, 0.1], inertia: [0.01, 0.02, 0.015], joint: prismatic(z), motion: 0.3*sin(t) }
-        body c on b { mass: 0.3, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], joint: ball at [0, 0.1, -0.4] rpy [0.2, 0, 0.3], orientation: v }
-        body d on c { mass: 0.3, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], joint: revolute(x) at [0, 0.1, 0], coordinate: r, friction: 0.3 }
-        body e on d { mass: 0.1, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], joint: helical(x, 0.1) at [0, 0.1, 0], coordinate: s }
+        body head on post { mass: 1, com: [0.01, 0.1, -0.2], inertia: [0.1, 0.2, 0.15], \
+            joint: free at [0, 1, 0] rpy [0, 0.4, 0.1], orientation: o, position: p }
+        body a on head { mass: 0.5, com: [0.1, 0, 0], inertia: [0.02, 0.03, 0.04], joint: ball at [0.1, 0, -0.5], \
+            orientation: u }
+        body b on a { mass: 0.2, com: [0.1, 0, 0.1], inertia: [0.01, 0.02, 0.015], joint: prismatic(z), \
+            motion: 0.3*sin(t) }
+        body c on b { mass: 0.3, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], \
+            joint: ball at [0, 0.1, -0.4] rpy [0.2, 0, 0.3], orientation: v }
+        body d on c { mass: 0.3, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], joint: revolute(x) at [0, 0.1, 0], \
+            coordinate: r, friction: 0.3 }
+        body e on d { mass: 0.1, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], \
+            joint: helical(x, 0.1) at [0, 0.1, 0], coordinate: s }
         point x on e at [0.1, 0, -1], point y on ground at [0.1, 0, 0],
         spring between x and y: (3, 0.1), force on x: [0.1, 0.2*p.x, 0.3] in e,
     }",
 ];
 
-/// Those of the scenes that are solved by articulated bodies.
+/// True for each scene that is solved by articulated bodies.
 const BY_LINKS: [bool; 7] = [false, false, false, false, false, true, true];
 
-/// Random values of the symbols of a scene, near where its loops are assembled, with orientations of this length.
+/// Random values of the symbols of a scene, near its assembled configuration, with orientations of this length.
 fn values_of(model: &Model<'_>, text: &str, seed: u32, length: f64) -> BTreeMap<String, f64> {
     let mut next = numbers(seed);
     let mut value = |name: &str| near(text, name).map_or_else(&mut next, |near| near + 0.01);
@@ -138,11 +164,11 @@ fn what_flies_moves_as_along_its_position() {
     }
 }
 
-/// Where stages of methods are, off the unit length of quaternions, the Jacobian is that of the right-hand side as
-/// well.
+/// Off the unit length of quaternions, where methods evaluate their stages, the Jacobian is still the derivative of the
+/// right-hand side.
 #[test]
 fn the_jacobian_of_what_flies_is_that_of_its_right_hand_side() {
-    /// Differences of fourth order lose some five digits of sixteen.
+    /// Step of the fourth-order differences, which lose some five of sixteen digits.
     const STEP: f64 = 1e-4;
     let every = if is_thorough() { 1 } else { 3 };
     for text in SCENES.iter().step_by(every) {
@@ -177,11 +203,12 @@ fn the_jacobian_of_what_flies_is_that_of_its_right_hand_side() {
     }
 }
 
-/// The mass matrix of one rigid body is constant along its own axes, so it is divided out before the motion begins.
+/// The mass matrix of one rigid body is constant along its own axes, so it is inverted once, when the model is built.
 #[test]
 fn a_rigid_body_in_flight_divides_nothing() {
     let text = "pub Handle {
-        body handle on ground { mass: 0.4, com: [0.01, 0, 0], inertia: [1e-3, 2e-3, 3e-3], joint: free, orientation: o, position: p }
+        body handle on ground { mass: 0.4, com: [0.01, 0, 0], inertia: [1e-3, 2e-3, 3e-3], joint: free, \
+            orientation: o, position: p }
     }";
     let graph = Graph::new();
     let model = model(&graph, text);
@@ -195,10 +222,11 @@ fn a_rigid_body_in_flight_divides_nothing() {
     assert!(series.slots <= 35, "{} products of series", series.slots);
 }
 
-/// Without a mass matrix each ball adds about as much as the one before.
+/// Without a mass matrix each ball adds about as many operations as the one before.
 #[test]
 fn balls_in_a_row_take_as_many_operations_each() {
-    /// With a mass matrix the fifth takes more than twice as many.
+    /// Maximum number of additions and multiplications for each ball. With a mass matrix the fifth exceeds twice this
+    /// number.
     const EACH: usize = 550;
     let additions_and_multiplications = |balls: usize| {
         let body = |k: usize| {

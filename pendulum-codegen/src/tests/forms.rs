@@ -1,4 +1,4 @@
-//! Every form of the dynamics has the values of A, B and C.
+//! Every form of the dynamics agrees with A, B and C.
 
 use super::{dynamics, numbers};
 use crate::dynamics::{Dynamics, Entries, articulated, partials, partials_by_recursion};
@@ -19,12 +19,12 @@ const SCENES: [&str; 11] = [
         body e on d { mass: 0.5, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07],
             joint: revolute(y) at [0.1, 0.2, 0.3], coordinate: q5 }
     }",
-    // branches in and out of a group of parallel axes, opposite ones, constant turns between them, bodies fixed in
-    // between
+    // branches inside and outside a group of parallel axes, opposite axes, constant turns and fixed bodies between them
     "pub Tree {
         gravity: [0, 3, -9.81],
         body base on ground { mass: 1, com: [0.1, 0, 0], joint: fixed rpy [0.2, 0, 0] }
-        body trunk on base { mass: 4, com: [0, 0.05, -0.3], inertia: [0.3, 0.2, 0.1], joint: revolute(x), coordinate: q1 }
+        body trunk on base { mass: 4, com: [0, 0.05, -0.3], inertia: [0.3, 0.2, 0.1], joint: revolute(x), \
+            coordinate: q1 }
         body left on trunk { mass: 1, com: [0.1, 0, -0.2], inertia: [0.02, 0.03, 0.02],
             joint: revolute(-x) at [0.2, 0, -0.5] rpy [0.5, 0, 0], coordinate: q2 }
         body bracket on trunk { mass: 0.2, com: [0, 0.1, 0], joint: fixed at [0, 0.2, 0] rpy [pi/2, 0, pi/3] }
@@ -38,37 +38,47 @@ const SCENES: [&str; 11] = [
         body wheel on hand { mass: 0.4, com: [0.1, 0.02, -0.1], inertia: [0.01, 0.02, 0.02],
             joint: revolute([0, 1, 2]) at [0.1, 0.3, -0.4], coordinate: q6 }
     }",
-    // symbolic inertia that is handed down across skew axes
+    // symbolic inertia passed on across skew axes
     "pub Symbols {
         params { m1: kg, m2: kg, m3: kg, x: m, y: m, z: m, a: kg m^2, b: kg m^2, c: kg m^2, d: kg m^2, l: m, g: m/s^2 }
         gravity: [0, 0, -g],
-        body first on ground { mass: m1, com: [x, y, z], inertia: [a, b, c, d, 0, 0], joint: revolute(z), coordinate: q1 }
+        body first on ground { mass: m1, com: [x, y, z], inertia: [a, b, c, d, 0, 0], joint: revolute(z), \
+            coordinate: q1 }
         body second on first { mass: m2, com: [y, z, x], inertia: [b, c, a, 0, d, 0],
             joint: revolute([0, 3, 4]) at [l, 0, z], coordinate: q2 }
-        body other on first { mass: m3, com: [z, x, y], inertia: [c, a, b, 0, 0, d], joint: revolute(x) at [0, l, 0], coordinate: q3 }
-        body tip on other { mass: m2, com: [x, 0, z], inertia: [c, b, b], joint: prismatic(x) at [0, 0, l], coordinate: q4 }
+        body other on first { mass: m3, com: [z, x, y], inertia: [c, a, b, 0, 0, d], joint: revolute(x) at [0, l, 0], \
+            coordinate: q3 }
+        body tip on other { mass: m2, com: [x, 0, z], inertia: [c, b, b], joint: prismatic(x) at [0, 0, l], \
+            coordinate: q4 }
     }",
     // parameters, absolute and relative angles, friction and springs
     "pub Chain {
         params { m: kg, l: m, k: N m, c: N m s }
         gravity: [0, -9.81, 0],
         body a on ground { mass: m, com: [0.1, -l, 0], inertia: 0.1, joint: revolute(z), coordinate: q1, friction: c }
-        body b on a { mass: 2, com: [0.1, -0.2, 0], inertia: 0.2, joint: prismatic([1, -2, 0]) at [0, -l, 0], coordinate: q2 }
-        body d on b { mass: m, com: [0, -l, 0], inertia: 0.1, joint: revolute(-z) at [0.1, 0, 0], coordinate: q3, spring: (k, 1) }
-        body e on d { mass: 1, com: [0.2, -0.5, 0], inertia: 0.1, joint: revolute(z) at [0, -1, 0], coordinate: q4 absolute }
+        body b on a { mass: 2, com: [0.1, -0.2, 0], inertia: 0.2, joint: prismatic([1, -2, 0]) at [0, -l, 0], \
+            coordinate: q2 }
+        body d on b { mass: m, com: [0, -l, 0], inertia: 0.1, joint: revolute(-z) at [0.1, 0, 0], coordinate: q3, \
+            spring: (k, 1) }
+        body e on d { mass: 1, com: [0.2, -0.5, 0], inertia: 0.1, joint: revolute(z) at [0, -1, 0], \
+            coordinate: q4 absolute }
     }",
     "pub Slides {
         gravity: [1, 2, 3],
-        body a on ground { mass: 1, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.1], joint: prismatic([1, 2, 2]), coordinate: q1 }
+        body a on ground { mass: 1, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.1], joint: prismatic([1, 2, 2]), \
+            coordinate: q1 }
         body b on a { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.1], joint: prismatic(y), coordinate: q2 }
     }",
     "pub Screws {
         gravity: [1, 2, 3],
-        body a on ground { mass: 1, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.2, 0.2], joint: helical(x, 0.3), coordinate: q1 }
-        body b on a { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.15], joint: helical(x, -0.1) at [0, 0.2, 0], coordinate: q2 }
-        body c on b { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.15], joint: revolute(-x) at [1, 0.2, 0], coordinate: q3 }
+        body a on ground { mass: 1, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.2, 0.2], joint: helical(x, 0.3), \
+            coordinate: q1 }
+        body b on a { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.15], \
+            joint: helical(x, -0.1) at [0, 0.2, 0], coordinate: q2 }
+        body c on b { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.15], joint: revolute(-x) at [1, 0.2, 0], \
+            coordinate: q3 }
     }",
-    // whatever acts between joints, on bodies behind skew joints, fixed ones and opposite axes
+    // every kind of force between joints, on bodies behind skew, fixed and opposite joints
     "pub Pushed {
         gravity: [1, -2, -9.81],
         point nail on ground at [1, 2, 3],
@@ -87,10 +97,12 @@ const SCENES: [&str; 11] = [
             joint: revolute([1, 2, -1]) at [0.1, 0, 0.4], coordinate: q1 }
         body b on a { mass: 1.5, com: [0, -0.3, 0.1], inertia: [0.2, 0.3, 0.25],
             joint: helical([0, 1, 1], 0.2) at [0.3, 0.1, 0] rpy [0.4, -0.7, 1.1], coordinate: q2 }
-        body c on b { mass: 0.7, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: fixed at [0, 0.2, 0.5] rpy [1, 0.2, 0] }
-        body d on a { mass: 0.5, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: prismatic(-y) at [0, 0.2, 0.5], coordinate: q3 }
+        body c on b { mass: 0.7, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], \
+            joint: fixed at [0, 0.2, 0.5] rpy [1, 0.2, 0] }
+        body d on a { mass: 0.5, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: prismatic(-y) at [0, 0.2, 0.5], \
+            coordinate: q3 }
     }",
-    // drives below, between and beyond what moves by itself, absolute angles on driven ones
+    // drives below, between and above free joints, absolute angles on driven ones
     "pub Driven {
         params { w: rad/s, l: m }
         gravity: [1, -9.81, 0],
@@ -98,11 +110,16 @@ const SCENES: [&str; 11] = [
         force on tip: [dot(tip.x), 1, 0],
         force q4: -dot(q4),
         body rail on ground { mass: 0.3, joint: prismatic([1, 2, 0]), motion: l*sin(w*t) }
-        body crank on rail { mass: 0.4, com: [0.1, 0.2, 0], inertia: 0.2, joint: revolute(z) at [0, l, 0], motion: w*t + t^2 }
-        body a on crank { mass: 1, com: [0.1, -l, 0], inertia: 0.1, joint: revolute(z), coordinate: q1 absolute, friction: 0.2 }
-        body b on a { mass: 2, com: [0.1, -0.2, 0], inertia: 0.2, joint: prismatic([1, -2, 0]) at [0, -l, 0], motion: cos(t) }
-        body d on b { mass: 1, com: [0, -l, 0], inertia: 0.1, joint: revolute(-z) at [0.1, 0, 0], coordinate: q3, spring: (3, 1) }
-        body e on d { mass: 1, com: [0.2, -0.5, 0], inertia: 0.1, joint: revolute(z) at [0, -1, 0], coordinate: q4 absolute }
+        body crank on rail { mass: 0.4, com: [0.1, 0.2, 0], inertia: 0.2, joint: revolute(z) at [0, l, 0], \
+            motion: w*t + t^2 }
+        body a on crank { mass: 1, com: [0.1, -l, 0], inertia: 0.1, joint: revolute(z), coordinate: q1 absolute, \
+            friction: 0.2 }
+        body b on a { mass: 2, com: [0.1, -0.2, 0], inertia: 0.2, joint: prismatic([1, -2, 0]) at [0, -l, 0], \
+            motion: cos(t) }
+        body d on b { mass: 1, com: [0, -l, 0], inertia: 0.1, joint: revolute(-z) at [0.1, 0, 0], coordinate: q3, \
+            spring: (3, 1) }
+        body e on d { mass: 1, com: [0.2, -0.5, 0], inertia: 0.1, joint: revolute(z) at [0, -1, 0], \
+            coordinate: q4 absolute }
         body f on e { mass: 1, com: [0.2, -0.5, 0], inertia: 0.1, joint: revolute(-z) at [0, -1, 0], motion: sin(t) }
     }",
     "pub Space {
@@ -118,15 +135,17 @@ const SCENES: [&str; 11] = [
         body e on d { mass: 0.5, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07],
             joint: revolute(y) at [0.1, 0.2, 0.3], coordinate: q5 }
     }",
-    // branches with drives at their ends and below them, one of which stands still
+    // branches with drives at their ends and below them; one drive is constant
     "pub Branches {
         gravity: [0, 3, -9.81],
         point hand on wheel at [0.1, 0, 0.2],
         force on hand: [1, dot(hand.y), 0] in left,
-        body trunk on ground { mass: 4, com: [0, 0.05, -0.3], inertia: [0.3, 0.2, 0.1], joint: revolute(x), motion: t + sin(t) }
+        body trunk on ground { mass: 4, com: [0, 0.05, -0.3], inertia: [0.3, 0.2, 0.1], joint: revolute(x), \
+            motion: t + sin(t) }
         body left on trunk { mass: 1, com: [0.1, 0, -0.2], inertia: [0.02, 0.03, 0.02],
             joint: revolute(-x) at [0.2, 0, -0.5] rpy [0.5, 0, 0], coordinate: q2 }
-        body bracket on trunk { mass: 0.2, com: [0, 0.1, 0], joint: revolute(y) at [0, 0.2, 0] rpy [pi/2, 0, pi/3], motion: 0.4 }
+        body bracket on trunk { mass: 0.2, com: [0, 0.1, 0], joint: revolute(y) at [0, 0.2, 0] rpy [pi/2, 0, pi/3], \
+            motion: 0.4 }
         body right on bracket { mass: 0.7, com: [0, 0.1, -0.1], inertia: [0.02, 0.03, 0.02, 0.001, 0.002, 0.003],
             joint: revolute(y) at [-0.2, 0, 0.1], coordinate: q3 }
         body hand on left { mass: 0.5, com: [0, 0.02, -0.1], inertia: [0.01, 0.02, 0.02, 0, 0.001, 0],
@@ -136,7 +155,7 @@ const SCENES: [&str; 11] = [
         body wheel on hand { mass: 0.4, com: [0.1, 0.02, -0.1], inertia: [0.01, 0.02, 0.02],
             joint: revolute([0, 1, 2]) at [0.1, 0.3, -0.4], coordinate: q6 }
     }",
-    // joints that follow others: a parallel one, one that slides, and one that follows two
+    // joints that follow others: one parallel, one sliding, and one that follows two
     "pub Following {
         gravity: [1, -2, -9.81],
         point tip on d at [0.1, 0.2, 0.3],
@@ -149,11 +168,12 @@ const SCENES: [&str; 11] = [
             joint: helical([0.3, 0, 1], 0.2) at [0, 0, 0.5] rpy [0.4, -0.7, 1.1], coordinate: q3 }
         body d on c { mass: 0.5, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07, 0.01, 0, 0.02],
             joint: prismatic([1, 1, 0]) rpy [0, 0.3, 0], motion: q3 - 0.1, torque: -0.3*qd }
-        body e on b { mass: 0.3, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07], joint: revolute(y) at [0, 0.2, 0], motion: q1 + 3*q3 }
+        body e on b { mass: 0.3, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07], joint: revolute(y) at [0, 0.2, 0], \
+            motion: q1 + 3*q3 }
     }",
 ];
 
-/// With forces at points along the coordinates, and as wrenches on links.
+/// Forces at points either along the coordinates or as wrenches on links.
 const WAYS: [bool; 2] = [false, true];
 
 #[test]
@@ -178,7 +198,7 @@ fn articulated_bodies_move_by_a_b_and_c() {
         let graph = Graph::new();
         let (model, dynamics) = dynamics(&graph, scene);
         if model.has_followers() {
-            // their joints do not give way one by one
+            // the articulated-body algorithm needs joints that move independently
             continue;
         }
         for pushed in WAYS {
@@ -187,7 +207,7 @@ fn articulated_bodies_move_by_a_b_and_c() {
             let known = symbols.zip(accelerations).collect();
             let left = graph.substitute(&dynamics.balance.rows, known);
             let zero = vec![graph.zero(); left.len()];
-            // what is left of A qdd + bias - force, beside the bias
+            // the remainder of A qdd + bias - force, beside the bias
             let zero: Vec<Expr<'_>> = zero
                 .into_iter()
                 .chain(dynamics.lagrangian.bias.iter().copied())
@@ -216,7 +236,7 @@ fn the_derivatives_of_the_recursion_are_those_of_its_expressions() {
     }
 }
 
-/// Two lists of expressions have the same values at random states, to rounding.
+/// Asserts that two lists of expressions agree at random states, up to rounding errors.
 fn agree(graph: &Graph, ours: &[Expr<'_>], theirs: &[Expr<'_>], scene: &str) {
     for seed in 0..20 {
         let mut next = numbers(13 * seed);

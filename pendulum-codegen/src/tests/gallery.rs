@@ -1,13 +1,14 @@
-//! Systems of the gallery against Lagrange's equations, written out in symbols from the places of their bodies.
+//! Systems of the gallery against Lagrange's equations, written out in symbols from the positions of their bodies.
 
 use super::{dynamics, formula, normal_text, numbers};
 use crate::expr::{Derivative, Expr, Graph, ratio};
 use crate::model::Model;
 
-/// Mass, inertia, place and angle of a body in the plane.
+/// Mass, inertia, position and angle of a body in the plane.
 type Body = [&'static str; 5];
 
-/// A system: its file, its place in it, its bodies, the potential beside gravity, and the forces along its coordinates.
+/// A system: its file, its number in the file, its bodies, the potential beside gravity, and the forces along its
+/// coordinates.
 struct Case {
     source: &'static str,
     number: usize,
@@ -189,7 +190,7 @@ fn declared_systems_obey_lagranges_equations() {
         for (row, &ours) in rows.into_iter().zip(&dynamics.balance.rows) {
             let left = normal_text(row - ours);
             if left.contains('/') {
-                // a quotient by a sum stands in the normal form as it is
+                // the normal form keeps a quotient by a sum as it is
                 let mut next = numbers(3);
                 let values = graph.evaluate(&[row, ours], |_| 1.0 + next() / 2.0);
                 assert!(
@@ -204,7 +205,7 @@ fn declared_systems_obey_lagranges_equations() {
     }
 }
 
-/// `d/dt dL/dqd - dL/dq - Q` for each coordinate.
+/// Residual `d/dt dL/dqd - dL/dq - Q` for each coordinate.
 fn lagrange<'g>(model: &Model<'g>, case: &Case) -> Vec<Expr<'g>> {
     let g = model.graph;
     let time = (model.time, g.one());

@@ -1,4 +1,4 @@
-//! Declarations at the limits of the language, and that the work on them grows slowly.
+//! Declarations at the limits of the language, and the growth of the work on them.
 
 use super::{is_thorough, parse};
 use crate::check::check;
@@ -8,11 +8,10 @@ use crate::expr::{Graph, MOST_POWER, Unary, ratio};
 use crate::lower::{Lowered, lower};
 use crate::program::Program;
 
-/// The stack of the threads that compilers expand macros on, at least.
+/// Minimum stack size of the threads on which compilers expand macros, in bytes.
 const STACK: usize = 8 << 20;
 
-/// The program of a declaration, whose units do not matter, and the number of nodes that were built for it, or its
-/// errors.
+/// Program of a declaration without units, with the number of nodes built for it, or its errors.
 fn expand(declaration: &str) -> Result<(Program, usize), String> {
     let declaration = declaration.replacen('{', "{ units: none,", 1);
     let tokens = declaration.parse().expect("the declaration is made of tokens");
@@ -28,7 +27,7 @@ fn expand(declaration: &str) -> Result<(Program, usize), String> {
     Ok((program, graph.len()))
 }
 
-/// The errors of a declaration; none if there are none.
+/// Errors of a declaration. Empty if there are none.
 fn errors(declaration: &str) -> String {
     expand(declaration).err().unwrap_or_default()
 }
@@ -41,21 +40,21 @@ fn pendulum(items: &str) -> String {
     )
 }
 
-/// Named expressions `a1` to `an`, each made of the one before it; `a0` is `first`.
+/// Named expressions `a1` to `an`, each made of the one before it. `a0` is `first`.
 fn chain(n: usize, first: &str, step: &str) -> String {
     let next = |k: usize| format!("let a{} = {},", k + 1, step.replace('@', &format!("a{k}")));
     let steps: String = (0..n).map(next).collect();
     format!("let a0 = {first}, {steps}")
 }
 
-/// The errors of a declaration, found on a stack like that of a compiler.
+/// Errors of a declaration, found on a stack of the same size as in a compiler.
 fn errors_on_stack(declaration: String) -> String {
     let thread = std::thread::Builder::new().stack_size(STACK);
     let run = thread.spawn(move || errors(&declaration)).expect("a thread");
     run.join().expect("no panic")
 }
 
-/// Checks what is refused, and what is allowed just before it.
+/// Checks a rejected declaration, and the last one allowed.
 fn assert_limit(allowed: &str, refused: &str, message: &str) {
     let run = |declaration: &str| errors_on_stack(pendulum(declaration));
     assert_eq!(run(allowed), "");
@@ -103,7 +102,7 @@ fn expressions_have_2000_tokens_and_100_levels() {
     assert_limit(&nested(100), &nested(101), "nested too deep");
 }
 
-/// Whatever stands before the name of the scene, which no rule of an expression counts.
+/// Attributes before the name of the scene, which no rule for expressions covers.
 #[test]
 fn brackets_before_the_name_of_the_scene_are_not_followed_down() {
     for attribute in ["#[x@]", "#[x = @]", "#@", "@"] {
@@ -125,7 +124,7 @@ fn operations_stand_up_to_1000_deep_in_one_another() {
         let of = |n| chain(n, "theta", "@ * theta + 1") + &format!("{end}: a{n},");
         assert_limit(&of(500), &of(501), "more than 1000 operations in one another");
     }
-    // more than 1000, of which none stands in another
+    // more than 1000 that do not contain one another
     let count = if is_thorough() { 5000 } else { 1100 };
     let many: String = (0..count).map(|k| format!("let a{k} = theta + {k},")).collect();
     let list: Vec<String> = (0..count).map(|k| format!("a{k}")).collect();
@@ -146,7 +145,7 @@ fn products_of_equal_factors_are_gathered_up_to_a_power() {
     assert_eq!(x.powi(MOST_POWER - 1) * x, high);
     assert_eq!((high * x).length(), 1 + high.length() + x.length());
     assert_eq!(high.powi(2).operands().next(), Some(high));
-    // the value is what it would be
+    // the value is unchanged
     let value = g.evaluate(&[high.powi(2) * x, high / x], |_| 1.01);
     assert!((value[0] / 1.01_f64.powi(129) - 1.0).abs() < 1e-13, "{value:?}");
     assert!((value[1] / 1.01_f64.powi(63) - 1.0).abs() < 1e-13, "{value:?}");
@@ -162,7 +161,7 @@ fn long_numbers_stay_operations_and_never_become_zero() {
     assert!(x.as_number().is_some(), "3^1024 has 1624 binary digits");
     let long = x * x;
     assert!(long.as_number().is_none() && long.constant().is_some());
-    // one more than itself is not itself, and a difference of the two is not known to vanish
+    // a number differs from one more than itself, and their difference is not found to vanish
     let more = 1 + long;
     assert_ne!(long, more);
     assert!(!(more - long).is_zero());
@@ -172,7 +171,7 @@ fn long_numbers_stay_operations_and_never_become_zero() {
     assert!(long.apply(Unary::Abs).as_number().is_none());
 }
 
-/// Whether coordinates have inertia, by the text of the bodies.
+/// True if all coordinates have inertia, for the text of the bodies.
 fn has_inertia(items: &str) -> bool {
     let found = errors(&format!("pub P {{ {items} }}"));
     assert!(found.is_empty() || found.contains("has no inertia"), "{found}");
@@ -188,16 +187,17 @@ fn inertia_is_found_whatever_the_parameters_and_the_scales() {
             body b on a {{ mass: {mass}, com: [0, -{arm}, 0], joint: revolute(z) at [0, {at}, 0], coordinate: x2 }}"
         )
     };
-    // a root that has no value but for some parameters
+    // a root that is real only for some parameters
     assert!(has_inertia(&two("l: m = 5", "-sqrt(l - 2)", "1", "1")));
     assert!(has_inertia(&two("l: m = 5", "-ln(l - 4.5)", "1", "1")));
     assert!(has_inertia(&two("", "-1", "1e-300", "1e-300")));
     assert!(has_inertia(&two("", "-1", "1e30", "1e30")));
     assert!(has_inertia(&two("m: kg = 1", "-1", "m^64", "(m^64)^64")));
-    // differences of roots that vanish, and differences that do not
+    // differences of roots, some of which vanish
     let arm = |arm: &str| {
         format!(
-            "params {{ l: m = 1 }} body a on ground {{ mass: 1, com: [0, {arm}, 0], joint: revolute(z), coordinate: x1 }}"
+            "params {{ l: m = 1 }} body a on ground {{ mass: 1, com: [0, {arm}, 0], joint: revolute(z), \
+                coordinate: x1 }}"
         )
     };
     assert!(!has_inertia(&arm("(l + 1)^2 - l^2 - 2*l - 1")));
@@ -207,19 +207,21 @@ fn inertia_is_found_whatever_the_parameters_and_the_scales() {
     assert!(has_inertia(&arm("sqrt(l^2) + l")));
     assert!(has_inertia(&arm("abs(l) + l")));
     assert!(has_inertia(&arm("tan(l) + exp(l) - tanh(l)")));
-    // a mass on the axis that it turns about, below joints whose axes have roots of one number or another
+    // a mass on its own axis of rotation, below joints whose axes have square roots of one number or another
     for axis in ["[-1, -3, -2]", "[1, 1, 0]", "[1, 1, 1]", "[0, 1, 2]", "[1, 2, 4]"] {
         let on_axis = |com: &str| {
             format!(
                 "body a on ground {{ mass: 1024, joint: prismatic({axis}), coordinate: x1 }}
-                body b on a {{ mass: 128, com: [0, {com}, 0.1875], joint: revolute(z) at [0, -0.25, 0.8125], coordinate: x2 }}"
+                body b on a {{ mass: 128, com: [0, {com}, 0.1875], joint: revolute(z) at [0, -0.25, 0.8125], \
+                    coordinate: x2 }}"
             )
         };
         assert!(!has_inertia(&on_axis("0")), "{axis}");
         assert!(has_inertia(&on_axis("1e-9")), "{axis}");
         let body = |com: &str| {
             format!(
-                "body a on ground {{ mass: 8, com: {com}, joint: revolute({axis}) at [0.375, 0, -0.8125], coordinate: x1 }}"
+                "body a on ground {{ mass: 8, com: {com}, joint: revolute({axis}) at [0.375, 0, -0.8125], \
+                    coordinate: x1 }}"
             )
         };
         assert!(!has_inertia(&body("[0, 0, 0]")), "{axis}");
@@ -228,7 +230,7 @@ fn inertia_is_found_whatever_the_parameters_and_the_scales() {
     // different functions of one argument do not cancel
     assert!(has_inertia(&arm("exp(l) - atan2(6, l)")));
     assert!(has_inertia(&arm("exp(l) - atan2(l, 6)")));
-    // two joints on one axis move one mass: only elimination shows it
+    // two joints on one axis move one mass, which only elimination detects
     let shared = |at: &str| {
         format!(
             "body a on ground {{ joint: revolute(z), coordinate: x1 }}
@@ -239,7 +241,7 @@ fn inertia_is_found_whatever_the_parameters_and_the_scales() {
     assert!(has_inertia(&shared("[0, 0.001, 0.7]")));
 }
 
-/// A body whose mass is on the axis of its joint has no inertia, which matters where accelerations are asked for.
+/// A body whose mass is on the axis of its joint has no inertia, which matters if accelerations are requested.
 #[test]
 fn inertia_is_asked_for_where_accelerations_are() {
     let on_axis = |items: &str| {
@@ -261,7 +263,8 @@ fn inertia_of_the_last_joints_is_found_beside_many_roots() {
     let mut bodies = String::from("body b0 on ground { mass: 1, joint: fixed } ");
     for (n, axis) in axes.into_iter().enumerate() {
         bodies += &format!(
-            "body b{} on b{n} {{ mass: 1, com: [1, 2, -1], inertia: [1, 1, 1], joint: revolute({axis}) at [1, 0, 2], coordinate: x{n} }} ",
+            "body b{} on b{n} {{ mass: 1, com: [1, 2, -1], inertia: [1, 1, 1], joint: revolute({axis}) at [1, 0, 2], \
+                coordinate: x{n} }} ",
             n + 1
         );
     }
@@ -270,7 +273,7 @@ fn inertia_of_the_last_joints_is_found_beside_many_roots() {
     assert!(!has_inertia(&format!("generate: [mass_matrix], {bodies} {last}")));
 }
 
-/// A parameter of the drives alone changes nothing but their forces.
+/// A parameter that occurs only in drives changes nothing but their forces.
 #[test]
 fn parameters_of_drives_matter_where_their_forces_are_generated() {
     let driven = |generate: &str| {
@@ -285,7 +288,7 @@ fn parameters_of_drives_matter_where_their_forces_are_generated() {
     assert!(driven("rhs, energy").contains("parameter `k` changes nothing"));
 }
 
-/// What a family of declarations is of, and its declaration of a size.
+/// Subject of a family of declarations, and its declaration of a given size.
 type Family = (&'static str, Box<dyn Fn(usize) -> String>);
 
 #[test]
@@ -328,17 +331,18 @@ fn work_grows_with_the_square_of_a_declaration_at_most() {
             let (program, nodes) = expand(&family(n)).unwrap_or_else(|errors| panic!("{name}: {errors}"));
             nodes + format!("{:#}{}", program.equations, program.equations).len()
         };
-        // shorter chains are multiplied out, where that helps, and may be longer than these
+        // shorter chains are multiplied out where that helps, and may be longer than these
         let [first, second] = [12, 24].map(work);
         assert!(second <= 4 * first, "{name}: {first}, then {second}");
     }
 }
 
-/// A body that turns and others that are fixed to it in a row, each turned against the last.
+/// A body that turns, followed by a row of fixed bodies, each turned relative to the last.
 fn fixed(n: usize) -> String {
     let next = |k: usize| {
         format!(
-            "body b{} on b{k} {{ mass: 0.1{k}, com: [0.0{k}, 0.02, 0.03], inertia: [0.01, 0.02, 0.015, 0.001, 0.002, 0.0015],
+            "body b{} on b{k} {{ mass: 0.1{k}, com: [0.0{k}, 0.02, 0.03], \
+                inertia: [0.01, 0.02, 0.015, 0.001, 0.002, 0.0015],
                 joint: fixed at [0.1{k}, 0.2, 0.3{k}] rpy [0.{k}1, -0.2{k}, 0.3{k}] }}",
             k + 1
         )
@@ -346,11 +350,12 @@ fn fixed(n: usize) -> String {
     let others: String = (0..n).map(next).collect();
     format!(
         "pub F {{ gravity: [0, 0, -9.81],
-        body b0 on ground {{ mass: 1, com: [0.1, 0.2, 0.3], joint: revolute(x) rpy [0.1, 0.2, 0.3], coordinate: theta }} {others} }}"
+        body b0 on ground {{ mass: 1, com: [0.1, 0.2, 0.3], joint: revolute(x) rpy [0.1, 0.2, 0.3], \
+            coordinate: theta }} {others} }}"
     )
 }
 
-/// Scenes that would take minutes to expand are refused at once, without a stand-in of their size.
+/// Scenes that would take minutes to expand are rejected at once, without a stand-in of their size.
 #[test]
 fn of_motions() {
     let chain = |count: usize| -> proc_macro2::TokenStream {

@@ -1,4 +1,4 @@
-//! Closed loops against the same trees with their loops open, held together by multipliers.
+//! Closed loops against the same mechanisms with open loops, held together by multipliers.
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
@@ -9,13 +9,14 @@ use crate::form::{Forms, drive_forces, loop_wrenches};
 use crate::model::{Model, Poses};
 use crate::screw::Vec3;
 
-/// Scenes whose output `gaps` are the ends of their loops apart.
+/// Scenes with an output `gaps` that lists the closure errors of their loops.
 pub(super) const SCENES: [&str; 12] = [
-    // forces of every kind on what depends, in parameters
+    // forces of every kind on dependent bodies, in parameters
     "pub FourBar {
         params { a: m = 0.2, b: m = 0.5, c: m = 0.4, k: N m = 3 }
         gravity: [1, -9.81, 0],
-        body crank on ground { mass: 0.5, com: [0.1, 0.02, 0], inertia: 0.002, joint: revolute(z), coordinate: q1 near 0.8, friction: 0.3 }
+        body crank on ground { mass: 0.5, com: [0.1, 0.02, 0], inertia: 0.002, joint: revolute(z), \
+            coordinate: q1 near 0.8, friction: 0.3 }
         body coupler on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: 0.02,
             joint: revolute(z) at [a, 0, 0], coordinate: q2 depends near -0.3, spring: (k, 0.4), friction: 0.2 }
         body rocker on ground { mass: 0.9, com: [0.2, 0.1, 0], inertia: 0.01,
@@ -29,19 +30,25 @@ pub(super) const SCENES: [&str; 12] = [
     // an inclined slider beside the crank, angles from ground
     "pub SliderCrank {
         gravity: [0, -9.81, 0],
-        body crank on ground { mass: 0.36, com: [0.08, 0, 0], inertia: 0.0007, joint: revolute(z), coordinate: q1 near 0.8 }
-        body rod on crank { mass: 0.15, com: [0.15, 0.01, 0], inertia: 0.0012, joint: revolute(z) at [0.15, 0, 0], coordinate: q2 absolute depends near -0.4 }
-        body piston on ground { mass: 0.07, com: [0.01, 0, 0], inertia: 0.01, joint: prismatic([4, 1, 0]) at [0, -0.02, 0], coordinate: q3 depends near 0.4, friction: 1.5 }
+        body crank on ground { mass: 0.36, com: [0.08, 0, 0], inertia: 0.0007, joint: revolute(z), \
+            coordinate: q1 near 0.8 }
+        body rod on crank { mass: 0.15, com: [0.15, 0.01, 0], inertia: 0.0012, joint: revolute(z) at [0.15, 0, 0], \
+            coordinate: q2 absolute depends near -0.4 }
+        body piston on ground { mass: 0.07, com: [0.01, 0, 0], inertia: 0.01, \
+            joint: prismatic([4, 1, 0]) at [0, -0.02, 0], coordinate: q3 depends near 0.4, friction: 1.5 }
         close rod at [0.3, 0, 0] to piston: revolute(z),
         point p on rod at [0.3, 0, 0], point r on piston,
         output gaps: [p.x - r.x, p.y - r.y],
     }",
-    // what slides does so on a side that turns
+    // the slider moves along a rotating arm
     "pub Whitworth {
         gravity: [0, -9.81, 0],
-        body crank on ground { mass: 0.36, com: [0.08, 0, 0], inertia: 0.0007, joint: revolute(z), coordinate: q1 near 0.8 }
-        body arm on ground { mass: 1, com: [0.2, 0.1, 0], inertia: 0.03, joint: revolute(z) at [0, -0.5, 0], coordinate: q2 depends near 1.4, friction: 0.1 }
-        body block on arm { mass: 0.3, com: [0.01, 0.02, 0], inertia: 0.01, joint: prismatic(x) at [0.1, 0.03, 0], coordinate: q3 depends near 0.4 }
+        body crank on ground { mass: 0.36, com: [0.08, 0, 0], inertia: 0.0007, joint: revolute(z), \
+            coordinate: q1 near 0.8 }
+        body arm on ground { mass: 1, com: [0.2, 0.1, 0], inertia: 0.03, joint: revolute(z) at [0, -0.5, 0], \
+            coordinate: q2 depends near 1.4, friction: 0.1 }
+        body block on arm { mass: 0.3, com: [0.01, 0.02, 0], inertia: 0.01, joint: prismatic(x) at [0.1, 0.03, 0], \
+            coordinate: q3 depends near 0.4 }
         close crank at [0.2, 0, 0] to block at [0.02, 0.01, 0]: revolute(z),
         point p on crank at [0.2, 0, 0], point r on block at [0.02, 0.01, 0],
         output gaps: [p.x - r.x, p.y - r.y],
@@ -49,48 +56,67 @@ pub(super) const SCENES: [&str; 12] = [
     // one crank is driven
     "pub FiveBar {
         gravity: [0, -9.81, 0],
-        body left on ground { mass: 0.4, com: [0.12, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: q1 near 2.2 }
-        body left_bar on left { mass: 0.3, com: [0.17, 0, 0], inertia: 0.003, joint: revolute(z) at [0.25, 0, 0], coordinate: q2 depends near -1.7 }
-        body right on ground { mass: 0.4, com: [0.12, 0, 0], inertia: 0.002, joint: revolute(z) at [0.3, 0, 0], motion: 0.9 + 0.2*sin(3*t) }
-        body right_bar on right { mass: 0.3, com: [0.17, 0, 0], inertia: 0.003, joint: revolute(z) at [0.25, 0, 0], coordinate: q3 depends near 1.7 }
+        body left on ground { mass: 0.4, com: [0.12, 0, 0], inertia: 0.002, joint: revolute(z), \
+            coordinate: q1 near 2.2 }
+        body left_bar on left { mass: 0.3, com: [0.17, 0, 0], inertia: 0.003, joint: revolute(z) at [0.25, 0, 0], \
+            coordinate: q2 depends near -1.7 }
+        body right on ground { mass: 0.4, com: [0.12, 0, 0], inertia: 0.002, joint: revolute(z) at [0.3, 0, 0], \
+            motion: 0.9 + 0.2*sin(3*t) }
+        body right_bar on right { mass: 0.3, com: [0.17, 0, 0], inertia: 0.003, joint: revolute(z) at [0.25, 0, 0], \
+            coordinate: q3 depends near 1.7 }
         close left_bar at [0.35, 0, 0] to right_bar at [0.35, 0, 0]: revolute(z),
         point p on left_bar at [0.35, 0, 0], point r on right_bar at [0.35, 0, 0],
         output gaps: [p.x - r.x, p.y - r.y],
     }",
-    // on a carrier that turns about another axis, and a body that hangs on what depends
+    // on a carrier that turns about another axis, with a body that hangs on a dependent one
     "pub Carried {
         gravity: [0, 1, -9.81],
-        body carrier on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.3, 0.4, 0.5], joint: revolute(z), coordinate: q1 }
+        body carrier on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.3, 0.4, 0.5], joint: revolute(z), \
+            coordinate: q1 }
         body thigh on carrier { mass: 0.5, com: [0.1, 0.02, 0], inertia: [0.002, 0.003, 0.004],
             joint: revolute(x) at [0.3, 0, 0], coordinate: q2 near 0.8, friction: 0.3 }
-        body coupler on thigh { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], joint: revolute(x) at [0, 0.2, 0], coordinate: q3 depends near -0.3 }
-        body rocker on carrier { mass: 0.9, com: [0.2, 0.1, 0], inertia: [0.01, 0.02, 0.02], joint: revolute(x) at [0.3, 0.6, 0], coordinate: q4 depends near 1.6 }
-        body bell on coupler { mass: 0.4, com: [0, 0, -0.2], inertia: [0.01, 0.01, 0.003], joint: revolute(x) at [0, 0.3, 0], coordinate: q5 }
-        body tongue on bell { mass: 0.2, com: [0, 0, -0.2], inertia: [0.01, 0.01, 0.003], joint: revolute(y) at [0, 0.1, 0], coordinate: q6 }
+        body coupler on thigh { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], \
+            joint: revolute(x) at [0, 0.2, 0], coordinate: q3 depends near -0.3 }
+        body rocker on carrier { mass: 0.9, com: [0.2, 0.1, 0], inertia: [0.01, 0.02, 0.02], \
+            joint: revolute(x) at [0.3, 0.6, 0], coordinate: q4 depends near 1.6 }
+        body bell on coupler { mass: 0.4, com: [0, 0, -0.2], inertia: [0.01, 0.01, 0.003], \
+            joint: revolute(x) at [0, 0.3, 0], coordinate: q5 }
+        body tongue on bell { mass: 0.2, com: [0, 0, -0.2], inertia: [0.01, 0.01, 0.003], \
+            joint: revolute(y) at [0, 0.1, 0], coordinate: q6 }
         close coupler at [0.02, 0.5, 0] to rocker at [0.02, 0.4, 0]: revolute(x),
         point p on coupler at [0, 0.5, 0], point r on rocker at [0, 0.4, 0],
         output gaps: [(p.x - r.x)*cos(q1) + (p.y - r.y)*sin(q1), (p.y - r.y)*cos(q1) - (p.x - r.x)*sin(q1), p.z - r.z],
     }",
-    // a side of which a part moves by itself, in both ways
+    // a side with an independent part, in both directions
     "pub Telescope {
         gravity: [0, -9.81, 0],
-        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: q1 near 0.8 }
-        body tube on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: 0.02, joint: revolute(z) at [0.2, 0, 0], coordinate: q2 depends near -0.3 }
-        body stem on tube { mass: 0.3, com: [0.05, 0, 0], inertia: 0.003, joint: prismatic(x) at [0.2, 0, 0], coordinate: q3 near 0.15 }
-        body foot on stem { mass: 0.2, com: [0.05, 0.01, 0], inertia: 0.001, joint: revolute(z) at [0.05, 0, 0], coordinate: q4 near 0.3 }
-        body rocker on ground { mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.6, 0, 0], coordinate: q5 depends near 1.6 }
+        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), \
+            coordinate: q1 near 0.8 }
+        body tube on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: 0.02, joint: revolute(z) at [0.2, 0, 0], \
+            coordinate: q2 depends near -0.3 }
+        body stem on tube { mass: 0.3, com: [0.05, 0, 0], inertia: 0.003, joint: prismatic(x) at [0.2, 0, 0], \
+            coordinate: q3 near 0.15 }
+        body foot on stem { mass: 0.2, com: [0.05, 0.01, 0], inertia: 0.001, joint: revolute(z) at [0.05, 0, 0], \
+            coordinate: q4 near 0.3 }
+        body rocker on ground { mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.6, 0, 0], \
+            coordinate: q5 depends near 1.6 }
         close foot at [0.1, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
         point p on foot at [0.1, 0, 0], point r on rocker at [0.4, 0, 0],
         output gaps: [p.x - r.x, p.y - r.y],
     }",
-    // neither loop is a triangle, their difference is
+    // neither loop is a triangle, but their difference is
     "pub Difference {
         gravity: [0, -9.81, 0],
-        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: q1 near 0.8 }
-        body coupler on crank { mass: 1.1, com: [0.2, 0, 0], inertia: 0.02, joint: revolute(z) at [0.2, 0, 0], coordinate: q2 depends near -0.3 }
-        body rocker on ground { mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.6, 0, 0], coordinate: q3 depends near 1.6 }
-        body arm on ground { mass: 0.4, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.2, 0.9, 0], coordinate: q4 depends near -1.5 }
-        body hand on arm { mass: 0.3, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.4, 0, 0], coordinate: q5 depends near 1 }
+        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), \
+            coordinate: q1 near 0.8 }
+        body coupler on crank { mass: 1.1, com: [0.2, 0, 0], inertia: 0.02, joint: revolute(z) at [0.2, 0, 0], \
+            coordinate: q2 depends near -0.3 }
+        body rocker on ground { mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.6, 0, 0], \
+            coordinate: q3 depends near 1.6 }
+        body arm on ground { mass: 0.4, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.2, 0.9, 0], \
+            coordinate: q4 depends near -1.5 }
+        body hand on arm { mass: 0.3, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.4, 0, 0], \
+            coordinate: q5 depends near 1 }
         close coupler at [0.5, 0, 0] to hand at [0.4, 0, 0]: revolute(z),
         close rocker at [0.4, 0, 0] to hand at [0.4, 0, 0]: revolute(z),
         point p on coupler at [0.5, 0, 0], point r on rocker at [0.4, 0, 0], point s on hand at [0.4, 0, 0],
@@ -100,26 +126,37 @@ pub(super) const SCENES: [&str; 12] = [
     "pub DoubleFourBar {
         gravity: [0, -9.81, 0],
         body first on ground { mass: 1, com: [0, 0.5, 0], inertia: 0.1, joint: revolute(z), coordinate: q1 near 0.2 }
-        body beam on first { mass: 1, com: [0.5, 0, 0], inertia: 0.1, joint: revolute(z) at [0, 1, 0], coordinate: q2 depends near -0.2 }
-        body second on ground { mass: 1, com: [0, 0.5, 0], inertia: 0.1, joint: revolute(z) at [1, 0, 0], coordinate: q3 depends near 0.2 }
-        body other on second { mass: 1, com: [0.5, 0, 0], inertia: 0.1, joint: revolute(z) at [0, 1, 0], coordinate: q4 depends near -0.2 }
-        body third on ground { mass: 1, com: [0, 0.5, 0], inertia: 0.1, joint: revolute(z) at [2, 0, 0], coordinate: q5 depends near 0.2 }
+        body beam on first { mass: 1, com: [0.5, 0, 0], inertia: 0.1, joint: revolute(z) at [0, 1, 0], \
+            coordinate: q2 depends near -0.2 }
+        body second on ground { mass: 1, com: [0, 0.5, 0], inertia: 0.1, joint: revolute(z) at [1, 0, 0], \
+            coordinate: q3 depends near 0.2 }
+        body other on second { mass: 1, com: [0.5, 0, 0], inertia: 0.1, joint: revolute(z) at [0, 1, 0], \
+            coordinate: q4 depends near -0.2 }
+        body third on ground { mass: 1, com: [0, 0.5, 0], inertia: 0.1, joint: revolute(z) at [2, 0, 0], \
+            coordinate: q5 depends near 0.2 }
         close beam at [1, 0, 0] to second at [0, 1, 0]: revolute(z),
         close other at [1, 0.1, 0] to third at [0, 1.1, 0]: revolute(z),
-        point p on beam at [1, 0, 0], point r on second at [0, 1, 0], point s on other at [1, 0.1, 0], point u on third at [0, 1.1, 0],
+        point p on beam at [1, 0, 0], point r on second at [0, 1, 0], point s on other at [1, 0.1, 0], \
+            point u on third at [0, 1.1, 0],
         output gaps: [p.x - r.x, p.y - r.y, s.x - u.x, s.y - u.y],
     }",
     // three rods hold a plate, one of them on a crank: no loop is a triangle
     "pub Plate {
         gravity: [0, -9.81, 0],
-        body crank on ground { mass: 0.5, com: [0.05, 0.01, 0], inertia: 0.002, joint: revolute(z), coordinate: q1 near 0.8 }
-        body rod on crank { mass: 0.3, com: [0.2, 0, 0], inertia: 0.004, joint: revolute(z) at [0.15, 0, 0], coordinate: q2 depends near 0.2, friction: 0.3 }
-        body left on ground { mass: 0.4, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [-0.45, 0, 0], coordinate: q3 depends near 1.8 }
-        body plate on left { mass: 1.1, com: [0.2, 0.1, 0], inertia: 0.02, joint: revolute(z) at [0.5, 0, 0], coordinate: q4 depends near -1.7, torque: 0.2*sin(q) }
-        body right on ground { mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.7, 0.1, 0], coordinate: q5 depends near 1.4 }
+        body crank on ground { mass: 0.5, com: [0.05, 0.01, 0], inertia: 0.002, joint: revolute(z), \
+            coordinate: q1 near 0.8 }
+        body rod on crank { mass: 0.3, com: [0.2, 0, 0], inertia: 0.004, joint: revolute(z) at [0.15, 0, 0], \
+            coordinate: q2 depends near 0.2, friction: 0.3 }
+        body left on ground { mass: 0.4, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [-0.45, 0, 0], \
+            coordinate: q3 depends near 1.8 }
+        body plate on left { mass: 1.1, com: [0.2, 0.1, 0], inertia: 0.02, joint: revolute(z) at [0.5, 0, 0], \
+            coordinate: q4 depends near -1.7, torque: 0.2*sin(q) }
+        body right on ground { mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.7, 0.1, 0], \
+            coordinate: q5 depends near 1.4 }
         close plate at [0.95, -0.15, 0] to rod at [0.4, 0, 0]: revolute(z),
         close plate at [1.45, -0.04, 0] to right at [0.5, 0, 0]: revolute(z),
-        point p on plate at [0.95, -0.15, 0], point r on rod at [0.4, 0, 0], point s on plate at [1.45, -0.04, 0], point u on right at [0.5, 0, 0],
+        point p on plate at [0.95, -0.15, 0], point r on rod at [0.4, 0, 0], point s on plate at [1.45, -0.04, 0], \
+            point u on right at [0.5, 0, 0],
         potential: 0.2*(q2 - q5)^2,
         output gaps: [p.x - r.x, p.y - r.y, s.x - u.x, s.y - u.y],
     }",
@@ -127,10 +164,14 @@ pub(super) const SCENES: [&str; 12] = [
     "pub Spatial {
         params { l: m = 0.65 }
         gravity: [0, 1, -9.81],
-        body crank on ground { mass: 0.5, com: [0.05, 0.01, 0], inertia: [0.001, 0.002, 0.002], joint: revolute(z), coordinate: q1 near 0.8 }
-        body yoke on crank { mass: 0.1, com: [0, 0, 0.01], inertia: [0.001, 0.002, 0.002], joint: revolute(z) at [0.15, 0, 0.02], coordinate: q2 depends near -0.5, friction: 0.1 }
-        body rod on yoke { mass: 0.4, com: [0.3, 0, 0], inertia: [0.001, 0.01, 0.01], joint: revolute(y), coordinate: q3 depends near -0.6 }
-        body rocker on ground { mass: 0.9, com: [0, 0.2, 0.1], inertia: [0.02, 0.01, 0.01], joint: revolute([1, 0, 0.2]) at [0.6, 0, 0.1], coordinate: q4 depends near 0.7, spring: (2, 0.4) }
+        body crank on ground { mass: 0.5, com: [0.05, 0.01, 0], inertia: [0.001, 0.002, 0.002], joint: revolute(z), \
+            coordinate: q1 near 0.8 }
+        body yoke on crank { mass: 0.1, com: [0, 0, 0.01], inertia: [0.001, 0.002, 0.002], \
+            joint: revolute(z) at [0.15, 0, 0.02], coordinate: q2 depends near -0.5, friction: 0.1 }
+        body rod on yoke { mass: 0.4, com: [0.3, 0, 0], inertia: [0.001, 0.01, 0.01], joint: revolute(y), \
+            coordinate: q3 depends near -0.6 }
+        body rocker on ground { mass: 0.9, com: [0, 0.2, 0.1], inertia: [0.02, 0.01, 0.01], \
+            joint: revolute([1, 0, 0.2]) at [0.6, 0, 0.1], coordinate: q4 depends near 0.7, spring: (2, 0.4) }
         close rod at [l, 0, 0] to rocker at [0, 0.4, 0.1]: ball,
         point p on rod at [l, 0, 0], point r on rocker at [0, 0.4, 0.1],
         force on p: [0.2, 0.1, 0.3],
@@ -139,9 +180,12 @@ pub(super) const SCENES: [&str; 12] = [
     // Bennett's linkage: of five equations two are sums of the others
     "pub Bennett {
         gravity: [0, 1, -9.81],
-        body first on ground { mass: 0.5, com: [0.2, 0.01, 0], inertia: [0.001, 0.02, 0.02], joint: revolute(z) at [0.8, 0, 0] rpy [0.8928089789005025, 0, 0], coordinate: q1 near 2 }
-        body second on first { mass: 0.7, com: [0.4, 0.01, 0], inertia: [0.001, 0.03, 0.03], joint: revolute(z) at [0.4, 0, 0] rpy [0.4, 0, 0], coordinate: q2 depends near 1.97, friction: 0.2 }
-        body third on second { mass: 0.5, com: [0.2, 0.01, 0], inertia: [0.001, 0.02, 0.02], joint: revolute(z) at [0.8, 0, 0] rpy [0.8928089789005025, 0, 0], coordinate: q3 depends near -2 }
+        body first on ground { mass: 0.5, com: [0.2, 0.01, 0], inertia: [0.001, 0.02, 0.02], \
+            joint: revolute(z) at [0.8, 0, 0] rpy [0.8928089789005025, 0, 0], coordinate: q1 near 2 }
+        body second on first { mass: 0.7, com: [0.4, 0.01, 0], inertia: [0.001, 0.03, 0.03], \
+            joint: revolute(z) at [0.4, 0, 0] rpy [0.4, 0, 0], coordinate: q2 depends near 1.97, friction: 0.2 }
+        body third on second { mass: 0.5, com: [0.2, 0.01, 0], inertia: [0.001, 0.02, 0.02], \
+            joint: revolute(z) at [0.8, 0, 0] rpy [0.8928089789005025, 0, 0], coordinate: q3 depends near -2 }
         close third at [0.4, 0, 0] rpy [0.4, 0, 0] to ground: revolute(z),
         point p on third at [0.4, 0, 0], point r on third at [0.4, -sin(0.4), cos(0.4)],
         output gaps: [p.x, p.y, p.z, r.x, r.y],
@@ -149,22 +193,30 @@ pub(super) const SCENES: [&str; 12] = [
     // a block that slides on the ground, beside a loop that is a triangle; both on a carrier, one crank driven
     "pub Sliding {
         gravity: [0, 1, -9.81],
-        body carrier on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.3, 0.4, 0.5], joint: revolute(z), coordinate: q1 }
-        body crank on carrier { mass: 0.5, com: [0.1, 0.02, 0], inertia: [0.002, 0.003, 0.004], joint: revolute(z) at [0.3, 0, 0], motion: 0.8 + 0.3*sin(2*t) }
-        body coupler on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], joint: revolute(z) at [0.2, 0, 0], coordinate: q2 depends near -0.3 }
-        body rocker on carrier { mass: 0.9, com: [0.2, 0.1, 0], inertia: [0.01, 0.02, 0.02], joint: revolute(z) at [0.9, 0, 0], coordinate: q3 depends near 1.6 }
-        body rod on rocker { mass: 0.3, com: [0.2, 0, 0], inertia: [0.001, 0.01, 0.01], joint: revolute(z) at [0.3, 0, 0], coordinate: q4 depends near -2 }
-        body block on rod { mass: 0.2, com: [0, 0, 0], inertia: [0.001, 0.001, 0.002], joint: revolute(z) at [0.5, 0, 0], coordinate: q5 depends near 0.4 }
+        body carrier on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.3, 0.4, 0.5], joint: revolute(z), \
+            coordinate: q1 }
+        body crank on carrier { mass: 0.5, com: [0.1, 0.02, 0], inertia: [0.002, 0.003, 0.004], \
+            joint: revolute(z) at [0.3, 0, 0], motion: 0.8 + 0.3*sin(2*t) }
+        body coupler on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], \
+            joint: revolute(z) at [0.2, 0, 0], coordinate: q2 depends near -0.3 }
+        body rocker on carrier { mass: 0.9, com: [0.2, 0.1, 0], inertia: [0.01, 0.02, 0.02], \
+            joint: revolute(z) at [0.9, 0, 0], coordinate: q3 depends near 1.6 }
+        body rod on rocker { mass: 0.3, com: [0.2, 0, 0], inertia: [0.001, 0.01, 0.01], \
+            joint: revolute(z) at [0.3, 0, 0], coordinate: q4 depends near -2 }
+        body block on rod { mass: 0.2, com: [0, 0, 0], inertia: [0.001, 0.001, 0.002], \
+            joint: revolute(z) at [0.5, 0, 0], coordinate: q5 depends near 0.4 }
         close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
         close block to carrier at [0, 0.1, 0]: prismatic(x),
-        point p on coupler at [0.5, 0, 0], point r on rocker at [0.4, 0, 0], point s on block, point u on block at [1, 0, 0], point o on carrier at [0, 0.1, 0], point i on carrier at [0, 1.1, 0],
-        output gaps: [p.x - r.x, p.y - r.y, (s.x - o.x)*(i.x - o.x) + (s.y - o.y)*(i.y - o.y), (u.x - s.x)*(i.x - o.x) + (u.y - s.y)*(i.y - o.y)],
+        point p on coupler at [0.5, 0, 0], point r on rocker at [0.4, 0, 0], point s on block, \
+            point u on block at [1, 0, 0], point o on carrier at [0, 0.1, 0], point i on carrier at [0, 1.1, 0],
+        output gaps: [p.x - r.x, p.y - r.y, (s.x - o.x)*(i.x - o.x) + (s.y - o.y)*(i.y - o.y), \
+            (u.x - s.x)*(i.x - o.x) + (u.y - s.y)*(i.y - o.y)],
     }",
 ];
 
 const TIME: f64 = 0.3;
 
-/// The declaration of the same bodies without loops.
+/// Declaration of the same bodies without loops.
 fn opened(text: &str) -> String {
     let lines = text.lines().filter(|line| !line.trim().starts_with("close "));
     let without_guess = |line: &str| match line.split_once(" near ") {
@@ -177,7 +229,7 @@ fn opened(text: &str) -> String {
     lines.map(without_guess).collect::<String>().replace(" depends", "")
 }
 
-/// The values of expressions, where coordinates and rates have values by their names.
+/// Values of expressions, for values of coordinates and rates by name.
 fn values<'g>(model: &Model<'g>, roots: &[Expr<'g>], state: &impl Fn(&str) -> f64) -> Vec<f64> {
     let roots = model.written_out(&model.with_drives(roots));
     let value = |symbol: &Symbol| match symbol.kind {
@@ -188,7 +240,7 @@ fn values<'g>(model: &Model<'g>, roots: &[Expr<'g>], state: &impl Fn(&str) -> f6
     model.graph.evaluate(&roots, value)
 }
 
-/// The state of a scene by name.
+/// State of a scene by name.
 fn state_of<'a>(names: &'a [String], q: &'a [f64], qd: &'a [f64]) -> impl Fn(&str) -> f64 + 'a {
     move |name| {
         let place = |own: &str| names.iter().position(|known| known == own);
@@ -207,9 +259,7 @@ fn names(model: &Model<'_>) -> Vec<String> {
     model.coordinates.iter().map(|c| c.name.clone()).collect()
 }
 
-/// The accelerations of an open tree whose gaps are held closed by multipliers.
-///
-/// After them the forces of the drives.
+/// Accelerations of an open tree whose gaps are held closed by multipliers, followed by the forces of the drives.
 fn by_multipliers(open: &Model<'_>, q: &[f64], qd: &[f64]) -> (DVector<f64>, Vec<f64>) {
     let (names, n) = (names(open), q.len());
     let state = state_of(&names, q, qd);
@@ -305,7 +355,7 @@ fn loops_move_as_with_multipliers() {
                 dependents.zip(corrections).for_each(|(q, correction)| *q += correction);
             }
             let state = state_of(&of_state, &q, &qd);
-            // what depends, by its symbols
+            // dependent coordinates, by their symbols
             let dependent = |name: &str| {
                 let mut known = closed
                     .loops
@@ -359,7 +409,8 @@ fn loops_move_as_with_multipliers() {
     }
 }
 
-/// The wrenches between the ends of loops are what the open tree lacks for accelerations that keep the loops closed.
+/// Asserts that the wrenches between the ends of loops balance the open tree at accelerations that keep the loops
+/// closed.
 fn assert_supplied(
     closed: &Model<'_>,
     open: &Model<'_>,
@@ -397,9 +448,9 @@ fn assert_supplied(
     assert_near("wrenches", &supplied, &values(open, &lacking, state), 1e-11);
 }
 
-/// The Jacobian, and the rates of the momenta, against differences.
+/// Checks the Jacobian, and the rates of the momenta, against differences.
 fn assert_derivatives<'g>(closed: &Model<'g>, forms: &mut Forms<'g>, free: &[String], q: &[f64], qd: &[f64]) {
-    /// Differences of fourth order lose some four digits of sixteen.
+    /// Step of the fourth-order differences, which lose some four of sixteen digits.
     const STEP: f64 = 1e-3;
     let roots = forms.accelerations().roots;
     let accelerations = |q: &[f64], qd: &[f64]| values(closed, &roots, &state_of(free, q, qd));

@@ -1,4 +1,4 @@
-//! Tests of the inside of the generator, and what several of them share.
+//! Unit tests of the generator, and helpers shared by several of them.
 
 mod base_parameters;
 mod coefficients;
@@ -23,20 +23,20 @@ use crate::lower::lower;
 use crate::model::Model;
 use crate::parse::parse;
 
-/// More than any test needs.
+/// Budget of normal forms, in products of terms: more than any test needs.
 const BUDGET: usize = 10_000_000;
 
-/// Runs all cases rather than a share of them, as `testbed::random::share` does for other packages.
+/// True if all cases run rather than a share of them, like `testbed::random::share` for other packages.
 fn is_thorough() -> bool {
     std::env::var_os("PENDULUM_THOROUGH").is_some()
 }
 
-/// The model of a declaration, whose units do not matter to its algebra.
+/// Model of a declaration without units, which do not matter to its algebra.
 fn model<'g>(graph: &'g Graph, declaration: &str) -> Model<'g> {
     with_units(graph, &declaration.replacen('{', "{ units: none,", 1))
 }
 
-/// The model of a declaration.
+/// Model of a declaration.
 fn with_units<'g>(graph: &'g Graph, declaration: &str) -> Model<'g> {
     let tokens = declaration.parse().expect("the declaration is made of tokens");
     let (scene, errors) = parse(tokens);
@@ -46,14 +46,14 @@ fn with_units<'g>(graph: &'g Graph, declaration: &str) -> Model<'g> {
     lowered.unwrap_or_else(|errors| panic!("{errors}")).model
 }
 
-/// The model of a declaration, and its dynamics from A, B and C.
+/// Model of a declaration, and its dynamics from A, B and C.
 fn dynamics<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>) {
     let model = model(graph, declaration);
     let dynamics = Dynamics::new(&model);
     (model, dynamics)
 }
 
-/// A formula written by hand, in the symbols of a model.
+/// Expression of a hand-written formula in the symbols of a model.
 fn formula<'g>(model: &Model<'g>, text: &str) -> Expr<'g> {
     let expr: ast::Expr = syn::parse_str(text).unwrap_or_else(|error| panic!("{text}: {error}"));
     read(model, &expr)
@@ -95,7 +95,7 @@ fn read<'g>(model: &Model<'g>, expr: &ast::Expr) -> Expr<'g> {
     }
 }
 
-/// A symbol of a model by its name.
+/// Symbol of a model by name.
 fn symbol<'g>(model: &Model<'g>, name: &str) -> Expr<'g> {
     let parameters = model.parameters.iter().map(|p| (p.name.clone(), p.symbol));
     let coordinates = model
@@ -110,7 +110,7 @@ fn symbol<'g>(model: &Model<'g>, name: &str) -> Expr<'g> {
     found.unwrap_or_else(|| panic!("no symbol {name}")).1
 }
 
-/// The normal form as text: equal for two expressions exactly when they are equal.
+/// Text of the normal form: equal for two expressions exactly if the expressions are equal.
 fn normal_text(x: Expr<'_>) -> String {
     let mut normalizer = Normalizer::new(x.graph(), BUDGET);
     let normal = normalizer.normal(x).expect("small enough");
@@ -123,7 +123,7 @@ fn assert_formula<'g>(model: &Model<'g>, what: &str, x: Expr<'g>, text: &str) {
     assert_eq!(normal_text(difference), "0", "{what} is not {text}");
 }
 
-/// Numbers without a pattern: a Weyl sequence.
+/// Quasi-random numbers: a Weyl sequence.
 fn numbers(seed: u32) -> impl FnMut() -> f64 {
     let mut at = f64::from(seed);
     move || {
@@ -132,7 +132,7 @@ fn numbers(seed: u32) -> impl FnMut() -> f64 {
     }
 }
 
-/// Where a scene says that a coordinate is assembled.
+/// Guess of a coordinate in the declaration, after `near`.
 fn near(text: &str, coordinate: &str) -> Option<f64> {
     let (_, after) = text.split_once(&format!("coordinate: {coordinate} "))?;
     let (_, number) = after.split([',', '}']).next()?.split_once("near ")?;

@@ -1,10 +1,10 @@
-//! The normal form: two expressions are equal exactly when they print the same.
+//! Normal form: two expressions are equal exactly if their normal forms print identically.
 
 use super::{BUDGET, dynamics, formula, model, normal_text, numbers};
 use crate::expr::{Graph, Normalizer, Printer, SymbolKind, TooLarge};
 use crate::pass::{Operations, collect, share};
 
-/// A scene that declares the symbols of the formulas: parameters a, b, c and coordinates x, y, z.
+/// Scene that declares the symbols of the formulas: parameters a, b, c and coordinates x, y, z.
 const SYMBOLS: &str = "pub Symbols {
     params { a: 1, b: 1, c: 1 }
     body p on ground { mass: a, com: [0, b, 0], joint: revolute(z), coordinate: x }
@@ -51,7 +51,7 @@ fn equal_expressions_print_the_same() {
     }
 }
 
-/// Normal form, collected angles and shared parts are rewritings: the value stays.
+/// Normal form, collection of angles and sharing of common subexpressions preserve values.
 #[test]
 fn passes_do_not_change_values() {
     let g = &Graph::new();

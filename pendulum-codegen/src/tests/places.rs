@@ -1,8 +1,8 @@
-//! Constants that name the places of coordinates in the state.
+//! Constants for the indices of coordinates in the state.
 
 use crate::program;
 
-/// What is said of a scene with two coordinates.
+/// Errors of a scene with two coordinates.
 fn errors(coordinates: [&str; 2]) -> Option<String> {
     let [first, second] = coordinates;
     let scene = format!(

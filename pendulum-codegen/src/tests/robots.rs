@@ -1,15 +1,15 @@
-//! Robots from files, beside the same bodies written by hand.
+//! Robots from files against the same bodies written by hand.
 
 use std::path::Path;
 
 use crate::{expand, expand_in, program_in};
 
-/// `tests/robots`
+/// Path of `tests/robots`.
 fn folder() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/robots")
 }
 
-/// The code of a scene.
+/// Code of a scene.
 fn code(items: &str) -> String {
     let text = format!("pub Arm {{ gravity: [0, 0, -9.81], {items} }}");
     let code = expand_in(&folder(), text.parse().expect("tokens")).to_string();
@@ -17,7 +17,7 @@ fn code(items: &str) -> String {
     code
 }
 
-/// The code of a scene with a robot, without what the documentation says of the file, and without its limits.
+/// Code of a scene with a robot, without the documentation of the file and without its limits.
 fn from_file(items: &str) -> String {
     let code = code(items);
     let (before, note) = code
@@ -34,7 +34,7 @@ fn from_file(items: &str) -> String {
     format!("{before}{}", after.trim_start())
 }
 
-/// Asserts that a scene with the robot `arm.urdf`, and other bodies, is one of bodies written by hand.
+/// Asserts that a scene with the robot `arm.urdf` and other bodies gives the same code as bodies written by hand.
 fn assert_same(robot: &str, by_hand: &str) {
     assert!(from_file(robot) == code(by_hand), "{robot}\n{by_hand}");
 }
@@ -52,7 +52,7 @@ const FOREARM: &str = "body forearm on upper_arm {
 #[test]
 fn a_robot_is_its_links() {
     assert_same("robot: urdf(\"arm.urdf\"),", &format!("{BASE} {UPPER} {FOREARM}"));
-    // the order of items does not matter, but bodies of the scene come after those of the robot
+    // the order of items does not matter, but bodies of the scene follow those of the robot
     let hand = "body hand on forearm { mass: 0.5, com: [0.1, 0.2, 0], joint: revolute(x), coordinate: wrist }";
     let tip = "point tip on hand at [0, 0, 1], output tip: tip, force on tip: [1, 0, 0] in forearm, force elbow: 2,";
     assert_same(
@@ -138,7 +138,7 @@ fn a_body_of_the_name_of_a_link_changes_it() {
         "shape stick { mass: 2 } body upper_arm on base: stick { joint: revolute(y) at [0, 0, 1], coordinate: s }",
         FOREARM,
     );
-    // a joint without a place of its own stays where it is
+    // a joint without a placement of its own keeps the one of the file
     same(
         "body forearm on upper_arm { joint: prismatic(z), friction: 5 }",
         UPPER,
@@ -159,7 +159,8 @@ fn a_body_of_the_name_of_a_link_changes_it() {
 fn a_joint_that_mimics_follows() {
     let finger = |name: &str, moves: &str| {
         format!(
-            "body {name} on base {{ mass: 1, com: [1, 0, 0], joint: prismatic(y) at [0, 0, 1], {moves}, friction: 0.1 }}"
+            "body {name} on base {{ mass: 1, com: [1, 0, 0], joint: prismatic(y) at [0, 0, 1], {moves}, \
+                friction: 0.1 }}"
         )
     };
     let left = finger("left", "coordinate: l");
@@ -197,7 +198,7 @@ fn joints_whose_names_are_words_of_the_language_are_renamed() {
     );
 }
 
-/// A floating and a planar one, with limits and dynamics that say nothing.
+/// A floating and a planar joint, with limits and dynamics that have no effect.
 #[test]
 fn joints_of_more_coordinates_are_written_in_the_language() {
     let world = "body world on ground { }";
@@ -212,7 +213,8 @@ fn joints_of_more_coordinates_are_written_in_the_language() {
     let lid = "
         body r#type_y on puck { joint: prismatic(y), coordinate: r#type_y }
         body type_z on type_y { joint: prismatic(z), coordinate: type_z }
-        body lid on type_z { mass: 0.2, com: [0, 0, 0], inertia: [1e-3, 1e-3, 1e-3], joint: revolute(x), coordinate: type_turn }";
+        body lid on type_z { mass: 0.2, com: [0, 0, 0], inertia: [1e-3, 1e-3, 1e-3], joint: revolute(x), \
+            coordinate: type_turn }";
     let lid = lid.replace("r#", "");
     let all = |hull: &str, slides: &str, puck: &str| format!("{world} {hull} {slides} {puck} {lid}");
     let same = |changes: &str, by_hand: &str| {
@@ -248,7 +250,7 @@ fn joints_of_more_coordinates_are_written_in_the_language() {
         let change = format!("body hull on world {{ joint: {joint}, {names} }}");
         same(&change, &all(&hull, slides, &moves));
     }
-    // parts that act, are driven, or are held
+    // parts with forces, drives or fixed joints
     let changes = "
         body table_x on hull { spring: (3, 0), stop: [-1, 1] }
         body table_y on table_x { motion: 0.2 m*sin(1 rad/s*t) }
@@ -267,7 +269,7 @@ fn joints_of_more_coordinates_are_written_in_the_language() {
     );
 }
 
-/// A joint of the file with one axis may get an orientation, and the root may be set free.
+/// A joint of the file with one axis may get an orientation, and the root may become a free body.
 #[test]
 fn a_joint_may_be_set_free() {
     let flies = "joint: free, orientation: o, position: p";
@@ -289,10 +291,12 @@ fn a_joint_may_be_set_free() {
 /// Planar parts in a closed loop: a slider-crank whose slider is the planar joint of the file.
 #[test]
 fn parts_of_a_planar_joint_close_loops() {
-    let crank = "body crank on ground { mass: 1, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z), coordinate: theta near 0.5 }";
+    let crank = "body crank on ground { mass: 1, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z), \
+        coordinate: theta near 0.5 }";
     let close = "close crank at [0.2, 0, 0] to puck at [0, 0, 0]: revolute(z),";
     let hull = "body hull on world { joint: fixed at [0, 0, 0] } ";
-    let held = "body type_y on puck { joint: fixed } body type_z on type_y { joint: fixed } body lid on type_z { joint: fixed }";
+    let held = "body type_y on puck { joint: fixed } body type_z on type_y { joint: fixed } body lid on type_z { \
+        joint: fixed }";
     let changes = "body table_x on hull { joint: prismatic(x) at [0, 0, 0], coordinate: table_x depends near 0.2 }
         body table_y on table_x { coordinate: table_y depends near 0.1 }";
     let text = from_file(&format!(
@@ -301,7 +305,7 @@ fn parts_of_a_planar_joint_close_loops() {
     assert!(text.contains("\"theta\"") && text.contains("\"table_turn\""));
 }
 
-/// The orientation of the inertia, and names that Rust does not have.
+/// The orientation of the inertia, and names that are not valid in Rust.
 #[test]
 fn what_a_file_may_have_is_read() {
     assert_same(
@@ -314,7 +318,7 @@ fn what_a_file_may_have_is_read() {
     );
 }
 
-/// Angles and lengths follow each other by any number.
+/// Angles and lengths follow each other by any factor.
 #[test]
 fn joints_follow_by_fractions() {
     let part = |name: &str, moves: &str| {
@@ -341,7 +345,7 @@ fn joints_follow_by_fractions() {
     );
 }
 
-/// Dry friction of what follows is refused, but where the scene says how the joint moves.
+/// Dry friction of a follower is an error, unless the scene declares the motion of the joint.
 #[test]
 fn what_cannot_follow_may_be_replaced() {
     let moves = "body right on forearm { coordinate: r } body third on forearm { joint: fixed }";
@@ -359,7 +363,7 @@ fn the_documentation_names_what_is_left_out() {
     };
     assert_eq!(docs("robot: urdf(\"arm.urdf\"),"), "`arm.urdf`. Left out: `limit`.");
     assert_eq!(docs("robot: urdf(\"arm.urdf\", limits),"), "`arm.urdf`.");
-    // of joints with more than one coordinate they are left out in any case
+    // limits of joints with more than one coordinate are always left out
     let floating = "`floating.urdf`. Left out: `limit`.";
     assert_eq!(docs("robot: urdf(\"floating.urdf\", limits),"), floating);
     let rusty = docs("robot: urdf(\"rusty.urdf\", without dry_friction),");
@@ -377,9 +381,10 @@ fn cargo_builds_anew_when_the_file_changes() {
             .expect("tokens")
     };
     let path = "tests/robots/arm.urdf";
-    let tracked = "include_bytes ! (:: core :: concat ! (:: core :: env ! (\"CARGO_MANIFEST_DIR\") , \"/\" , \"tests/robots/arm.urdf\"))";
+    let tracked = "include_bytes ! (:: core :: concat ! (:: core :: env ! (\"CARGO_MANIFEST_DIR\") , \"/\" , \
+        \"tests/robots/arm.urdf\"))";
     assert!(expand(scene(path)).to_string().contains(tracked));
-    // so that the message of a broken file goes away when it is mended
+    // tracking the file lets the message disappear once a broken file is fixed
     assert!(
         expand(scene("tests/robots/loop.urdf"))
             .to_string()
@@ -415,14 +420,16 @@ fn an_inertia_that_no_body_has_becomes_the_nearest_that_one_has() {
     ));
     assert!(code.contains("REPAIRED : [& 'static str ; 2]"), "{code}");
     assert!(code.contains(" * inertia of `arm`, by "), "{code}");
-    // of the hand 1, 2, 5 the moments of mass are 3, 2, -1, and those of the nearest 3, 2, 0
+    // the hand has moments of inertia 1, 2, 5, hence second moments of mass 3, 2, -1; the nearest valid ones are 3, 2,
+    // 0
     let hand = "body hand on arm { inertia: [2, 3, 5] }";
-    // all products of inertia act, and have no rounding
+    // all products of inertia matter here, and none is rounded
     let robot =
         &format!("{robot} body base on ground {{ inertia: [1, 1, 1], joint: free, orientation: o, position: p }}");
     let with = |items: &str| {
         let text = format!(
-            "pub Arm {{ {robot} {items} generate: [inverse_dynamics], body cap on hand {{ mass: 1, com: [0, 1, 0], joint: revolute(x) }} }}"
+            "pub Arm {{ {robot} {items} generate: [inverse_dynamics], body cap on hand {{ mass: 1, com: [0, 1, 0], \
+                joint: revolute(x) }} }}"
         );
         let program = program_in(&folder(), text.parse().expect("tokens")).expect("a scene");
         program.routines[0].block.clone()
@@ -434,7 +441,8 @@ fn an_inertia_that_no_body_has_becomes_the_nearest_that_one_has() {
 fn the_largest_forces_and_rates_are_those_of_the_file() {
     let lone = "robot: urdf(\"unphysical.urdf\", repair), body cap on hand { mass: 1, com: [0, 1, 0], joint: fixed }";
     let renamed = format!(
-        "{lone} body hand on arm {{ coordinate: bend }} body free on hand {{ mass: 1, com: [0, 1, 0], joint: revolute(x), coordinate: f }}"
+        "{lone} body hand on arm {{ coordinate: bend }} body free on hand {{ mass: 1, com: [0, 1, 0], \
+            joint: revolute(x), coordinate: f }}"
     );
     let code = code(&renamed);
     assert!(
@@ -445,9 +453,10 @@ fn the_largest_forces_and_rates_are_those_of_the_file() {
         code.contains("VELOCITY_LIMITS : [f64 ; 3] = [2.5f64 , 4f64 , f64 :: INFINITY]"),
         "{code}"
     );
-    // another joint has none of the file, nor has one of the scene its name
+    // a replaced joint loses the limits of the file, and a joint of the scene that takes its name does not get them
     let held = format!(
-        "{lone} body hand on arm {{ joint: fixed }} body free on hand {{ mass: 1, com: [0, 1, 0], joint: revolute(x), coordinate: wrist }}"
+        "{lone} body hand on arm {{ joint: fixed }} body free on hand {{ mass: 1, com: [0, 1, 0], joint: revolute(x), \
+            coordinate: wrist }}"
     );
     let code = self::code(&held);
     assert!(
@@ -480,14 +489,14 @@ fn joints_that_move_no_mass_are_held_where_that_is_said() {
         "joint `claw`, which moves no mass, is held, joint `thumb_claw`, which moves no mass, is held, \
          joint `axle`, which moves no mass, is held"
     );
-    // what the scene hangs on a link is moved by the joints below it, and by those that they mimic
+    // bodies of the scene on a link are moved by the joints below it, and by those that they mimic
     let tip = "body tip on thumb { mass: 1, com: [0.1, 0, 0], inertia: [1, 1, 1], joint: fixed }";
     assert_eq!(names(&format!("{gripper}, {tip}")), "shoulder claw");
     assert_eq!(
         repaired(&format!("{gripper}, {tip}")),
         "joint `axle`, which moves no mass, is held"
     );
-    // so is a link that gets mass, or a joint of the scene
+    // the same holds for a link that gets mass, or a joint of the scene
     let heavy = "body finger on arm { mass: 1, com: [0.1, 0, 0], inertia: [1, 1, 1] }";
     assert_eq!(names(&format!("{gripper}, {heavy}")), "shoulder claw");
     let refused = program("robot: urdf(\"massless.urdf\")")
@@ -499,19 +508,20 @@ fn joints_that_move_no_mass_are_held_where_that_is_said() {
     );
 }
 
-/// What the scene gives is judged with the rest, or by itself; what it changes otherwise does not hide what is wrong.
+/// Inertias given by the scene are checked together with the others, or by themselves. Other changes by the scene do
+/// not hide errors.
 #[test]
 fn what_a_scene_changes_is_judged() {
     let refused = |scene: &str| {
         let text = format!("pub Arm {{ robot: urdf(\"sensor.urdf\"), {scene} }}");
         program_in(&folder(), text.parse().expect("tokens")).map_or_else(|errors| errors.to_string(), |_| String::new())
     };
-    // a sensor that is sound on its arm alone, which the scene gives again
+    // a sensor that is valid only together with its arm, which the scene redefines
     let arm = |izz: f64| format!("body arm on base {{ mass: 10, com: [0, 0, 0], inertia: [1, 1, {izz}] }}");
     assert_eq!(refused(""), "");
     assert_eq!(refused(&arm(1.0)), "");
     assert!(refused(&arm(2.5)).contains("triangle inequality"), "that of the scene");
-    // the inertia of the file about a centre of mass of the scene: judged by itself
+    // the inertia of the file about a centre of mass given by the scene is checked by itself
     assert!(refused("body hand on arm { com: [0.1, 0, 0] }").contains("triangle inequality"));
     assert_eq!(refused("body hand on arm { com: [0.1, 0, 0], inertia: [1, 1, 1] }"), "");
 }
@@ -525,7 +535,7 @@ fn joints_follow_those_that_follow() {
          body rack on palm {{ joint: prismatic(x), motion: 0.125 + a/4 * 1 m/rad }}"
     );
     assert_same("robot: urdf(\"mimic_chain.urdf\"),", &by_hand);
-    // a joint that others mimic stays, though it moves no mass
+    // a joint that others mimic is kept, although it moves no mass
     assert_same("robot: urdf(\"mimic_chain.urdf\", repair),", &by_hand);
     let free = "body first on palm { joint: fixed } body rack on palm { coordinate: b }";
     let text = format!("pub A {{ robot: urdf(\"mimic_chain.urdf\"), {free} }}");

@@ -1,5 +1,5 @@
-//! Mass, centre of mass and inertia of solids: against sums over many small masses, and against each other. Which
-//! plates are refused, and what is drawn.
+//! Mass, centre of mass and inertia of solids: against sums over many small masses, and against each other. Also the
+//! plates that are rejected, and the drawing of solids.
 
 use super::{dynamics, model, parse};
 use crate::expr::Graph;
@@ -49,7 +49,7 @@ fn of_points(mass: f64, points: &[[f64; 3]]) -> Moments {
     sum
 }
 
-/// The points of a lattice over a box that lie in a solid.
+/// Points of a lattice over a box that lie in a solid.
 fn lattice(low: [f64; 3], high: [f64; 3], n: usize, inside: impl Fn([f64; 3]) -> bool) -> Vec<[f64; 3]> {
     let at = |k: usize, axis: usize| low[axis] + (high[axis] - low[axis]) * (k as f64 + 0.5) / n as f64;
     let all = (0..n * n * n).map(|k| [at(k / n / n, 0), at(k / n % n, 1), at(k % n, 2)]);
@@ -62,7 +62,7 @@ fn assert_moments(what: &str, ours: Moments, theirs: Moments, tolerance: f64) {
     }
 }
 
-/// Lattices of 60 points a side miss curved faces by about 1/60 of a cell each way; plane ones they hit.
+/// Lattices of 60 points a side miss curved faces by about 1/60 of a cell each way and match plane ones exactly.
 #[test]
 fn solids_weigh_what_their_points_weigh() {
     let cuboid = lattice([0.5, -0.5, 0.0], [1.5, 0.0, 2.0], 60, |_| true);
@@ -109,7 +109,7 @@ fn limits_of_solids_are_other_solids() {
         "solids: [plate(3, [[0, 0], [2, 0], [2, 1], [0, 1]])]",
         "solids: [cuboid(3, [2, 1, 0], [1, 0.5, 0])]",
     );
-    // the other way round, and from another corner
+    // opposite orientation, from another corner
     same(
         "solids: [plate(3, [[0, 0], [2, 0], [2, 1], [0, 1]])]",
         "solids: [plate(3, [[2, 1], [2, 0], [0, 0], [0, 1]])]",
@@ -125,7 +125,8 @@ fn limits_of_solids_are_other_solids() {
     assert_moments("disk", moments("solids: [disk(2, 0.3, [1, 2, 0])]"), flat, 1e-14);
 }
 
-/// The integral of a quadratic over a triangle takes its values at the corners and in the middle (Hammer and Stroud).
+/// The integral of a quadratic over a triangle follows from its values at the corners and the centroid (Hammer and
+/// Stroud).
 #[test]
 fn a_triangle_weighs_what_its_corners_and_its_middle_weigh() {
     let plate = moments("solids: [plate(12, [[2, 1], [7, -3], [-3, 8]])]");
@@ -133,7 +134,7 @@ fn a_triangle_weighs_what_its_corners_and_its_middle_weigh() {
     assert_moments("triangle", plate, moments(points), 1e-12);
 }
 
-/// A plate with these corners on one body.
+/// Scene of a plate with these corners on one body.
 fn scene_of_plate(parameters: &str, corners: &str) -> String {
     format!(
         "pub Plate {{ units: none, params {{ {parameters} }}
@@ -141,7 +142,7 @@ fn scene_of_plate(parameters: &str, corners: &str) -> String {
     )
 }
 
-/// What is wrong with a plate; nothing if it is right.
+/// Errors of a plate. Empty if it is valid.
 fn errors_of_plate(parameters: &str, corners: &str) -> String {
     let (scene, errors) = parse(scene_of_plate(parameters, corners).parse().expect("tokens"));
     let graph = Graph::new();
@@ -151,7 +152,7 @@ fn errors_of_plate(parameters: &str, corners: &str) -> String {
     lowered.err().map(|errors| errors.to_string()).unwrap_or_default()
 }
 
-/// The same outline from each corner on, both ways around, and moved, turned and sheared.
+/// Variants of an outline: from each corner, in both orientations, and moved, turned and sheared.
 fn outlines(corners: &[[i32; 2]]) -> Vec<String> {
     let mut outlines = Vec::new();
     let maps: [fn([i32; 2]) -> [i32; 2]; 3] = [
@@ -177,10 +178,10 @@ fn outlines(corners: &[[i32; 2]]) -> Vec<String> {
 fn plates_of_numbers_have_a_simple_outline() {
     let simple: [&[[i32; 2]]; 5] = [
         &[[0, 0], [1, 0], [0, 1]],
-        // a corner that points inwards, and one where the side goes straight on
+        // a reflex corner, and a straight one
         &[[0, 0], [4, 0], [1, 1], [0, 4]],
         &[[0, 0], [1, 0], [2, 0], [0, 1]],
-        // sides of one line that lie apart, and corners on the lines of other sides
+        // collinear sides apart from each other, and corners on the lines of other sides
         &[[0, 0], [3, 0], [3, 2], [2, 2], [2, 1], [1, 1], [1, 2], [0, 2]],
         &[[0, 0], [6, 0], [6, 1], [4, 1], [4, 4], [3, 4], [3, 1], [0, 1]],
     ];
@@ -188,15 +189,15 @@ fn plates_of_numbers_have_a_simple_outline() {
         assert_eq!(errors_of_plate("", &outline), "", "{outline}");
     }
     let refused: [&[[i32; 2]]; 10] = [
-        // sides that cross, with and without an area
+        // crossing sides, with and without an area
         &[[0, 0], [2, 2], [2, 0], [0, 1]],
         &[[0, 0], [1, 1], [1, 0], [0, 1]],
         &[[0, 0], [4, 0], [4, 4], [1, -1], [0, 4]],
-        // a corner on a side, on another corner, and next to its like
+        // a corner on a side, on another corner, and next to an equal one
         &[[0, 0], [4, 0], [4, 2], [2, 0], [0, 2]],
         &[[0, 0], [2, 0], [1, 1], [2, 2], [0, 2], [1, 1]],
         &[[0, 0], [1, 0], [1, 0], [0, 1]],
-        // sides that lie on each other, and go back
+        // overlapping sides that turn back
         &[[0, 0], [3, 0], [3, 1], [2, 0], [1, 0], [0, 1]],
         &[[0, 0], [2, 0], [1, 0], [1, 1]],
         &[[0, 0], [2, 0], [-1, 0], [-1, 1]],
@@ -212,7 +213,7 @@ fn plates_of_numbers_have_a_simple_outline() {
     }
     let of_numbers = errors_of_plate("", "[0, 0], [1, 0]");
     assert!(of_numbers.contains("a plate of `b` has 2 corners"), "{of_numbers}");
-    // sides of numbers that cross whatever another corner is, and a corner twice
+    // numeric sides that cross wherever another corner is, and a repeated corner
     for outline in [
         "[0, 0], [2, 2], [2, 0], [0, 1], [w, 9]",
         "[w, 9], [0, 0], [0, 0], [1, 0]",
@@ -225,7 +226,7 @@ fn plates_of_numbers_have_a_simple_outline() {
     }
 }
 
-/// Coordinates `w*x`, with a parameter `w`, hide the outline from what looks at numbers: it is the rules that refuse.
+/// Coordinates `w*x`, with a parameter `w`, hide the outline from checks of numbers, so the rules must reject it.
 #[test]
 fn plates_with_parameters_have_rules_for_sides_that_cross() {
     let of = |width: &str, outline: &str| errors_of_plate(&format!("w: 1 = {width}"), &outline.replace('[', "[w*"));
@@ -233,16 +234,16 @@ fn plates_with_parameters_have_rules_for_sides_that_cross() {
         &[[0, 0], [1, 0], [0, 1]],
         &[[0, 0], [4, 0], [1, 1], [0, 4]],
         &[[0, 0], [3, 0], [4, 2], [2, 3], [2, 1], [1, 1], [1, 2], [0, 2]],
-        // the line of the first side goes through the third one, closely beyond its own end
+        // the line of the first side crosses the third one just beyond its own end
         &[[0, 0], [10, 0], [11, -1], [11, 1]],
     ];
     let crossed: [&[[i32; 2]]; 3] = [
         &[[0, 0], [2, 2], [2, 0], [0, 1]],
         &[[0, 0], [4, 0], [4, 4], [1, -1], [0, 4]],
-        // one side ends equally far on both sides of another
+        // one side ends at equal distances on both sides of another
         &[[0, 0], [4, 0], [5, 3], [3, 1], [1, -1]],
     ];
-    // a small plate is judged like a large one
+    // the check does not depend on the size of the plate
     for width in ["1", "0.001"] {
         for outline in simple.iter().flat_map(|corners| outlines(corners)) {
             assert_eq!(of(width, &outline), "", "{outline}");
@@ -255,7 +256,7 @@ fn plates_with_parameters_have_rules_for_sides_that_cross() {
             );
         }
     }
-    // a corner that goes through a side by no more than rounding
+    // a corner that crosses a side by no more than rounding errors
     for outline in [
         "[0, 0], [4, 0], [4, 2], [2, -1e-14], [0, 2]",
         "[0, 2], [2, -1e-14], [4, 2], [4, 0], [0, 0]",
@@ -264,7 +265,7 @@ fn plates_with_parameters_have_rules_for_sides_that_cross() {
     }
 }
 
-/// Corner `n` lies on the low side of axis `k` where bit `k` of `n` is set.
+/// Corner `n` is on the low side of axis `k` if bit `k` of `n` is set.
 #[test]
 fn a_cuboid_is_drawn_by_its_corners() {
     let graph = Graph::new();
@@ -304,7 +305,8 @@ fn inertia_about_the_joint_is_moved_to_the_centre_of_mass() {
 fn a_number_for_the_inertia_is_about_the_axis_of_the_scene() {
     let entry = |inertia: &str| {
         let text = format!(
-            "pub P {{ body b on ground {{ mass: 2, com: [0, -0.5, 0], {inertia}, joint: revolute(z), coordinate: theta }} }}"
+            "pub P {{ body b on ground {{ mass: 2, com: [0, -0.5, 0], {inertia}, joint: revolute(z), \
+                coordinate: theta }} }}"
         );
         let graph = Graph::new();
         let (_, dynamics) = dynamics(&graph, &text);

@@ -1,4 +1,4 @@
-//! Units: how they are read and written, and that numbers with units are converted exactly.
+//! Units: parsing, printing, and exact conversion of numbers with units.
 
 use super::*;
 use crate::units::{Dimension, Power, Unit};
@@ -7,7 +7,7 @@ fn dimension(unit: &str) -> Dimension {
     Unit::of(unit).unwrap_or_else(|| panic!("{unit}")).dimension
 }
 
-/// What the model reads as a number.
+/// Value of a number in the model.
 fn value(graph: &Graph, number: &str) -> f64 {
     let body = "body cart on ground { mass: 1, joint: prismatic(x), coordinate: x }";
     let model = with_units(graph, &format!("pub Cart {{ output y: {number}, {body} }}"));
@@ -74,7 +74,7 @@ fn numbers_with_units_are_exact() {
             10000.0 + expected,
             "{number}"
         );
-        // a number with a unit is the same node as what it stands for
+        // a number with a unit is the same node as its value in SI units
         assert_eq!(value(&graph, &format!("({number})/({number})")), 1.0);
     }
     let written = "pub Arm { body b on ground { mass: 1, joint: revolute(z) rpy [0, 90 deg, 0], coordinate: th,

@@ -1,20 +1,20 @@
-//! Dimensions: what units measure.
+//! Physical dimensions of units.
 
 use std::fmt::{Display, Formatter, Result};
 
 use num_rational::Ratio;
 use num_traits::{CheckedAdd, CheckedMul, One, Signed, Zero};
 
-/// A power of a base unit. Roots make fractions of them.
+/// Power of a base unit, which is a fraction under a root.
 pub(crate) type Power = Ratio<i32>;
 
-/// The largest numerator and denominator of a power.
+/// Maximum numerator and denominator of a power.
 const MOST_POWER: u32 = 1000;
 
-/// A product of powers of the SI base units that mechanics needs. The radian is 1.
+/// Product of powers of the SI base units that mechanics needs. The radian has dimension 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
-    /// The powers of the base units.
+    /// Powers of the base units, in the order of `BASE`.
     powers: [Power; 5],
 }
 
@@ -22,28 +22,28 @@ const fn whole(n: i32) -> Power {
     Power::new_raw(n, 1)
 }
 
-/// The names of the base units, in the order in which they are written.
+/// Names of the base units, in the order of printing.
 const BASE: [&str; 5] = ["kg", "m", "s", "A", "K"];
 
 impl Dimension {
-    /// That of plain numbers and angles.
+    /// Dimension of plain numbers and angles.
     pub(crate) const ONE: Self = Self::new([0; 5]);
-    /// That of the time.
+    /// Dimension of time.
     pub(crate) const TIME: Self = Self::new([0, 0, 1, 0, 0]);
 
-    /// The dimension with these powers of m, kg, s, A and K.
+    /// Returns the dimension with the given powers of m, kg, s, A and K.
     pub(super) const fn new([m, kg, s, a, k]: [i32; 5]) -> Self {
         Self {
             powers: [whole(kg), whole(m), whole(s), whole(a), whole(k)],
         }
     }
 
-    /// Whether it is that of plain numbers and angles.
+    /// True for plain numbers and angles.
     pub(crate) fn is_one(self) -> bool {
         self == Self::ONE
     }
 
-    /// `self * other^n`, unless the powers are too large to be meant.
+    /// Returns `self * other^n`, or `None` if a power is too large to be intended.
     pub(crate) fn times(self, other: Self, n: Power) -> Option<Self> {
         let mut powers = self.powers;
         for (power, more) in powers.iter_mut().zip(other.powers) {
@@ -55,7 +55,7 @@ impl Dimension {
         Some(Self { powers })
     }
 
-    /// Names of units with powers, the positive powers first.
+    /// Returns the names of units with their powers, positive powers first.
     fn names(self) -> Vec<(&'static str, Power)> {
         let one = Power::one();
         if self == Self::new([2, 1, -3, 0, 0]) {
@@ -67,7 +67,7 @@ impl Dimension {
             && kg.is_one()
             && *s <= -one
         {
-            // people think in forces: kg m^2/s^2 is N m, and kg/s is N s/m
+            // forces are the usual notation: kg m^2/s^2 is N m, and kg/s is N s/m
             (*kg, *m, *s) = (Power::zero(), *m - one, *s + one + one);
             names.push(("N", one));
         }
@@ -78,7 +78,7 @@ impl Dimension {
 }
 
 impl Display for Dimension {
-    /// As people write it, and as the language reads it: `N m s`, `kg m^2`, `m/s^2`, `1`.
+    /// Writes the usual notation, in the syntax of the language: `N m s`, `kg m^2`, `m/s^2`, `1`.
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let names = self.names();
         if names.first().is_none_or(|(_, power)| power.is_negative()) {

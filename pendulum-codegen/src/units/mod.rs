@@ -1,4 +1,4 @@
-//! Units of measure: what they are called, what they measure, and how they are read.
+//! Units of measure: names, dimensions and syntax.
 
 mod dimension;
 mod names;
@@ -11,51 +11,50 @@ pub(crate) use parse::{help_after_number, help_in_product};
 
 use crate::expr::{Rational, ratio};
 
-/// A unit as it is written, and what it means.
+/// A unit as written, with its meaning.
 #[derive(Clone, Debug)]
 pub(crate) struct Unit {
-    /// The text, as it goes into the documentation of the field.
+    /// Source text, as shown in the documentation of the field.
     pub text: String,
-    /// Its dimension.
+    /// Physical dimension.
     pub dimension: Dimension,
-    /// How many of the SI unit of that dimension it is.
+    /// Factor to the SI unit of this dimension.
     pub scale: Scale,
 }
 
 /// `number * pi^power`
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Scale {
-    /// The number.
     pub number: Rational,
-    /// The power of pi.
+    /// Power of pi.
     pub pi: i32,
 }
 
 impl Unit {
-    /// The unit that a text stands for.
+    /// Returns the unit that a text denotes.
     pub(crate) fn of(text: &str) -> Option<Self> {
         syn::parse_str(text).ok()
     }
 
-    /// The names in the unit, without their powers.
+    /// Iterates over the names in the unit, without their powers.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         let words = self.text.split(|c: char| !c.is_ascii_alphabetic());
         words.filter(|word| !word.is_empty())
     }
 
-    /// The dimension of a name that may stand after a number.
+    /// Returns the dimension of a name that may follow a number.
     pub(crate) fn dimension_of(name: &str) -> Option<Dimension> {
         names::meaning(name).map(|(dimension, _)| dimension)
     }
 
-    /// Whether a word is the name of a unit that a number may have.
+    /// True if a word is the name of a unit that may follow a number.
     pub(crate) fn is_name(word: &str) -> bool {
         names::dimension(word).is_some() || names::other(word).is_some()
     }
 }
 
 impl Default for Unit {
-    /// Plain numbers.
+    /// Returns the unit of plain numbers.
     fn default() -> Self {
         Self {
             text: "1".to_owned(),
@@ -73,7 +72,7 @@ impl Scale {
         }
     }
 
-    /// Whether it is that of an SI unit.
+    /// True for SI units.
     pub(crate) fn is_one(&self) -> bool {
         self.number.is_one() && self.pi == 0
     }

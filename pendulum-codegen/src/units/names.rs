@@ -1,9 +1,9 @@
-//! The names of units: those of the language, and other ones that numbers may have.
+//! Names of units: of the language, and others that may follow numbers.
 
 use super::{Dimension, Scale, Unit};
 use crate::words::advice;
 
-/// The names of the language, each with its powers of m, kg, s, A and K.
+/// Units of the language, with their powers of m, kg, s, A and K.
 const NAMES: [(&str, [i32; 5]); 13] = [
     ("m", [1, 0, 0, 0, 0]),
     ("kg", [0, 1, 0, 0, 0]),
@@ -20,8 +20,8 @@ const NAMES: [(&str, [i32; 5]); 13] = [
     ("ohm", [2, 1, -3, -2, 0]),
 ];
 
-/// Other units: the words for one, the unit in its place, and how many of that it is: a numerator, a denominator and a
-/// power of pi.
+/// Other units: their names, the unit of the language in their place, and the factor to it, as numerator, denominator
+/// and power of pi.
 const OTHERS: &[(&[&str], &str, [i64; 3])] = &[
     (&["deg", "degree", "degrees"], "rad", [1, 180, 1]),
     (&["turn", "turns", "rev", "revolution", "revolutions"], "rad", [2, 1, 1]),
@@ -69,7 +69,7 @@ const OTHERS: &[(&[&str], &str, [i64; 3])] = &[
     (&["kelvin"], "K", [1, 1, 0]),
 ];
 
-/// What people write for a plain number.
+/// Words that people write for the unit of a plain number.
 const PLAIN: [&str; 9] = [
     "f64",
     "f32",
@@ -82,19 +82,19 @@ const PLAIN: [&str; 9] = [
     "dimensionless",
 ];
 
-/// The dimension of a name of the language.
+/// Returns the dimension of a unit of the language.
 pub(super) fn dimension(name: &str) -> Option<Dimension> {
     let row = NAMES.iter().find(|(known, _)| *known == name);
     row.map(|(_, powers)| Dimension::new(*powers))
 }
 
-/// Another unit: the unit in its place, and how many of that it is.
+/// Returns the unit of the language in place of another unit, and the factor to it.
 pub(super) fn other(word: &str) -> Option<(&'static str, Scale)> {
     let row = OTHERS.iter().find(|(words, ..)| words.contains(&word));
     row.map(|(_, unit, scale)| (*unit, Scale::new(*scale)))
 }
 
-/// What a name of the language means, or that of another unit.
+/// Returns the dimension and the scale of any unit, of the language or other.
 pub(super) fn meaning(name: &str) -> Option<(Dimension, Scale)> {
     if let Some(dimension) = dimension(name) {
         return Some((dimension, Scale::new([1, 1, 0])));
@@ -103,7 +103,7 @@ pub(super) fn meaning(name: &str) -> Option<(Dimension, Scale)> {
     Some((Unit::of(unit)?.dimension, scale))
 }
 
-/// What to do about an unknown unit of a declared quantity.
+/// Returns the help text for an unknown unit of a declared quantity.
 pub(super) fn help(word: &str) -> String {
     let any_case = |known: &str| word.len() > 2 && known.eq_ignore_ascii_case(word);
     if PLAIN.into_iter().any(|plain| plain == word || any_case(plain)) {
@@ -128,12 +128,12 @@ pub(super) fn help(word: &str) -> String {
     }
 }
 
-/// Names of units written as one word, such as `Nms` or `kgm2`, apart.
+/// Separates names of units that are written as one word, such as `Nms` or `kgm2`.
 fn written_together(word: &str, known: &[&str]) -> Option<String> {
     if word.is_empty() {
         return Some(String::new());
     }
-    // a shorter name where a longer one leaves a rest that is none: `kgm` is `kg m`
+    // longest first; a shorter name where the rest after a longer one is no unit: `kgm` is `kg m`
     let mut names = known.to_vec();
     names.sort_by_key(|name| std::cmp::Reverse(name.len()));
     names.into_iter().find_map(|name| {
@@ -148,7 +148,7 @@ fn written_together(word: &str, known: &[&str]) -> Option<String> {
     })
 }
 
-/// The unit of a number that a word is meant to be: in other letters, or with its names and powers apart.
+/// Returns the unit that is meant by a word after a number: its case may differ, and spaces and `^` may be missing.
 pub(super) fn meant(word: &str) -> Option<String> {
     let names = NAMES.iter().map(|(name, _)| *name);
     let others = OTHERS.iter().flat_map(|(words, ..)| *words).copied();
@@ -156,7 +156,7 @@ pub(super) fn meant(word: &str) -> Option<String> {
     if known.contains(&word) {
         return Some(word.to_owned());
     }
-    // Of two letters `MW` and `mW` are both units.
+    // case matters in names of two letters: `MW` and `mW` are both units
     let mut in_any_case = names.chain(others.filter(|word| word.len() > 2));
     let in_case = in_any_case.find(|known| known.eq_ignore_ascii_case(word));
     in_case.map(str::to_owned).or_else(|| written_together(word, &known))

@@ -1,4 +1,4 @@
-//! Units in the text of a declaration.
+//! Parses units in the text of a declaration.
 
 use proc_macro2::Span;
 use quote::ToTokens;
@@ -10,17 +10,17 @@ use super::{Dimension, Unit, names};
 use crate::error::{Code, at};
 use crate::parse::starts_item;
 
-/// The most names of a unit.
+/// Maximum number of names in a unit.
 const MOST_NAMES: usize = 8;
 
 impl Parse for Unit {
-    /// `kg m^2`, `N*m*s`, `m/s^2`, `1`: names with integer powers, side by side or multiplied; a `/` takes the next
-    /// name only.
+    /// Parses `kg m^2`, `N*m*s`, `m/s^2` or `1`: names with integer powers, side by side or multiplied. A `/` applies
+    /// to the next name only.
     fn parse(input: ParseStream) -> syn::Result<Self> {
         let mut unit = Self::empty();
         let sign = unit.joint(input)?;
         unit.factor(input, sign)?;
-        // what begins something else stands after a comma that is missing
+        // a word that begins an item comes after a missing comma, and is no unit
         let name = |input: ParseStream| input.peek(Ident) && !starts_item(input);
         let more =
             |input: ParseStream| input.peek(Token![/]) || input.peek(Token![*]) || input.peek(LitInt) || name(input);
@@ -29,8 +29,8 @@ impl Parse for Unit {
 }
 
 impl Unit {
-    /// The unit after a number, if one stands there: `90 deg`, `0.2 N m/rad`. Its first name may be the suffix of the
-    /// number, as in `90deg`. A `*` ends it: what follows is a factor.
+    /// Parses the unit after a number, if there is one: `90 deg`, `0.2 N m/rad`. Its first name may be the suffix of
+    /// the number, as in `90deg`. A `*` ends the unit: a factor follows.
     pub(crate) fn after_number(input: ParseStream, suffix: Option<(&str, Span)>) -> syn::Result<Option<Self>> {
         let mut unit = Self::empty();
         match suffix {
@@ -45,7 +45,7 @@ impl Unit {
         unit.rest(input, more, Self::name).map(Some)
     }
 
-    /// The names after the first one, each with what stands before it, as long as there are `more`.
+    /// Parses the names after the first one, each with its separator, as long as there are `more`.
     fn rest(
         mut self,
         input: ParseStream,
@@ -66,7 +66,7 @@ impl Unit {
         }
     }
 
-    /// What stands before the next name: its sign in the power.
+    /// Parses the separator before the next name, and returns the sign of its power.
     fn joint(&mut self, input: ParseStream) -> syn::Result<i32> {
         if input.parse::<Option<Token![/]>>()?.is_some() {
             self.text.push('/');
@@ -78,7 +78,7 @@ impl Unit {
         Ok(1)
     }
 
-    /// A name of the language, or 1.
+    /// Parses a name of the language, or 1.
     fn factor(&mut self, input: ParseStream, sign: i32) -> syn::Result<()> {
         if input.peek(LitInt) || input.peek(LitFloat) {
             let one: Lit = input.parse()?;
@@ -111,13 +111,13 @@ impl Unit {
         self.named(input, &text, name.span(), sign)
     }
 
-    /// A name that a number may have, and the power after it.
+    /// Parses a name that may follow a number, with its power.
     fn name(&mut self, input: ParseStream, sign: i32) -> syn::Result<()> {
         let name: Ident = input.parse()?;
         self.named(input, &name.to_string(), name.span(), sign)
     }
 
-    /// A name that was read, and the power after it.
+    /// Multiplies the unit by a name that was parsed, raised to the power that follows it.
     fn named(&mut self, input: ParseStream, name: &str, span: Span, sign: i32) -> syn::Result<()> {
         let Some((dimension, scale)) = names::meaning(name) else {
             let fact = format_args!("unknown unit `{name}`");
@@ -152,13 +152,13 @@ impl Unit {
     }
 }
 
-/// Whether the name of a unit stands next.
+/// True if the name of a unit comes next.
 fn begins(input: ParseStream) -> bool {
     let name = input.cursor().ident();
     name.is_some_and(|(name, _)| Unit::is_name(&name.to_string())) && !starts_item(input)
 }
 
-/// What to do about a word that is not a unit, but follows a number: `Kg` and `kgm2` in place of `kg` and `kg m^2`.
+/// Returns the help text for a word after a number that is no unit: `Kg` for `kg`, or `kgm2` for `kg m^2`.
 pub(crate) fn help_after_number(number: &impl std::fmt::Display, word: &str) -> Option<String> {
     let meant = names::meant(word)?;
     let apart = if meant.contains(' ') {
@@ -169,7 +169,7 @@ pub(crate) fn help_after_number(number: &impl std::fmt::Display, word: &str) -> 
     Some(format!("write `{number} {meant}`{apart}"))
 }
 
-/// What to do about a word that a measured number is multiplied or divided by, if it is meant to be of its unit: `s` in
+/// Returns the help text for a factor or divisor of a measured number, if it is meant as a part of its unit: `s` in
 /// `2 N m*s`, `s2` in `9.81 m/s2`.
 pub(crate) fn help_in_product(number: &impl std::fmt::Display, is_divisor: bool, word: &str) -> Option<String> {
     let meant = names::meant(word)?;

@@ -1,4 +1,4 @@
-//! The values of attributes in a URDF file.
+//! Attributes of a URDF file.
 
 use roxmltree::Node;
 
@@ -16,7 +16,7 @@ impl Reader {
         text.map(str::to_owned)
     }
 
-    /// The number of an attribute, or what holds where it is left out.
+    /// Returns the number of an attribute, or the default if it is missing.
     pub(super) fn number(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str, default: Option<&str>) -> String {
         self.go_to(node);
         match node.attribute(attribute).or(default) {
@@ -33,7 +33,7 @@ impl Reader {
         }
     }
 
-    /// A limit that may be infinite.
+    /// Returns a limit, which may be infinite.
     pub(super) fn largest(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> f64 {
         self.go_to(node);
         let text = node.attribute(attribute).unwrap_or_default().trim();
@@ -65,7 +65,7 @@ impl Reader {
             format!("`{attribute}` of {owner} is `{text}`, which is {what}"),
             help,
         );
-        // no zero, which may be an error of its own
+        // not zero, which might cause further errors
         ONE.to_owned()
     }
 

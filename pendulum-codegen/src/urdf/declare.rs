@@ -1,4 +1,4 @@
-//! A robot as bodies of a scene: text of the language.
+//! Declares a robot as bodies of a scene, in the text of the language.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,27 +13,27 @@ use crate::error::Code;
 use crate::lower::reserved;
 use crate::words;
 
-/// What a scene says of a link and its joint.
+/// Changes that a scene makes to a link and its joint.
 #[derive(Debug)]
 pub(super) struct Replaced {
-    /// The body of the link.
+    /// Body of the link.
     pub(super) body: String,
-    /// The coordinate, where it has another name.
+    /// Name of the coordinate, if the scene gives one.
     pub(super) coordinate: Option<String>,
-    /// Whether the joint is fixed, driven, or has an orientation, so that it has no coordinate.
+    /// True if the joint is fixed or driven, or has an orientation, and thus no coordinate.
     pub(super) held: bool,
-    /// Whether the joint is another.
+    /// True if the scene gives a joint, a coordinate or a motion.
     pub(super) joint: bool,
-    /// Whether it moves, where the scene says so.
+    /// True if the joint moves; `None` if the scene gives no joint.
     pub(super) moves: Option<bool>,
-    /// Whether the joint is another, which stands elsewhere.
+    /// True if the scene gives a joint with a place of its own.
     pub(super) placed: bool,
-    /// Whether the scene gives the mass or the inertia.
+    /// True if the scene gives mass properties.
     pub(super) weighs: bool,
 }
 
-/// The bodies of a robot: one for each link, in the order of the joints that carry them; first the root, which stands
-/// on the ground. The joints of some links are `replaced`, so it does not matter what they follow.
+/// Declares the bodies of a robot: first the root, which is fixed to the ground, then one body for each link, in the
+/// order of the joints that carry them. For joints that are `replaced`, it does not matter what they mimic.
 pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], wrong: &mut Vec<Wrong>) -> String {
     let mut text = String::new();
     check_names(robot, wrong);
@@ -87,13 +87,13 @@ pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], w
     text
 }
 
-/// What the scene says of the joint of a link.
+/// Returns the change that the scene makes to the joint of a link.
 fn find<'r>(replaced: &'r [Replaced], link: &str) -> Option<&'r Replaced> {
     let link = identifier(link);
     replaced.iter().find(|own| own.joint && own.body == link)
 }
 
-/// The largest force and rate of each coordinate of which the file has a finite one.
+/// Returns the maximum force and rate of each coordinate for which the file gives a finite one.
 pub(super) fn most(robot: &Robot, replaced: &[Replaced]) -> Vec<(String, [f64; 2])> {
     let mut all = Vec::new();
     for joint in robot
@@ -103,7 +103,7 @@ pub(super) fn most(robot: &Robot, replaced: &[Replaced]) -> Vec<(String, [f64; 2
     {
         let own = find(replaced, &joint.child);
         let renamed = own.and_then(|own| own.coordinate.clone());
-        // neither what follows others, nor what the scene has in its place
+        // skip joints that mimic another, and joints that the scene replaces
         let is_there = joint.mimic.is_none() || renamed.is_some();
         let is_same = own.is_none_or(|own| !own.held && own.moves.is_none());
         if is_there && is_same && joint.most.iter().any(|most| most.is_finite()) {
@@ -113,19 +113,19 @@ pub(super) fn most(robot: &Robot, replaced: &[Replaced]) -> Vec<(String, [f64; 2
     all
 }
 
-/// The body that carries a joint, and where.
+/// Body that carries a joint, and the place on it.
 struct Carrier {
     body: String,
     place: String,
 }
 
-/// The names and the joint of a body that moves freely.
+/// Returns the names and the joint of a floating body.
 fn floats(joint: &Joint) -> String {
     let [position, orientation] = ["position", "orientation"].map(|part| part_of(joint, part));
     format!("position: {position}, orientation: {orientation}, joint: free")
 }
 
-/// Declares the bodies without mass that slide in the plane of a joint; the last of them carries what turns there.
+/// Declares the massless bodies that slide in the plane of a joint; the last one becomes the carrier.
 fn slides_in_plane(joint: &Joint, carrier: &mut Carrier, text: &mut String) {
     for axis in joint.in_plane() {
         let slide = part_of(joint, axis);
@@ -139,7 +139,7 @@ fn slides_in_plane(joint: &Joint, carrier: &mut Carrier, text: &mut String) {
     }
 }
 
-/// The coordinate and the joint of what turns in a plane.
+/// Returns the coordinate and the joint of the rotation in a plane.
 fn turns_in_plane(joint: &Joint) -> String {
     format!(
         "coordinate: {}, joint: revolute({})",
@@ -148,7 +148,7 @@ fn turns_in_plane(joint: &Joint) -> String {
     )
 }
 
-/// Refuses what a joint of more than one coordinate cannot have.
+/// Rejects attributes that a joint with several coordinates cannot have.
 fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
     let Joint { name, kind, axis, .. } = joint;
     let is_planar = *kind == Kind::Planar;
@@ -187,7 +187,7 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
     }
 }
 
-/// What to write in place of the friction of a joint of more than one coordinate.
+/// Returns the help text on replacing the friction of a joint with several coordinates.
 fn instead_of_friction(joint: &Joint) -> String {
     if joint.kind != Kind::Planar {
         return "write drag as `force on point: ..`".to_owned();
@@ -197,7 +197,7 @@ fn instead_of_friction(joint: &Joint) -> String {
     format!("give a `friction` to the bodies `{first}`, `{second}` and `{body}` of the scene")
 }
 
-/// Words of the language are no names of coordinates, unless the scene renames them.
+/// Rejects words of the language as names of coordinates, unless the scene renames them.
 fn check_reserved(robot: &Robot, replaced: &[Replaced], wrong: &mut Vec<Wrong>) {
     for joint in &robot.joints {
         let is_renamed = |replaced: &Replaced| replaced.coordinate.is_some() || replaced.held;
@@ -239,7 +239,7 @@ fn mass(link: &Link) -> String {
     text
 }
 
-/// What stands behind the kind of a joint.
+/// Returns the place of a joint, which follows its kind.
 fn place(origin: &Origin) -> String {
     let mut text = String::new();
     for (word, numbers) in [("at", &origin.xyz), ("rpy", &origin.rpy)] {
@@ -250,7 +250,7 @@ fn place(origin: &Origin) -> String {
     text
 }
 
-/// The motion of a joint that follows another.
+/// Returns the motion of a joint that mimics another.
 fn followed(
     robot: &Robot,
     joint: &Joint,
@@ -270,7 +270,7 @@ fn followed(
         };
         let replaced = find(replaced, &leader.child);
         match &leader.mimic {
-            // until one moves by itself, or comes again
+            // follow the chain up to a joint that moves by itself, or once around a cycle
             Some(next)
                 if matches!(leader.kind, Kind::Turns | Kind::Slides)
                     && replaced.is_none()
@@ -304,7 +304,7 @@ fn followed(
     Ok(format!("motion: {motion},"))
 }
 
-/// The joint that another may follow whose name is almost that of the one it mimics.
+/// Returns the joint with the name most similar to the one mimicked, among those that can lead.
 fn nearest_leader<'r>(robot: &'r Robot, joint: &Joint, mimic: &Mimic) -> Option<&'r str> {
     let leads = |other: &&Joint| {
         let moves = matches!(other.kind, Kind::Turns | Kind::Slides) && other.mimic.is_none();
@@ -314,10 +314,10 @@ fn nearest_leader<'r>(robot: &'r Robot, joint: &Joint, mimic: &Mimic) -> Option<
     words::advice(&mimic.joint, leaders, &[]).meant
 }
 
-/// What to do about a joint that cannot lead.
+/// Help text for a joint that cannot lead.
 const ANOTHER: &str = "let it mimic a joint that moves by itself";
 
-/// Why a joint cannot follow another, and what to do about it.
+/// Returns why a joint cannot follow another, and a help text.
 fn obstacle(
     joint: &Joint,
     leader: &Joint,
@@ -344,7 +344,7 @@ fn obstacle(
     })
 }
 
-/// The error of a joint that cannot follow the one it mimics.
+/// Returns the error for a joint that cannot follow the one it mimics.
 fn refused(joint: &Joint, mimic: &Mimic, why: &str, help: &str) -> Wrong {
     let (body, parent) = (identifier(&joint.child), identifier(&joint.parent));
     let whom = if mimic.joint == joint.name {
@@ -363,12 +363,12 @@ fn refused(joint: &Joint, mimic: &Mimic, why: &str, help: &str) -> Wrong {
     }
 }
 
-/// The dry friction of a joint, unless it is left out.
+/// Returns the dry friction of a joint, unless the scene leaves it out.
 fn dry_friction<'j>(joint: &'j Joint, item: &ast::Robot) -> Option<&'j String> {
     joint.friction.as_ref().filter(|_| !item.without_dry_friction)
 }
 
-/// What acts along a joint.
+/// Returns the friction and the stop of a joint.
 fn forces(joint: &Joint, item: &ast::Robot) -> String {
     let mut text = String::new();
     if joint.kind == Kind::Fixed || joint.kind.has_many() {

@@ -1,7 +1,7 @@
-//! Inertia of links that move together: fixed joints make one body of them.
+//! Checks and repairs the inertia of links that move together: fixed joints merge them into one body.
 //!
-//! What a body weighs is its second moments of mass, `S = integral r r^T dm` about its centre of mass, which have no
-//! negative eigenvalue (Traversaro et al. 2016). `J = tr(S) 1 - S` is its inertia, and `S = tr(J)/2 1 - J`.
+//! The second moments of mass about the centre of mass, `S = integral r r^T dm`, have no negative eigenvalue for any
+//! physical body (Traversaro et al. 2016). The inertia is `J = tr(S) 1 - S`, and `S = tr(J)/2 1 - J`.
 
 use std::collections::BTreeMap;
 
@@ -14,11 +14,11 @@ use super::robot::{Inertial, Joint, Kind, Link, Origin, Robot};
 use super::tree::carrier;
 use crate::error::Code;
 
-/// Below zero by less than this part of their sum, eigenvalues are rounded: files have six digits.
+/// Tolerance of negative eigenvalues, relative to the sum of all magnitudes: files have six digits.
 const ROUNDED: f64 = 1e-6;
-/// And by less than the mass times the square of this length, in m.
+/// Length in m for an absolute tolerance of negative eigenvalues: the mass times its square.
 const LEAST_LENGTH: f64 = 1e-6;
-/// Changes below this part of the second moments are the rounding of a repair.
+/// Rounding error of a repair, relative to the second moments: smaller changes are ignored.
 const DUST: f64 = 1e-13;
 
 /// Mass, first and second moments of mass about the origin of a link, along its axes.
@@ -29,26 +29,26 @@ struct Moments {
     second: Matrix,
 }
 
-/// A link of a body, and how it is turned in the frame of the first one.
+/// Link of a body, with its rotation in the frame of the first link.
 struct Member<'r> {
     link: &'r Link,
     turn: Matrix,
-    /// Whether the scene gives its mass.
+    /// True if the scene gives its mass properties.
     given: bool,
 }
 
-/// Links that move as one with the first of them.
+/// Links that move as one body with the first of them.
 struct Group<'r> {
     members: Vec<Member<'r>>,
-    /// Of the links whose mass the file gives.
+    /// Moments of the links whose mass the file gives.
     moments: Moments,
-    /// Of all links, with what the file has in place of what the scene gives.
+    /// Moments of all links, with the values of the file even where the scene gives others.
     with_given: Moments,
 }
 
-/// Checks the inertias of all bodies that links make together. Where `repair`, each that no body can have becomes the
-/// nearest that one can: the messages say which, and by how much. The root of the links does not move unless the scene
-/// gives it a joint, nor do those that are fixed to it.
+/// Checks the inertias of all bodies formed by the links. With `repair`, replaces each impossible inertia by the
+/// nearest possible one, and returns messages that name the link and the size of the change. The root and links fixed
+/// to it do not move, and are not checked, unless the scene gives the root a joint.
 pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wrong: &mut Vec<Wrong>) -> Vec<String> {
     let replaced: BTreeMap<&str, &Replaced> = replaced.iter().map(|own| (&*own.body, own)).collect();
     report_negative(robot, &replaced, wrong);
@@ -59,7 +59,7 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
         let (first, line) = (first.as_str(), Some(*line));
         let name = identifier(first);
         if group.moments.mass == 0.0 && group.moments.second.iter().flatten().any(|&x| x != 0.0) {
-            // what the scene gives may carry it
+            // the inertia may belong to a mass given by the scene
             if group.members.iter().all(|member| !member.given) {
                 wrong.push(Wrong {
                     code: Code::FileInertia,
@@ -114,7 +114,7 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
     messages
 }
 
-/// Reports negative masses but for those in whose place the scene has others.
+/// Reports negative masses, except where the scene gives another mass.
 fn report_negative(robot: &Robot, replaced: &BTreeMap<&str, &Replaced>, wrong: &mut Vec<Wrong>) {
     for Link { name, line, inertial } in &robot.links {
         let name = identifier(name);
@@ -139,7 +139,7 @@ fn percent(share: f64) -> String {
     }
 }
 
-/// The groups of links that move.
+/// Returns the groups of links that move.
 fn groups<'r>(
     robot: &'r Robot,
     carrier: &BTreeMap<&str, &'r Joint>,
@@ -157,7 +157,7 @@ fn groups<'r>(
             (None, joint) => joint.is_some_and(|joint| joint.kind != Kind::Fixed),
         };
         let (group, turn, shift) = match joint.map(|joint| (joint, places[&*joint.parent])) {
-            // what the scene puts elsewhere is judged by itself
+            // a link with another place in the scene is checked by itself
             Some((_, (Some(_), ..))) if own.is_some_and(|own| own.placed) => {
                 (Some(groups.len()), rotation([0.0; 3]), [0.0; 3])
             }
@@ -165,7 +165,7 @@ fn groups<'r>(
                 let (own, at) = place(&joint.origin);
                 (group, product(&turn, &own), add(shift, times(&turn, at)))
             }
-            // the root, which stands still, or what begins a body
+            // the fixed root, or the first link of a body
             _ => (moves.then_some(groups.len()), rotation([0.0; 3]), [0.0; 3]),
         };
         places.insert(name, (group, turn, shift));
@@ -190,7 +190,7 @@ fn groups<'r>(
     groups
 }
 
-/// The links, each behind the one that carries it.
+/// Returns the links, each after the one that carries it.
 fn in_order<'r>(robot: &'r Robot, carrier: &BTreeMap<&str, &Joint>) -> Vec<&'r Link> {
     let is_root = |link: &&Link| !carrier.contains_key(&*link.name);
     let mut order: Vec<&Link> = robot.links.iter().filter(is_root).collect();
@@ -210,25 +210,27 @@ fn in_order<'r>(robot: &'r Robot, carrier: &BTreeMap<&str, &Joint>) -> Vec<&'r L
     order
 }
 
-/// Where a frame is turned, and where its origin is.
+/// Returns the rotation of a frame and the position of its origin.
 fn place(origin: &Origin) -> (Matrix, Vector) {
     let [rpy, xyz] = [&origin.rpy, &origin.xyz].map(|numbers| numbers.each_ref().map(|text| value(text)));
     (rotation(rpy), xyz)
 }
 
-/// By how much second moments of mass are below zero.
+/// Negative part of second moments of mass.
 struct Excess {
-    /// The moments about the centre of mass with nothing below zero.
+    /// Moments about the centre of mass without the negative part.
     nearest: Matrix,
-    /// What they have more than they had.
+    /// Difference of `nearest` and the given moments.
     change: Matrix,
+    /// Sum of the magnitudes of negative eigenvalues.
     missing: f64,
+    /// Sum of the magnitudes of all eigenvalues.
     total: f64,
 }
 
 impl Group<'_> {
-    /// The heaviest link of which the file gives the mass, with what is missing; none without mass, for which nothing is
-    /// near.
+    /// Returns the heaviest link whose mass the file gives, with its repaired inertia. Returns `None` if that link has
+    /// no mass, since no possible inertia is near.
     fn repaired(&self, excess: &Excess) -> Option<(&str, Inertial)> {
         let mass = |member: &Member<'_>| {
             let inertial = member.link.inertial.as_ref();
@@ -240,12 +242,12 @@ impl Group<'_> {
         if mass(heaviest) <= 0.0 || trace(&excess.nearest) <= 0.0 {
             return None;
         }
-        // along the axes of its inertia
+        // in the axes of its inertia
         let (own, _) = place(&inertial.origin);
         let turn = product(&heaviest.turn, &own);
         let change = turned_over(&product(&transpose(&turn), &product(&excess.change, &turn)), 1.0);
         let all = sum(&inertia(inertial), &change);
-        // what was zero stays zero, to rounding
+        // entries that change by rounding only keep their text
         let rounded = DUST * trace(&excess.nearest);
         let entries = ENTRIES.map(|(i, j)| (all[i][j], change[i][j]));
         let entries = entries.iter().zip(&inertial.inertia).map(|((all, change), given)| {
@@ -267,7 +269,7 @@ impl Group<'_> {
 }
 
 impl Moments {
-    /// Negative second moments about the centre of mass, if there are any beyond rounding.
+    /// Returns the negative part of the second moments about the centre of mass, if it exceeds rounding errors.
     fn excess(&self) -> Option<Excess> {
         let Self { mass, first, second } = *self;
         if mass <= 0.0 {
@@ -292,7 +294,7 @@ impl Moments {
         })
     }
 
-    /// Those of a link about its origin.
+    /// Returns the moments of a link about its origin.
     fn of(inertial: &Inertial) -> Self {
         let (own, at) = place(&inertial.origin);
         let mass = value(&inertial.mass);
@@ -305,7 +307,7 @@ impl Moments {
         }
     }
 
-    /// The same in a frame in which the link is turned and shifted.
+    /// Returns the moments in a frame where the link is rotated by `turn` and shifted by `shift`.
     fn placed(&self, turn: &Matrix, shift: Vector) -> Self {
         let Self { mass, second, .. } = *self;
         let first = times(turn, self.first);
@@ -325,7 +327,7 @@ impl Moments {
     }
 }
 
-/// Rows and columns of the entries of a file.
+/// Row and column of each entry of an inertia in a file.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 fn inertia(inertial: &Inertial) -> Matrix {
@@ -333,7 +335,8 @@ fn inertia(inertial: &Inertial) -> Matrix {
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
-/// `part tr(M) 1 - M`: the inertia of second moments of mass with the whole trace, and back with half of it.
+/// Returns `part tr(M) 1 - M`: for `part = 1`, the inertia of second moments `M` of mass; for `part = 1/2`, the second
+/// moments of an inertia `M`.
 fn turned_over(matrix: &Matrix, part: f64) -> Matrix {
     let diagonal = part * trace(matrix);
     std::array::from_fn(|i| std::array::from_fn(|j| if i == j { diagonal - matrix[i][j] } else { -matrix[i][j] }))

@@ -7,8 +7,8 @@ use super::names::identifier;
 use super::robot::{Joint, Kind, Robot};
 use super::tree::carrier;
 
-/// Holds the joints that move no mass, nor do the joints that mimic them; the messages say which. Those that the scene
-/// changes stay, as do those of links on which it hangs a body.
+/// Fixes each joint that moves no mass, unless a joint that moves mass mimics it; returns a message for each. Joints
+/// that the scene changes are left alone, and so are joints of links that carry bodies of the scene.
 pub(super) fn hold(robot: &mut Robot, replaced: &[Replaced], carriers: &BTreeSet<String>) -> Vec<String> {
     let heavy = heavy(robot, replaced, carriers);
     let moves_mass = |joint: &Joint| heavy.contains(&joint.child);
@@ -17,7 +17,7 @@ pub(super) fn hold(robot: &mut Robot, replaced: &[Replaced], carriers: &BTreeSet
         replaced.iter().any(|own| own.joint && own.body == child)
     };
     let stays = |joint: &Joint| joint.kind == Kind::Fixed || moves_mass(joint) || is_changed(joint);
-    // a joint that others mimic moves what they move
+    // a joint also moves the mass of joints that mimic it
     let leaders: BTreeMap<&str, &str> = robot
         .joints
         .iter()
@@ -51,7 +51,7 @@ pub(super) fn hold(robot: &mut Robot, replaced: &[Replaced], carriers: &BTreeSet
     messages
 }
 
-/// The links that have mass, or carry some.
+/// Returns the links with mass, and those that carry them.
 fn heavy(robot: &Robot, replaced: &[Replaced], carriers: &BTreeSet<String>) -> BTreeSet<String> {
     let carrier = carrier(robot);
     let mut heavy = BTreeSet::new();

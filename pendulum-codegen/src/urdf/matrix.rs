@@ -1,7 +1,7 @@
-//! Matrices of three rows, in numbers.
+//! Numeric 3x3 matrices.
 
 pub(super) type Vector = [f64; 3];
-/// Row by row.
+/// Rows of a 3x3 matrix.
 pub(super) type Matrix = [Vector; 3];
 
 pub(super) fn add(a: Vector, b: Vector) -> Vector {
@@ -37,7 +37,7 @@ pub(super) fn trace(a: &Matrix) -> f64 {
     a[0][0] + a[1][1] + a[2][2]
 }
 
-/// The rotation by roll, pitch and yaw: about x, then about the fixed y, then about the fixed z.
+/// Returns the rotation by roll, pitch and yaw: about the fixed x, then y, then z axis.
 pub(super) fn rotation([roll, pitch, yaw]: Vector) -> Matrix {
     let [(sr, cr), (sp, cp), (sy, cy)] = [roll, pitch, yaw].map(f64::sin_cos);
     [
@@ -47,9 +47,9 @@ pub(super) fn rotation([roll, pitch, yaw]: Vector) -> Matrix {
     ]
 }
 
-/// The eigenvalues of a symmetric matrix, and the axis of each, by Jacobi's rotations.
+/// Returns the eigenvalues and eigenvectors of a symmetric matrix, by Jacobi rotations.
 pub(super) fn eigen(matrix: &Matrix) -> (Vector, [Vector; 3]) {
-    /// Far more than are needed: each sweep doubles the digits.
+    /// Number of sweeps, far more than needed: each sweep doubles the correct digits.
     const SWEEPS: usize = 30;
     let (mut a, mut axes) = (*matrix, rotation([0.0; 3]));
     for _ in 0..SWEEPS {

@@ -1,16 +1,16 @@
-//! Bodies of a scene that change bodies of its robot.
+//! Merges the bodies of a scene into those of its robot.
 
 use crate::ast::{Body, BodyFields, Joint, JointKind, Properties};
 use crate::error::{Code, Errors, Reported};
 use crate::words;
 
-/// The bodies of a scene: those of its robot, changed by those of the same name, and then the others.
+/// Returns the bodies of the robot, changed by those of the scene with the same name, and then the other bodies.
 pub(super) fn merged(robot: Vec<Body>, own: Vec<Body>, errors: &mut Errors) -> Vec<Body> {
     let mut bodies = robot;
     let mut changed = vec![false; bodies.len()];
     for mut body in own {
         match bodies.iter().position(|link| link.name == body.name) {
-            // twice is an error of its own
+            // a repeated name is reported later
             Some(n) if n < changed.len() && !changed[n] => {
                 changed[n] = true;
                 change(&mut bodies[n], body, errors);
@@ -25,8 +25,8 @@ pub(super) fn merged(robot: Vec<Body>, own: Vec<Body>, errors: &mut Errors) -> V
     bodies
 }
 
-/// Refuses a new body that seems to mean a link: one without a joint, beside the link whose name or whose joint's it
-/// almost has.
+/// Rejects a new body that seems to mean a link: it has no joint, and almost the name of a link on the same parent, or
+/// the name of that link's joint.
 fn check_new(body: &Body, links: &[Body], errors: &mut Errors) -> Option<Reported> {
     let (name, Ok(parent), None) = (&body.name, &body.parent, &body.fields.joint) else {
         return None;
@@ -51,7 +51,7 @@ fn check_new(body: &Body, links: &[Body], errors: &mut Errors) -> Option<Reporte
     Some(errors.at(Code::FileChange, name.span(), fact, help))
 }
 
-/// Replaces what `body` names in a link.
+/// Replaces the parts of a link that `body` gives.
 fn change(link: &mut Body, body: Body, errors: &mut Errors) {
     let Body {
         name,
@@ -81,7 +81,7 @@ fn change(link: &mut Body, body: Body, errors: &mut Errors) {
     link.fields = changed(old, fields);
 }
 
-/// Forgets what a link no longer has when its joint or its coordinate is replaced.
+/// Removes the fields of a link that no longer apply to its new joint or coordinate.
 fn forget(old: &mut BodyFields, new: &BodyFields) {
     if let Some(joint) = &new.joint {
         if joint.is_fixed() || joint.turns_freely() {
@@ -102,7 +102,7 @@ fn forget(old: &mut BodyFields, new: &BodyFields) {
     }
 }
 
-/// Forgets what a joint of one coordinate has that moves by itself.
+/// Removes the fields of a joint with a free coordinate.
 fn release(fields: &mut BodyFields) {
     fields.coordinate = None;
     fields.motion = None;
@@ -111,9 +111,9 @@ fn release(fields: &mut BodyFields) {
     fields.stop = None;
 }
 
-/// The fields of a link, each of which a new one replaces.
+/// Returns the fields of a link, each replaced by the new one if there is one.
 fn changed(mut old: BodyFields, new: BodyFields) -> BodyFields {
-    // judged was the inertia with the mass of the file, where that is
+    // the inertia was checked with the mass and the centre of mass of the file
     if let Some(inertia) = &mut old.properties.inertia
         && (new.properties.mass.is_some() || new.properties.com.is_some())
     {
@@ -145,7 +145,7 @@ fn changed(mut old: BodyFields, new: BodyFields) -> BodyFields {
     }
 }
 
-/// The joint of a link: where a new one has no place of its own, it stands where the old one stood.
+/// Returns the joint of a link: a new joint without a place of its own keeps the place of the old one.
 fn placed(old: Option<Joint>, new: Option<Joint>) -> Option<Joint> {
     let Some(mut joint) = new else { return old };
     if let Some(old) = old.filter(|_| !joint.is_placed()) {

@@ -1,5 +1,5 @@
-//! A robot from a URDF file, as bodies of the scene: what the file says is written in the language, and read as if it
-//! stood there.
+//! Robots from URDF files: a file is translated into bodies in the text of the language, and these are parsed as if
+//! they were part of the scene.
 
 mod attribute;
 mod declare;
@@ -26,9 +26,9 @@ use declare::Replaced;
 use names::identifier;
 use robot::{Joint, Robot};
 
-/// Gives the text of a file by its name.
+/// Function that returns the text of a file by its name.
 pub(crate) type Files<'f> = dyn Fn(&str) -> Result<String, Unreadable> + 'f;
-/// Why a file cannot be read, and what to do about it.
+/// Reason why a file cannot be read, and a help text.
 pub(crate) type Unreadable = (String, &'static str);
 
 /// Adds the bodies of the robot to a scene that has one.
@@ -45,7 +45,7 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     let (name, span) = (robot.path.clone(), robot.span);
     let text = files(&name).map_err(|(fact, help)| errors.at(Code::NoFile, span, fact, help))?;
     let (mut found, mut wrong) = read::read(&text, robot.strict);
-    // what it is that cannot be declared is of interest where all could be read
+    // errors in the declaration count only if the whole file could be read
     let mut ignored = Vec::new();
     let undeclared = if wrong.is_empty() { &mut wrong } else { &mut ignored };
     let replaced = replaced(&scene.items.bodies);
@@ -68,7 +68,7 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
         )
     };
     if let Some(reported) = wrong.into_iter().map(report).last() {
-        // uses of the coordinates that are known are no errors of their own
+        // known coordinates stay declared, so that their uses are not reported too
         let links = declared
             .parse()
             .map_or(Ok(Vec::new()), |tokens| parse::bodies(tokens, &mut Errors::default()));
@@ -76,7 +76,7 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
         scene.items.bodies = merge::merged(links.unwrap_or_default(), own, &mut Errors::default());
         return Err(reported);
     }
-    // a stop is one of a single coordinate of the state
+    // a stop limits a single coordinate of the state
     let has_stop = |joint: &Joint| robot.limits && !joint.kind.has_many() && joint.mimic.is_none();
     let is_left = |joint: &Joint| joint.limits.is_some() && !has_stop(joint);
     if found.joints.iter().any(is_left) {
@@ -105,7 +105,7 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     Ok(())
 }
 
-/// The links on which the scene hangs bodies of its own.
+/// Returns the links that carry bodies declared in the scene.
 fn carriers(own: &[Body], robot: &Robot) -> BTreeSet<String> {
     let links: BTreeSet<String> = robot.links.iter().map(|link| identifier(&link.name)).collect();
     let new = own.iter().filter(|body| !links.contains(&body.name.to_string()));
@@ -113,7 +113,7 @@ fn carriers(own: &[Body], robot: &Robot) -> BTreeSet<String> {
     carriers.map(ToString::to_string).collect()
 }
 
-/// What a scene says of joints.
+/// Returns the changes that a scene makes to links and joints.
 fn replaced(own: &[Body]) -> Vec<Replaced> {
     let changes =
         |fields: &BodyFields| fields.joint.is_some() || fields.coordinate.is_some() || fields.motion.is_some();
@@ -142,7 +142,7 @@ fn replaced(own: &[Body]) -> Vec<Replaced> {
     replaced.collect()
 }
 
-/// What the documentation of the model says of its robot.
+/// Returns the documentation of the robot for the docs of the model.
 fn docs(name: &str, robot: &Robot, repaired: &[String]) -> Vec<String> {
     let left: Vec<String> = robot.left_out.iter().map(|element| format!("`{element}`")).collect();
     let left = match &left[..] {
@@ -159,7 +159,7 @@ fn docs(name: &str, robot: &Robot, repaired: &[String]) -> Vec<String> {
     docs
 }
 
-/// Tokens that stand on one place.
+/// Sets the span of all tokens.
 fn at(span: Span, tokens: TokenStream) -> TokenStream {
     let placed = |token| match token {
         TokenTree::Group(group) => {
@@ -175,8 +175,8 @@ fn at(span: Span, tokens: TokenStream) -> TokenStream {
     tokens.into_iter().map(placed).collect()
 }
 
-/// An item by which cargo builds anew when the file of a robot changes. It names the manifest's folder as the compiler
-/// knows it, so that it is the same on every machine.
+/// Returns an item that makes cargo rebuild when the file of a robot changes. It refers to the folder of the manifest
+/// by a compile-time variable, so that it is the same on every machine.
 pub(crate) fn tracked(name: &str) -> TokenStream {
     let path = match Path::new(name).is_absolute() {
         true => quote!(#name),

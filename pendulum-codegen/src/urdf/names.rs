@@ -1,4 +1,4 @@
-//! The names of links and joints as identifiers of the language.
+//! Names of links and joints as identifiers of the language.
 
 use std::collections::BTreeMap;
 
@@ -7,13 +7,13 @@ use super::robot::{Joint, Kind, Robot};
 use crate::error::Code;
 use crate::parse::is_identifier;
 
-/// Names that mean something else, and keywords that no raw identifier has.
+/// Names with another meaning, and keywords that cannot be raw identifiers.
 const TAKEN: [&str; 5] = ["ground", "self", "Self", "super", "crate"];
 
-/// The angle of a planar joint.
+/// Suffix of the coordinate for the angle of a planar joint.
 pub(super) const TURN: &str = "turn";
 
-/// A name as an identifier: whatever cannot stand in one becomes `_`.
+/// Converts a name to an identifier; characters that cannot be part of one become `_`.
 pub(super) fn identifier(name: &str) -> String {
     let plain = |c: char| if is_identifier(&format!("_{c}")) { c } else { '_' };
     let mut identifier: String = name.chars().map(plain).collect();
@@ -27,12 +27,12 @@ pub(super) fn identifier(name: &str) -> String {
     identifier
 }
 
-/// The name of a part of a joint that has more than one coordinate.
+/// Returns the name of a part of a joint with several coordinates.
 pub(super) fn part_of(joint: &Joint, part: &str) -> String {
     identifier(&format!("{}_{part}", joint.name))
 }
 
-/// Two links or two joints that have one name here are an error, be it that of a part.
+/// Reports links and joints whose names, or names of parts, become the same identifier.
 pub(super) fn check_names(robot: &Robot, wrong: &mut Vec<Wrong>) {
     let planar = robot.joints.iter().filter(|joint| joint.kind == Kind::Planar);
     let slides = planar.flat_map(|joint| joint.in_plane().map(|axis| (joint, part_of(joint, axis))));

@@ -1,29 +1,30 @@
-//! Numbers of a URDF file as text of the language.
+//! Numbers of a URDF file, as text of the language.
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-/// The number zero, however it was written.
+/// Text of the number zero, in whatever form it was written.
 pub(super) const ZERO: &str = "0";
 
-/// The least angle or length that a file can mean, in rad or m: exporters leave rounding of zeros behind.
+/// Minimum magnitude of an angle or a length, in rad or m: smaller values are rounded zeros of an exporter.
 const DUST: f64 = 1e-12;
 
-/// The least and the largest number of the language.
+/// Minimum magnitude of a number of the language, except for zero.
 const LEAST: f64 = 1e-300;
+/// Maximum magnitude of a number of the language.
 const MOST: f64 = 1e300;
 
-/// How near to a multiple of 45 degrees an angle means that multiple, however many digits it has: some files have
-/// 1.570796325.
+/// Minimum tolerance, in rad, for rounding an angle to a multiple of 45 degrees, however many digits it has: some files
+/// have 1.570796325.
 const NEAR: f64 = 1e-8;
 
-/// The fewest decimals by which a multiple of 45 degrees is known.
+/// Minimum number of decimals of a rounded multiple of 45 degrees.
 const FEWEST_DECIMALS: i32 = 4;
 
-/// A number, digit for digit.
+/// Converts a number, digit for digit. Returns `None` if it is not a number, not finite, or if it underflows.
 pub(super) fn number(text: &str) -> Option<String> {
     let value: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
     if value == 0.0 {
-        // of a number that is too small some digit is another
+        // a nonzero number that underflows has a nonzero digit
         let mut digits = text.chars().take_while(|c| !matches!(c, 'e' | 'E'));
         return digits.all(|c| !matches!(c, '1'..='9')).then(|| ZERO.to_owned());
     }
@@ -31,7 +32,7 @@ pub(super) fn number(text: &str) -> Option<String> {
         Some(digits) => ("-", digits),
         None => ("", text.strip_prefix('+').unwrap_or(text)),
     };
-    // Rust has no `.5`, and takes the method `e3` in `1.e3`
+    // Rust has no `.5`, and parses `1.e3` as a field or method `e3`
     let (mantissa, exponent) = digits.find(['e', 'E']).map_or((digits, ""), |at| digits.split_at(at));
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, "0"));
     let part = |digits: &str| {
@@ -44,24 +45,24 @@ pub(super) fn number(text: &str) -> Option<String> {
     Some(format!("{sign}{}.{}{exponent}", part(whole), part(fraction)))
 }
 
-/// Whether a text is a number, of whatever size: neither `inf` nor `nan`, which Rust reads as well.
+/// True if a text is a number, of whatever size. `inf` and `nan`, which Rust parses as well, are not numbers.
 pub(super) fn is_number(text: &str) -> bool {
     let text = text.trim();
     text.parse::<f64>().is_ok() && text.contains(|c: char| c.is_ascii_digit())
 }
 
-/// Whether all of some numbers are zero.
+/// True if all numbers are zero.
 pub(super) fn are_zero(numbers: &[String]) -> bool {
     numbers.iter().all(|number| number == ZERO)
 }
 
-/// Whether the language has a number of this size.
+/// True if the language has a number of this magnitude.
 pub(super) fn is_in_range(text: &str) -> bool {
     let size = text.trim().parse().map_or(f64::NAN, f64::abs);
     (LEAST..=MOST).contains(&size)
 }
 
-/// A length or a part of a direction.
+/// Converts a length or a component of a direction.
 pub(super) fn length(text: &str) -> Option<String> {
     let value: f64 = text.parse().ok()?;
     if value.abs() < DUST {
@@ -71,8 +72,8 @@ pub(super) fn length(text: &str) -> Option<String> {
     }
 }
 
-/// An angle: a multiple of 45 degrees that was rounded or cut off is that multiple of pi. Its sine and cosine are exact
-/// then, and those that are zero cost nothing.
+/// Converts an angle: a rounded or truncated multiple of 45 degrees becomes that multiple of pi. Its sine and cosine
+/// are then exact, and terms with zeros drop out.
 pub(super) fn angle(text: &str) -> Option<String> {
     let value: f64 = text.parse().ok()?;
     let count = (value / FRAC_PI_4).round();
@@ -88,7 +89,7 @@ pub(super) fn angle(text: &str) -> Option<String> {
     })
 }
 
-/// The value of what [`number`], [`length`] or [`angle`] returned.
+/// Returns the value of a text from [`number`], [`length`] or [`angle`].
 pub(super) fn value(text: &str) -> f64 {
     let Some(at) = text.find("pi") else {
         return text.parse().unwrap_or(f64::NAN);
@@ -102,7 +103,7 @@ pub(super) fn value(text: &str) -> f64 {
     factor * PI / behind.parse().unwrap_or(1.0)
 }
 
-/// One unit of the last decimal of a number; 0 where it has so few that it says little.
+/// Returns one unit in the last decimal of a number, or 0 if it has too few decimals.
 fn last_decimal(text: &str) -> f64 {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let fraction = mantissa.split_once('.').map_or("", |(_, fraction)| fraction);
@@ -162,14 +163,14 @@ mod tests {
             ("-0.785398163397", "-pi/4"),
             ("2.356194490192345", "3*pi/4"),
             ("4.7124", "6*pi/4"),
-            // fewer decimals, or others, are another angle
+            // too few decimals, or other digits: another angle
             ("1.571", "1.571"),
             ("1.5703", "1.5703"),
             ("1.57081234", "1.57081234"),
             ("1.57", "1.57"),
             ("2", "2.0"),
             ("0.0001", "0.0001"),
-            // what is left of a zero
+            // rounded zeros
             ("-6.12303176911189e-17", "0"),
             ("0", "0"),
         ];

@@ -9,17 +9,17 @@ use super::robot::{Inertial, Joint, Kind, Link, Mimic, Origin, Robot};
 use crate::error::Code;
 use crate::words;
 
-/// What is wrong with a file, and what to do about it.
+/// Error in a file, with a help text.
 #[derive(Debug)]
 pub(super) struct Wrong {
     pub(super) code: Code,
-    /// The line in the file, if it is one place.
+    /// Line in the file, if the error has a single place.
     pub(super) line: Option<usize>,
     pub(super) fact: String,
     pub(super) help: String,
 }
 
-/// Elements that have nothing to do with the motion.
+/// Elements without influence on the motion.
 const ELSEWHERE: [&str; 18] = [
     "visual",
     "collision",
@@ -41,7 +41,7 @@ const ELSEWHERE: [&str; 18] = [
     "verbose",
 ];
 
-/// The attributes of the elements that say how the robot is built.
+/// Attributes of the elements that describe the mechanism.
 const ATTRIBUTES: [(&str, &[&str]); 7] = [
     ("origin", &["xyz", "rpy"]),
     ("mass", &["value"]),
@@ -52,7 +52,7 @@ const ATTRIBUTES: [(&str, &[&str]); 7] = [
     ("mimic", &["joint", "multiplier", "offset"]),
 ];
 
-/// What is read of elements that have more attributes in practice: those of other programs.
+/// Attributes that are read from elements with further attributes for other programs.
 const AMONG_OTHERS: [(&str, &[&str]); 2] = [
     ("dynamics", &["damping", "friction"]),
     ("limit", &["lower", "upper", "effort", "velocity"]),
@@ -60,11 +60,10 @@ const AMONG_OTHERS: [(&str, &[&str]); 2] = [
 
 const ROBOT: &str = "a URDF file is `<robot name=\"..\"> .. </robot>`";
 
-/// The default multiplier, and a number that is no error of its own.
+/// Default multiplier, also used for unreadable numbers, since it causes no further errors.
 pub(super) const ONE: &str = "1.0";
 
-/// Reads a file, of which each element must be known where `strict`. Whatever can be read is returned, beside all that is
-/// wrong.
+/// Reads a file. Returns whatever can be read, and all errors; with `strict`, unknown elements are errors.
 pub(super) fn read(text: &str, strict: bool) -> (Robot, Vec<Wrong>) {
     let breaks = text.match_indices('\n').map(|(at, _)| at).collect();
     let mut reader = Reader {
@@ -94,9 +93,9 @@ pub(super) fn read(text: &str, strict: bool) -> (Robot, Vec<Wrong>) {
 #[derive(Debug, Default)]
 pub(super) struct Reader {
     strict: bool,
-    /// Where lines end.
+    /// Positions of the line breaks.
     breaks: Vec<usize>,
-    /// The line of the element that is read.
+    /// Line of the current element.
     line: Option<usize>,
     robot: Robot,
     wrong: Vec<Wrong>,
@@ -108,7 +107,7 @@ impl Reader {
         self.wrong.push(Wrong { code, line, fact, help });
     }
 
-    /// Goes to an element: errors are on its line from here on.
+    /// Moves to an element: from here on, errors are reported on its line, which is returned.
     pub(super) fn go_to(&mut self, node: Node<'_, '_>) -> usize {
         let line = 1 + self.breaks.partition_point(|&end| end < node.range().start);
         self.line = Some(line);
@@ -252,7 +251,7 @@ impl Reader {
             origin,
             parent,
             child,
-            // that of the specification, where none is given
+            // the default of the specification
             axis: axis.unwrap_or_else(|| ["1", ZERO, ZERO].map(str::to_owned)),
             most,
             limits: limits.filter(|_| node.attribute("type") != Some("continuous")),
@@ -293,10 +292,10 @@ impl Reader {
         }
     }
 
-    /// The child elements of known names. Those that belong elsewhere, or to a name space, are left out.
+    /// Returns the child elements of known names. Elements for other programs or in a namespace are left out.
     fn children<'a, 'i>(&mut self, node: Node<'a, 'i>, owner: &str, known: &[&str]) -> Vec<Node<'a, 'i>> {
         let mut found = Vec::new();
-        // that of all elements without a prefix, if there is one
+        // the default namespace, if there is one
         let own = node.document().root_element().tag_name().namespace();
         for child in node.children().filter(Node::is_element) {
             let name = child.tag_name();
@@ -312,7 +311,7 @@ impl Reader {
         found
     }
 
-    /// Leaves an element out that is not known, unless it seems misspelt, or all must be known.
+    /// Leaves out an unknown element; reports it if it seems misspelt, or if all elements must be known.
     fn unknown_element(&mut self, node: Node<'_, '_>, owner: &str, known: &[&str]) {
         let name = node.tag_name().name();
         let meant = words::advice(name, known.iter().copied(), &[]).meant;
@@ -329,7 +328,7 @@ impl Reader {
         self.wrong(Code::FileElement, fact, help);
     }
 
-    /// The child elements, of which each name may stand once.
+    /// Returns the child elements by name; reports repeated names.
     fn by_name<'a, 'i>(&mut self, node: Node<'a, 'i>, owner: &str, known: &[&str]) -> BTreeMap<&'a str, Node<'a, 'i>> {
         let mut parts = BTreeMap::new();
         for part in self.children(node, owner, known) {
@@ -347,7 +346,7 @@ impl Reader {
         parts
     }
 
-    /// A misspelt attribute would pass for one that is left out.
+    /// Reports misspelt attributes, which would otherwise pass for missing ones.
     fn check_attributes(&mut self, part: Node<'_, '_>, owner: &str) {
         let element = part.tag_name().name();
         let of = |(name, _): &&(&str, _)| *name == element;
@@ -359,7 +358,7 @@ impl Reader {
                 }
             }
         } else if let Some((_, known)) = AMONG_OTHERS.iter().find(of) {
-            // one that is there has not been misspelt
+            // an attribute that is present has not been misspelt
             let absent = || known.iter().copied().filter(|known| !part.has_attribute(*known));
             let own = part.attributes().filter(|attribute| attribute.namespace().is_none());
             for attribute in own.map(|attribute| attribute.name()) {

@@ -1,4 +1,4 @@
-//! A robot: links, and joints that tie them together.
+//! Links of a robot, and joints that connect them.
 
 use std::collections::BTreeSet;
 
@@ -9,20 +9,19 @@ use super::number::ZERO;
 pub(super) struct Robot {
     pub(super) links: Vec<Link>,
     pub(super) joints: Vec<Joint>,
-    /// Elements that say nothing about the motion, and those that are not taken over.
+    /// Names of the elements that are left out, because they do not affect the motion or are not used.
     pub(super) left_out: BTreeSet<String>,
 }
 
-/// A link.
 #[derive(Debug)]
 pub(super) struct Link {
     pub(super) name: String,
-    /// The line of its element in the file.
+    /// Line of the element in the file.
     pub(super) line: usize,
     pub(super) inertial: Option<Inertial>,
 }
 
-/// The mass properties of a link.
+/// Mass properties of a link.
 #[derive(Clone, Debug)]
 pub(super) struct Inertial {
     pub(super) origin: Origin,
@@ -31,36 +30,36 @@ pub(super) struct Inertial {
     pub(super) inertia: [String; 6],
 }
 
-/// A place and an orientation.
+/// Position and orientation of a frame.
 #[derive(Clone, Debug)]
 pub(super) struct Origin {
     pub(super) xyz: [String; 3],
     pub(super) rpy: [String; 3],
 }
 
-/// A joint.
 #[derive(Debug)]
 pub(super) struct Joint {
     pub(super) name: String,
-    /// The line of its element in the file.
+    /// Line of the element in the file.
     pub(super) line: usize,
     pub(super) kind: Kind,
     pub(super) origin: Origin,
     pub(super) parent: String,
     pub(super) child: String,
     pub(super) axis: [String; 3],
-    /// The least and the largest coordinate.
+    /// Lower and upper limit of the coordinate.
     pub(super) limits: Option<[String; 2]>,
-    /// The largest force along it, and the largest rate; infinite where none is given.
+    /// Maximum force and rate; infinite if the file gives none.
     pub(super) most: [f64; 2],
-    /// Viscous and dry friction.
+    /// Viscous friction.
     pub(super) damping: Option<String>,
+    /// Dry friction.
     pub(super) friction: Option<String>,
     pub(super) mimic: Option<Mimic>,
 }
 
 impl Joint {
-    /// The axes along which a planar joint slides; any where its own is none of the three.
+    /// Returns the axes along which a planar joint slides; an arbitrary pair if its own axis is no coordinate axis.
     pub(super) fn in_plane(&self) -> [&'static str; 2] {
         match self.axis.each_ref().map(|number| number == ZERO) {
             [false, ..] => ["y", "z"],
@@ -70,26 +69,26 @@ impl Joint {
     }
 }
 
-/// How a joint moves.
+/// Kind of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Fixed,
     Turns,
     Slides,
-    /// It moves in all ways.
+    /// Rotation about all axes, and translation along all axes.
     Floats,
-    /// It moves in the plane across its axis.
+    /// Motion in the plane normal to the axis.
     Planar,
 }
 
 impl Kind {
-    /// Whether it has more than one coordinate.
+    /// True if the joint has more than one coordinate.
     pub(super) fn has_many(self) -> bool {
         matches!(self, Self::Floats | Self::Planar)
     }
 }
 
-/// A joint that follows another.
+/// Relation of a joint to the one it follows: `multiplier * joint + offset`.
 #[derive(Debug)]
 pub(super) struct Mimic {
     pub(super) joint: String,

@@ -1,4 +1,4 @@
-//! Whether the links of a robot hang on each other as a tree.
+//! Checks that the links of a robot form a tree.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,11 +6,11 @@ use super::read::Wrong;
 use super::robot::{Joint, Link, Robot};
 use crate::error::Code;
 
-/// Whether each link hangs on one joint at most, and all of them on one root.
+/// Checks that at most one joint carries each link, and that all links hang on one root. Adds errors to `wrong`.
 pub(super) fn is_tree(robot: &Robot, wrong: &mut Vec<Wrong>) -> bool {
     let unknown = unknown_ends(robot);
     let carriers = carriers(robot);
-    // what hangs on a link by its misspelt name seems to hang on nothing
+    // a misspelt link in a joint would make another link appear as a root
     let roots = if unknown.is_empty() {
         roots(robot, &carriers)
     } else {
@@ -23,12 +23,12 @@ pub(super) fn is_tree(robot: &Robot, wrong: &mut Vec<Wrong>) -> bool {
     wrong.len() == before
 }
 
-/// The joint that carries each link of a tree but the root.
+/// Returns the joint that carries each link of a tree except the root.
 pub(super) fn carrier(robot: &Robot) -> BTreeMap<&str, &Joint> {
     robot.joints.iter().map(|joint| (&*joint.child, joint)).collect()
 }
 
-/// The joints that carry each link.
+/// Returns the joints that carry each link.
 fn carriers(robot: &Robot) -> BTreeMap<&str, Vec<&Joint>> {
     let mut carriers: BTreeMap<&str, Vec<&Joint>> = BTreeMap::new();
     for joint in &robot.joints {
@@ -37,7 +37,7 @@ fn carriers(robot: &Robot) -> BTreeMap<&str, Vec<&Joint>> {
     carriers
 }
 
-/// Ends of joints that are no links.
+/// Returns errors for ends of joints that are no links.
 fn unknown_ends(robot: &Robot) -> Vec<Wrong> {
     let known: BTreeSet<&str> = robot.links.iter().map(|link| link.name.as_str()).collect();
     let mut found = Vec::new();
@@ -57,7 +57,7 @@ fn unknown_ends(robot: &Robot) -> Vec<Wrong> {
     found
 }
 
-/// Links that hang on more than one joint.
+/// Returns errors for links that hang on more than one joint.
 fn loops(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Vec<Wrong> {
     let mut found = Vec::new();
     for Link { name, line, .. } in &robot.links {
@@ -75,7 +75,7 @@ fn loops(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Vec<Wrong> {
     found
 }
 
-/// More roots than one, or none, or links that hang on none.
+/// Returns an error if there is more than one root, or none, or a link that hangs on no root.
 fn roots(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Option<Wrong> {
     let known: BTreeSet<&str> = robot.links.iter().map(|link| link.name.as_str()).collect();
     let roots: BTreeSet<&str> = known
@@ -110,7 +110,7 @@ fn roots(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Option<Wrong>
     })
 }
 
-/// The links that hang on some, and these.
+/// Returns the links that hang on the roots, including the roots.
 fn reached<'r>(robot: &'r Robot, roots: BTreeSet<&'r str>) -> BTreeSet<&'r str> {
     let mut children: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for joint in &robot.joints {

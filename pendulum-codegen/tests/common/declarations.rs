@@ -2,7 +2,7 @@
 
 use proc_macro2::{TokenStream, TokenTree};
 
-/// The contents of every `mechanism! { .. }`, wherever it stands.
+/// Returns the contents of every `mechanism! { .. }`, at any depth.
 pub(crate) fn declarations(tokens: TokenStream) -> Vec<TokenStream> {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let mut declarations = Vec::new();

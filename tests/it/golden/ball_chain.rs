@@ -11,13 +11,13 @@ mod __BallPendulum {
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl BallPendulumParams {
-        /// The names of the parameters, in the order of their declaration.
+        /// Names of the parameters, in the order of their declaration.
         pub const NAMES: [&'static str; 0] = [];
-        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        /// Returns the values of the parameters, in the order of [`NAMES`](Self::NAMES).
         pub const fn to_array(self) -> [f64; 0] {
             []
         }
-        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        /// Builds parameters from their values, in the order of [`NAMES`](Self::NAMES).
         pub const fn from_array(values: [f64; 0]) -> Self {
             let [] = values;
             Self {}
@@ -97,12 +97,12 @@ t29 = t27 + t26 - t27
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl BallPendulum {
-        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
-        /// have.
+        /// Returns the first parameter, or combination of parameters, that is not finite or is impossible for a
+        /// rigid body.
         pub fn new(
             params: BallPendulumParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -150,8 +150,8 @@ t29 = t27 + t26 - t27
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
-        /// and then rounded.
+        /// Converts the model to another number type, such as `f32`. Its constants are computed in double
+        /// precision and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> BallPendulum<T> {
             BallPendulum {
                 params: self.params,
@@ -161,15 +161,15 @@ t29 = t27 + t26 - t27
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> BallPendulum<T> {
-        /// The parameters that the model was built from.
+        /// Returns the parameters from which the model was built.
         pub fn params(&self) -> &BallPendulumParams {
             &self.params
         }
-        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        /// Returns a model with other parameters, in the same number type, and recomputes its constants.
         ///
         /// # Errors
         ///
-        /// Those of `new`.
+        /// Returns the errors of `new`.
         pub fn with_params(
             &self,
             params: BallPendulumParams,
@@ -178,17 +178,17 @@ t29 = t27 + t26 - t27
         }
     }
     impl BallPendulum {
-        ///The first place of `a` in the state, whose components stand in 1.
+        ///First index of `a` in the state. Its components are in 1.
         pub const A: usize = 0;
-        ///The first place of `dot(a)` in the state, whose components stand in rad/s.
+        ///First index of `dot(a)` in the state. Its components are in rad/s.
         pub const DOT_A: usize = 8;
-        ///The first place of `b` in the state, whose components stand in 1.
+        ///First index of `b` in the state. Its components are in 1.
         pub const B: usize = 4;
-        ///The first place of `dot(b)` in the state, whose components stand in rad/s.
+        ///First index of `dot(b)` in the state. Its components are in rad/s.
         pub const DOT_B: usize = 11;
-        /// The number of degrees of freedom, and of rates; a quaternion has one component more.
+        /// Number of degrees of freedom, and of rates. A quaternion has one more component than its rates.
         pub const DOF: usize = 6;
-        /// The names of the coordinates, in the order in which their rates stand in the state; of an orientation the axes of its angular velocity.
+        /// Names of the coordinates, in the order of their rates in the state. An orientation is listed as the axes of its angular velocity.
         pub const COORDINATES: [&'static str; 6] = [
             "a.x",
             "a.y",
@@ -197,7 +197,7 @@ t29 = t27 + t26 - t27
             "b.y",
             "b.z",
         ];
-        /// Counted operations of each generated function, in the form that it has and in others.
+        /// Operation counts of each generated function, in its own form and in others.
         pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
             &[
                 (
@@ -237,7 +237,7 @@ t29 = t27 + t26 - t27
                 ),
             ],
         );
-        /// What each part of the state is.
+        /// Layout of the state.
         pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
@@ -255,7 +255,7 @@ t29 = t27 + t26 - t27
                 ],
             )
             .autonomous();
-        /// The equations of motion as text.
+        /// Equations of motion as text.
         pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[a.x, a.x] = t26 + t27 + t29 + t28 - t26 - t29\nA[a.x, a.y] = -(1/25000*t2*t5 + 0.00196*t3*t6 + 0.12192*t4*t7)\nA[a.x, a.z] = -(0.12*t4 + 1/25000*t2*t8 + 0.00392*t3*t9 + 0.06096*t4*t10)\nA[a.x, b.x] = 0.03146*t2 + 0.06*t6\nA[a.x, b.y] = 0.061*t3 - 0.12*t5\nA[a.x, b.z] = 0.002*t4\nA[a.y, a.y] = t28 + t29\nA[a.y, a.z] = -(0.12*t7 + 1/12500*t5*t8 + 0.00196*t6*t9 + 0.06096*t7*t10)\nA[a.y, b.x] = 0.06292*t5 - 0.12*t3\nA[a.y, b.y] = 0.0305*t6 + 0.06*t2\nA[a.y, b.z] = 0.002*t7\nA[a.z, a.z] = t26 + t27\nA[a.z, b.x] = 0.06292*t8\nA[a.z, b.y] = 0.061*t9\nA[a.z, b.z] = 0.001*t10\nA[b.x, b.x] = 0.03146\nA[b.y, b.y] = 0.0305\nA[b.z, b.z] = 0.001\nb[a.x] = 9.81*t1 + 1/12500*dot(a).y*dot(a).z + t2*b[b.x] + 2*t3*b[b.y] + 2*t4*b[b.z]\n    + 0.5*(2*t7*t25 - 0.12*t6*t23 - 0.24*t5*t24) - 13/60*dot(a).y*dot(a).z\nb[a.y] = 13/60*dot(a).x*dot(a).z + 2*t5*b[b.x] + t6*b[b.y] + 2*t7*b[b.z] - 1/12500*dot(a).x*dot(a).z - 9.81*t0\n    - 0.5*(2*t4*t25 - 0.24*t3*t23 - 0.12*t2*t24)\nb[a.z] = 2*t8*b[b.x] + 2*t9*b[b.y] + t10*b[b.z]\nb[b.x] = 0.12*(2*t9*t13 + 2*t3*t11 + t6*t12) + 0.00098*(t19 + t20*t21) - 0.03048*t23\nb[b.y] = 0.03048*t24 - 1/50000*(t21*t22 - t17) - 0.12*(2*t8*t13 + t2*t11 + 2*t5*t12)\nb[b.z] = 1/50000*(t18 + t20*t22) - 0.00098*(t20*t22 - t18)\n\nwhere\nt0 = a.x*a.z - a.y*a.w\nt1 = a.y*a.z + a.x*a.w\nt2 = 1 - 2*(b.y^2 + b.z^2)\nt3 = b.x*b.y - b.z*b.w\nt4 = b.x*b.z + b.y*b.w\nt5 = b.x*b.y + b.z*b.w\nt6 = 1 - 2*(b.x^2 + b.z^2)\nt7 = b.y*b.z - b.x*b.w\nt8 = b.x*b.z - b.y*b.w\nt9 = b.y*b.z + b.x*b.w\nt10 = 1 - 2*(b.x^2 + b.y^2)\nt11 = 19.62*t0 - 0.5*dot(a).x*dot(a).z\nt12 = 19.62*t1 - 0.5*dot(a).y*dot(a).z\nt13 = 9.81*(1 - 2*(a.x^2 + a.y^2)) + 0.5*(dot(a).y^2 + dot(a).x^2)\nt14 = 2*dot(a).z*t9 + 2*dot(a).x*t3 + dot(a).y*t6\nt15 = dot(a).z*t10 + 2*dot(a).x*t4 + 2*dot(a).y*t7\nt16 = 2*dot(a).z*t8 + dot(a).x*t2 + 2*dot(a).y*t5\nt17 = dot(b).x*t15 - dot(b).z*t16\nt18 = dot(b).y*t16 - dot(b).x*t14\nt19 = dot(b).z*t14 - dot(b).y*t15\nt20 = dot(b).y + t14\nt21 = dot(b).z + t15\nt22 = dot(b).x + t16\nt23 = t20*t21 - t19\nt24 = t17 + t21*t22\nt25 = 0.12*(t20^2 + t22^2)\nt26 = 1/12500 + 1/50000*t2^2 + 0.00392*t3^2 + 0.12192*t4^2\nt27 = 1/12500 + 1/12500*t5^2 + 0.00098*t6^2 + 0.12192*t7^2\nt28 = 13/60 + 0.12*t10 + 1/12500*t8^2 + 0.00392*t9^2 + 0.03048*t10^2\nt29 = t27 + t26 - t27\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

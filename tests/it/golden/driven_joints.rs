@@ -43,7 +43,7 @@ mod __DrivenPivot {
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl DrivenPivotParams {
-        /// The names of the parameters, in the order of their declaration.
+        /// Names of the parameters, in the order of their declaration.
         pub const NAMES: [&'static str; 10] = [
             "m1",
             "m2",
@@ -56,7 +56,7 @@ mod __DrivenPivot {
             "ny",
             "gamma",
         ];
-        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        /// Returns the values of the parameters, in the order of [`NAMES`](Self::NAMES).
         pub const fn to_array(self) -> [f64; 10] {
             [
                 self.m1,
@@ -71,7 +71,7 @@ mod __DrivenPivot {
                 self.gamma,
             ]
         }
-        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        /// Builds parameters from their values, in the order of [`NAMES`](Self::NAMES).
         pub const fn from_array(values: [f64; 10]) -> Self {
             let [v0, v1, v2, v3, v4, v5, v6, v7, v8, v9] = values;
             Self {
@@ -164,12 +164,12 @@ k43 = b*w^2*ny^2*(m1 + m2)
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl DrivenPivot {
-        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
-        /// have.
+        /// Returns the first parameter, or combination of parameters, that is not finite or is impossible for a
+        /// rigid body.
         pub fn new(
             params: DrivenPivotParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -400,8 +400,8 @@ k43 = b*w^2*ny^2*(m1 + m2)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
-        /// and then rounded.
+        /// Converts the model to another number type, such as `f32`. Its constants are computed in double
+        /// precision and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DrivenPivot<T> {
             DrivenPivot {
                 params: self.params,
@@ -411,15 +411,15 @@ k43 = b*w^2*ny^2*(m1 + m2)
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> DrivenPivot<T> {
-        /// The parameters that the model was built from.
+        /// Returns the parameters from which the model was built.
         pub fn params(&self) -> &DrivenPivotParams {
             &self.params
         }
-        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        /// Returns a model with other parameters, in the same number type, and recomputes its constants.
         ///
         /// # Errors
         ///
-        /// Those of `new`.
+        /// Returns the errors of `new`.
         pub fn with_params(
             &self,
             params: DrivenPivotParams,
@@ -428,19 +428,19 @@ k43 = b*w^2*ny^2*(m1 + m2)
         }
     }
     impl DrivenPivot {
-        ///The place of `theta1` in the state, where it stands in rad.
+        ///Index of `theta1` in the state, in rad.
         pub const THETA1: usize = 0;
-        ///The place of `dot(theta1)` in the state, where it stands in rad/s.
+        ///Index of `dot(theta1)` in the state, in rad/s.
         pub const DOT_THETA1: usize = 2;
-        ///The place of `theta2` in the state, where it stands in rad.
+        ///Index of `theta2` in the state, in rad.
         pub const THETA2: usize = 1;
-        ///The place of `dot(theta2)` in the state, where it stands in rad/s.
+        ///Index of `dot(theta2)` in the state, in rad/s.
         pub const DOT_THETA2: usize = 3;
-        /// The number of degrees of freedom; the state has twice as many components.
+        /// Number of degrees of freedom. The state has twice as many components.
         pub const DOF: usize = 2;
-        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        /// Names of the coordinates. The state holds their positions and then their rates in this order.
         pub const COORDINATES: [&'static str; 2] = ["theta1", "theta2"];
-        /// Counted operations of each generated function, in the form that it has and in others.
+        /// Operation counts of each generated function, in its own form and in others.
         pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
             &[
                 (
@@ -547,7 +547,7 @@ k43 = b*w^2*ny^2*(m1 + m2)
                 ),
             ],
         );
-        /// What each part of the state is.
+        /// Layout of the state.
         pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
             &[
                 ::pendulum_core::Slot::new(
@@ -566,9 +566,9 @@ k43 = b*w^2*ny^2*(m1 + m2)
                     .periodic(),
             ],
         );
-        /// The equations of motion as text.
+        /// Equations of motion as text.
         pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives,\n    Q the forces of the joints\n\nA[theta1, theta1] = 1/3*m1*l1^2 + m2*l1^2\nA[theta1, theta2] = 0.5*m2*l1*l2*cos(theta1 - theta2)\nA[theta2, theta2] = 1/3*m2*l2^2\nb[theta1] = 0.5*m2*l1*l2*dot(theta2)^2*sin(theta1 - theta2) + 4.905*(m1*l1 + 2*m2*l1)*sin(theta1)\n    - (0.5*m1*l1*b*w^2*ny^2 + m2*l1*b*w^2*ny^2)*sin(theta1)*sin(w*ny*t)\n    - (0.5*m1*l1*a*w^2*nx^2 + m2*l1*a*w^2*nx^2)*cos(theta1)*cos(w*nx*t)\nb[theta2] = 4.905*m2*l2*sin(theta2) - 0.5*m2*l1*l2*dot(theta1)^2*sin(theta1 - theta2)\n    - 0.5*m2*l2*b*w^2*ny^2*sin(theta2)*sin(w*ny*t) - 0.5*m2*l2*a*w^2*nx^2*cos(theta2)*cos(w*nx*t)\nQ[theta1] = gamma*dot(theta2) - 2*gamma*dot(theta1)\nQ[theta2] = gamma*dot(theta1) - gamma*dot(theta2)\n";
-        ///The bodies whose joints are driven.
+        ///Bodies whose joints are driven.
         pub const DRIVES: [&'static str; 2] = ["across", "pivot"];
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -802,7 +802,7 @@ k43 = b*w^2*ny^2*(m1 + m2)
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> DrivenPivot<T> {
-        ///The forces that the drives supply along their joints, in the order of the declaration: N m where a joint turns, N where it slides.
+        ///Forces supplied by the drives along their joints, in the order of the declaration: in N m where a joint turns, in N where it slides.
         #[inline]
         pub fn drive_forces(
             &self,

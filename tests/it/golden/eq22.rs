@@ -41,7 +41,7 @@ mod __DoublePendulum {
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl DoublePendulumParams {
-        /// The names of the parameters, in the order of their declaration.
+        /// Names of the parameters, in the order of their declaration.
         pub const NAMES: [&'static str; 7] = [
             "m",
             "inertia",
@@ -51,11 +51,11 @@ mod __DoublePendulum {
             "gamma1",
             "gamma2",
         ];
-        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        /// Returns the values of the parameters, in the order of [`NAMES`](Self::NAMES).
         pub const fn to_array(self) -> [f64; 7] {
             [self.m, self.inertia, self.c, self.d, self.g, self.gamma1, self.gamma2]
         }
-        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        /// Builds parameters from their values, in the order of [`NAMES`](Self::NAMES).
         pub const fn from_array(values: [f64; 7]) -> Self {
             let [v0, v1, v2, v3, v4, v5, v6] = values;
             Self {
@@ -109,12 +109,12 @@ k11 = -m*c*d/(inertia + m*c^2)
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl DoublePendulum {
-        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
-        /// have.
+        /// Returns the first parameter, or combination of parameters, that is not finite or is impossible for a
+        /// rigid body.
         pub fn new(
             params: DoublePendulumParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -232,8 +232,8 @@ k11 = -m*c*d/(inertia + m*c^2)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
-        /// and then rounded.
+        /// Converts the model to another number type, such as `f32`. Its constants are computed in double
+        /// precision and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
             DoublePendulum {
                 params: self.params,
@@ -243,15 +243,15 @@ k11 = -m*c*d/(inertia + m*c^2)
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> DoublePendulum<T> {
-        /// The parameters that the model was built from.
+        /// Returns the parameters from which the model was built.
         pub fn params(&self) -> &DoublePendulumParams {
             &self.params
         }
-        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        /// Returns a model with other parameters, in the same number type, and recomputes its constants.
         ///
         /// # Errors
         ///
-        /// Those of `new`.
+        /// Returns the errors of `new`.
         pub fn with_params(
             &self,
             params: DoublePendulumParams,
@@ -260,19 +260,19 @@ k11 = -m*c*d/(inertia + m*c^2)
         }
     }
     impl DoublePendulum {
-        ///The place of `theta1` in the state, where it stands in rad.
+        ///Index of `theta1` in the state, in rad.
         pub const THETA1: usize = 0;
-        ///The place of `dot(theta1)` in the state, where it stands in rad/s.
+        ///Index of `dot(theta1)` in the state, in rad/s.
         pub const DOT_THETA1: usize = 2;
-        ///The place of `theta2` in the state, where it stands in rad.
+        ///Index of `theta2` in the state, in rad.
         pub const THETA2: usize = 1;
-        ///The place of `dot(theta2)` in the state, where it stands in rad/s.
+        ///Index of `dot(theta2)` in the state, in rad/s.
         pub const DOT_THETA2: usize = 3;
-        /// The number of degrees of freedom; the state has twice as many components.
+        /// Number of degrees of freedom. The state has twice as many components.
         pub const DOF: usize = 2;
-        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        /// Names of the coordinates. The state holds their positions and then their rates in this order.
         pub const COORDINATES: [&'static str; 2] = ["theta1", "theta2"];
-        /// Counted operations of each generated function, in the form that it has and in others.
+        /// Operation counts of each generated function, in its own form and in others.
         pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
             &[
                 (
@@ -413,7 +413,7 @@ k11 = -m*c*d/(inertia + m*c^2)
                 ),
             ],
         );
-        /// What each part of the state is.
+        /// Layout of the state.
         pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
@@ -433,7 +433,7 @@ k11 = -m*c*d/(inertia + m*c^2)
                 ],
             )
             .autonomous();
-        /// The equations of motion as text.
+        /// Equations of motion as text.
         pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = inertia + m*c^2 + m*d^2\nA[theta1, theta2] = m*c*d*cos(theta1 - theta2)\nA[theta2, theta2] = inertia + m*c^2\nb[theta1] = m*c*d*dot(theta2)^2*sin(theta1 - theta2) + (m*c*g + m*d*g)*sin(theta1)\nb[theta2] = m*c*g*sin(theta2) - m*c*d*dot(theta1)^2*sin(theta1 - theta2)\nQ[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)\nQ[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

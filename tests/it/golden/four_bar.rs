@@ -28,13 +28,13 @@ mod __FourBar {
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl FourBarParams {
-        /// The names of the parameters, in the order of their declaration.
+        /// Names of the parameters, in the order of their declaration.
         pub const NAMES: [&'static str; 5] = ["a", "b", "c", "d", "gamma"];
-        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        /// Returns the values of the parameters, in the order of [`NAMES`](Self::NAMES).
         pub const fn to_array(self) -> [f64; 5] {
             [self.a, self.b, self.c, self.d, self.gamma]
         }
-        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        /// Builds parameters from their values, in the order of [`NAMES`](Self::NAMES).
         pub const fn from_array(values: [f64; 5]) -> Self {
             let [v0, v1, v2, v3, v4] = values;
             Self {
@@ -141,12 +141,12 @@ k36 = -1
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl FourBar {
-        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
-        /// have.
+        /// Returns the first parameter, or combination of parameters, that is not finite or is impossible for a
+        /// rigid body.
         pub fn new(
             params: FourBarParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -322,8 +322,8 @@ k36 = -1
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
-        /// and then rounded.
+        /// Converts the model to another number type, such as `f32`. Its constants are computed in double
+        /// precision and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> FourBar<T> {
             FourBar {
                 params: self.params,
@@ -333,15 +333,15 @@ k36 = -1
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> FourBar<T> {
-        /// The parameters that the model was built from.
+        /// Returns the parameters from which the model was built.
         pub fn params(&self) -> &FourBarParams {
             &self.params
         }
-        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        /// Returns a model with other parameters, in the same number type, and recomputes its constants.
         ///
         /// # Errors
         ///
-        /// Those of `new`.
+        /// Returns the errors of `new`.
         pub fn with_params(
             &self,
             params: FourBarParams,
@@ -350,15 +350,15 @@ k36 = -1
         }
     }
     impl FourBar {
-        ///The place of `theta` in the state, where it stands in rad.
+        ///Index of `theta` in the state, in rad.
         pub const THETA: usize = 0;
-        ///The place of `dot(theta)` in the state, where it stands in rad/s.
+        ///Index of `dot(theta)` in the state, in rad/s.
         pub const DOT_THETA: usize = 1;
-        /// The number of degrees of freedom; the state has twice as many components.
+        /// Number of degrees of freedom. The state has twice as many components.
         pub const DOF: usize = 1;
-        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        /// Names of the coordinates. The state holds their positions and then their rates in this order.
         pub const COORDINATES: [&'static str; 1] = ["theta"];
-        /// Counted operations of each generated function, in the form that it has and in others.
+        /// Operation counts of each generated function, in its own form and in others.
         pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
             &[
                 (
@@ -650,7 +650,7 @@ k36 = -1
                 ),
             ],
         );
-        /// What each part of the state is.
+        /// Layout of the state.
         pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
@@ -663,9 +663,9 @@ k36 = -1
                 ],
             )
             .autonomous();
-        /// The equations of motion as text.
+        /// Equations of motion as text.
         pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta, theta] = 0.3*c^2*slope_angle_rocker_theta^2 + 28/15*a^2 + 0.02*t14*slope_angle_coupler_theta*t12\n    + 0.18*a*slope_angle_coupler_theta*t13 + slope_angle_coupler_theta*t15\nb[theta] = 0.09*a*dot(theta)^2*slope_angle_coupler_theta*t12 + 19.1295*a*c_theta + 0.01*t14*dot(angle_coupler)^2*t13\n    + drift_angle_coupler*t15 + 0.0981*(18 + 55*b)*slope_angle_coupler_theta*cos(angle_coupler)\n    + 0.3*c^2*slope_angle_rocker_theta*drift_angle_rocker + 4.4145*c*slope_angle_rocker_theta*cos(angle_rocker)\n    + 0.01*t14*drift_angle_coupler*t12 + 0.09*a*drift_angle_coupler*t13\n    - 0.01*t14*dot(theta)^2*slope_angle_coupler_theta*t13 - 0.09*a*dot(angle_coupler)^2*t12\n    - 0.8829*slope_angle_coupler_theta*sin(angle_coupler)\nQ[theta] = -gamma*dot(psi)*slope_angle_rocker_theta\n\nwhere\nc_theta = cos(theta)\nt0 = d - a*c_theta\nt1 = t0^2 + (a*sin(theta))^2\nt2 = 0.5 + 0.5*(b^2 - c^2)/t1\nt3 = sqrt(b^2/t1 - t2^2)\nt4 = t0*t2 + a*sin(theta)*t3\nt5 = t0*t3 - a*sin(theta)*t2\nangle_coupler = atan2(t5/b, t4/b)\nt7 = t0 - t4\nt6 = a*sin(theta)*t2 - t0*t3\nt8 = t6 - a*sin(theta)\nangle_rocker = atan2(-t8/c, -t7/c)\nt9 = a*sin(theta) - t6\nslope_angle_coupler_theta = -(a*sin(theta)*t7 + a*c_theta*t9)/(t1*t3)\ndot(angle_coupler) = dot(theta)*slope_angle_coupler_theta\nslope_angle_rocker_theta = (a*sin(theta)*t4 + a*c_theta*t6)/(t1*t3)\ndot(angle_rocker) = dot(theta)*slope_angle_rocker_theta\nt10 = a*dot(theta)^2*c_theta + t4*dot(angle_coupler)^2 + t7*dot(angle_rocker)^2\nt11 = a*dot(theta)^2*sin(theta) + t5*dot(angle_coupler)^2 + t8*dot(angle_rocker)^2\ndrift_angle_coupler = (t9*t11 - t7*t10)/(t1*t3)\ndrift_angle_rocker = -(t6*t11 - t4*t10)/(t1*t3)\ndot(psi) = dot(angle_rocker)\nt12 = cos(theta - angle_coupler)\nt13 = sin(theta - angle_coupler)\nt14 = 18*a + 55*a*b\nt15 = 1/750*(54 + 275*b^2)*slope_angle_coupler_theta\n";
-        ///The names of the components of all outputs.
+        ///Names of the components of all outputs.
         pub const OUTPUTS: [&'static str; 5] = [
             "follow[0]",
             "follow[1]",
@@ -967,7 +967,7 @@ k36 = -1
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> FourBar<T> {
-        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1. And the rates of that.
+        ///Margin of each closed loop from its singularity (toggle), in the order of the declaration: 0 there, and at most 1. Then the rates of the margins.
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn loop_margins(
@@ -1040,7 +1040,7 @@ k36 = -1
                 k33 + t8 + (-t6).atan2(T::from_f64(1.0) - t5),
             ])
         }
-        ///The rate of `follow` along the motion.
+        ///Rate of `follow` along the motion.
         #[inline]
         pub fn follow_rate(
             &self,
@@ -1069,7 +1069,7 @@ k36 = -1
                 (t0 * t8 + t1 * t9) * t7,
             ])
         }
-        ///The value of `follow`, and its derivatives by the state: a row for each component, column by column for a matrix.
+        ///Value of `follow`, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
         #[inline]
         pub fn follow_and_jacobian(
             &self,
@@ -1148,7 +1148,7 @@ k36 = -1
                 t0 + k35 * (t6 - t0) - k34 * t6,
             ])
         }
-        ///The rate of `gap` along the motion.
+        ///Rate of `gap` along the motion.
         #[inline]
         pub fn gap_rate(
             &self,
@@ -1186,7 +1186,7 @@ k36 = -1
                 t0 * cos_theta + t11 * t12 - t10 * t14,
             ])
         }
-        ///The value of `gap`, and its derivatives by the state: a row for each component, column by column for a matrix.
+        ///Value of `gap`, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
         #[inline]
         pub fn gap_and_jacobian(
             &self,
@@ -1260,7 +1260,7 @@ k36 = -1
             let t7 = t1 * (t2 * t5 + t1 * t6) + t0 * (t1 * t5 - t2 * t6);
             qd_theta * (T::from_f64(1.0) / (t3 * t6) * t7)
         }
-        ///The rate of `rocking` along the motion.
+        ///Rate of `rocking` along the motion.
         #[inline]
         pub fn rocking_rate(
             &self,
@@ -1330,7 +1330,7 @@ k36 = -1
             let t39 = k17 + t12 * t37 + t23 * (t35 - k14 * t17 - k15 * t16);
             t12 * t38 * (T::from_f64(-1.0) / t39) - t8 * t32
         }
-        ///The value of `rocking`, and its derivatives by the state: a row for each component, column by column for a matrix.
+        ///Value of `rocking`, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
         #[inline]
         pub fn rocking_and_jacobian(
             &self,
@@ -1416,7 +1416,7 @@ k36 = -1
                 qd_theta * (T::from_f64(1.0) / (t4 * t7)) * (t1 * t10 - t0 * t11),
             ])
         }
-        ///The rate of all outputs along the motion.
+        ///Rate of all outputs along the motion.
         #[inline]
         pub fn output_rates(
             &self,
@@ -1498,7 +1498,7 @@ k36 = -1
                 t17 * t42 * (T::from_f64(-1.0) / t43) - t9 * t36,
             ])
         }
-        ///The value of all outputs, and its derivatives by the state: a row for each component, column by column for a matrix.
+        ///Value of all outputs, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
         #[inline]
         pub fn outputs_and_jacobian(
             &self,

@@ -25,13 +25,13 @@ mod __Block {
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl BlockParams {
-        /// The names of the parameters, in the order of their declaration.
+        /// Names of the parameters, in the order of their declaration.
         pub const NAMES: [&'static str; 4] = ["m", "mu", "at_rest", "pull"];
-        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        /// Returns the values of the parameters, in the order of [`NAMES`](Self::NAMES).
         pub const fn to_array(self) -> [f64; 4] {
             [self.m, self.mu, self.at_rest, self.pull]
         }
-        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        /// Builds parameters from their values, in the order of [`NAMES`](Self::NAMES).
         pub const fn from_array(values: [f64; 4]) -> Self {
             let [v0, v1, v2, v3] = values;
             Self {
@@ -73,12 +73,12 @@ k4 = 1/m
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl Block {
-        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
-        /// have.
+        /// Returns the first parameter, or combination of parameters, that is not finite or is impossible for a
+        /// rigid body.
         pub fn new(
             params: BlockParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -162,8 +162,8 @@ k4 = 1/m
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
-        /// and then rounded.
+        /// Converts the model to another number type, such as `f32`. Its constants are computed in double
+        /// precision and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Block<T> {
             Block {
                 params: self.params,
@@ -173,15 +173,15 @@ k4 = 1/m
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> Block<T> {
-        /// The parameters that the model was built from.
+        /// Returns the parameters from which the model was built.
         pub fn params(&self) -> &BlockParams {
             &self.params
         }
-        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        /// Returns a model with other parameters, in the same number type, and recomputes its constants.
         ///
         /// # Errors
         ///
-        /// Those of `new`.
+        /// Returns the errors of `new`.
         pub fn with_params(
             &self,
             params: BlockParams,
@@ -190,15 +190,15 @@ k4 = 1/m
         }
     }
     impl Block {
-        ///The place of `s` in the state, where it stands in m.
+        ///Index of `s` in the state, in m.
         pub const S: usize = 0;
-        ///The place of `dot(s)` in the state, where it stands in m/s.
+        ///Index of `dot(s)` in the state, in m/s.
         pub const DOT_S: usize = 1;
-        /// The number of degrees of freedom; the state has twice as many components.
+        /// Number of degrees of freedom. The state has twice as many components.
         pub const DOF: usize = 1;
-        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        /// Names of the coordinates. The state holds their positions and then their rates in this order.
         pub const COORDINATES: [&'static str; 1] = ["s"];
-        /// Counted operations of each generated function, in the form that it has and in others.
+        /// Operation counts of each generated function, in its own form and in others.
         pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
             &[
                 (
@@ -355,7 +355,7 @@ k4 = 1/m
                 ),
             ],
         );
-        /// What each part of the state is.
+        /// Layout of the state.
         pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
@@ -367,7 +367,7 @@ k4 = 1/m
                 ],
             )
             .autonomous();
-        /// The equations of motion as text.
+        /// Equations of motion as text.
         pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[s, s] = m\nQ[s] = force(s) + pull\n\nand along the constraints\nforce(s): dry friction of mu, at rest up to at_rest; stops at -10 and 1, restitution 0.5\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -25,13 +25,13 @@ mod __Magnets {
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl MagnetsParams {
-        /// The names of the parameters, in the order of their declaration.
+        /// Names of the parameters, in the order of their declaration.
         pub const NAMES: [&'static str; 4] = ["m", "l", "k", "gamma"];
-        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        /// Returns the values of the parameters, in the order of [`NAMES`](Self::NAMES).
         pub const fn to_array(self) -> [f64; 4] {
             [self.m, self.l, self.k, self.gamma]
         }
-        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        /// Builds parameters from their values, in the order of [`NAMES`](Self::NAMES).
         pub const fn from_array(values: [f64; 4]) -> Self {
             let [v0, v1, v2, v3] = values;
             Self {
@@ -149,12 +149,12 @@ k57 = 77343750000000/1998607065841*l^2*k
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl Magnets {
-        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
-        /// have.
+        /// Returns the first parameter, or combination of parameters, that is not finite or is impossible for a
+        /// rigid body.
         pub fn new(
             params: MagnetsParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -404,8 +404,8 @@ k57 = 77343750000000/1998607065841*l^2*k
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
-        /// and then rounded.
+        /// Converts the model to another number type, such as `f32`. Its constants are computed in double
+        /// precision and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Magnets<T> {
             Magnets {
                 params: self.params,
@@ -415,15 +415,15 @@ k57 = 77343750000000/1998607065841*l^2*k
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> Magnets<T> {
-        /// The parameters that the model was built from.
+        /// Returns the parameters from which the model was built.
         pub fn params(&self) -> &MagnetsParams {
             &self.params
         }
-        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        /// Returns a model with other parameters, in the same number type, and recomputes its constants.
         ///
         /// # Errors
         ///
-        /// Those of `new`.
+        /// Returns the errors of `new`.
         pub fn with_params(
             &self,
             params: MagnetsParams,
@@ -432,19 +432,19 @@ k57 = 77343750000000/1998607065841*l^2*k
         }
     }
     impl Magnets {
-        ///The place of `theta1` in the state, where it stands in rad.
+        ///Index of `theta1` in the state, in rad.
         pub const THETA1: usize = 0;
-        ///The place of `dot(theta1)` in the state, where it stands in rad/s.
+        ///Index of `dot(theta1)` in the state, in rad/s.
         pub const DOT_THETA1: usize = 2;
-        ///The place of `theta2` in the state, where it stands in rad.
+        ///Index of `theta2` in the state, in rad.
         pub const THETA2: usize = 1;
-        ///The place of `dot(theta2)` in the state, where it stands in rad/s.
+        ///Index of `dot(theta2)` in the state, in rad/s.
         pub const DOT_THETA2: usize = 3;
-        /// The number of degrees of freedom; the state has twice as many components.
+        /// Number of degrees of freedom. The state has twice as many components.
         pub const DOF: usize = 2;
-        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        /// Names of the coordinates. The state holds their positions and then their rates in this order.
         pub const COORDINATES: [&'static str; 2] = ["theta1", "theta2"];
-        /// Counted operations of each generated function, in the form that it has and in others.
+        /// Operation counts of each generated function, in its own form and in others.
         pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
             &[
                 (
@@ -525,7 +525,7 @@ k57 = 77343750000000/1998607065841*l^2*k
                 ),
             ],
         );
-        /// What each part of the state is.
+        /// Layout of the state.
         pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
@@ -545,7 +545,7 @@ k57 = 77343750000000/1998607065841*l^2*k
                 ],
             )
             .autonomous();
-        /// The equations of motion as text.
+        /// Equations of motion as text.
         pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all other forces\n\nA[theta1, theta1] = 5/3*m*l^2 + m*l^2*c2\nA[theta1, theta2] = 1/3*m*l^2 + 0.5*m*l^2*c2\nA[theta2, theta2] = 1/3*m*l^2\nb[theta1] = 4.905*m*l*s12 + 14.715*m*l*s1 - 0.5*m*l^2*dot(theta2)^2*s2 - m*l^2*dot(theta1)*dot(theta2)*s2\nb[theta2] = 0.5*m*l^2*dot(theta1)^2*s2 + 4.905*m*l*s12\nQ[theta1] = -(gamma*dot(theta1) + k*(1.5*(2*l*cos(theta1)*t7 + 2*l*s1*t8)*sqrt(t9)/t9^3\n    + 1.5*(2*l*s1*t8 + 2*l*cos(theta1)*t10)*sqrt(t11)/t11^3 - 1.5*(2*t1*t2 + 2*t0*t3)*sqrt(t4)/t4^3\n    - 1.5*(2*t0*t3 + 2*t1*t5)*sqrt(t6)/t6^3))\nQ[theta2] = k*(1.5*sqrt(t4)*(2*l*cos(theta1 + theta2)*t2 + 2*l*s12*t3)/t4^3\n    + 1.5*sqrt(t6)*(2*l*s12*t3 + 2*l*cos(theta1 + theta2)*t5)/t6^3) - gamma*dot(theta2)\n\nwhere\ns1 = sin(theta1)\nc2 = cos(theta2)\ns2 = sin(theta2)\ns12 = sin(theta1 + theta2)\nt0 = l*s1 + l*s12\nt1 = l*cos(theta1) + l*cos(theta1 + theta2)\nt2 = -0.15 - t0\nt3 = t1 - 0.66\nt4 = t2^2 + t3^2\nt5 = 0.2 - t0\nt6 = t3^2 + t5^2\nt7 = -0.15 - l*s1\nt8 = l*cos(theta1) - 0.66\nt9 = t7^2 + t8^2\nt10 = 0.2 - l*s1\nt11 = t8^2 + t10^2\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -11,13 +11,13 @@ mod __Ur5 {
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl Ur5Params {
-        /// The names of the parameters, in the order of their declaration.
+        /// Names of the parameters, in the order of their declaration.
         pub const NAMES: [&'static str; 0] = [];
-        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        /// Returns the values of the parameters, in the order of [`NAMES`](Self::NAMES).
         pub const fn to_array(self) -> [f64; 0] {
             []
         }
-        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        /// Builds parameters from their values, in the order of [`NAMES`](Self::NAMES).
         pub const fn from_array(values: [f64; 0]) -> Self {
             let [] = values;
             Self {}
@@ -111,12 +111,12 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl Ur5 {
-        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
-        /// have.
+        /// Returns the first parameter, or combination of parameters, that is not finite or is impossible for a
+        /// rigid body.
         pub fn new(
             params: Ur5Params,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -164,8 +164,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
-        /// and then rounded.
+        /// Converts the model to another number type, such as `f32`. Its constants are computed in double
+        /// precision and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Ur5<T> {
             Ur5 {
                 params: self.params,
@@ -175,15 +175,15 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> Ur5<T> {
-        /// The parameters that the model was built from.
+        /// Returns the parameters from which the model was built.
         pub fn params(&self) -> &Ur5Params {
             &self.params
         }
-        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        /// Returns a model with other parameters, in the same number type, and recomputes its constants.
         ///
         /// # Errors
         ///
-        /// Those of `new`.
+        /// Returns the errors of `new`.
         pub fn with_params(
             &self,
             params: Ur5Params,
@@ -192,35 +192,35 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         }
     }
     impl Ur5 {
-        ///The place of `q1` in the state, where it stands in rad.
+        ///Index of `q1` in the state, in rad.
         pub const Q1: usize = 0;
-        ///The place of `dot(q1)` in the state, where it stands in rad/s.
+        ///Index of `dot(q1)` in the state, in rad/s.
         pub const DOT_Q1: usize = 6;
-        ///The place of `q2` in the state, where it stands in rad.
+        ///Index of `q2` in the state, in rad.
         pub const Q2: usize = 1;
-        ///The place of `dot(q2)` in the state, where it stands in rad/s.
+        ///Index of `dot(q2)` in the state, in rad/s.
         pub const DOT_Q2: usize = 7;
-        ///The place of `q3` in the state, where it stands in rad.
+        ///Index of `q3` in the state, in rad.
         pub const Q3: usize = 2;
-        ///The place of `dot(q3)` in the state, where it stands in rad/s.
+        ///Index of `dot(q3)` in the state, in rad/s.
         pub const DOT_Q3: usize = 8;
-        ///The place of `q4` in the state, where it stands in rad.
+        ///Index of `q4` in the state, in rad.
         pub const Q4: usize = 3;
-        ///The place of `dot(q4)` in the state, where it stands in rad/s.
+        ///Index of `dot(q4)` in the state, in rad/s.
         pub const DOT_Q4: usize = 9;
-        ///The place of `q5` in the state, where it stands in rad.
+        ///Index of `q5` in the state, in rad.
         pub const Q5: usize = 4;
-        ///The place of `dot(q5)` in the state, where it stands in rad/s.
+        ///Index of `dot(q5)` in the state, in rad/s.
         pub const DOT_Q5: usize = 10;
-        ///The place of `q6` in the state, where it stands in rad.
+        ///Index of `q6` in the state, in rad.
         pub const Q6: usize = 5;
-        ///The place of `dot(q6)` in the state, where it stands in rad/s.
+        ///Index of `dot(q6)` in the state, in rad/s.
         pub const DOT_Q6: usize = 11;
-        /// The number of degrees of freedom; the state has twice as many components.
+        /// Number of degrees of freedom. The state has twice as many components.
         pub const DOF: usize = 6;
-        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        /// Names of the coordinates. The state holds their positions and then their rates in this order.
         pub const COORDINATES: [&'static str; 6] = ["q1", "q2", "q3", "q4", "q5", "q6"];
-        /// Counted operations of each generated function, in the form that it has and in others.
+        /// Operation counts of each generated function, in its own form and in others.
         pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
             &[
                 (
@@ -399,7 +399,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 ),
             ],
         );
-        /// What each part of the state is.
+        /// Layout of the state.
         pub const LAYOUT: ::pendulum_core::StateLayout<'static> = ::pendulum_core::StateLayout::new(
                 &[
                     ::pendulum_core::Slot::new(
@@ -448,7 +448,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 ],
             )
             .autonomous();
-        /// The equations of motion as text.
+        /// Equations of motion as text.
         pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[q1, q1] = 0.4395951218175 + 0.10510116377025*c234^2 + 1.75501953841*c2^2 + 0.59155695167475*c23^2\n    + c234*(c234*(0.10971 + 0.016685526855*c6^2 + c5^2*t8) - 0.03337105371*c5*s6*c6*s234) + 0.85*t9\n    - 0.0139521246075*c23*s234 - c5^2*t8\nA[q1, q2] = A[q1, q3] + 0.408499208875*s2\nA[q1, q3] = A[q1, q4] + 0.07714261911625*s23\nA[q1, q4] = 0.00194120382525*c234 - 0.016685526855*s5*s6*c6*c234 - s5*c5*s234*t8\nA[q1, q5] = 0.016685526855*c5*s6*c6*s234 - c234*A[q5, q5]\nA[q1, q6] = -0.017136473145*s5*s234\nA[q2, q2] = A[q3, q3] + 1.77012693841 + 0.85*t9 + 0.85*t10\nA[q2, q3] = A[q3, q3] + 0.425*t9 + 0.425*t10\nA[q2, q4] = A[q3, q4] + 0.007558512375*s2*c234 - 0.007558512375*c2*s234\nA[q2, q5] = 0.016685526855*s5*s6*c6\nA[q2, q6] = 0.017136473145*c5\nA[q3, q3] = A[q4, q4] + 0.59565195167475 + 0.0139521246075*s23*c234 - 0.0139521246075*c23*s234\nA[q3, q4] = A[q4, q4] + 0.00697606230375*s23*c234 - 0.00697606230375*c23*s234\nA[q3, q5] = A[q2, q5]\nA[q3, q6] = A[q2, q6]\nA[q4, q4] = 0.25785083622975 + c5^2*t8 - 0.016685526855*c6^2\nA[q4, q5] = A[q2, q5]\nA[q4, q6] = A[q2, q6]\nA[q5, q5] = 0.236556473145 + 0.016685526855*c6^2\nA[q6, q6] = 0.017136473145\nb[q1] = 0.602212521625*c2*t0 + 0.02581996229125*t6 + 0.051322656825*c23*w23^2 + 0.017784735*s234*(t7 + 0.39225*s23*t2)\n    + s234*(c5*t20 + s5*t21) - 3.51003907682*dot(q1)*dot(q2)*s2*c2 - 0.19371331275*dot(q2)^2*c2\n    - 0.602212521625*dot(q1)^2*c2 - 1.598759275*c23*t7 - 0.59155695167475*s23*c23*t2 - 0.00028722347025*s234*t11\n    - 0.10510116377025*c234*s234*t4 - 0.001653980355*s234*w234^2 - c234*b[q5] - 0.00697606230375*c23*c234*t4\n    - 0.425*c2*(1.598759275*s23*t2 + 0.017784735*c234*t4)\nb[q2] = b[q3] + 1.75501953841*dot(q1)^2*s2*c2 - 43.486969725*c2\n    - 0.425*c2*(1.598759275*s23*w23^2 + 0.017784735*c234*w234^2) - 0.425*s2*(0.017784735*s234*t11 - 1.598759275*t6)\nb[q3] = b[q4] + 0.59155695167475*dot(q1)^2*s23*c23 + 0.679472691875*c2*s23*t0 + 0.051322656825*c23*(t1 - dot(q1)*w23)\n    - 1.598759275*c23*t22 - 0.00697606230375*c23*c234*w234^2 - 0.00697606230375*s23*s234*t11\nb[q4] = 0.10510116377025*dot(q1)^2*c234*s234 + 0.017784735*c234*(0.425*c2*t0 + 0.39225*t6) + s5*t20\n    + 0.017784735*s234*(t22 + 0.39225*s23*w23^2) - 0.001653980355*s234*(t3 - dot(q1)*w234) - c5*t21\nb[q5] = 0.236331*s234*t3 + c6*t17 + s6*t19 - 0.016911*t12*t13\nb[q6] = -(0.017136473145*dot(q5)*t13 + 0.016685526855*t14*t18 + 0.017136473145*s5*c234*t3)\n\nwhere\ns2 = sin(q2)\nc2 = cos(q2)\ns5 = sin(q5)\nc5 = cos(q5)\ns6 = sin(q6)\nc6 = cos(q6)\ns23 = sin(q2 + q3)\nc23 = cos(q2 + q3)\nc234 = cos(q2 + q3 + q4)\ns234 = sin(q2 + q3 + q4)\nw23 = dot(q2) + dot(q3)\nw234 = w23 + dot(q4)\nt0 = dot(q1)^2 + dot(q2)^2\nt1 = dot(q1)*dot(q2) + dot(q1)*dot(q3)\nt2 = t1 + dot(q1)*w23\nt3 = t1 + dot(q1)*dot(q4)\nt4 = t3 + dot(q1)*w234\nt5 = dot(q5) - dot(q1)*c234\nt6 = c23*(dot(q1)^2 + w23^2)\nt7 = 0.01615*dot(q1)^2 + 0.85*dot(q1)*dot(q2)*s2\nt8 = 0.016685526855*c6^2 - 0.016685526855\nt9 = c2*(1.598759275*c23 - 0.017784735*s234)\nt10 = s2*(1.598759275*s23 + 0.017784735*c234)\nt11 = dot(q1)^2 + w234^2\nt12 = c5*w234 - dot(q1)*s5*s234\nt13 = dot(q1)*c5*s234 + s5*w234\nt14 = c6*t13 - s6*t5\nt15 = dot(q5)*t12 + c5*c234*t3\nt16 = t12 + dot(q6)\nt17 = 0.016911*dot(q6)*t14 + 0.016911*c6*s234*t3 + 0.016911*s6*t15 + 0.016911*t14*t16\nt18 = c6*t5 + s6*t13\nt19 = 0.000225473145*dot(q6)*t18 + 0.000225473145*s6*s234*t3 + 0.000225473145*t16*t18 - 0.000225473145*c6*t15\nt20 = 0.126621*dot(q5)*t12 + 0.126621*t5*t12 + 0.126621*c5*c234*t3 + s6*t17 - c6*t19\nt21 = 0.126846473145*dot(q5)*t13 + 0.10971*t5*t13 + 0.016685526855*t14*t18 + 0.126846473145*s5*c234*t3\nt22 = 9.81 + 0.425*dot(q2)^2*s2\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -1,4 +1,4 @@
-//! Blocks as C.
+//! Blocks as C code.
 
 use std::collections::BTreeSet;
 
@@ -8,14 +8,14 @@ use super::template::lines;
 use crate::expr::{Binary, Precedence, Unary};
 use crate::program::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
 
-/// The names of functions, noted as their calls are written.
+/// Names of called functions, collected while their calls are written.
 pub(super) type Calls = BTreeSet<String>;
 
-/// A piece of C, and how tightly it holds together.
+/// C expression and its precedence.
 pub(super) struct Piece(pub(super) String, Precedence);
 
 impl Piece {
-    /// The piece, in brackets if it is looser than its place asks for.
+    /// Returns the expression, in parentheses if its precedence is below `least`.
     pub(super) fn within(&self, least: Precedence) -> String {
         let Self(text, precedence) = self;
         let (open, close) = if *precedence < least { ("(", ")") } else { ("", "") };
@@ -23,19 +23,19 @@ impl Piece {
     }
 }
 
-/// A number, spelled so that it reads back exactly. Zeros have no sign, as in the Rust code.
+/// Literal that parses back to exactly the same value. Zeros have no sign, as in the Rust code.
 pub(super) fn number(value: f64) -> String {
     format!("{:?}", value + 0.0)
 }
 
-/// Statements that put values into their places.
+/// Statements that store values in their places.
 pub(super) fn statements(values: &[Piece], place: impl Fn(usize) -> String) -> String {
     let numbered = values.iter().enumerate();
     lines(numbered.map(|(n, Piece(value, _))| format!("{} = {value};", place(n))))
 }
 
 impl Scene<'_> {
-    /// The name that code gives to a variable, and where it finds it.
+    /// Name of a variable in generated code, and the expression it is copied from.
     pub(super) fn variable(&self, variable: Variable) -> (String, String) {
         let listed = |name: &str, n: usize, list: &str| (format!("{name}{n}"), format!("{list}[{n}]"));
         let (positions, rates) = (&self.positions, &self.rates);
@@ -60,8 +60,7 @@ impl Scene<'_> {
         }
     }
 
-    /// The statements of a block, and its results. Whatever it reads is copied first, so results may be stored in the
-    /// same place.
+    /// Statements of a block, and its results. All variables are copied first, so results may be stored in their place.
     pub(super) fn code(&self, block: &Block, calls: &mut Calls) -> (String, Vec<Piece>) {
         let reads = block.reads().into_iter().filter(|read| *read != Variable::Time);
         let reads = reads.map(|read| self.variable(read));
@@ -76,7 +75,7 @@ impl Scene<'_> {
 
 struct Writer<'s> {
     scene: &'s Scene<'s>,
-    /// The names of what statements define.
+    /// Names of the values defined by statements.
     locals: Vec<String>,
     calls: &'s mut Calls,
 }

@@ -1,5 +1,5 @@
-//! A program as C99: a header and a source without heap, and without any library but for the functions that the header
-//! names.
+//! A program as C99: a header and a source without heap, and without any library except for the functions named in the
+//! header.
 
 mod block;
 mod model;
@@ -13,21 +13,21 @@ pub use opencl::opencl;
 
 use crate::program::Program;
 
-/// A scene as C.
+/// Scene as C.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sources {
-    /// What the names of all functions and types start with; the files are `<name>.h` and `<name>.c`.
+    /// Prefix of all functions and types; the files are `<name>.h` and `<name>.c`.
     pub name: String,
-    /// The header, in which everything is documented.
+    /// Header, with all documentation.
     pub header: String,
-    /// The source.
+    /// Source.
     pub source: String,
 }
 
 /// Prints a program as C99.
 ///
-/// The results are those of the Rust code, bit for bit, where no function of the platform is called but `sqrt` and
-/// `fabs`. The last bits of the others differ from platform to platform; those of the Rust code do not.
+/// Results equal those of the Rust code bit for bit if `sqrt` and `fabs` are the only platform functions called. The
+/// last bits of other functions differ from platform to platform; those of the Rust code do not.
 pub fn c(program: &Program) -> Sources {
     let scene = Scene::new(program, snake_case(&program.name));
     let (source, calls) = scene.source();
@@ -35,7 +35,7 @@ pub fn c(program: &Program) -> Sources {
     Sources { name, header, source }
 }
 
-/// A program, and the names of its parts in C.
+/// Program, and the names of its parts in C.
 struct Scene<'p> {
     program: &'p Program,
     name: String,
@@ -58,7 +58,7 @@ impl<'p> Scene<'p> {
         }
     }
 
-    /// A template with the names and the lengths of the scene. C has no arrays without elements.
+    /// Fills a template with the names and lengths of the scene. C has no arrays without elements.
     fn fill(&self, template: &str, values: &[(&str, String)]) -> String {
         let (program, series) = (self.program, self.program.series.as_ref());
         let length = |length: usize| length.max(1).to_string();

@@ -7,7 +7,7 @@ use super::template::{fill, lines};
 use crate::program::{Condition, FINITE_CONSTANT, FINITE_PARAMETER, Quantity, ROUNDING, SlotKind};
 
 impl Scene<'_> {
-    /// The header of a source that makes these calls.
+    /// Header for a source that makes these calls.
     pub(super) fn header(&self, calls: &Calls) -> String {
         let program = self.program;
         let [positions, rates] = program.layout.components();
@@ -43,7 +43,7 @@ impl Scene<'_> {
         self.fill(include_str!("templates/header.h"), &values)
     }
 
-    /// The source, and the functions that it calls.
+    /// Source, and the functions that it calls.
     pub(super) fn source(&self) -> (String, Calls) {
         let (program, mut calls) = (self.program, Calls::new());
         let refuse = |code: &str, holds| format!("if (!({holds})) return {code};\n");
@@ -77,7 +77,7 @@ impl Scene<'_> {
         (self.fill(include_str!("templates/source.c"), &values), calls)
     }
 
-    /// A template for the defaults of the parameters, if all have one. C has no structures without fields.
+    /// Fills a template for the default parameters. Empty if a parameter has no default. C has no empty structures.
     fn defaults(&self, template: &str) -> String {
         let defaults = self.program.parameters.iter().map(|parameter| parameter.default);
         let Some(values) = defaults.collect::<Option<Vec<f64>>>() else {
@@ -88,15 +88,15 @@ impl Scene<'_> {
         self.fill(template, &[("values", values)])
     }
 
-    /// The structure of the inputs, if there are any.
+    /// Structure of the inputs, if there are any.
     fn inputs(&self) -> String {
         let template = include_str!("templates/inputs.h");
         let template = if self.inputs.is_empty() { "" } else { template };
         self.fill(template, &[("fields", fields(&self.program.inputs, &self.inputs))])
     }
 
-    /// The names of the codes of errors, in the order of [`rules`](Self::rules): of the parameter, or the combination of
-    /// parameters, and of what is wrong with it.
+    /// Names of the error codes, in the order of [`rules`](Self::rules): the parameter, or the combination of
+    /// parameters, followed by the error.
     fn codes(&self) -> Vec<String> {
         let finite = self
             .program
@@ -111,7 +111,7 @@ impl Scene<'_> {
         identifiers(&finite.chain(rules).map(code).collect::<Vec<_>>())
     }
 
-    /// What parameters must obey, as text.
+    /// Rules for parameters, as text.
     fn rules(&self) -> Vec<String> {
         let (parameters, rules) = (&self.program.parameters, &self.program.rules);
         let finite = parameters.iter().map(|parameter| (&parameter.name, FINITE_PARAMETER));
@@ -120,14 +120,14 @@ impl Scene<'_> {
     }
 }
 
-/// The functions that are called: what stands over them, and their code.
+/// Heads and code of the called functions.
 pub(super) fn functions(calls: &Calls) -> impl Iterator<Item = (&'static str, &'static str)> {
     let sections = include_str!("templates/functions.c").split("//! ");
     let sections = sections.filter_map(|section| section.split_once('\n'));
     sections.filter(|(head, _)| head.split(':').next().is_some_and(|name| calls.contains(name)))
 }
 
-/// The fields of a structure. C has no structures without fields.
+/// Fields of a structure. C has no structures without fields.
 pub(super) fn fields(quantities: &[Quantity], names: &[String]) -> String {
     let field = |(quantity, name): (&Quantity, &String)| {
         let is_number = quantity.unit == "1";

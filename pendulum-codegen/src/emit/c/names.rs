@@ -1,13 +1,13 @@
-//! Names that C can take.
+//! Names that are valid in C.
 
 use std::collections::BTreeSet;
 
 use heck::ToSnakeCase;
 
-/// Words of C and C++, macros that compilers and headers define, and the headers of C.
+/// Keywords of C and C++, macros defined by compilers and headers, and the headers of C.
 const WORDS: &str = include_str!("templates/words.txt");
 
-/// Names as identifiers, no two the same, and none a word that is taken.
+/// Identifiers for names, all distinct and none reserved.
 pub(super) fn identifiers<'a>(names: impl IntoIterator<Item = &'a String>) -> Vec<String> {
     let mut taken: BTreeSet<String> = WORDS.split_whitespace().map(String::from).collect();
     let identifier = |name: &String| {
@@ -20,8 +20,8 @@ pub(super) fn identifiers<'a>(names: impl IntoIterator<Item = &'a String>) -> Ve
     names.into_iter().map(identifier).collect()
 }
 
-/// The name of a type as the start of names of functions and files: `DoublePendulum` as `double_pendulum`. No file
-/// takes the place of a header of the standard library.
+/// Prefix of functions and files for the name of a type: `DoublePendulum` as `double_pendulum`. No file takes the name
+/// of a standard header.
 pub(super) fn snake_case(name: &str) -> String {
     let text = ascii(name).to_snake_case();
     let is_header = WORDS
@@ -30,7 +30,7 @@ pub(super) fn snake_case(name: &str) -> String {
     text + if is_header { "_" } else { "" }
 }
 
-/// The names and numbers of an expression, with underscores between them.
+/// Names and numbers of an expression, joined by underscores.
 pub(super) fn words(expression: &str) -> String {
     let text = ascii(expression);
     let words = text
@@ -39,7 +39,7 @@ pub(super) fn words(expression: &str) -> String {
     words.collect::<Vec<_>>().join("_")
 }
 
-/// A name of Rust with its letters beyond ASCII as numbers: `θ` as `u03b8`.
+/// ASCII spelling of a Rust name, with other letters as numbers: `θ` as `u03b8`.
 fn ascii(name: &str) -> String {
     let spelled = |letter: char| match u32::from(letter) {
         0..128 => letter.to_string(),

@@ -6,10 +6,9 @@ use super::model::{fields, functions};
 use super::template::lines;
 use crate::program::{Program, Role};
 
-/// Prints the right-hand side of a program as OpenCL C, and the constants that it takes.
+/// Prints the right-hand side of a program and its constants as OpenCL C.
 ///
-/// Numbers are of the type `pendulum_real`: `float` where `PENDULUM_SINGLE` is defined, else `double`. The functions
-/// are
+/// Numbers have the type `pendulum_real`: `float` if `PENDULUM_SINGLE` is defined, else `double`. The functions are
 ///
 /// ```c
 /// void scene_new(scene_model *model, const scene_params *params);
@@ -17,8 +16,8 @@ use crate::program::{Program, Role};
 /// ```
 ///
 /// where `scene_params` holds the `SCENE_PARAMETERS` parameters in the order of their declaration, and states have
-/// `SCENE_LENGTH` components. Parameters are not checked: the model in Rust does that. In double precision results are
-/// those of the Rust code, bit for bit, where no function of the platform is called but `sqrt` and `fabs`.
+/// `SCENE_LENGTH` components. Parameters are not checked; the model in Rust checks them. In double precision, results
+/// equal those of the Rust code bit for bit if `sqrt` and `fabs` are the only platform functions called.
 pub fn opencl(program: &Program) -> String {
     let scene = Scene::new(program, "scene".to_owned());
     let mut calls = Calls::new();
@@ -37,7 +36,7 @@ pub fn opencl(program: &Program) -> String {
     head.to_owned() + &body.replace("double", "pendulum_real")
 }
 
-/// The functions that are called. Those of the platform are built into OpenCL C.
+/// Called functions. Those of the platform are built into OpenCL C.
 fn functions_for_kernels(calls: &Calls) -> String {
     let functions = functions(calls).map(|(name, code)| match name {
         "pendulum_sincos" => include_str!("templates/sincos.cl"),

@@ -1,4 +1,4 @@
-//! Routines and the power series as functions.
+//! Routines and the power series as C functions.
 
 use super::Scene;
 use super::block::{Calls, Piece, statements};
@@ -8,7 +8,7 @@ use crate::expr::Precedence;
 use crate::program::{Argument, Role, Routine, Series, Shape};
 
 impl Scene<'_> {
-    /// The documentation and the prototypes of routines and series.
+    /// Documentation and prototypes of routines and series.
     pub(super) fn declarations(&self) -> String {
         let declaration = |routine| {
             let values = [("docs", documentation(routine)), ("prototype", self.prototype(routine))];
@@ -26,7 +26,7 @@ impl Scene<'_> {
                 .collect::<String>()
     }
 
-    /// Routines and series as functions.
+    /// Definitions of routines and series.
     pub(super) fn routines(&self, calls: &mut Calls) -> String {
         let routines = self.program.routines.iter();
         let routines: String = routines.map(|routine| self.routine(routine, calls)).collect();
@@ -39,20 +39,19 @@ impl Scene<'_> {
         routines + &projection + &series.map(|series| self.series(series, calls)).unwrap_or_default()
     }
 
-    /// The function that puts a state back onto its constraints, if there are any, and its documentation: it makes
-    /// quaternions of unit length again, and closes loops.
+    /// Documentation and prototype of the function that normalises quaternions and closes loops, if the model has any.
     fn projection(&self) -> Option<[String; 2]> {
         let closes = self.program.with_role(Role::LoopCorrections).is_some();
         let turns = self.program.layout.quaternions().next().is_some();
         let docs = match (turns, closes) {
             (false, false) => return None,
-            (true, false) => "Makes the quaternions of a state of unit length: call it after each step.",
+            (true, false) => "Normalises the quaternions of a state. Call it after each step.",
             (false, true) => {
-                "Closes the loops of a state: call it after each step, and on a guess until nothing changes."
+                "Closes the loops of a state. Call it after each step, and on a guess until nothing changes."
             }
             (true, true) => {
-                "Makes the quaternions of a state of unit length and closes its loops: call it after each step, and on a guess until nothing \
-                 changes."
+                "Normalises the quaternions of a state and closes its loops. Call it after each step, and on a guess \
+                 until nothing changes."
             }
         };
         let model = if closes {
@@ -64,7 +63,7 @@ impl Scene<'_> {
         Some([docs.to_owned(), prototype])
     }
 
-    /// What that function does.
+    /// Body of the projection function.
     fn projected(&self, calls: &mut Calls) -> String {
         let mut body = String::new();
         let norms = self.program.layout.quaternions().map(|places| {
@@ -84,7 +83,8 @@ impl Scene<'_> {
                 .enumerate()
                 .map(|(n, place)| format!("    x[{place}] += correction[{n}];"));
             body += &format!(
-                "double correction[{}];\nint n;\nfor (n = 0; n < {CORRECTIONS}; n++) {{\n    @name@_loop_corrections(model, t, x, correction);\n{}}}\n",
+                "double correction[{}];\nint n;\nfor (n = 0; n < {CORRECTIONS}; n++) {{\n    \
+                 @name@_loop_corrections(model, t, x, correction);\n{}}}\n",
                 places.len(),
                 lines(corrected)
             );
@@ -111,7 +111,7 @@ impl Scene<'_> {
         });
         let more: String = arguments.chain(results).collect();
         let kind = outs(routine).next().map_or("double", |_| "void");
-        // as in Rust, where the function by this name returns the matrix alone
+        // as in Rust, where `jacobian` returns the matrix alone
         let name = match routine.name.as_str() {
             "jacobian" => "rhs_and_jacobian",
             name => name,
@@ -121,7 +121,7 @@ impl Scene<'_> {
         self.fill(&prototype, &[]).trim_end().to_owned()
     }
 
-    /// The argument for the forces along the constraints; nothing where there are none.
+    /// Argument for the forces along the constraints. Empty if there are none.
     pub(super) fn forces(&self) -> String {
         match self.program.constraints.len() {
             0 => String::new(),
@@ -134,7 +134,7 @@ impl Scene<'_> {
         let (rates, kept) = results.split_at(self.program.layout.len());
         let rates = statements(rates, |n| format!("series[1][{n}]"));
         let start = start + &rates + &statements(kept, |n| format!("kept[{n}]"));
-        // forces along the constraints are constant, so there is nothing to wait for
+        // forces along the constraints are constant, so both blocks can run at once
         let mut order = series.before.clone();
         order.lets.extend(series.order.lets.iter().cloned());
         order.names.clone_from(&series.order.names);
@@ -151,7 +151,7 @@ impl Scene<'_> {
     }
 }
 
-/// What a routine computes, and how its results stand in memory.
+/// Documentation of a routine and of the memory layout of its results.
 fn documentation(routine: &Routine) -> String {
     let results = outs(routine).map(|(out, shape)| {
         let (rows, columns, kind) = match shape {
@@ -165,7 +165,7 @@ fn documentation(routine: &Routine) -> String {
     lines([routine.doc.to_owned()].into_iter().chain(results))
 }
 
-/// The results that are stored, with their names; a single number is returned.
+/// Results stored through pointers, with their names. A single number is returned instead.
 fn outs(routine: &Routine) -> impl Iterator<Item = (String, Shape<usize>)> {
     let shapes = routine.shapes.iter().copied().enumerate();
     let named = |(n, shape)| match routine.shapes.len() {

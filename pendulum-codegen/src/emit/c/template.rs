@@ -1,12 +1,12 @@
-//! C with holes.
+//! Templates of C code.
 
-/// A template with values for its `@keys@`. A key that ends a line, after nothing but spaces or the mark of a comment,
-/// takes any number of lines, each after the same.
+/// Fills the `@keys@` of a template with values. A key at the end of a line, after only spaces or a comment mark, may
+/// have any number of lines; each repeats that start.
 pub(super) fn fill(template: &str, values: &[(&str, String)]) -> String {
     let filled = template.lines().map(|line| {
         let ends = |(key, value): &'_ (&str, String)| {
             let mark = line.strip_suffix(&format!("@{key}@"))?;
-            // a backslash at the end, or its trigraph, would draw the next line into a comment
+            // a backslash at the end, or its trigraph, would pull the next line into a comment
             let line = |line: &str| {
                 let text = format!("{mark}{line}").replace("??/", "?? /");
                 text.trim_end_matches(|c: char| c.is_whitespace() || c == '\\')
@@ -22,7 +22,7 @@ pub(super) fn fill(template: &str, values: &[(&str, String)]) -> String {
     filled.collect()
 }
 
-/// Lines, each with its end.
+/// Terminates each line and concatenates them.
 pub(super) fn lines(lines: impl IntoIterator<Item = String>) -> String {
     lines.into_iter().map(|line| line + "\n").collect()
 }

@@ -1,4 +1,4 @@
-//! Blocks as Rust.
+//! Blocks as Rust code.
 
 use std::collections::BTreeSet;
 
@@ -8,25 +8,26 @@ use quote::{ToTokens, format_ident, quote};
 use crate::expr::{Binary, Precedence, Unary};
 use crate::program::{Block, Coefficient, Let, Local, Program, SinCos, Term, Variable};
 
-/// More statements than this are put into blocks. Every `let` opens a scope inside the one before, and compilers that
-/// walk scopes by recursion (as LLVM does for debug information) run out of stack when some thousand are nested.
+/// Maximum number of statements in one Rust block. Every `let` opens a scope inside the one before, and compilers that
+/// walk scopes by recursion (as LLVM does for debug information) overflow the stack at some thousand nested scopes.
 const MOST_STATEMENTS: usize = 256;
 
-/// A name that no declaration can clash with. The mark of a raw identifier has no place after a prefix.
+/// Local name that cannot clash with a declaration. The mark of a raw identifier is dropped, since it may not follow a
+/// prefix.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(&name.replace("r#", ""), Span::mixed_site())
 }
 
-/// The names that code gives to what it reads.
+/// Names of the variables in generated code.
 #[derive(Clone, Copy)]
 pub(super) struct Names<'p>(pub(super) &'p Program);
 
 impl Names<'_> {
-    /// The name of a variable.
+    /// Name of a variable.
     pub(super) fn variable(self, variable: Variable) -> Ident {
         let Self(program) = self;
         let [positions, rates] = program.layout.components();
-        // no name of a declaration begins as that of a component does: `q_theta` and `qx_p`
+        // no declared name starts like a component of the state: `q_theta` and `qx_p`
         let of_state = |prefix: &str, name: &str| match name.rsplit_once('.') {
             Some((name, axis)) => local(&format!("{prefix}{axis}_{name}")),
             None => local(&format!("{prefix}_{name}")),
@@ -54,7 +55,7 @@ impl Names<'_> {
         }
     }
 
-    /// The statements of a block, and after them what `result` makes of its results.
+    /// Statements of a block, followed by the tokens that `result` makes of its results.
     pub(super) fn code(self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
         let writer = Writer { names: self, block };
         let results: Vec<Piece> = block.results.iter().map(|term| writer.term(term)).collect();
@@ -63,11 +64,11 @@ impl Names<'_> {
     }
 }
 
-/// A piece of Rust, and how tightly it holds together.
+/// Rust expression and its precedence.
 pub(super) struct Piece(TokenStream, Precedence);
 
 impl Piece {
-    /// The piece, in brackets if it is looser than its place asks for.
+    /// Returns the expression, in parentheses if its precedence is below `least`.
     pub(super) fn within(&self, least: Precedence) -> TokenStream {
         let Self(tokens, precedence) = self;
         if *precedence < least {
@@ -84,7 +85,7 @@ impl ToTokens for Piece {
     }
 }
 
-/// A number of the generic type, spelled so that it reads back exactly.
+/// Literal of the generic type that parses back to exactly the same value.
 pub(super) fn number(value: f64) -> TokenStream {
     let size = value.abs();
     let shortest: Result<Literal, _> = format!("{size:?}").parse();
@@ -112,7 +113,7 @@ impl Writer<'_> {
             return lets.iter().map(|code| self.statement(code)).collect();
         }
         let mut needed: BTreeSet<Local> = self.block.results.iter().flat_map(Term::locals).collect();
-        // from the last chunk to the first, since each hands out only what is needed after it
+        // go from the last chunk to the first: each returns only values needed after it
         let chunks = lets.chunks(MOST_STATEMENTS).rev().map(|chunk| {
             let defined = chunk.iter().flat_map(Let::defines);
             let out = defined.filter(|local| needed.contains(local)).map(|of| self.local(of));

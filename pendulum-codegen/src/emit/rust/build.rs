@@ -1,4 +1,4 @@
-//! How a generated model is built: its parameters checked, and its constants computed.
+//! Constructor of a generated model: checks its parameters and computes its constants.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -8,7 +8,7 @@ use super::{Items, allowed, count, field};
 use crate::program::{Block, Condition, FINITE_CONSTANT, FINITE_PARAMETER, ROUNDING, Variable};
 
 impl Items<'_> {
-    /// `new` and `cast`, and the parameters of a model that was built, as they are and changed.
+    /// `new`, `cast`, `params` and `with_params`.
     pub(super) fn constructor(&self) -> TokenStream {
         let (name, parameters, program) = (&self.head.name, self.parameters_name(), self.program);
         let (given, constants) = (count(program.parameters.len()), count(program.constants_text.len()));
@@ -24,12 +24,12 @@ impl Items<'_> {
         quote! {
             #allowed
             impl #name {
-                /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+                /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
                 ///
                 /// # Errors
                 ///
-                /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
-                /// have.
+                /// Returns the first parameter, or combination of parameters, that is not finite or is impossible for a
+                /// rigid body.
                 pub fn new(params: #parameters) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
                     #[inline]
                     fn rules<T: ::pendulum_core::real::Real>(given: [T; #given]) -> [T; #checked] #rules
@@ -54,8 +54,8 @@ impl Items<'_> {
                     Ok(Self { params, constants })
                 }
 
-                /// The same model in another number type, such as `f32`. Its constants are computed in double precision
-                /// and then rounded.
+                /// Converts the model to another number type, such as `f32`. Its constants are computed in double
+                /// precision and then rounded.
                 pub fn cast<T: ::pendulum_core::real::Real>(&self) -> #name<T> {
                     #name { params: self.params, constants: self.constants.map(T::from_f64) }
                 }
@@ -69,16 +69,16 @@ impl Items<'_> {
     fn with_parameters(&self) -> TokenStream {
         let (name, parameters) = (&self.head.name, self.parameters_name());
         let methods = quote! {
-            /// The parameters that the model was built from.
+            /// Returns the parameters from which the model was built.
             pub fn params(&self) -> &#parameters {
                 &self.params
             }
 
-            /// The model with other parameters, in the same number type. Its constants are computed anew.
+            /// Returns a model with other parameters, in the same number type, and recomputes its constants.
             ///
             /// # Errors
             ///
-            /// Those of `new`.
+            /// Returns the errors of `new`.
             pub fn with_params(
                 &self,
                 params: #parameters,
@@ -89,7 +89,7 @@ impl Items<'_> {
         self.implement(None, &methods)
     }
 
-    /// What `new` refuses, from the checked values `r0`, `r1`, ..
+    /// Statements with which `new` rejects parameters, from the checked values `r0`, `r1`, ..
     fn tests(&self) -> TokenStream {
         let tests = self.program.rules.iter().map(|rule| {
             let (value, text, sentence) = (local(&format!("r{}", rule.value)), &rule.name, &rule.text);
@@ -115,7 +115,7 @@ impl Items<'_> {
         tests.collect()
     }
 
-    /// A block that computes from the parameters `given`.
+    /// Block that computes from the parameters `given`.
     fn of_parameters(&self, block: &Block) -> TokenStream {
         let names = self.names();
         let pattern = (0..self.program.parameters.len()).map(|n| names.variable(Variable::Parameter(n)));

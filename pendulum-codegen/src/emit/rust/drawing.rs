@@ -1,4 +1,4 @@
-//! How a model looks.
+//! Drawing of a model.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::{Items, allowed, count};
 
 impl Items<'_> {
-    /// `impl Shapes`, if the scene asks for it.
+    /// `impl Shapes`, if the scene requests it.
     pub(super) fn drawing(&self) -> Option<TokenStream> {
         let drawing = self.program.drawing.as_ref()?;
         let (name, allowed, length) = (&self.head.name, allowed(), self.length());
@@ -24,7 +24,11 @@ impl Items<'_> {
             ::pendulum_core::with_std! {
                 #allowed
                 impl #core::Shapes<#length> for #name {
-                    fn shapes(&self, t: f64, x: &::pendulum_core::nalgebra::SVector<f64, #length>) -> #core::Vec<#core::Shape<'_>> {
+                    fn shapes(
+                        &self,
+                        t: f64,
+                        x: &::pendulum_core::nalgebra::SVector<f64, #length>
+                    ) -> #core::Vec<#core::Shape<'_>> {
                         use ::pendulum_core::real::Real as _;
                         type T = f64;
                         #core::placed(&[#(#outlines),*], &#block)

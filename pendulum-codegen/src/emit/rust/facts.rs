@@ -28,35 +28,27 @@ impl Items<'_> {
         let has_quaternions = program.layout.quaternions().next().is_some();
         let (about_freedom, about_names) = if program.layout.dependents().next().is_some() {
             (
-                " The number of degrees of freedom, and of rates. The state also holds the coordinates that follow from closed loops.",
-                " The names of the coordinates that do not follow from others, in the order in which their rates stand in the state.",
+                " Number of degrees of freedom, and of rates. The state also holds dependent coordinates.",
+                " Names of the independent coordinates, in the order of their rates in the state.",
             )
         } else if has_quaternions {
             (
-                " The number of degrees of freedom, and of rates; a quaternion has one component more.",
-                " The names of the coordinates, in the order in which their rates stand in the state; of an orientation \
+                " Number of degrees of freedom, and of rates. A quaternion has one more component than its rates.",
+                " Names of the coordinates, in the order of their rates in the state. An orientation is listed as \
                  the axes of its angular velocity.",
             )
         } else {
             (
-                " The number of degrees of freedom; the state has twice as many components.",
-                " The names of the coordinates, in the order in which they, and then their rates, stand in the state.",
+                " Number of degrees of freedom. The state has twice as many components.",
+                " Names of the coordinates. The state holds their positions and then their rates in this order.",
             )
         };
-        let outputs = names_of(
-            "OUTPUTS",
-            "The names of the components of all outputs.",
-            &program.outputs,
-        );
+        let outputs = names_of("OUTPUTS", "Names of the components of all outputs.", &program.outputs);
         let events: Vec<String> = program.events.iter().map(|event| event.name.clone()).collect();
-        let events = names_of("EVENTS", "The names of the events.", &events);
-        let drives = names_of("DRIVES", "The bodies whose joints are driven.", &program.drives);
+        let events = names_of("EVENTS", "Names of the events.", &events);
+        let drives = names_of("DRIVES", "Bodies whose joints are driven.", &program.drives);
         let limits = self.limits();
-        let repaired = names_of(
-            "REPAIRED",
-            "What was repaired in the file of the robot.",
-            &program.repaired,
-        );
+        let repaired = names_of("REPAIRED", "Repairs made to the file of the robot.", &program.repaired);
         quote! {
             impl #name {
                 #(#places)*
@@ -64,11 +56,11 @@ impl Items<'_> {
                 pub const DOF: usize = #dof;
                 #[doc = #about_names]
                 pub const COORDINATES: [&'static str; #dof] = [#(#coordinates),*];
-                /// Counted operations of each generated function, in the form that it has and in others.
+                /// Operation counts of each generated function, in its own form and in others.
                 pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(&[#(#costs),*]);
-                /// What each part of the state is.
+                /// Layout of the state.
                 pub const LAYOUT: ::pendulum_core::StateLayout<'static> = #layout;
-                /// The equations of motion as text.
+                /// Equations of motion as text.
                 pub const EQUATIONS: &'static str = #equations;
                 #outputs
                 #events
@@ -79,7 +71,7 @@ impl Items<'_> {
         }
     }
 
-    /// The largest force and the largest rate of each coordinate, where the file of a robot gives any.
+    /// Maximum force and rate of each coordinate, if the file of a robot gives any.
     fn limits(&self) -> Option<TokenStream> {
         let most = &self.program.most;
         let dof = count(most.len());
@@ -91,18 +83,18 @@ impl Items<'_> {
             quote!([#(#numbers),*])
         });
         let limits = quote! {
-            /// The largest force along each joint that the file of the robot gives, in the order of `COORDINATES`: N m
-            /// where a joint turns, N where it slides; infinite where it gives none.
+            /// The largest force along each joint, from the file of the robot, in the order of `COORDINATES`: in N m
+            /// where a joint turns, in N where it slides; infinite where the file gives none.
             pub const EFFORT_LIMITS: [f64; #dof] = #effort;
-            /// The largest rate of each joint that the file of the robot gives, in the order of `COORDINATES`: rad/s
-            /// where a joint turns, m/s where it slides; infinite where it gives none.
+            /// The largest rate of each joint, from the file of the robot, in the order of `COORDINATES`: in rad/s
+            /// where a joint turns, in m/s where it slides; infinite where the file gives none.
             pub const VELOCITY_LIMITS: [f64; #dof] = #velocity;
         };
         (!most.is_empty()).then_some(limits)
     }
 }
 
-/// A constant that lists names, if there are any.
+/// Constant that lists names, if there are any.
 fn names_of(constant: &str, doc: &str, names: &[String]) -> Option<TokenStream> {
     let (constant, length) = (format_ident!("{constant}"), count(names.len()));
     let plain = names.iter().map(|name| name.trim_start_matches("r#"));
@@ -113,7 +105,7 @@ fn names_of(constant: &str, doc: &str, names: &[String]) -> Option<TokenStream> 
     (!names.is_empty()).then_some(item)
 }
 
-/// The places of a coordinate and of its rate in the state.
+/// Constants for the indices of a coordinate and its rate in the state.
 fn places(slot: &Slot) -> TokenStream {
     let Slot {
         name,
@@ -126,9 +118,9 @@ fn places(slot: &Slot) -> TokenStream {
     let [own, dot] =
         [(name.clone(), kind.unit()), (format!("dot({name})"), kind.rate_unit())].map(|(name, unit)| match kind {
             SlotKind::Quaternion => {
-                format!("The first place of `{name}` in the state, whose components stand in {unit}.")
+                format!("First index of `{name}` in the state. Its components are in {unit}.")
             }
-            _ => format!("The place of `{name}` in the state, where it stands in {unit}."),
+            _ => format!("Index of `{name}` in the state, in {unit}."),
         });
     let (position, rate) = (format_ident!("{position}"), format_ident!("{rate}"));
     let (first, first_rate) = (count(positions.start), count(rates.start));
@@ -145,7 +137,7 @@ fn places(slot: &Slot) -> TokenStream {
     }
 }
 
-/// A cost, as a value of the core's type.
+/// Cost as a value of the core's type.
 fn cost(of: &Cost) -> TokenStream {
     let (form, operations) = (&of.form, operations(&of.operations));
     let products = of.products.map(|products| {
@@ -157,7 +149,7 @@ fn cost(of: &Cost) -> TokenStream {
     quote!(::pendulum_core::FunctionCost::new(#form, #operations) #products #others)
 }
 
-/// Counted operations, as a value of the core's type.
+/// Operation counts as a value of the core's type.
 fn operations(operations: &Operations) -> TokenStream {
     let Operations {
         additions,
@@ -171,7 +163,7 @@ fn operations(operations: &Operations) -> TokenStream {
     quote!(::pendulum_core::Operations::new(#(#counts),*))
 }
 
-/// A layout, as a value of the core's type.
+/// Layout as a value of the core's type.
 fn layout(of: &StateLayout) -> TokenStream {
     let slots = of.slots.iter().map(|slot| {
         let kind = match slot.kind {

@@ -10,7 +10,7 @@ use super::{Items, count};
 use crate::program::{Constraint, LAW, Role, Routine, Shape};
 
 impl Items<'_> {
-    /// The motion given what acts on it, of a scene on which something does.
+    /// Implementations of `Plant` and `PlantJacobian`: the motion under given inputs and constraint forces.
     pub(super) fn plant(&self) -> Option<TokenStream> {
         let (inline, (given, name)) = (inlined_into_lanes(), self.acting()?);
         let eval = self.function(&format_ident!("eval"), self.program.with_role(Role::Rhs)?);
@@ -38,7 +38,8 @@ impl Items<'_> {
         Some(quote!(#plant #jacobian))
     }
 
-    /// A system that is given forces along its constraints alone: by itself, friction acts by the sign of each rate.
+    /// Implementations of `System` and `Jacobian` for a model with constraints and no inputs: friction follows the sign
+    /// of each rate.
     pub(super) fn hybrid(&self) -> Option<TokenStream> {
         self.program.with_role(Role::Rhs)?;
         let (inline, length, layout) = (inlined_into_lanes(), self.length(), self.layout());
@@ -86,7 +87,7 @@ impl Items<'_> {
         Some(quote!(#system #jacobian))
     }
 
-    /// The constraints, and what forces along them do: methods of `Plant`.
+    /// Methods of `Plant` for the constraints and the response to forces along them.
     fn modes(&self, response: &Routine) -> Option<TokenStream> {
         let core = quote!(::pendulum_core::hybrid);
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
@@ -106,7 +107,7 @@ impl Items<'_> {
         })
     }
 
-    /// The derivatives of these: methods of `PlantJacobian`.
+    /// Methods of `PlantJacobian` for the derivatives of the constraints and of the response.
     fn derivatives_of_modes(&self, derivative: &Routine) -> Option<TokenStream> {
         let (core, length) = (quote!(::pendulum_core::hybrid), self.length());
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
@@ -119,7 +120,7 @@ impl Items<'_> {
         Some(quote!(#[inline] #derivative #of_measures))
     }
 
-    /// The canonical equations given what acts, and by themselves, if the scene asks for them.
+    /// Implementations of `PlantCanonical` and `Canonical`, if the scene requests them.
     pub(super) fn hybrid_canonical(&self) -> Option<TokenStream> {
         let (core, length) = (quote!(::pendulum_core::hybrid), self.length());
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
@@ -250,7 +251,7 @@ impl Items<'_> {
         }))
     }
 
-    /// A method that returns a response.
+    /// Method that returns a response or its derivatives.
     fn of_response(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
         let (arguments, length) = (self.arguments(routine), self.length());
         let core = quote!(::pendulum_core::hybrid);
@@ -263,7 +264,7 @@ impl Items<'_> {
         quote!(fn #name(#arguments) -> #output #block)
     }
 
-    /// Statements that gather a response, and it.
+    /// Statements that assemble and return a response.
     fn response(&self, values: &[Piece]) -> TokenStream {
         let (length, rows) = (self.program.layout.len(), self.program.constraints.len());
         let (rates, values) = values.split_at(length);

@@ -1,4 +1,4 @@
-//! The functions of a model that belong to no trait.
+//! Inherent functions of a model.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -9,7 +9,7 @@ use super::{Items, count};
 use crate::program::{Argument, Role, Routine};
 
 impl Items<'_> {
-    /// The methods that belong to no trait.
+    /// Methods that belong to no trait.
     pub(super) fn inherent(&self) -> Option<TokenStream> {
         let routines = self
             .program
@@ -29,7 +29,7 @@ impl Items<'_> {
         (!methods.is_empty()).then(|| self.implement(None, &methods))
     }
 
-    /// The events, each by its name, and all of them.
+    /// A method for each event, and one for all of them.
     fn events(&self) -> Option<TokenStream> {
         let (events, length, count) = (&self.program.events, self.length(), count(self.program.events.len()));
         if events.is_empty() {
@@ -54,7 +54,7 @@ impl Items<'_> {
                     }
                 )*
 
-                /// All events, in the order of `EVENTS`.
+                /// Returns all events, in the order of `EVENTS`.
                 pub fn events(&self) -> [::pendulum_core::Event<'_, T, #length>; #count] {
                     [#(self.#names()),*]
                 }
@@ -62,7 +62,7 @@ impl Items<'_> {
         })
     }
 
-    /// A routine as a function of the model alone: a state is whatever an integration may start from.
+    /// Routine as an inherent function, whose state may be any type accepted as an initial condition.
     fn inherent_function(&self, routine: &Routine) -> TokenStream {
         let (name, output, more) = (
             format_ident!("{}", routine.name),

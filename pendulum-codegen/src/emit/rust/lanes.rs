@@ -6,15 +6,16 @@ use quote::quote;
 use super::{Items, allowed, count};
 use crate::program::Role;
 
-/// The attributes of a function that must be inlined into code for an instruction set, since it is compiled for all
-/// machines otherwise. Without optimisation it would fill the stack, as no two of its temporaries share a place.
+/// Attributes of a function that must be inlined into code for an instruction set, since it would otherwise be compiled
+/// for the baseline target. Inlining is not forced without optimisation, where every temporary takes its own stack
+/// space.
 pub(super) fn inlined_into_lanes() -> TokenStream {
     quote!(#[cfg_attr(debug_assertions, inline)] #[cfg_attr(not(debug_assertions), inline(always))])
 }
 
 impl Items<'_> {
-    /// `impl Cast<N>`, or `impl CastControlled<N, M>` with inputs, where the model has a right-hand side; `impl
-    /// CastJacobian<N>`, where it has a Jacobian without inputs.
+    /// `impl Cast<N>`, or `impl CastControlled<N, M>` with inputs, if the model has a right-hand side;
+    /// `impl CastJacobian<N>` if it has a Jacobian and no inputs.
     pub(super) fn over_numbers(&self) -> Option<TokenStream> {
         self.program.with_role(Role::Rhs)?;
         let (name, length, allowed) = (&self.head.name, self.length(), allowed());

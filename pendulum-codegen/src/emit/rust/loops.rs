@@ -1,4 +1,4 @@
-//! What keeps a mechanism assembled as it is: its loops closed, its quaternions of unit length.
+//! Projection of a state onto its constraints: closed loops and quaternions of unit length.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -9,17 +9,17 @@ use super::{Items, count};
 use crate::emit::CORRECTIONS;
 use crate::program::{Role, Shape};
 
-/// How short the last correction by Newton's method must be. The next one would be its square.
+/// Maximum length of the last Newton correction. The next one would be of the order of its square.
 const LAST_CORRECTION: f64 = 1e-6;
 
 impl Items<'_> {
-    /// The methods of `System` and `Controlled` that keep a mechanism assembled as it is.
+    /// Methods of `System` and `Controlled` for closed loops and quaternions.
     pub(super) fn assembly(&self) -> TokenStream {
         let (project, margins, gaps) = (self.project(), self.margins(), self.gaps());
         quote!(#project #margins #gaps)
     }
 
-    /// The method that tells how far each closed loop is from its toggle, where there are any.
+    /// Method that reports the margin of each closed loop from its singularity (toggle), if there are any loops.
     fn margins(&self) -> Option<TokenStream> {
         self.program.with_role(Role::LoopMargins)?;
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
@@ -45,7 +45,7 @@ impl Items<'_> {
         })
     }
 
-    /// The method that reports the gaps of loops, where some have no closed form.
+    /// Method that reports the closure errors of loops, if some have no closed form.
     fn gaps(&self) -> Option<TokenStream> {
         self.program.with_role(Role::LoopGaps)?;
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
@@ -61,7 +61,7 @@ impl Items<'_> {
         })
     }
 
-    /// The method that makes quaternions of unit length again, and that closes loops; none where there are neither.
+    /// Method that normalises quaternions and closes loops. Returns `None` if the model has neither.
     fn project(&self) -> Option<TokenStream> {
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let normalised = self.program.layout.quaternions().map(|places| {
@@ -107,7 +107,7 @@ impl Items<'_> {
         })
     }
 
-    /// The method that closes loops for a state to start from, where dependent coordinates are in the state.
+    /// Method that closes the loops of an initial condition, if dependent coordinates are in the state.
     pub(super) fn assemble(&self) -> Option<TokenStream> {
         self.program.with_role(Role::LoopCorrections)?;
         let (length, vector) = (self.length(), self.shape(Shape::Vector(self.program.layout.len())));
@@ -120,10 +120,10 @@ impl Items<'_> {
             quote!(::pendulum_core::Controlled<T, #length, #inputs>)
         };
         Some(quote! {
-            /// A state whose loops are closed, from one in which the coordinates that follow are guesses.
+            /// Closes the loops of a state in which the dependent coordinates are guesses.
             ///
             /// # Errors
-            /// If Newton's method finds no such state near the guess, with the loop that is open the furthest.
+            /// If Newton's method does not converge near the guess; the error names the loop with the largest gap.
             pub fn assemble(
                 &self,
                 t: T,

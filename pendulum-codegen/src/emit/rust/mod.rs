@@ -1,7 +1,7 @@
-//! A program as Rust: the items that a declaration stands for.
+//! A program as Rust: the items that replace a declaration.
 //!
-//! They stand in a module of their own, which keeps their fields private, and are exported from there with the
-//! visibility of the declaration. Every path is absolute, so that a scene may have the name of anything but a primitive
+//! The items are in a module of their own, which keeps their fields private, and are exported from there with the
+//! visibility of the declaration. Every path is absolute, so that a scene may have any name but that of a primitive
 //! type.
 
 mod block;
@@ -22,16 +22,16 @@ use crate::ast::{Head, Scene};
 use crate::program::{Program, Quantity};
 use block::{Names, local};
 
-/// Everything that a declaration stands for.
+/// All items that replace a declaration.
 pub(crate) fn items(head: &Head, program: &Program) -> TokenStream {
     let items = Items { head, program };
     items.in_own_module(items.everything())
 }
 
-/// Everything that a declaration with errors could stand for, so that uses of its model are no errors of their own.
+/// Items that replace a declaration with errors, complete enough that uses of its model cause no further errors.
 ///
-/// Where coordinates could not be read, as those of a robot of which the file is missing, the model has the traits over
-/// several lengths of the state.
+/// If the number of coordinates is unknown, for example because the file of a robot is missing, the model implements
+/// its traits for several lengths of the state.
 pub(crate) fn stand_in(scene: &Scene) -> TokenStream {
     let (head, inputs) = (&scene.head, &scene.items.inputs);
     let blank = |unread| Program::blank(scene, inputs, unread);
@@ -63,12 +63,12 @@ pub(crate) fn stand_in(scene: &Scene) -> TokenStream {
     items.in_own_module(parts.into_iter().flatten().collect())
 }
 
-/// How many coordinates may be unread.
+/// Maximum number of unread coordinates.
 const MOST_UNREAD: usize = 8;
-/// The words of `generate` for what only scenes without inputs have.
+/// Words of `generate` that only scenes without inputs support.
 const CLOSED: [&str; 2] = ["canonical", "taylor"];
 
-/// The lints that say nothing about generated code.
+/// Allowances for lints that do not apply to generated code.
 fn allowed() -> TokenStream {
     quote!(#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)])
 }
@@ -91,18 +91,18 @@ impl Items<'_> {
         own.into_iter().chain(self.beside()).flatten().collect()
     }
 
-    /// Traits beside those that routines belong to.
+    /// Implementations of traits whose methods are not routines.
     fn beside(&self) -> [Option<TokenStream>; 3] {
         [self.series(), self.drawing(), self.over_numbers()]
     }
 
-    /// A private module of items, of which the types of the declaration are exported.
+    /// Private module of items that exports the types of the declaration.
     fn in_own_module(&self, items: TokenStream) -> TokenStream {
         let head = self.head;
         let (vis, name, path) = (&head.vis, &head.name, format_ident!("__{}", head.name));
         let (parameters, inputs) = (self.parameters_name(), self.inputs_name());
         let inputs = (!self.program.inputs.is_empty()).then(|| quote!(, #inputs));
-        // A second mechanism of the same name is an error at the name.
+        // the span puts the error for a second mechanism of this name at the name
         let module = quote_spanned!(name.span()=> mod #path { #items });
         quote! {
             #[allow(non_snake_case)]
@@ -116,7 +116,7 @@ impl Items<'_> {
         Names(self.program)
     }
 
-    /// The length of the state.
+    /// Length of the state.
     fn length(&self) -> Literal {
         count(self.program.layout.len())
     }
@@ -167,15 +167,15 @@ impl Items<'_> {
             #default
             #allowed
             impl #name {
-                /// The names of the parameters, in the order of their declaration.
+                /// Names of the parameters, in the order of their declaration.
                 pub const NAMES: [&'static str; #length] = [#(#names),*];
 
-                /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+                /// Returns the values of the parameters, in the order of [`NAMES`](Self::NAMES).
                 pub const fn to_array(self) -> [f64; #length] {
                     [#(self.#own),*]
                 }
 
-                /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+                /// Builds parameters from their values, in the order of [`NAMES`](Self::NAMES).
                 pub const fn from_array(values: [f64; #length]) -> Self {
                     let [#(#given),*] = values;
                     Self { #(#own: #given),* }
@@ -241,7 +241,7 @@ impl Items<'_> {
     }
 }
 
-/// The field of a parameter or an input.
+/// Field of a parameter or an input.
 fn declared(quantity: &Quantity, of: &TokenStream) -> TokenStream {
     let (field, docs) = (field(&quantity.name), &quantity.docs);
     let unit = match quantity.unit.as_str() {
@@ -251,18 +251,18 @@ fn declared(quantity: &Quantity, of: &TokenStream) -> TokenStream {
     quote!(#(#[doc = #docs])* #[doc = #unit] pub #field: #of)
 }
 
-/// The fields of parameters or inputs, and names for the entries of an array of them.
+/// Fields of parameters or inputs, and names for the entries of an array of them.
 fn as_array(quantities: &[Quantity]) -> (Vec<Ident>, Vec<Ident>) {
     let names = quantities.iter().enumerate();
     names.map(|(n, of)| (field(&of.name), local(&format!("v{n}")))).unzip()
 }
 
-/// The name of the field of a parameter or an input.
+/// Name of the field of a parameter or an input.
 fn field(name: &str) -> Ident {
     format_ident!("{name}")
 }
 
-/// A count without a suffix.
+/// Count as a literal without a suffix.
 fn count(n: usize) -> Literal {
     Literal::usize_unsuffixed(n)
 }

@@ -1,4 +1,4 @@
-//! The routines of a generated model.
+//! Routines of a generated model.
 
 use std::collections::BTreeSet;
 
@@ -11,14 +11,14 @@ use super::{Items, allowed, count};
 use crate::program::{Argument, Block, Role, Routine, Shape, Variable};
 
 impl Items<'_> {
-    /// The implementations of the traits, and the methods beside them.
+    /// Trait implementations and inherent methods.
     pub(super) fn routines(&self) -> TokenStream {
         let [motion, closed, canonical, energy] = self.traits();
         let parts = [motion, closed, canonical, energy, self.inherent()];
         parts.into_iter().flatten().collect()
     }
 
-    /// The implementations of the traits that routines belong to.
+    /// Implementations of the traits whose methods are routines.
     pub(super) fn traits(&self) -> [Option<TokenStream>; 4] {
         let [is_plain, is_controlled] = [self.acting().is_none(), !self.program.inputs.is_empty()];
         let motion = if is_plain { self.system() } else { self.plant() };
@@ -46,13 +46,13 @@ impl Items<'_> {
         }
     }
 
-    /// A trait over the length of the state.
+    /// Path of a trait over the length of the state.
     pub(super) fn named(&self, name: &str) -> TokenStream {
         let (name, length) = (format_ident!("{name}"), self.length());
         quote!(::pendulum_core::#name<T, #length>)
     }
 
-    /// A trait all of whose methods are routines of the same names, if the scene has them.
+    /// Implementation of a trait whose methods are all routines of the same names, if the scene has them.
     fn of_trait(&self, name: &str, methods: &[Role]) -> Option<TokenStream> {
         let routines: Option<Vec<&Routine>> = methods.iter().map(|&role| self.program.with_role(role)).collect();
         let methods = routines?.into_iter().map(|routine| {
@@ -92,7 +92,7 @@ impl Items<'_> {
         Some(quote!(#system #jacobian))
     }
 
-    /// The method of `System` and `Controlled` that returns the layout of the state.
+    /// Method of `System` and `Controlled` that returns the layout of the state.
     pub(super) fn layout(&self) -> TokenStream {
         let name = &self.head.name;
         quote! {
@@ -103,7 +103,7 @@ impl Items<'_> {
         }
     }
 
-    /// The derivative of the right-hand side by the time; zeros where the time does not occur.
+    /// Time derivative of the right-hand side: zeros if it does not depend on time.
     pub(super) fn time_derivative(&self, name: &str, arguments: &TokenStream) -> TokenStream {
         let name = format_ident!("{name}");
         let state = Shape::Vector(self.program.layout.len());
@@ -120,7 +120,7 @@ impl Items<'_> {
         }
     }
 
-    /// What only a model with inputs has.
+    /// Implementation of `Controlled`, for a model with inputs.
     fn controlled(&self) -> Option<TokenStream> {
         let by_inputs = self.program.with_role(Role::InputJacobian)?;
         let (inline, length, inputs) = (inlined_into_lanes(), self.length(), count(self.program.inputs.len()));
@@ -140,7 +140,7 @@ impl Items<'_> {
         ))
     }
 
-    /// A routine as a function of a trait.
+    /// Routine as a function of a trait.
     pub(super) fn function(&self, name: &Ident, routine: &Routine) -> TokenStream {
         let arguments = self.arguments(routine);
         let output = self.output(routine);
@@ -148,7 +148,7 @@ impl Items<'_> {
         quote!(fn #name(#arguments) -> #output #block)
     }
 
-    /// The type of the results of a routine.
+    /// Return type of a routine.
     pub(super) fn output(&self, routine: &Routine) -> TokenStream {
         let shapes: Vec<TokenStream> = routine.shapes.iter().map(|&shape| self.shape(shape)).collect();
         match shapes.as_slice() {
@@ -157,13 +157,13 @@ impl Items<'_> {
         }
     }
 
-    /// The body of a function that takes the [arguments](Self::arguments) of a routine.
+    /// Body of a function with the [arguments](Self::arguments) of a routine.
     pub(super) fn body(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
         let statements = self.statements(routine, result);
         quote!({ #statements })
     }
 
-    /// The statements of that body.
+    /// Statements of the body of a routine.
     pub(super) fn statements(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
         let takes = |argument: Argument| routine.arguments.contains(&argument);
         let both = takes(Argument::Inputs) && takes(Argument::Forces);
@@ -172,7 +172,7 @@ impl Items<'_> {
         quote!(#given #statements)
     }
 
-    /// The type of what acts on the model from outside, and what it is called, if something does.
+    /// Type and name of the argument for inputs and constraint forces, if the model has any.
     pub(super) fn acting(&self) -> Option<(TokenStream, Ident)> {
         let inputs = self.inputs_name();
         let inputs = quote!(#inputs<T>);
@@ -193,7 +193,7 @@ impl Items<'_> {
         quote!(&self, t: T, x: &#state #more)
     }
 
-    /// What acts on the model, where a routine takes it.
+    /// Argument for inputs and constraint forces, if the routine takes any.
     pub(super) fn more_arguments(&self, routine: &Routine) -> Option<TokenStream> {
         let takes = |argument: &Argument| routine.arguments.contains(argument);
         if takes(&Argument::Forces) {
@@ -207,8 +207,8 @@ impl Items<'_> {
         }
     }
 
-    /// A block that computes from the state `x`, the time `t`, the inputs `u`, the
-    /// accelerations `qdd`, the `forces` along constraints and the constants of the model.
+    /// Block that computes from the state `x`, the time `t`, the inputs `u`, the accelerations `qdd`, the `forces`
+    /// along constraints and the constants of the model.
     pub(super) fn block(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
         let statements = self.computed(block, result);
         quote!({ #statements })
@@ -247,7 +247,7 @@ impl Items<'_> {
         quote!(#head #code)
     }
 
-    /// Statements for the constants of the model among what a block reads.
+    /// Statements that copy the constants read by a block.
     pub(super) fn constants(&self, reads: &BTreeSet<Variable>) -> TokenStream {
         let read = reads.iter().filter_map(|variable| match variable {
             Variable::Constant(n) => Some((self.names().variable(*variable), count(*n))),
@@ -257,7 +257,7 @@ impl Items<'_> {
             .collect()
     }
 
-    /// The type of a result.
+    /// Type of a result.
     pub(super) fn shape(&self, shape: Shape<usize>) -> TokenStream {
         match shape {
             Shape::Scalar => quote!(T),
@@ -274,7 +274,7 @@ impl Items<'_> {
     }
 }
 
-/// The results of a routine, several as a tuple.
+/// Results of a routine: a single one as it is, several as a tuple.
 pub(super) fn result(shapes: &[Shape<usize>], mut values: &[Piece]) -> TokenStream {
     let results = shapes.iter().map(|&shape| {
         let (own, rest) = values.split_at(shape.len());
@@ -288,7 +288,7 @@ pub(super) fn result(shapes: &[Shape<usize>], mut values: &[Piece]) -> TokenStre
     }
 }
 
-/// A value of a shape from its entries.
+/// Value of a shape from its entries.
 pub(super) fn value(shape: Shape<usize>, values: &[impl ToTokens]) -> TokenStream {
     match shape {
         Shape::Scalar => quote!(#(#values)*),

@@ -1,4 +1,4 @@
-//! The power series of a motion.
+//! Power series of a motion.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -90,7 +90,7 @@ impl Items<'_> {
         }
     }
 
-    /// Order 0, which gives the state of order 1 and what the orders beyond have in common.
+    /// Statements for order 0, which compute the state of order 1 and the values shared by all higher orders.
     fn start(&self, series: &Series) -> TokenStream {
         let length = self.program.layout.len();
         let rates: Vec<Ident> = (0..length).map(|n| local(&format!("a{n}"))).collect();
@@ -115,7 +115,7 @@ impl Items<'_> {
         }
     }
 
-    /// The orders from 1 on, each of which gives the state of the next.
+    /// Loop over the orders from 1 on, each of which computes the state of the next.
     fn orders(&self, series: &Series) -> TokenStream {
         let length = self.program.layout.len();
         let name = |coefficient| self.names().variable(Variable::Series(coefficient));
@@ -161,8 +161,8 @@ impl Items<'_> {
         }
     }
 
-    /// A statement for the coefficients of the forces along the constraints, from those of the second
-    /// derivatives of the constraints without them.
+    /// Statement for the coefficients of the forces along the constraints, from the second derivatives of the
+    /// constraints without these forces.
     fn next_forces(&self, values: &[Piece]) -> TokenStream {
         let constraints = self.program.constraints.len();
         if constraints == 0 {
@@ -178,7 +178,7 @@ impl Items<'_> {
         }
     }
 
-    /// The names of all coefficients of a kind.
+    /// Names of all coefficients of a kind.
     fn all(&self, count: usize, kind: fn(usize) -> Coefficient) -> Vec<Ident> {
         let names = (0..count).map(|n| self.names().variable(Variable::Series(kind(n))));
         names.collect()

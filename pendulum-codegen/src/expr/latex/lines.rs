@@ -1,14 +1,14 @@
-//! Displayed equations, on as many lines as they take.
+//! Displayed equations, broken into lines.
 
 use super::{GREEK, brackets, parts_of_name};
 use crate::expr::text::number;
 use crate::expr::{Definition, Formula, Precedence, Summand};
 
-/// The width of a line, in letters.
+/// Width of a line, in letters.
 const LINE: usize = 68;
 
 impl Formula {
-    /// A displayed equation with `left` on its left side, on as many lines as it takes.
+    /// Displayed equation with `left` on its left side, broken into lines as needed.
     pub fn latex_equation(&self, left: &Formula) -> String {
         let left_side = left.latex();
         let mut lines = vec![String::new()];
@@ -35,7 +35,7 @@ impl Formula {
         )
     }
 
-    /// How many letters wide the formula is in print, about.
+    /// Approximate width of the printed formula, in letters.
     fn width(&self) -> usize {
         match self {
             Self::Number(n) if self.precedence() == Precedence::Atom => number(n).len(),
@@ -87,14 +87,13 @@ fn side_by_side(line: &[String]) -> String {
     }
 }
 
-/// A part of a formula that stays on its line.
+/// A part of a formula without a line break.
 struct Piece {
     latex: String,
     width: usize,
 }
 
-/// The formula in pieces between which a line may end: before the signs of sums, in brackets too where what they hold
-/// is wide.
+/// Splits the formula where a line may end: before the signs of sums, and inside brackets with wide contents.
 fn pieces(formula: &Formula, wide: usize) -> Vec<Piece> {
     let whole = || {
         vec![Piece {
@@ -152,7 +151,7 @@ fn pieces(formula: &Formula, wide: usize) -> Vec<Piece> {
     }
 }
 
-/// A sum in brackets that may stand on two lines.
+/// A sum in brackets, which may be split over lines.
 fn bracketed(formula: &Formula, wide: usize) -> Vec<Piece> {
     if formula.width() <= wide {
         return vec![Piece {

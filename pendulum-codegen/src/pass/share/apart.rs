@@ -1,4 +1,4 @@
-//! Expressions taken apart into items.
+//! Decomposition of expressions into items.
 
 use num_traits::{One, Signed, ToPrimitive};
 use rustc_hash::FxHashMap;
@@ -6,23 +6,23 @@ use rustc_hash::FxHashMap;
 use super::parts::{Item, Operand, Parts, Ref};
 use crate::expr::{Binary, Expr, Graph, Level, Node, Rational, Unary, ratio};
 
-/// Powers up to this one are products.
+/// Largest power treated as a product.
 const MOST_POWER: i64 = 16;
 
-/// Takes the roots apart: all items, and the one that each root is.
+/// Decomposes the roots. Returns all items, and the operand that stands for each root.
 pub(super) fn take_apart<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> (Parts, Vec<Operand>) {
     let mut apart = Apart::new(g, roots);
     let taken = roots.iter().map(|&root| apart.take(root)).collect();
     (apart.parts, taken)
 }
 
-/// The state of taking apart.
+/// State of the decomposition.
 struct Apart<'g> {
     parts: Parts,
     taken: FxHashMap<Expr<'g>, Operand>,
-    /// How often each expression is used.
+    /// Number of uses of each expression.
     uses: FxHashMap<Expr<'g>, usize>,
-    /// How many quotients have this divisor.
+    /// Number of quotients with each divisor.
     divisions: FxHashMap<Expr<'g>, usize>,
 }
 
@@ -48,7 +48,7 @@ impl<'g> Apart<'g> {
         }
     }
 
-    /// Takes an expression apart.
+    /// Decomposes an expression.
     fn take(&mut self, x: Expr<'g>) -> Operand {
         if let Some(&taken) = self.taken.get(&x) {
             return taken;
@@ -128,7 +128,7 @@ impl<'g> Apart<'g> {
         (self.parts.item(Item::Power(base, exponent.clone()), false), false)
     }
 
-    /// An item of the value itself, its sign included.
+    /// Item of the value with its sign, for places that take no sign.
     fn unsigned(&mut self, x: Expr<'g>) -> Ref {
         match self.take(x) {
             (item, false) => item,
@@ -158,7 +158,7 @@ impl<'g> Apart<'g> {
         }
     }
 
-    /// Collects the factors, and returns whether their product counts negative.
+    /// Collects the factors. Returns true if their product is negated.
     fn gather_product(&mut self, x: Expr<'g>, top: bool, factors: &mut Vec<Ref>) -> bool {
         let inside = top || (self.uses[&x] == 1 && x.level() == Level::State);
         match x.node() {

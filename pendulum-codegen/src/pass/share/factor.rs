@@ -1,11 +1,11 @@
-//! Factors that terms of one sum share, drawn out.
+//! Extraction of common factors from the terms of a sum.
 
 use std::collections::BTreeMap;
 
 use super::parts::{Item, Operand, Parts, Ref};
 
-/// Draws out common factors: `f x + f y + z` as `f (x + y) + z` in every sum, the most frequent factor first, where the
-/// products are used nowhere else.
+/// Rewrites `f x + f y + z` as `f (x + y) + z` in every sum, most frequent factor first. Products with other uses are
+/// left unchanged.
 pub(super) fn factor_sums(parts: &mut Parts, roots: &[Operand]) {
     let places = parts.count_places(roots);
     let mut item = 0;
@@ -17,7 +17,7 @@ pub(super) fn factor_sums(parts: &mut Parts, roots: &[Operand]) {
     }
 }
 
-/// A sum with its most frequent factor drawn out; none if no two terms share one.
+/// Extracts the most frequent factor of a sum. Returns `None` if no two terms share a factor.
 fn factored(parts: &mut Parts, places: &[usize], item: Ref) -> Option<Item> {
     let Item::Sum(operands) = &parts.items[item] else {
         return None;
@@ -43,7 +43,7 @@ fn factored(parts: &mut Parts, places: &[usize], item: Ref) -> Option<Item> {
     Some(Item::Sum(rest))
 }
 
-/// The factors of a product that is used once; none for anything else. Products that are new are used once.
+/// Factors of a product that is used once; empty for any other item. New products count as used once.
 fn own_factors<'p>(parts: &'p Parts, places: &[usize], item: Ref) -> &'p [Operand] {
     match &parts.items[item] {
         Item::Product(factors) if places.get(item).is_none_or(|&places| places == 1) => factors,

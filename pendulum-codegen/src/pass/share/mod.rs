@@ -1,8 +1,8 @@
-//! Common parts of sums and products, found whatever the order and the brackets they were written in.
+//! Common subexpressions of sums and products, found regardless of the order and bracketing of operands.
 //!
-//! Sums and products are taken apart into their operands; the pair of operands that most of them share becomes a value
-//! of its own, again and again until no pair is shared; then what is left is put together. Constants of one product or
-//! sum come together, so that they are computed once, when the model is built.
+//! Sums and products are decomposed into their operands. The pair of operands shared by most of them becomes an item of
+//! its own, and this repeats until no pair is shared; then the items are put together again. Constants of one product
+//! or sum are combined, so that they are computed once, when the model is built.
 
 mod apart;
 mod factor;
@@ -13,8 +13,9 @@ mod rebuild;
 use crate::expr::{Expr, Graph};
 use pairs::Of;
 
-/// Rewrites the roots so that common parts are shared. Their values do not change, up to rounding. `factor` says that
-/// factors which terms of one sum share are drawn out first: that saves products, and may hide others that sums share.
+/// Rewrites the roots so that common subexpressions are shared. Values are unchanged up to rounding. If `factor` is
+/// set, common factors of the terms of a sum are extracted first: this saves products, but may hide subexpressions
+/// shared by several sums.
 pub(crate) fn share<'g>(g: &'g Graph, roots: &[Expr<'g>], factor: bool) -> Vec<Expr<'g>> {
     let (mut parts, roots) = apart::take_apart(g, roots);
     if factor {

@@ -1,4 +1,4 @@
-//! The pair of operands that most sums, or products, share: found and taken out, again and again.
+//! Repeated extraction of the pair of operands that most sums, or products, share.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -7,20 +7,20 @@ use rustc_hash::FxHashMap;
 
 use super::parts::{Item, Operand, Parts, Ref};
 
-/// Two operands of one sum or product, and whether their signs differ.
+/// Two operands of one sum or product; the flag is true if their signs differ.
 type Pair = (Ref, Ref, bool);
 
-/// Sums and products of more operands are split: the number of pairs grows with the square.
+/// Maximum number of operands of a sum or product before it is split: the number of pairs grows with its square.
 const MOST_OPERANDS: usize = 64;
 
-/// Where pairs are looked for.
+/// Kind of items whose pairs are shared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Of {
     Sums,
     Products,
 }
 
-/// Takes out pairs of all sums, or of all products, until none stands in two places.
+/// Extracts pairs from all sums, or from all products, until no pair occurs twice.
 pub(super) fn share_pairs(parts: &mut Parts, of: Of) {
     split(parts, of);
     let mut search = Search {
@@ -37,7 +37,7 @@ pub(super) fn share_pairs(parts: &mut Parts, of: Of) {
     }
 }
 
-/// Makes sums of sums, or products of products, of those that have too many operands. Equal ones begin with equal
+/// Splits sums with too many operands into sums of sums, and products likewise. Equal leading operands give equal
 /// parts.
 fn split(parts: &mut Parts, of: Of) {
     let mut item = 0;
@@ -58,13 +58,13 @@ fn split(parts: &mut Parts, of: Of) {
     }
 }
 
-/// The state of a search.
+/// State of the search.
 struct Search<'p> {
     parts: &'p mut Parts,
     of: Of,
-    /// In which items each pair stands and how often, and how often in all of them.
+    /// Items that contain each pair, with its count in each, and its total count.
     places: FxHashMap<Pair, (BTreeMap<Ref, usize>, usize)>,
-    /// Pairs that stand in two places or more; the most frequent last.
+    /// Pairs with a total count of at least 2, most frequent last.
     queue: BTreeSet<(usize, Reverse<Pair>)>,
 }
 
@@ -89,8 +89,7 @@ impl Search<'_> {
         self.of.operands(&self.parts.items[item])
     }
 
-    /// The pairs of one item of which at least one operand is of interest, each with the number of times it can be
-    /// taken out.
+    /// Pairs of an item with at least one operand of interest, each with the number of times it can be extracted.
     fn pairs(&self, item: Ref, of_interest: impl Fn(Ref) -> bool) -> Vec<(Pair, usize)> {
         let Some(operands) = self.operands(item) else {
             return Vec::new();
@@ -115,7 +114,7 @@ impl Search<'_> {
         pairs.into_iter().collect()
     }
 
-    /// Adds pairs of an item to the count, or takes them off.
+    /// Adds the pairs of an item to the counts, or subtracts them.
     fn count(&mut self, item: Ref, add: bool, of_interest: impl Fn(Ref) -> bool) {
         for (pair, times) in self.pairs(item, of_interest) {
             let (places, count) = self.places.entry(pair).or_default();
@@ -151,7 +150,7 @@ impl Search<'_> {
             let Some(mut operands) = self.operands(item).cloned() else {
                 continue;
             };
-            // other pairs stay as they are
+            // only pairs with these operands change
             let changes = |operand: Ref| [a, b, whole].contains(&operand);
             self.count(item, false, changes);
             for minus in [false, true] {
@@ -169,7 +168,7 @@ impl Search<'_> {
     }
 }
 
-/// Where two different operands stand.
+/// Positions of two different operands.
 fn positions(operands: &[Operand], first: Operand, second: Operand) -> Option<(usize, usize)> {
     let i = operands.iter().position(|operand| *operand == first)?;
     let j = operands

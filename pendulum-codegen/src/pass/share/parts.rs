@@ -1,16 +1,16 @@
-//! Values as sums and products of operands, numbered and without repetition.
+//! Values as sums and products of numbered operands, without duplicates.
 
 use rustc_hash::FxHashMap;
 
 use crate::expr::{Binary, ExprId, Rational, Unary};
 
-/// The number of an item.
+/// Index of an item.
 pub(super) type Ref = usize;
 
-/// An operand, and whether it counts negative. Factors of a product are never negative: the product is.
+/// An operand; the flag is true if it is negated. Factors of a product are never negated: the sign goes to the product.
 pub(super) type Operand = (Ref, bool);
 
-/// A value taken apart.
+/// A decomposed value.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Item {
     Leaf(ExprId),
@@ -18,22 +18,22 @@ pub(super) enum Item {
     Product(Vec<Operand>),
     Unary(Unary, Ref),
     Quotient(Ref, Ref),
-    /// A function of two: no operator.
+    /// A function of two arguments that is not an operator, such as `atan2`.
     Function(Binary, Ref, Ref),
     Power(Ref, Rational),
 }
 
-/// All items, without repetition.
+/// All items, without duplicates.
 #[derive(Debug, Default)]
 pub(super) struct Parts {
     pub(super) items: Vec<Item>,
-    /// Items that do not depend on the state.
+    /// True for each item independent of the state.
     pub(super) constant: Vec<bool>,
     refs: FxHashMap<Item, Ref>,
 }
 
 impl Parts {
-    /// The number of an item, which is new or known.
+    /// Returns the index of an item, which is added if it is new.
     pub(super) fn item(&mut self, item: Item, constant: bool) -> Ref {
         if let Some(&known) = self.refs.get(&item) {
             return known;
@@ -44,7 +44,7 @@ impl Parts {
         self.items.len() - 1
     }
 
-    /// The sum of operands; a single one is itself.
+    /// Sum of operands; a single operand is returned as it is.
     pub(super) fn sum(&mut self, mut operands: Vec<Operand>) -> Operand {
         operands.sort_unstable();
         match operands[..] {
@@ -56,7 +56,7 @@ impl Parts {
         }
     }
 
-    /// The product of factors; a single one is itself.
+    /// Product of factors; a single factor is returned as it is.
     pub(super) fn product(&mut self, mut factors: Vec<Ref>) -> Ref {
         factors.sort_unstable();
         match factors[..] {
@@ -71,7 +71,7 @@ impl Parts {
         }
     }
 
-    /// How often each item is used, from the roots on.
+    /// Number of uses of each item, counted from the roots.
     pub(super) fn count_places(&self, roots: &[Operand]) -> Vec<usize> {
         let mut places = vec![0; self.items.len()];
         let mut stack: Vec<Ref> = roots.iter().map(|(item, _)| *item).collect();

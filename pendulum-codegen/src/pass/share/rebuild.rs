@@ -1,11 +1,11 @@
-//! Items back to expressions.
+//! Reconstruction of expressions from items.
 
 use num_traits::Signed;
 
 use super::parts::{Item, Operand, Parts, Ref};
 use crate::expr::{Binary, Expr, Graph, Level, Node, Unary};
 
-/// The expressions of the roots.
+/// Expressions of the roots.
 pub(super) fn rebuild<'g>(g: &'g Graph, parts: &Parts, roots: &[Operand]) -> Vec<Expr<'g>> {
     let mut rebuilding = Rebuilding {
         graph: g,
@@ -19,18 +19,18 @@ pub(super) fn rebuild<'g>(g: &'g Graph, parts: &Parts, roots: &[Operand]) -> Vec
         .collect()
 }
 
-/// The state of putting items together.
+/// State of the reconstruction.
 struct Rebuilding<'g, 'p> {
     graph: &'g Graph,
     parts: &'p Parts,
-    /// How often each item is used.
+    /// Number of uses of each item.
     places: Vec<usize>,
-    /// The expression of each item that has one already, and whether it counts negative.
+    /// Expression of each item built so far; the flag is true if the item is its negation.
     built: Vec<Option<(Expr<'g>, bool)>>,
 }
 
 impl<'g> Rebuilding<'g, '_> {
-    /// The expression of an item with the sign put somewhere.
+    /// Expression of an item, or of its negation, with the sign included.
     fn finish(&mut self, item: Ref, negative: bool) -> Expr<'g> {
         let (x, own) = self.build(item);
         if own == negative {
@@ -40,14 +40,14 @@ impl<'g> Rebuilding<'g, '_> {
             return -x;
         }
         match x.node() {
-            // a constant factor takes the sign for nothing
+            // a constant factor absorbs the sign at no cost
             Node::Binary(op @ (Binary::Mul | Binary::Div), a, b) if a.level() < Level::State => (-a).exactly(op, b),
             Node::Binary(Binary::Sub, a, b) => b.exactly(Binary::Sub, a),
             _ => x.exactly_negated(),
         }
     }
 
-    /// The expression of an item, and whether it counts negative.
+    /// Expression of an item; the flag is true if the item is its negation.
     fn build(&mut self, item: Ref) -> (Expr<'g>, bool) {
         let (graph, parts) = (self.graph, self.parts);
         if let Some(known) = self.built[item] {
@@ -76,7 +76,7 @@ impl<'g> Rebuilding<'g, '_> {
         self.join(terms)
     }
 
-    /// A sum of terms with signs: its value, and whether it counts negative.
+    /// Sum of signed terms; the flag is true if the sum is the negation of the expression.
     fn join(&self, terms: Vec<(Expr<'g>, bool)>) -> (Expr<'g>, bool) {
         let (mut constant, mut positive, mut negative) = (self.graph.zero(), Vec::new(), Vec::new());
         for (x, minus) in terms {
@@ -91,7 +91,7 @@ impl<'g> Rebuilding<'g, '_> {
             _ if constant.is_zero() => {}
             Node::Unary(Unary::Neg, opposite) if !positive.is_empty() => negative.push(opposite),
             Node::Number(number) if !positive.is_empty() && number.is_negative() => negative.push(-constant),
-            // as a first operand it makes a leading minus unnecessary, whatever its own sign
+            // a constant in front avoids a leading minus, whatever its own sign
             _ => positive.insert(0, constant),
         }
         let all_negative = positive.is_empty();
@@ -131,7 +131,7 @@ impl<'g> Rebuilding<'g, '_> {
         (product.unwrap_or(self.graph.one()), negative)
     }
 
-    /// `k (k1 x + k2 y)` as `(k k1) x + (k k2) y`, where that saves the multiplication by `k`.
+    /// Expands `k (k1 x + k2 y)` to `(k k1) x + (k k2) y`, where this saves the multiplication by `k`.
     fn distributed(&mut self, factors: &[Operand]) -> Option<(Expr<'g>, bool)> {
         let parts = self.parts;
         let (constants, state): (Vec<Operand>, Vec<Operand>) =

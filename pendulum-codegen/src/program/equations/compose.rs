@@ -1,4 +1,4 @@
-//! The equations of a model in their shortest form.
+//! Equations of a model in their shortest form.
 
 use std::collections::BTreeSet;
 use std::iter::{repeat, repeat_n};
@@ -15,22 +15,25 @@ use crate::form::expanded;
 use crate::model::{Constraint, Law, Model};
 use crate::pass::{Products, nest};
 
-/// How many products of terms the closed form of the text may take.
+/// Maximum number of products of terms in the closed form of the text.
 const BUDGET: usize = 100_000;
 
-/// Equations of up to this many characters are written out: names would not make them plainer.
+/// Maximum length of equations that are always expanded, in characters: names would not make them plainer.
 const SHORT: usize = 2_000;
 
-/// Longer equations are hardly read, so a form of up to this many characters is taken where there is one.
+/// Length of a readable page, in characters. A form within it is preferred to any longer one.
 const PAGE: usize = 4_800;
 
-/// What a character counts for in each form: terms that are written out say more than nested ones, and a closed form
-/// says more than a recursion.
+/// Weight of a character in the expanded form, which is the easiest to read.
 const EXPANDED: usize = 24;
+
+/// Weight of a character in the factored form, with nested terms.
 const FACTORED: usize = 27;
+
+/// Weight of a character in the recursive form, which is the hardest to read.
 const RECURSIVE: usize = 40;
 
-/// The equations of a scene: its forces, and the other terms by recursion, and in closed form, if its code has one.
+/// Equations of a scene: its forces, and the other terms both by recursion and, if its code has one, in closed form.
 pub(crate) fn equations<'g>(
     model: &Model<'g>,
     force: &[Expr<'g>],
@@ -60,16 +63,16 @@ pub(crate) fn equations<'g>(
 
 struct Composer<'m, 'g> {
     model: &'m Model<'g>,
-    /// The mass matrix and the bias, by recursion over the links.
+    /// Mass matrix and bias, by recursion over the links.
     recursion: Vec<Expr<'g>>,
-    /// The mass matrix and the bias, written out, unless that is too long.
+    /// Mass matrix and bias, expanded, unless they are too long.
     closed: Option<Vec<Expr<'g>>>,
     torques: Torques<'g>,
     normalizer: Normalizer<'g>,
 }
 
 impl<'g> Composer<'_, 'g> {
-    /// The shortest form, or one nearly as short that shows more.
+    /// Shortest form, or one nearly as short that is easier to read.
     fn short(&mut self) -> Listing {
         let force = self.shorter(&self.torques.passive.clone());
         let mut candidates = Vec::new();
@@ -77,7 +80,7 @@ impl<'g> Composer<'_, 'g> {
             let entries = [&closed[..], &force].concat();
             if !self.is_endless(&entries) {
                 let flat = Candidate::new(self.listing(&entries, false, true), EXPANDED);
-                // what loops determine is hardly read where it is written out
+                // expanded loop closures are hard to read
                 if flat.length <= SHORT && self.model.dependents.is_empty() {
                     return flat.listing;
                 }
@@ -92,7 +95,7 @@ impl<'g> Composer<'_, 'g> {
         best(candidates)
     }
 
-    /// The form in which torques are multiplied out.
+    /// Form with the torques multiplied out.
     fn full(&mut self, force: &[Expr<'g>]) -> Listing {
         let force = self.shorter(force);
         let entries = self.closed.as_ref().map(|closed| [closed, &force[..]].concat());
@@ -102,14 +105,14 @@ impl<'g> Composer<'_, 'g> {
         }
     }
 
-    /// What vanishes where loops are closed.
+    /// Expressions that vanish where loops are closed.
     fn closings(&mut self) -> Vec<Formula> {
         let rows = self.shorter(&self.model.with_drives(&self.model.loops.closings));
         let printer = Printer::that_computes(self.model.graph);
         rows.into_iter().map(|row| printer.short(row.id())).collect()
     }
 
-    /// The forces along the constraints, and their laws.
+    /// Forces along the constraints, and their laws.
     fn constraint_forces(&mut self) -> Vec<ConstraintForce> {
         let values = self.shorter(&self.model.with_drives(&self.model.constraint_values()));
         let printer = Printer::that_computes(self.model.graph);
@@ -155,14 +158,14 @@ impl<'g> Composer<'_, 'g> {
             .collect()
     }
 
-    /// Forces written out, unless that is too long.
+    /// Expands forces, unless the result is too long.
     fn forces(&mut self, force: &[Expr<'g>]) -> Vec<Expr<'g>> {
         self.expanded(force, Products::Expanded)
             .unwrap_or_else(|| force.to_vec())
     }
 
-    /// Forces written out; where something acts beside the joints only if that is shorter, as a quotient by a sum would
-    /// stand in every term.
+    /// Expands forces. If something acts beside the joints, a force is expanded only where this shortens it: a quotient
+    /// by a sum would be repeated in every term.
     fn shorter(&mut self, force: &[Expr<'g>]) -> Vec<Expr<'g>> {
         if self.model.actions.is_empty() {
             return self.forces(force);
@@ -178,7 +181,7 @@ impl<'g> Composer<'_, 'g> {
         pairs.map(shorter).collect()
     }
 
-    /// Entries with names for what repeats, as they are and with their sums in order.
+    /// Entries with names for repeated parts, both with nested sums and as they are.
     fn named(&self, inertial: &[Expr<'g>], force: &[Expr<'g>], with_torques: bool, weight: usize) -> [Candidate; 2] {
         let entries = [inertial, force].concat();
         [nest(self.model.graph, &entries), entries]
@@ -190,8 +193,7 @@ impl<'g> Composer<'_, 'g> {
         columns.into_iter().next()
     }
 
-    /// Entries as formulas, in which common parts may be named, and to whose forces torques may be added as they were
-    /// written.
+    /// Entries as formulas. Common parts may be named, and torques may be added to the forces as written.
     fn listing(&self, entries: &[Expr<'g>], named: bool, with_torques: bool) -> Listing {
         let places = places(&self.model.coordinate_names());
         let rows = places
@@ -245,16 +247,16 @@ impl<'g> Composer<'_, 'g> {
         listing
     }
 
-    /// Whether an entry, or what closed loops determine, is too long to be written without names for what repeats in
-    /// it.
+    /// True if an entry, or a quantity determined by closed loops, is too long to be written without names for repeated
+    /// parts.
     fn is_endless(&self, entries: &[Expr<'g>]) -> bool {
-        /// The most operations that are written out.
+        /// Maximum number of operations in an entry without named parts.
         const MOST: u64 = 10_000;
         let dependents = self.model.loops.dependence.definitions().map(|(_, value)| value);
         entries.iter().copied().chain(dependents).any(|x| x.length() > MOST)
     }
 
-    /// What closed loops determine and entries mention, or their torques: names, and their values.
+    /// Quantities determined by closed loops that entries mention, or their torques: names and values.
     fn dependents(&self, entries: &[Expr<'g>], with_torques: bool) -> Vec<(Formula, Expr<'g>)> {
         let names_of = |roots: &[Expr<'g>]| self.model.graph.symbols_of(roots).map(|symbol| symbol.name.clone());
         let mut mentioned: FxHashSet<String> = names_of(entries).collect();
@@ -273,7 +275,7 @@ impl<'g> Composer<'_, 'g> {
             .iter()
             .filter(|dependent| dependent.in_state);
         let solved = of_state.flat_map(|dependent| dependent.slopes.iter().chain([&dependent.drift]));
-        // these are known by linear equations alone
+        // these are determined by linear equations alone
         let solved: FxHashSet<Expr<'g>> = solved.copied().collect();
         let printer = Printer::that_computes(self.model.graph);
         let mut found = Vec::new();
@@ -289,7 +291,7 @@ impl<'g> Composer<'_, 'g> {
         found
     }
 
-    /// Names that no part may have.
+    /// Names not available to parts.
     fn taken(&self) -> BTreeSet<String> {
         let mut taken = self.model.names();
         taken.extend(self.torques.named.iter().map(|torque| torque.name.clone()));
@@ -299,12 +301,12 @@ impl<'g> Composer<'_, 'g> {
     }
 }
 
-/// A way to write the equations.
+/// One way to write the equations.
 struct Candidate {
     listing: Listing,
-    /// The length of its text.
+    /// Length of the text.
     length: usize,
-    /// What a character counts for.
+    /// Weight of a character.
     weight: usize,
 }
 
@@ -319,7 +321,7 @@ impl Candidate {
     }
 }
 
-/// The candidate of the least weight, of those that fit on a page if there are any.
+/// Returns the candidate of the least weight. Candidates that fit on a page are preferred.
 fn best(candidates: impl IntoIterator<Item = Candidate>) -> Listing {
     let best = candidates
         .into_iter()
@@ -327,12 +329,12 @@ fn best(candidates: impl IntoIterator<Item = Candidate>) -> Listing {
     best.map(|candidate| candidate.listing).unwrap_or_default()
 }
 
-/// The entries of the mass matrix, its upper triangle, and of the bias.
+/// Entries of the mass matrix, as its upper triangle, and of the bias.
 fn inertial<'g>((balance, lagrangian): (&Balance<'g>, &Lagrangian<'g>)) -> Vec<Expr<'g>> {
     [balance.upper_triangle(), lagrangian.bias.clone()].concat()
 }
 
-/// The place of each entry.
+/// Kind and indices of each entry.
 fn places(names: &[&str]) -> Vec<(RowKind, Vec<String>)> {
     let owned = |indices: &[&str]| indices.iter().map(|&name| name.to_owned()).collect();
     let mut places = Vec::new();
@@ -349,7 +351,7 @@ fn places(names: &[&str]) -> Vec<(RowKind, Vec<String>)> {
     places
 }
 
-/// The terms of two sums, the second first where that spares a leading minus.
+/// Concatenates the terms of two sums, with the second in front where this avoids a leading minus.
 fn joined(mut first: Vec<Summand>, second: Vec<Summand>) -> Vec<Summand> {
     if let (
         [
@@ -371,7 +373,7 @@ fn joined(mut first: Vec<Summand>, second: Vec<Summand>) -> Vec<Summand> {
     }
 }
 
-/// Definitions, each behind those that it needs, and otherwise as they are.
+/// Sorts definitions so that each follows those it needs, and keeps their order otherwise.
 fn in_order(definitions: Vec<Definition>) -> Vec<Definition> {
     let names = definitions.iter().map(|definition| definition.name.clone());
     let places: FxHashMap<String, usize> = names.zip(0..).collect();
@@ -381,7 +383,7 @@ fn in_order(definitions: Vec<Definition>) -> Vec<Definition> {
     order
 }
 
-/// Takes a definition behind those that it needs, unless it was taken.
+/// Appends a definition after those it needs, unless it was appended before.
 fn put_behind(
     n: usize,
     places: &FxHashMap<String, usize>,

@@ -1,12 +1,12 @@
-//! Lines of text that are not too long to read.
+//! Line wrapping.
 
-/// The width of a line, in letters.
+/// Maximum width of a line, in bytes.
 const WIDTH: usize = 120;
 
-/// What a line starts with that continues the one before.
+/// Separator before a continuation line.
 const CONTINUED: &str = "\n    ";
 
-/// A line, broken before the signs of its sums and between arguments, within as few brackets as may be.
+/// Wraps a line before the signs of its sums and between arguments, within as few brackets as possible.
 pub(super) fn wrapped(line: &str) -> String {
     let breaks = breaks(line);
     let (mut text, mut start, mut room) = (String::new(), 0, WIDTH);
@@ -14,13 +14,14 @@ pub(super) fn wrapped(line: &str) -> String {
         let Some(end) = best(&breaks, start, room) else { break };
         text.push_str(&line[start..end]);
         text.push_str(CONTINUED);
-        // without the space in whose place the line ends
+        // skip the space that the line break replaces
         (start, room) = (end + 1, WIDTH + 1 - CONTINUED.len());
     }
     text + &line[start..]
 }
 
-/// Where the line from `start` should end: within the fewest brackets, as late as may be, but not in its first third.
+/// Best break for the line from `start`: within the fewest brackets, then as late as possible, but not in its first
+/// third.
 fn best(breaks: &[Break], start: usize, room: usize) -> Option<usize> {
     let among = |from: usize, to: usize| {
         let inside = breaks
@@ -34,10 +35,10 @@ fn best(breaks: &[Break], start: usize, room: usize) -> Option<usize> {
     late.or_else(|| breaks.iter().map(|own| own.at).find(|&at| at > start + room))
 }
 
-/// A space where a line may end.
+/// Space where a line may end.
 struct Break {
     at: usize,
-    /// Within how many brackets it is.
+    /// Number of brackets around the space.
     depth: usize,
 }
 

@@ -1,4 +1,4 @@
-//! The equations of motion, for people to read.
+//! Equations of motion as text.
 
 mod compose;
 mod lines;
@@ -12,62 +12,62 @@ use lines::wrapped;
 
 use crate::expr::{Definition, Formula, latex_definitions};
 
-/// The equations of motion of a scene: `A qdd + b = Q`.
+/// Equations of motion of a scene: `A qdd + b = Q`.
 ///
-/// `{}` prints them as short as they are found, with the names of the declaration; `{:#}` prints every `let` and every
-/// torque in full. Both are read back by the language of declarations, line by line; a line that starts with spaces
-/// continues the one before.
+/// `{}` prints them in the shortest form found, with the names of the declaration; `{:#}` prints every `let` and every
+/// torque in full. The language of declarations parses both, line by line; a line that starts with spaces continues the
+/// one before.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Equations {
-    /// The names of the coordinates.
+    /// Names of the coordinates.
     pub coordinates: Vec<String>,
-    /// Whether joints are driven.
+    /// True if joints are driven.
     pub driven: bool,
-    /// Whether something acts on the scene beside its joints.
+    /// True if something acts on the scene beside its joints.
     pub acted: bool,
-    /// The short form, in which names stand for what repeats.
+    /// Short form, with names for repeated parts.
     pub short: Listing,
-    /// The same equations, in which torques are multiplied out.
+    /// Full form of the same equations, with torques multiplied out.
     pub full: Listing,
-    /// What vanishes where loops are closed that have no closed form.
+    /// Expressions that vanish where loops without a closed form are closed.
     pub closings: Vec<Formula>,
-    /// The constraints.
+    /// Constraints.
     pub constraint_forces: Vec<ConstraintForce>,
 }
 
-/// A force along a constraint, and its law.
+/// Force along a constraint, and its law.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ConstraintForce {
-    /// The force along it, as it stands in the equations.
+    /// Force along the constraint, as in the equations.
     pub force: Formula,
-    /// What it does: words, each with the formula after them.
+    /// Law of the force: words, each followed by a formula.
     pub law: Vec<(&'static str, Formula)>,
 }
 
-/// Entries of the equations, and what the names in them stand for.
+/// Entries of the equations, and definitions of the names in them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Listing {
-    /// The entries that are not zero: the upper triangle of the mass matrix, the bias, the forces.
+    /// Nonzero entries: the upper triangle of the mass matrix, the bias, the forces.
     pub rows: Vec<Row>,
-    /// What the names stand for. A definition needs only names that are defined before it.
+    /// Definitions of the names. Each needs only names defined before it.
     pub definitions: Vec<Definition>,
 }
 
-/// An entry of the mass matrix, the bias or the forces.
+/// Entry of the mass matrix, the bias or the forces.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// What it is an entry of.
+    /// Matrix or vector of the entry.
     pub kind: RowKind,
-    /// The names of its coordinates: two for the mass matrix.
+    /// Names of its coordinates: two for the mass matrix, one otherwise.
     pub indices: Vec<String>,
-    /// Its value.
+    /// Value.
     pub formula: Formula,
 }
 
-/// The parts of the equations.
+/// Parts of the equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RowKind {
-    /// The mass matrix.
+    /// Mass matrix.
     MassMatrix,
     /// Velocity terms and gravity.
     Bias,
@@ -76,7 +76,7 @@ pub enum RowKind {
 }
 
 impl RowKind {
-    /// The letter in print.
+    /// Letter in print.
     pub fn letter(self) -> &'static str {
         match self {
             Self::MassMatrix => "A",
@@ -87,7 +87,7 @@ impl RowKind {
 }
 
 impl Row {
-    /// The left side, such as `A[theta1, theta2]`.
+    /// Left side, such as `A[theta1, theta2]`.
     pub fn entry(&self) -> Formula {
         Formula::Entry(self.kind.letter(), self.indices.clone())
     }
@@ -132,12 +132,12 @@ impl Display for Equations {
     }
 }
 
-/// What the names stand for that closed loops determine by linear equations.
+/// Meaning of the names for quantities that closed loops determine by linear equations.
 const SOLVED: &str =
     "slope_y_x, the derivative of y by x, and drift_y, the second rate of y where no x accelerates, from";
 
 impl Equations {
-    /// What stands on the two sides.
+    /// Descriptions of `b` and `Q`.
     fn sides(&self) -> [&'static str; 2] {
         [
             match self.driven {
@@ -151,7 +151,7 @@ impl Equations {
         ]
     }
 
-    /// The short form in LaTeX, a displayed formula for each row: for documents that load `amsmath`.
+    /// Returns the short form in LaTeX, a displayed formula for each row, for documents that load `amsmath`.
     pub fn latex(&self) -> String {
         let [b, q] = self.sides();
         let mut text =

@@ -1,4 +1,4 @@
-//! Names for the parts that repeat.
+//! Names for repeated parts.
 
 use std::collections::BTreeSet;
 
@@ -9,11 +9,11 @@ use crate::expr::{
 };
 use crate::model::Model;
 
-/// The most operations of an expression that is plain without a name.
+/// Maximum number of operations in a plain expression that is left without a name.
 const LONGEST_PLAIN: u64 = 100;
 
-/// A printer in which what repeats among the entries has a name, and what the names stand for. Two equal entries are
-/// written once: the second refers to the first, as does an entry that contains another.
+/// Names the repeated parts of the entries. Returns a printer that uses the names, and their definitions. Of two equal
+/// entries the second refers to the first; likewise an entry that contains another refers to it.
 pub(super) fn name_parts<'g>(
     model: &Model<'g>,
     entries: &[(Formula, Expr<'g>)],
@@ -62,7 +62,7 @@ pub(super) fn name_parts<'g>(
     (names.printer, definitions)
 }
 
-/// How often each expression is an operand, or an entry that is not the first of its value.
+/// Number of uses of each expression: as an operand, or as an entry whose value is that of an earlier one.
 fn uses(g: &Graph, reachable: &[ExprId], roots: &[ExprId]) -> FxHashMap<ExprId, usize> {
     let mut uses: FxHashMap<ExprId, usize> = FxHashMap::default();
     for operand in reachable.iter().flat_map(|&id| g.operands(id)) {
@@ -75,7 +75,7 @@ fn uses(g: &Graph, reachable: &[ExprId], roots: &[ExprId]) -> FxHashMap<ExprId, 
     uses
 }
 
-/// What stands for each coordinate in composed names: its number, if all of them have one, or else its name.
+/// Suffix of each coordinate in composed names: its number, if all coordinates have distinct ones, or else its name.
 fn suffixes(model: &Model<'_>) -> FxHashMap<ExprId, String> {
     let number = |name: &str| name.trim_start_matches(|c: char| !c.is_ascii_digit()).to_owned();
     let numbers: Vec<String> = model.coordinate_names().into_iter().map(number).collect();
@@ -102,7 +102,7 @@ struct Names<'g> {
     printer: Printer<'g>,
     suffixes: FxHashMap<ExprId, String>,
     combinations: FxHashMap<ExprId, Combination>,
-    /// Whether angles add up along a chain that is so long that they have names of their own.
+    /// True if angles add up along a chain long enough to give them names of their own.
     adds_up: bool,
     taken: BTreeSet<String>,
     given: FxHashMap<ExprId, String>,
@@ -114,7 +114,7 @@ impl Names<'_> {
         self.printer.definition(id).to_string().len()
     }
 
-    /// Gives a name to an expression that is used `count` times, unless the text is shorter or plainer without it.
+    /// Names an expression that is used `count` times, unless the text is shorter or plainer without the name.
     fn give(&mut self, id: ExprId, count: usize) -> bool {
         let meaning = self.meaning(id).filter(|name| !self.taken.contains(name));
         if count < 2 && meaning.is_none() {
@@ -142,8 +142,7 @@ impl Names<'_> {
         true
     }
 
-    /// Whether a person would name the expression in any case: sines and cosines that repeat, and angles that add up
-    /// along a chain.
+    /// True if the expression customarily has a name: repeated sines and cosines, and angles that add up along a chain.
     fn is_customary(&self, id: ExprId, count: usize) -> bool {
         match self.sum_of_symbols(id) {
             Some(_) => self.adds_up,
@@ -151,7 +150,7 @@ impl Names<'_> {
         }
     }
 
-    /// Whether the expression says more than a name of it would: a product of names and calls, or a sum of coordinates.
+    /// True if the expression is plainer than a name for it: a product of names and calls, or a sum of coordinates.
     fn is_plain(&self, id: ExprId, formula: &Formula) -> bool {
         match formula {
             Formula::Sum(_) => self
@@ -163,8 +162,8 @@ impl Names<'_> {
         }
     }
 
-    /// The order of definitions: angles, each with its sine and cosine, then rates, then the rest. None needs one after
-    /// it.
+    /// Sort key of definitions: angles, each with its sine and cosine, then rates, then the rest. Each follows those it
+    /// needs.
     fn order(&self, id: ExprId) -> (u8, ExprId, ExprId) {
         match *self.graph.node(id) {
             Node::Unary(Unary::Sin | Unary::Cos, angle) if self.suffix_of_angle(angle).is_some() => (0, angle, id),
@@ -186,9 +185,9 @@ impl Names<'_> {
         }
     }
 
-    /// `s12` and `c12` for the sine and the cosine of an angle of the coordinates `q1` and `q2`, `w12` for the rate of
-    /// their sum. Where angles add up along a chain, `a4` and `w4` for the angle and the rate that sum up to that of
-    /// `q4`.
+    /// Customary name of an expression: `s12` and `c12` for the sine and the cosine of an angle of the coordinates `q1`
+    /// and `q2`, `w12` for the rate of their sum. Where angles add up along a chain, `a4` and `w4` for the sum up to
+    /// `q4` and its rate.
     fn meaning(&self, id: ExprId) -> Option<String> {
         let g = self.graph;
         if let Node::Unary(op @ (Unary::Sin | Unary::Cos), angle) = *g.node(id) {
@@ -216,7 +215,7 @@ impl Names<'_> {
     }
 
     fn suffix_of_angle(&self, angle: ExprId) -> Option<String> {
-        /// Longer names are no shorter than what they stand for.
+        /// Maximum length of a suffix: longer names are no shorter than the expression.
         const MOST: usize = 12;
         let suffix = match self.given.get(&angle) {
             Some(name) => name.strip_prefix('a')?.to_owned(),
@@ -225,7 +224,7 @@ impl Names<'_> {
         (suffix.len() <= MOST).then_some(suffix)
     }
 
-    /// At least two coordinates, or rates, that are added up.
+    /// Symbols of a sum of at least two coordinates, or rates.
     fn sum_of_symbols(&self, id: ExprId) -> Option<&[ExprId]> {
         let combination = self.combinations.get(&id)?;
         (combination.only_added && combination.symbols.len() > 1).then_some(&combination.symbols)
@@ -240,7 +239,7 @@ struct Combination {
     are_rates: bool,
 }
 
-/// The expressions that are combinations of coordinates or of rates.
+/// Expressions that are combinations of coordinates or of rates.
 fn combinations(g: &Graph, reachable: &[ExprId]) -> FxHashMap<ExprId, Combination> {
     let mut known: FxHashMap<ExprId, Combination> = FxHashMap::default();
     for &id in reachable {
@@ -273,7 +272,7 @@ fn combinations(g: &Graph, reachable: &[ExprId]) -> FxHashMap<ExprId, Combinatio
     known
 }
 
-/// Whether a formula has no sum but in the arguments of functions.
+/// True if a formula has no sums outside the arguments of functions.
 fn is_product(formula: &Formula) -> bool {
     match formula {
         Formula::Sum(_) => false,

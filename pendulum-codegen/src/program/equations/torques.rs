@@ -1,4 +1,4 @@
-//! Torques as they were written.
+//! Torques as written in the declaration.
 
 use num_traits::{One, Signed};
 use rustc_hash::FxHashSet;
@@ -9,21 +9,21 @@ use crate::form::expanded;
 use crate::model::{Action, Model, Poses};
 use crate::pass::Products;
 
-/// The forces along the coordinates: friction and springs as expressions, torques as formulas.
+/// Forces along the coordinates: friction and springs as expressions, torques as formulas.
 #[derive(Debug)]
 pub(super) struct Torques<'g> {
     /// Friction and springs of each coordinate.
     pub(super) passive: Vec<Expr<'g>>,
-    /// The torques of each coordinate.
+    /// Torques of each coordinate.
     pub(super) rows: Vec<Vec<Summand>>,
     /// Torques that act on several coordinates, and so have names.
     pub(super) named: Vec<Definition>,
-    /// What drives do, and where points are.
+    /// Laws of the drives, and positions of the points.
     points: Vec<Definition>,
 }
 
 impl<'g> Torques<'g> {
-    /// The forces of a scene. With `q = T theta` those along the joints become `T^T tau`.
+    /// Forces of a scene. With `q = T theta`, joint forces `tau` become `T^T tau` along the coordinates.
     pub(super) fn new(model: &Model<'g>) -> Self {
         let mut passive = Dynamics::scene_forces(model);
         let mut rows: Vec<Vec<Summand>> = vec![Vec::new(); model.dof()];
@@ -52,7 +52,7 @@ impl<'g> Torques<'g> {
                 };
                 rows[k].extend(scaled.into_terms(factor.is_negative()));
             }
-            // along dependent coordinates, times their slopes
+            // dependent coordinates pass their forces on, times their slopes
             for (slopes, factor) in body
                 .motion
                 .terms()
@@ -84,7 +84,7 @@ impl<'g> Torques<'g> {
         }
     }
 
-    /// What the names in formulas stand for: each `let` that is used, in the order of the declaration, and then the
+    /// Definitions of the names in formulas: each `let` that is used, in the order of the declaration, then the
     /// torques.
     pub(super) fn definitions<'f>(
         &self,
@@ -110,9 +110,9 @@ impl<'g> Torques<'g> {
     }
 }
 
-/// What drives do, and the position of each point.
+/// Laws of the drives, and the position of each point.
 fn points(model: &Model<'_>) -> Vec<Definition> {
-    /// How far the normal form of a position may grow.
+    /// Maximum size of the normal form of a position.
     const BUDGET: usize = 20_000;
     let mut normalizer = Normalizer::with_angles(model.graph, BUDGET, model.base_angles());
     let (printer, poses) = (Printer::that_computes(model.graph), Poses::new(model));
@@ -135,7 +135,7 @@ fn points(model: &Model<'_>) -> Vec<Definition> {
     definitions
 }
 
-/// A name that the declaration does not have.
+/// Extends a name until it differs from all names in the declaration.
 fn free(model: &Model<'_>, mut name: String) -> String {
     let taken = model.names();
     while taken.contains(&name) {
