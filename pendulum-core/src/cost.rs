@@ -1,24 +1,24 @@
-//! Counted operations: what a generated function costs, known when it is generated.
+//! Operation counts of generated functions, determined when they are generated.
 
 use core::fmt;
 use core::ops::Index;
 
-/// The operations of one evaluation of a generated function.
+/// Operation counts of one evaluation of a generated function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct Operations {
-    /// Additions, subtractions and negations.
+    /// Number of additions, subtractions and negations.
     pub additions: usize,
-    /// Multiplications.
+    /// Number of multiplications.
     pub multiplications: usize,
-    /// Divisions.
+    /// Number of divisions.
     pub divisions: usize,
-    /// Sine-cosine pairs, each counted once.
+    /// Number of sine-cosine pairs, each counted once.
     pub sincos: usize,
-    /// Other functions: `tan`, `exp`, `ln`, `sqrt`, `tanh`, `atan2`, `powf`, `abs`, `signum`.
+    /// Number of other functions: `tan`, `exp`, `ln`, `sqrt`, `tanh`, `atan2`, `powf`, `abs`, `signum`.
     pub functions: usize,
-    /// The longest chain of operations that wait for each other, in additions: a division counts 4, a sine-cosine pair 20, another
-    /// function 10. However many units a processor has, an evaluation takes this long.
+    /// Length of the longest chain of dependent operations, in additions: a division counts 4, a sine-cosine pair 20,
+    /// another function 10. An evaluation takes at least this long, however many units a processor has.
     pub chain: usize,
 }
 
@@ -26,7 +26,7 @@ impl Operations {
     /// No operations.
     pub const ZERO: Self = Self::new(0, 0, 0, 0, 0, 0);
 
-    /// Counts in the order of the fields.
+    /// Creates counts, in the order of the fields.
     #[must_use]
     pub const fn new(
         additions: usize,
@@ -46,7 +46,7 @@ impl Operations {
         }
     }
 
-    /// These, and then `others`: both chains one after the other.
+    /// Adds `others`, with both chains one after the other.
     #[must_use]
     pub const fn and(self, others: Self) -> Self {
         Self {
@@ -59,7 +59,7 @@ impl Operations {
         }
     }
 
-    /// These `count` times, one after the other.
+    /// Repeats the operations `count` times, one after the other.
     #[must_use]
     pub const fn times(self, count: usize) -> Self {
         Self {
@@ -72,12 +72,12 @@ impl Operations {
         }
     }
 
-    /// The same, of which so long a chain must wait for one another.
+    /// Replaces the length of the chain.
     pub(crate) const fn with_chain(self, chain: usize) -> Self {
         Self { chain, ..self }
     }
 
-    /// The larger of both counts of each kind: enough for these or `others`.
+    /// Maximum of both counts of each kind: an upper bound of either.
     #[must_use]
     pub const fn or(self, others: Self) -> Self {
         const fn larger(a: usize, b: usize) -> usize {
@@ -100,7 +100,7 @@ impl Operations {
     }
 }
 
-/// Lists what there is, e.g. "21 additions, 12 multiplications, 1 division, 2 sine-cosine pairs".
+/// Lists the nonzero counts, e.g. "21 additions, 12 multiplications, 1 division, 2 sine-cosine pairs".
 impl fmt::Display for Operations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rows = [
@@ -123,27 +123,27 @@ impl fmt::Display for Operations {
     }
 }
 
-/// What one generated function takes, and what it would have taken in other forms.
+/// Cost of one generated function, and its cost in other forms.
 ///
-/// The generator writes each function in every form of the dynamics that it knows, and keeps that of the least weight.
+/// The generator writes each function in every available form of the dynamics, and keeps the form of the least weight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct FunctionCost {
-    /// The form that it is written in, for example "recursion, L^T D L".
+    /// Form of the function, for example "recursion, L^T D L".
     pub form: &'static str,
-    /// Its operations.
+    /// Operation counts.
     pub operations: Operations,
-    /// For a power series, where the operations are those of one order: the number of products of series. They come on top: for order
-    /// `k` each takes `k - 1` multiplications and additions.
+    /// Number of products of series, if the function is one order of a power series. These are extra: for order `k`
+    /// each takes `k - 1` multiplications and additions.
     pub products: Option<usize>,
-    /// The best of each other kind of form, from the least weight on: the time that operations and their longest chain are
-    /// expected to take. Forms of more than twice the operations were not searched for common parts, and are counted
-    /// as they stood.
+    /// Best of each other kind of form, ordered by weight: the expected time of the operations and their longest chain.
+    /// Forms with more than twice the operations were not searched for common subexpressions, and are counted as they
+    /// were.
     pub others: &'static [FunctionCost],
 }
 
 impl FunctionCost {
-    /// A function in a form that takes these operations.
+    /// Creates the cost of a function in one form.
     #[must_use]
     pub const fn new(form: &'static str, operations: Operations) -> Self {
         Self {
@@ -154,14 +154,14 @@ impl FunctionCost {
         }
     }
 
-    /// The same, as one order of a power series with this number of products of series.
+    /// Turns it into the cost of one order of a power series with this number of products of series.
     #[must_use]
     pub const fn with_products(mut self, products: usize) -> Self {
         self.products = Some(products);
         self
     }
 
-    /// The same, with the costs of other forms.
+    /// Sets the costs of other forms.
     #[must_use]
     pub const fn with_others(mut self, others: &'static [Self]) -> Self {
         self.others = others;
@@ -174,9 +174,9 @@ impl FunctionCost {
         self.operations.flops()
     }
 
-    /// The operations of a power series of this order, of a state of `n` components, if these are those of one order.
-    /// Those of its start are not included: about as many as those of the right-hand side, which they give in another
-    /// form.
+    /// Operations of a power series of this order, of a state of `n` components, if the cost is for one order. The
+    /// start of the series is not included: it takes about as many operations as the right-hand side, which it computes
+    /// in another form.
     ///
     /// ```
     /// use pendulum_core::{FunctionCost, Operations};
@@ -198,7 +198,7 @@ impl FunctionCost {
             let terms = k.saturating_sub(3);
             let sums = Operations::new(terms + 3, terms + 2, 0, 0, 0, terms + 4);
             let sums = sums.times(products).with_chain(sums.chain);
-            // over the order
+            // division by the order
             let next = Operations::new(0, n, 1, 0, 0, 5);
             operations = operations.and(sums).and(self.operations).and(next);
             k += 1;
@@ -235,9 +235,9 @@ impl fmt::Display for FunctionCost {
 
 /// The cost of each function of a generated model, by its name.
 ///
-/// The names are `rhs`, `jacobian` (with the right-hand side), `time_derivative` (where time occurs), `input_jacobian`, `kinetic`, `potential`,
-/// `mass_matrix`, `bias`, `momentum`, `canonical`, `canonical_jacobian`, `inverse_dynamics`, `parameter_jacobian` and `taylor` (one order of
-/// the series), as far as they were generated.
+/// The names are `rhs`, `jacobian` (with the right-hand side), `time_derivative` (if time occurs), `input_jacobian`,
+/// `kinetic`, `potential`, `mass_matrix`, `bias`, `momentum`, `canonical`, `canonical_jacobian`, `inverse_dynamics`,
+/// `parameter_jacobian` and `taylor` (one order of the series), as far as they were generated.
 ///
 /// ```
 /// # pendulum_core::mechanism! {
@@ -256,19 +256,19 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// The costs of functions by their names.
+    /// Creates the costs from pairs of a function's name and cost.
     #[must_use]
     pub const fn new(functions: &'static [(&'static str, FunctionCost)]) -> Self {
         Self { functions }
     }
 
-    /// The cost of a function; `None` if it was not generated.
+    /// Cost of a function; `None` if it was not generated.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<&'static FunctionCost> {
         self.iter().find(|(known, _)| *known == name).map(|(_, cost)| cost)
     }
 
-    /// The functions that were generated, and their costs.
+    /// Generated functions and their costs.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, &'static FunctionCost)> + use<> {
         self.functions.iter().map(|(name, cost)| (*name, cost))
     }
@@ -277,7 +277,7 @@ impl Cost {
 impl Index<&str> for Cost {
     type Output = FunctionCost;
 
-    /// The cost of a function.
+    /// Cost of a function.
     ///
     /// # Panics
     /// If the function was not generated; [`Cost::get`] returns `None` instead.
@@ -294,7 +294,7 @@ impl Index<&str> for Cost {
     }
 }
 
-/// A line for each function; the alternate form `{:#}` has one for each form of it.
+/// Writes a line for each function; the alternate form `{:#}` has a line for each form of it.
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut separator = "";

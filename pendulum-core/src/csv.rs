@@ -1,4 +1,4 @@
-//! Solutions as tables.
+//! Export of solutions as tables.
 
 use std::io;
 
@@ -10,9 +10,9 @@ use crate::solution::Solution;
 
 impl<T: Float, const N: usize> Solution<T, N> {
     /// Writes the accepted points as CSV: a header with `t` and the names of the [components](StateLayout::components),
-    /// then a line for each point. Numbers are written in full, so that they read back as the same bits.
+    /// then a line for each point. Numbers are written with all digits, such that they read back as the same bits.
     ///
-    /// A file should stand behind a [`BufWriter`](io::BufWriter).
+    /// Wrap a file in a [`BufWriter`](io::BufWriter).
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -33,15 +33,16 @@ impl<T: Float, const N: usize> Solution<T, N> {
     /// ```
     ///
     /// # Errors
-    /// Those of `writer`, and [`WrongLength`] as [`io::ErrorKind::InvalidInput`] if `layout` is not that of the state.
+    /// Errors of `writer`, and [`WrongLength`] as [`io::ErrorKind::InvalidInput`] if `layout` does not match the state.
     pub fn write_csv(&self, writer: impl io::Write, layout: &StateLayout<'_>) -> io::Result<()> {
         write(writer, layout, self.points().map(|(t, x)| Ok((t, *x))))
     }
 
-    /// The same with the states at `times`, in any order, by the dense output of the method.
+    /// Like [`write_csv`](Self::write_csv), but writes the states at `times`, in any order, by the dense output of the
+    /// method.
     ///
     /// # Errors
-    /// Those of [`write_csv`](Self::write_csv), and [`OutsideSpan`](crate::OutsideSpan) as
+    /// Errors of [`write_csv`](Self::write_csv), and [`OutsideSpan`](crate::OutsideSpan) as
     /// [`io::ErrorKind::InvalidInput`].
     pub fn write_csv_at(
         &self,

@@ -1,4 +1,4 @@
-//! One accepted step, and the states within it.
+//! Accepted steps and their dense output.
 
 use nalgebra::SVector;
 
@@ -7,15 +7,15 @@ use crate::real::{Float, Real};
 /// An accepted step from `(t0, x0)` to `(t1, x1)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<T, const N: usize> {
-    /// The time at which the step starts.
+    /// Time at the start of the step.
     pub t0: T,
-    /// The time at which it ends.
+    /// Time at its end.
     pub t1: T,
-    /// Its length `t1 - t0`; negative backward in time.
+    /// Length `t1 - t0`; negative backward in time.
     pub h: T,
-    /// The state at its start.
+    /// State at the start.
     pub x0: SVector<T, N>,
-    /// The state at its end.
+    /// State at the end.
     pub x1: SVector<T, N>,
 }
 
@@ -26,24 +26,24 @@ impl<T: Real, const N: usize> Step<T, N> {
         Self { t0, t1, h, x0, x1 }
     }
 
-    /// A step of no length.
+    /// A step of zero length.
     pub(crate) fn at_rest(t: T, x: SVector<T, N>) -> Self {
         Self::new((t, x), (t, x))
     }
 }
 
-/// The states within a step: dense output, of which [`Step`] holds the ends.
+/// Dense output: the states within a step, whose ends are in [`Step`].
 #[derive(Clone, Copy, Debug)]
 pub struct Dense<'a, T, const N: usize> {
     step: Step<T, N>,
     coefficients: &'a [SVector<T, N>],
-    /// The fraction at which the step was cut off.
+    /// Fraction at which the step was cut off.
     cut: T,
 }
 
 impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
-    /// `coefficients` are the vectors `c_1, c_2, ..` of `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of
-    /// the step.
+    /// Dense output with the polynomial `x0 + c_1 theta + c_2 theta^2 + ..`, where `coefficients` are the vectors `c_1,
+    /// c_2, ..` and `theta` is the fraction of the step.
     pub(crate) fn new(step: Step<T, N>, coefficients: &'a [SVector<T, N>]) -> Self {
         Self {
             step,
@@ -52,7 +52,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         }
     }
 
-    /// Of a step that was cut off at the fraction `cut` of the one that the coefficients are for.
+    /// Dense output of a step that was cut off at the fraction `cut` of the step of the coefficients.
     pub(crate) fn cut_off(step: Step<T, N>, coefficients: &'a [SVector<T, N>], cut: T) -> Self {
         Self {
             step,
@@ -67,7 +67,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         &self.step
     }
 
-    /// The state at the time `t`; outside of the step it is extrapolated.
+    /// State at the time `t`; extrapolated outside of the step.
     #[must_use]
     pub fn at(&self, t: T) -> SVector<T, N> {
         if t == self.step.t1 || self.coefficients.is_empty() {
@@ -80,7 +80,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         )
     }
 
-    /// The state at a fraction of the step.
+    /// State at a fraction of the step.
     pub(crate) fn at_fraction(&self, theta: T) -> SVector<T, N> {
         if theta == T::from_f64(1.0) {
             return self.step.x1;
@@ -88,8 +88,8 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         polynomial(&self.step.x0, self.coefficients, theta * self.cut)
     }
 
-    /// The state shortly after the end of the step, or before it, by a fraction of the step: the end and a small change,
-    /// which has fewer rounding errors than the polynomial there.
+    /// State near the end of the step, `by` a fraction of the step after it (before it if negative). Adding a small
+    /// change to the end has fewer rounding errors than evaluating the polynomial.
     pub(crate) fn about_end(&self, by: T) -> SVector<T, N> {
         let mut x = self.step.x1;
         let mut change = T::default();
@@ -101,7 +101,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         x
     }
 
-    /// The time at a fraction of the step.
+    /// Time at a fraction of the step.
     pub(crate) fn time(&self, theta: T) -> T {
         if theta == T::from_f64(1.0) {
             return self.step.t1;
@@ -109,7 +109,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         self.step.t0 + theta * self.step.h
     }
 
-    /// The coefficients of the polynomial in the fraction of the part of the step up to `theta`, from the first power on.
+    /// Coefficients, from the first power on, of the polynomial over the part of the step up to `theta`.
     #[cfg(feature = "std")]
     pub(crate) fn coefficients_to(&self, theta: T) -> impl Iterator<Item = SVector<T, N>> {
         let cut = theta * self.cut;
@@ -120,20 +120,20 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         })
     }
 
-    /// Whether it is a part of the step that the coefficients are for.
+    /// True if the step was cut off.
     #[cfg(feature = "std")]
     pub(crate) fn is_cut_off(&self) -> bool {
         self.cut != T::from_f64(1.0)
     }
 
-    /// The coefficients of the polynomial in the fraction of the whole step, from the first power on.
+    /// Coefficients, from the first power on, of the polynomial over the whole step.
     pub(crate) fn terms(&self) -> &'a [SVector<T, N>] {
         self.coefficients
     }
 }
 
-/// `x0 + c_1 theta + c_2 theta^2 + ..`; the odd and the even powers by themselves, since each step of a sum waits for
-/// the one before.
+/// Evaluates `x0 + c_1 theta + c_2 theta^2 + ..`. Odd and even powers are summed separately, which shortens the chain
+/// of dependent additions.
 #[inline(always)]
 pub(crate) fn polynomial<T: Real, const N: usize>(
     x0: &SVector<T, N>,

@@ -1,13 +1,13 @@
-//! Dual numbers: a value with exact derivatives.
+//! Dual numbers: values with exact derivatives.
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::real::Real;
 
-/// A value with its derivatives with respect to `N` variables, carried through every operation by the chain rule.
+/// A value with its derivatives with respect to `N` variables, propagated through every operation by the chain rule.
 ///
-/// Code that is generic over [`Real`] runs on it as it stands, and its values are the same bits as without derivatives.
-/// Where a function has no derivative, as [`Real::abs`] at 0, the slopes are those of the limits or zero.
+/// Code generic over [`Real`] accepts it unchanged, and its values are bit by bit the same as without derivatives.
+/// Where a function has no derivative, such as [`Real::abs`] at 0, the slopes are limits of the derivative, or zero.
 ///
 /// ```
 /// use pendulum_core::dual::Dual;
@@ -22,12 +22,12 @@ use crate::real::Real;
 pub struct Dual<T, const N: usize> {
     /// The value.
     pub value: T,
-    /// Its derivative with respect to each variable.
+    /// Derivative with respect to each variable.
     pub slopes: [T; N],
 }
 
 impl<T: Real, const N: usize> Dual<T, N> {
-    /// A number that depends on none of the variables.
+    /// A number independent of the variables.
     #[inline]
     #[must_use]
     pub fn constant(value: T) -> Self {
@@ -37,10 +37,10 @@ impl<T: Real, const N: usize> Dual<T, N> {
         }
     }
 
-    /// The variable at `place` among the `N`.
+    /// The variable with the index `place` among the `N`.
     ///
     /// # Panics
-    /// If there is no such place.
+    /// If `place` is not below `N`.
     #[inline]
     #[must_use]
     pub fn variable(value: T, place: usize) -> Self {
@@ -49,7 +49,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
         variable
     }
 
-    /// A function of the number, from its value and its derivative there.
+    /// Applies a function of one number, given its value and its derivative there.
     #[inline]
     fn chain(self, value: T, derivative: T) -> Self {
         Self {
@@ -58,7 +58,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
         }
     }
 
-    /// A function of two numbers, from its value and from its slope by the slopes of the two.
+    /// Applies a function of two numbers, given its value, and its slope as a function of their slopes.
     #[inline]
     fn join(self, other: Self, value: T, slope: impl Fn(T, T) -> T) -> Self {
         Self {
@@ -194,14 +194,14 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         let by_base = b * a.powf(b - T::from_f64(1.0));
         let value = a.powf(b);
         self.join(exponent, value, |da, db| {
-            // The logarithm of a negative base must not reach a constant exponent: there it is that of a^0 = 1.
+            // a constant exponent must not multiply the logarithm of a negative base: use that of a^0 = 1 instead
             let varies = db.signum() * db.signum();
             by_base * da + value * a.powf(varies).ln() * db
         })
     }
 }
 
-/// 1 where `a` is larger, 0 where `b` is, and a half where they are equal.
+/// 1 if `a` is larger, 0 if `b` is, and 1/2 if they are equal.
 fn over<T: Real>(a: T, b: T) -> T {
     T::from_f64(0.5) + T::from_f64(0.5) * (a - b).signum()
 }
@@ -211,7 +211,7 @@ mod tests {
     use super::Dual;
     use crate::real::Real;
 
-    /// A function in two number types: a closure cannot be generic.
+    /// A function in two number types, since closures cannot be generic.
     struct Function {
         name: &'static str,
         of_floats: fn(f64, f64) -> f64,

@@ -1,4 +1,4 @@
-//! Errors as types. Each message states the fact and what to do; `Debug` prints the same, so that a `main` which
+//! Error types. Each message states the fact and a remedy. `Debug` prints the same message, so that a `main` that
 //! returns the error reads well.
 
 mod name;
@@ -35,11 +35,11 @@ debug_as_display! {
 /// A closed loop that is open.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoopGap {
-    /// The two bodies that close it.
+    /// The two bodies that close the loop.
     pub bodies: [Name; 2],
-    /// The distance between its ends, or the angle by which one is turned against the other.
+    /// Distance between its ends, or the angle between their frames or axes.
     pub by: f64,
-    /// The unit of that, `m` or `rad`.
+    /// Unit of `by`: `m` or `rad`.
     pub unit: &'static str,
 }
 
@@ -58,12 +58,12 @@ impl fmt::Display for LoopGap {
     }
 }
 
-/// No state near a guess closes the loops of a mechanism.
+/// Error: no state near a guess closes the loops of a mechanism.
 #[derive(Clone, Copy, PartialEq)]
 pub struct NotAssembled {
-    /// The last correction of Newton's method, in rad or m; NaN where the equations are singular.
+    /// Last correction of Newton's method, in rad or m; NaN if the equations are singular.
     pub left: f64,
-    /// The loop that is open the furthest where the method ended; `None` if they are closed, or their gaps not known.
+    /// Loop with the largest gap at the last iterate; `None` if the loops are closed, or their gaps not available.
     pub open: Option<LoopGap>,
 }
 
@@ -86,24 +86,25 @@ impl fmt::Display for NotAssembled {
 
 impl Error for NotAssembled {}
 
-/// A parameter, or several together, that no mechanism can have.
+/// A parameter or a combination of parameters that is invalid for a mechanism.
 #[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ParameterError {
-    /// The parameter, or the combination of parameters, that was checked.
+    /// Parameter or combination of parameters that was checked.
     pub name: &'static str,
     /// Its value.
     pub value: f64,
-    /// The rule that it breaks: "the mass of `upper` must be positive".
+    /// Violated rule: "the mass of `upper` must be positive".
     pub rule: &'static str,
-    /// The parameters of a combination with their values; empty where a single parameter breaks the rule. It requires
-    /// the feature `std`.
+    /// Parameters of a combination with their values; empty if a single parameter violates the rule. Requires the
+    /// feature `std`.
     #[cfg(feature = "std")]
     pub given: Vec<(&'static str, f64)>,
 }
 
 impl ParameterError {
-    /// `name` has the `value`, which breaks the `rule`; a combination of parameters has it from those that are `given`.
+    /// Creates an error for the `value` of `name`, which violates the `rule`. The value of a combination follows from
+    /// the parameters in `given`.
     #[must_use]
     pub fn new(name: &'static str, value: f64, rule: &'static str, given: &[(&'static str, f64)]) -> Self {
         #[cfg(not(feature = "std"))]
@@ -133,124 +134,123 @@ impl fmt::Display for ParameterError {
 
 impl Error for ParameterError {}
 
-/// Why an integration stopped early.
+/// Reason why an integration stopped early.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Reason {
     /// A setting or an argument is invalid; nothing was integrated.
     InvalidInput {
-        /// The name of the setting or argument.
+        /// Name of the setting or argument.
         what: &'static str,
         /// Its value.
         value: f64,
-        /// The rule that it breaks.
+        /// Violated rule.
         rule: &'static str,
     },
-    /// The state or its derivative is infinite or NaN, with the shortest step that the method can take.
+    /// The state or its derivative is infinite or NaN, even with the shortest step that the method can take.
     NonFinite {
-        /// The first such component of the state, or else of its derivative.
+        /// First such component of the state, or else of its derivative.
         component: usize,
-        /// The length of the step in which it appeared; `None` if it did where the integration starts, or goes on after
-        /// a reset.
+        /// Length of the step in which it appeared; `None` at the start of the integration, or after a reset.
         h: Option<f64>,
     },
-    /// A closed loop cannot close in the state to start from, or to go on from after a reset.
+    /// A closed loop cannot close in the initial state, or in the state after a reset.
     CannotClose {
-        /// The two bodies that close it.
+        /// The two bodies that close the loop.
         bodies: [Name; 2],
     },
-    /// A closed loop is open in the state to start from, or to go on from after a reset: see
+    /// A closed loop is open in the initial state, or in the state after a reset: see
     /// [`System::gaps`](crate::System::gaps).
     Open(LoopGap),
-    /// A closed loop comes to its toggle, where it is flat: the motion cannot go on there. Or a step is so long that it
-    /// may.
+    /// A closed loop reaches its toggle, a singularity where it is flat: the motion cannot continue there. Or a step is
+    /// so long that the loop may reach it.
     Toggle {
-        /// The two bodies that close it.
+        /// The two bodies that close the loop.
         bodies: [Name; 2],
-        /// How far it is from its toggle still, as `margin` in the declaration.
+        /// Remaining distance from the toggle, as `margin` in the declaration.
         margin: f64,
     },
-    /// An angle that follows from closed loops comes to half a turn from its `near`, or may within one step, and a
-    /// force takes its turns, which do not follow from the state.
+    /// An angle determined by closed loops reaches half a turn from its `near`, or may within one step, and a force
+    /// depends on its turns, which the state does not determine.
     HalfTurn {
-        /// The name of the angle.
+        /// Name of the angle.
         coordinate: Name,
     },
     /// The tolerance requires a step shorter than the minimum, or shorter than the resolution of the time.
     StepUnderflow {
-        /// The length of the step required.
+        /// Length of the required step.
         h: f64,
-        /// The minimum.
+        /// Minimum step.
         least: f64,
     },
-    /// The equations of an implicit step could not be solved, with the shortest step that the method can take.
+    /// The equations of an implicit step could not be solved, even with the shortest step that the method can take.
     NoConvergence {
-        /// The length of the step.
+        /// Length of the step.
         h: f64,
     },
     /// The function of an event is infinite or NaN.
     EventNotFinite {
-        /// The index of the event among those given.
+        /// Index of the event among those given.
         event: usize,
-        /// The time at which it is.
+        /// Time of the failure.
         t: f64,
     },
-    /// An event resets the state to one that is not finite, or that breaks the constraints of the system: its
-    /// quaternions have no unit length, or its loops are open.
+    /// An event resets the state to one that is not finite, or that violates the constraints of the system: its
+    /// quaternions are not of unit length, or its loops are open.
     BadReset {
-        /// The index of the event among those given.
+        /// Index of the event among those given.
         event: usize,
-        /// The time at which it is.
+        /// Time of the reset.
         t: f64,
-        /// What of the new state breaks a rule.
+        /// Quantity of the new state that violates a rule.
         what: &'static str,
         /// Its value.
         value: f64,
-        /// The rule.
+        /// Violated rule.
         rule: &'static str,
     },
-    /// An event resets the state repeatedly within the resolution of the time, like the rebounds of a ball that comes
-    /// to rest, or a thousand times in a row in so short times that it would never end.
+    /// An event resets the state repeatedly within the resolution of the time, like a bouncing ball that comes to rest,
+    /// or a thousand times in a row at such short intervals that the integration would never end.
     EventsAccumulate {
-        /// The index of the event among those given.
+        /// Index of the event among those given.
         event: usize,
     },
     /// A constraint of a [hybrid](crate::hybrid) system starts beyond its limit.
     BeyondLimit {
-        /// The name of the constraint.
+        /// Name of the constraint.
         constraint: Name,
         /// Its value.
         value: f64,
-        /// The limit.
+        /// Its limit.
         limit: f64,
     },
     /// The value, the rate or the force of a constraint is infinite or NaN.
     ConstraintNotFinite {
-        /// The name of the constraint.
+        /// Name of the constraint.
         constraint: Name,
-        /// The time at which it is.
+        /// Time of the failure.
         t: f64,
     },
-    /// The modes of a hybrid system change without time advancing, or almost.
+    /// The modes of a hybrid system switch without time advancing, or almost.
     ModesAccumulate {
-        /// The name of a constraint that changes.
+        /// Name of a constraint whose status changes.
         constraint: Name,
     },
-    /// The right-hand side jumps, or has noise, so that steps become too short or too many.
+    /// The right-hand side jumps, or is noisy, so that steps become too short or too many.
     Jump {
-        /// The component of the derivative of the state that jumps the most.
+        /// Component of the derivative of the state that jumps the most.
         component: usize,
-        /// By how much, in its own unit.
+        /// Size of the jump, in the unit of the component.
         by: f64,
     },
-    /// The end was not reached within the number of steps allowed, rejected ones included.
+    /// The end was not reached within the maximum number of steps, including rejected ones.
     TooManySteps {
-        /// The number of steps allowed.
+        /// Maximum number of steps.
         max_steps: usize,
     },
 }
 
-/// Where the equations end and the margin of a loop is less, that is why.
+/// Margin of a loop below which a failure of the equations is attributed to its toggle.
 pub(crate) const AT_TOGGLE: f64 = 0.1;
 
 impl fmt::Display for Reason {
@@ -337,10 +337,10 @@ impl fmt::Display for Reason {
             ),
             Self::Jump { component, by } => write!(
                 f,
-                "component {component} of the derivative of the state jumps by {by:.3e} about here, and no step across a \
-                 jump meets the tolerance; if a law switches, let it pass from one value to the other within a width, as \
-                 by `clamp` or `tanh`; if it is sampled or has noise, solve from one sample to the next with constant \
-                 inputs; dry friction is `dry_friction`"
+                "component {component} of the derivative of the state jumps by {by:.3e} about here, and no step across \
+                 a jump meets the tolerance; if a law switches, let it pass from one value to the other within a \
+                 width, as by `clamp` or `tanh`; if it is sampled or has noise, solve from one sample to the next with \
+                 constant inputs; dry friction is `dry_friction`"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,

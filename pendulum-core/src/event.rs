@@ -1,4 +1,4 @@
-//! Events: where a function of time and state passes zero, and what happens there.
+//! Events: zero crossings of functions of time and state, and the actions there.
 
 use core::fmt;
 
@@ -6,21 +6,21 @@ use nalgebra::SVector;
 
 use crate::real::Float;
 
-/// Something that happens where a function `g(t, x)` passes zero along a trajectory; for
+/// An event where a function `g(t, x)` passes zero along a trajectory; see
 /// [`Method::solve_with`](crate::Method::solve_with).
 ///
-/// An event occurs where `g` reaches zero or changes its sign: once, whether that is within a step, at the end of one,
-/// or at the start of the integration. It is located on the dense output of the method, to its accuracy and to the last
-/// bits of the time. Two zeros in one step are found even if the sign is the same at both ends: `g` is evaluated at ten
-/// places of each step, and where it comes near zero between them its extremum is searched. Where these values go up
-/// and down about zero, `g` is evaluated at up to a thousand places more, enough for some 150 zeros in a step. Where
-/// even these do not show all of them, the solution reports it: [`Solution::missed`](crate::Solution::missed).
+/// An event occurs where `g` reaches zero or changes its sign: once, whether within a step, at the end of one, or at
+/// the start of the integration. It is located on the dense output of the method, with the accuracy of that output, to
+/// the last bits of the time. Two zeros in one step are found even if the sign is the same at both ends: `g` is sampled
+/// at ten positions of each step, and its extremum is searched where the samples come close to zero. If the samples
+/// oscillate about zero, `g` is evaluated at up to a thousand more positions, enough for some 150 zeros in a step. If
+/// even these do not resolve all zeros, the solution reports it: [`Solution::missed`](crate::Solution::missed).
 ///
-/// A [terminal](Self::terminal) event is not one at the start: a motion from rest goes on to the next turning point,
-/// though its rate is zero from the beginning. [`at_start`](Self::at_start) asks for that too.
+/// A [terminal](Self::terminal) event does not occur at the start: a motion from rest continues to the next turning
+/// point, though its rate is zero at the beginning. [`at_start`](Self::at_start) enables the event at the start, too.
 ///
-/// A reset that does not lead away from zero, such as a rebound without speed, lets the function pass zero: make such
-/// an event terminal. One that leads away so little that the event repeats without end is
+/// If a reset does not lead away from zero, such as a rebound without speed, the function passes zero: make such an
+/// event terminal. If it leads away so little that the event repeats forever, the integration stops with
 /// [`EventsAccumulate`](crate::Reason::EventsAccumulate).
 ///
 /// ```
@@ -48,26 +48,26 @@ pub struct Event<'e, T, const N: usize> {
     restarts: bool,
 }
 
-/// The function that passes zero.
+/// Event function, whose zeros are events.
 type Function<'e, T, const N: usize> = Box<dyn Fn(T, &SVector<T, N>) -> T + 'e>;
 
-/// The state after an event, from the state before it.
+/// State after an event, as a function of the state before it.
 type Reset<'e, T, const N: usize> = Box<dyn Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e>;
 
-/// Which zero crossings count.
+/// Zero crossings that count as events.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Direction {
-    /// Both ways.
+    /// In both directions.
     #[default]
     Either,
-    /// From below zero, as time goes on in the direction of the integration.
+    /// From negative to positive, in the direction of the integration.
     Rising,
-    /// From above zero.
+    /// From positive to negative.
     Falling,
 }
 
 impl Direction {
-    /// Whether a zero counts at which the function rises, or falls.
+    /// True if a zero counts at which the function rises (`rises`) or falls.
     pub(crate) fn includes(self, rises: bool) -> bool {
         match self {
             Self::Either => true,
@@ -78,7 +78,7 @@ impl Direction {
 }
 
 impl<'e, T, const N: usize> Event<'e, T, N> {
-    /// Records each zero crossing of `function`, in either direction.
+    /// Creates an event that records each zero crossing of `function`, in either direction.
     #[must_use]
     pub fn new(function: impl Fn(T, &SVector<T, N>) -> T + 'e) -> Self {
         Self {
@@ -91,23 +91,24 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
         }
     }
 
-    /// Only where the function rises through zero, as time goes on in the direction of the integration.
+    /// Restricts the event to rising zero crossings, in the direction of the integration.
     #[must_use]
     pub fn rising(mut self) -> Self {
         self.direction = Direction::Rising;
         self
     }
 
-    /// Only where the function falls through zero, as time goes on in the direction of the integration.
+    /// Restricts the event to falling zero crossings, in the direction of the integration.
     #[must_use]
     pub fn falling(mut self) -> Self {
         self.direction = Direction::Falling;
         self
     }
 
-    /// Ends the integration, after the reset if there is one.
+    /// Ends the integration at the event, after the reset if there is one.
     ///
-    /// Where the function is zero at the start, it neither ends it there nor occurs, but for [`at_start`](Self::at_start).
+    /// If the function is zero at the start, the event neither occurs there nor ends the integration, unless
+    /// [`at_start`](Self::at_start) is set.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -127,8 +128,8 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
         self
     }
 
-    /// Makes a terminal event end the integration at the start too, where its function is zero there and leaves zero in
-    /// the direction of the event. Other events occur there anyway.
+    /// Lets a terminal event end the integration at the start, if its function is zero there and leaves zero in the
+    /// direction of the event. Other events occur at the start anyway.
     #[must_use]
     pub fn at_start(mut self) -> Self {
         self.at_start = true;
@@ -137,21 +138,21 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
 
     /// Continues from the state `reset(t, x)`, where `x` is the state before.
     ///
-    /// The new state must be finite, and on the constraints of the system: with quaternions of unit length and closed
-    /// loops, as `assemble` of a generated model closes them. Off by up to 1e-3 it is put back there, and otherwise the
-    /// integration ends in [`BadReset`](crate::Reason::BadReset).
+    /// The new state must be finite, and on the constraints of the system: quaternions of unit length and closed loops,
+    /// as `assemble` of a generated model returns them. Deviations up to 1e-3 are projected onto the constraints;
+    /// beyond that, the integration stops with [`BadReset`](crate::Reason::BadReset).
     ///
-    /// Zeros that functions cross in the reset itself are not events.
+    /// Zero crossings due to the reset itself are not events.
     #[must_use]
     pub fn reset(mut self, reset: impl Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e) -> Self {
         self.reset = Some(Box::new(reset));
         self
     }
 
-    /// Ends the step there, and begins the next one anew: for a kink of the right-hand side, such as a controller that
-    /// saturates. A step across a kink loses the order of the method.
+    /// Ends the step at the event, and restarts the method: for a kink of the right-hand side, such as a controller
+    /// that saturates. A step across a kink loses the order of the method.
     ///
-    /// Where it occurs again so soon that rounding errors may be the cause, it is recorded and the step goes on.
+    /// If the event recurs so soon that rounding errors may be the cause, it is recorded, but the step continues.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -175,27 +176,27 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
         self
     }
 
-    /// Whether it occurs at the start of the integration, where its function is zero there.
+    /// True if it occurs at the start of the integration, where its function is zero there.
     pub(crate) fn occurs_at_start(&self) -> bool {
         self.at_start || !self.terminal
     }
 
-    /// Whether the step ends there.
+    /// True if the step ends at the event.
     pub(crate) fn acts(&self) -> bool {
         self.restarts || self.changes()
     }
 
-    /// Whether it is a kink of the right-hand side, and nothing more.
+    /// True if it marks a kink of the right-hand side, and does nothing else.
     pub(crate) fn is_kink(&self) -> bool {
         self.restarts && !self.changes()
     }
 
-    /// Whether the integration begins anew there.
+    /// True if the method restarts at the event.
     pub(crate) fn begins_anew(&self) -> bool {
         self.restarts || self.reset.is_some()
     }
 
-    /// Whether it ends the integration or resets the state.
+    /// True if it ends the integration or resets the state.
     pub(crate) fn changes(&self) -> bool {
         self.terminal || self.reset.is_some()
     }
@@ -223,24 +224,24 @@ impl<T, const N: usize> fmt::Debug for Event<'_, T, N> {
     ))
 )]
 pub struct Occurrence<T, const N: usize> {
-    /// The index of the event among those given.
+    /// Index of the event among those given.
     pub index: usize,
-    /// The time.
+    /// Time.
     pub t: T,
-    /// The state, before a reset.
+    /// State, before a reset.
     pub x: SVector<T, N>,
 }
 
-/// A part of a trajectory in which an event may have occurred more often than was found: its function changes faster
-/// than the steps show. Bound them by `h_max`, to a few times the time between two zeros.
+/// A part of a trajectory in which an event may have occurred more often than was found, since its function varies
+/// faster than the steps resolve. Bound the steps by `h_max`, to a few times the time between two zeros.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Missed<T = f64> {
-    /// The index of the event among those given.
+    /// Index of the event among those given.
     pub index: usize,
-    /// The time from which.
+    /// Start of the part.
     pub from: T,
-    /// The time up to which.
+    /// End of the part.
     pub to: T,
 }
 
@@ -250,8 +251,8 @@ impl<T: Float> fmt::Display for Missed<T> {
         let (from, to) = (from.to_f64(), to.to_f64());
         write!(
             f,
-            "event {index} may have occurred more often than was found from t = {from:?} to {to:?}: its function passes \
-             zero hundreds of times within a step; set `h_max` to a few times the time between two zeros"
+            "event {index} may have occurred more often than was found from t = {from:?} to {to:?}: its function \
+             passes zero hundreds of times within a step; set `h_max` to a few times the time between two zeros"
         )
     }
 }

@@ -1,8 +1,8 @@
-//! Models with inputs, and the laws that their inputs follow.
+//! Models with inputs, and control laws.
 //!
-//! A model with inputs becomes a [`System`](crate::System) with a law for them. A closure is enough for explicit
-//! methods; what stiff methods and the analyses of [`stability`](crate::stability) require in addition, the derivative
-//! of the law, it gets in one of three ways:
+//! A model with inputs and a control law form a closed loop, which is a [`System`](crate::System). Explicit methods
+//! accept any closure as the law. Stiff methods and the analyses of [`stability`](crate::stability) also need the
+//! derivative of the law, which is provided in one of three ways:
 //!
 //! | | the law | its derivative |
 //! |---|---|---|
@@ -11,8 +11,8 @@
 //! | `model.with_law(law)` | an [`InputLaw`], generic over [`Real`] | exact, by [dual numbers](crate::dual) |
 //! | [`model.with_inputs(law).by_differences()`](WithInputs::by_differences) | a closure | to about 10 digits |
 //!
-//! The Jacobian of the model itself is the generated one in each of them. With an [`InputLaw`] the closed loop also
-//! runs in other number types, and so in an [`ensemble`](crate::Ensemble).
+//! The Jacobian of the model itself is the generated one in every case. With an [`InputLaw`] the closed loop also runs
+//! in other number types, and therefore in an [`ensemble`](crate::Ensemble).
 
 mod law;
 mod with_inputs;
@@ -27,10 +27,10 @@ use crate::real::Real;
 use crate::real::lanes::Lanes;
 use crate::system::{ActsWith, PlantJacobian};
 
-/// A model with `M` inputs (controls), whose values are given at each evaluation.
+/// A model with `M` inputs (controls), whose values are passed to each evaluation.
 ///
-/// The right-hand side and its derivatives are those of a [`Plant`](crate::Plant), given the inputs. With a law for
-/// these it becomes a [`System`](crate::System): see [`inputs`](crate::inputs).
+/// The right-hand side and its derivatives are those of a [`Plant`](crate::Plant) with given inputs. Together with a
+/// control law the model becomes a [`System`](crate::System): see [`inputs`](crate::inputs).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a model of {N} state components and {M} inputs",
     note = "`mechanism!` implements `Controlled` for scenes with inputs where `generate` has `rhs`"
@@ -38,37 +38,37 @@ use crate::system::{ActsWith, PlantJacobian};
 pub trait Controlled<T: Real, const N: usize, const M: usize>:
     PlantJacobian<T, N, Given: ActsWith<Self::Inputs, T>>
 {
-    /// The inputs by name; as an array they stand in the order of their declaration.
+    /// The inputs by name. The array form lists them in the order of declaration.
     type Inputs: Copy + From<[T; M]> + Into<[T; M]>;
 
-    /// The derivative of the right-hand side with respect to the inputs `u`: one column for each, in the order of their
+    /// Derivative of the right-hand side with respect to the inputs `u`: one column per input, in the order of
     /// declaration.
     fn input_jacobian(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
 
-    /// The components of the state, as [`System::layout`](crate::System::layout).
+    /// Components of the state, as for [`System::layout`](crate::System::layout).
     #[inline]
     fn layout(&self) -> Option<StateLayout<'_>> {
         None
     }
 
-    /// Puts a state back onto its constraints, as [`System::project`](crate::System::project): by default there are
-    /// none.
+    /// Projects a state onto its constraints, as for [`System::project`](crate::System::project). The default has no
+    /// constraints.
     #[inline(always)]
     fn project(&self, _t: T, _x: &mut SVector<T, N>) {}
 
-    /// Tells how far each closed loop is from its toggle, as [`System::margins`](crate::System::margins).
+    /// Reports the distance of each closed loop from its toggle, as for [`System::margins`](crate::System::margins).
     #[inline(always)]
     fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 2])) {}
 
-    /// Reports the gap of each closed loop, as [`System::gaps`](crate::System::gaps).
+    /// Reports the gap of each closed loop, as for [`System::gaps`](crate::System::gaps).
     #[inline]
     fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 3])) {}
 
-    /// The model with a law for its inputs: a [`System`](crate::System).
+    /// Closes the loop with a law for the inputs. The result is a [`System`](crate::System).
     ///
-    /// The law depends on the time and the state alone, so its closure cannot change what it captures: what a controller
-    /// remembers, such as an integral, is no part of the state. Its Jacobian requires the derivative of the law: see
-    /// [`WithInputs`].
+    /// The law is a function of time and state only: its closure cannot modify its captures. Controller states, such as
+    /// an integral, are therefore not supported. The Jacobian of the closed loop requires the derivative of the law:
+    /// see [`WithInputs`].
     #[inline]
     fn with_inputs<F>(&self, inputs: F) -> WithInputs<Self, F, M>
     where
@@ -78,7 +78,7 @@ pub trait Controlled<T: Real, const N: usize, const M: usize>:
         WithInputs::new(*self, inputs)
     }
 
-    /// The model with a law for its inputs that is generic over the number type: a [`System`](crate::System) with a
+    /// Closes the loop with a law generic over the number type. The result is a [`System`](crate::System) with a
     /// [`Jacobian`](crate::Jacobian).
     #[inline]
     fn with_law<L>(&self, law: L) -> WithInputs<Self, Generic<L>, M>
@@ -90,7 +90,8 @@ pub trait Controlled<T: Real, const N: usize, const M: usize>:
     }
 }
 
-/// A model with `M` inputs that can be converted to any number type; what [`Cast`](crate::Cast) is for models without.
+/// A model with `M` inputs that can be converted to any number type: the counterpart of [`Cast`](crate::Cast) for
+/// models with inputs.
 ///
 /// [`mechanism!`](crate::mechanism) implements it for models with inputs, in double precision.
 #[diagnostic::on_unimplemented(
@@ -98,16 +99,16 @@ pub trait Controlled<T: Real, const N: usize, const M: usize>:
     note = "`mechanism!` implements `CastControlled` for scenes with inputs where `generate` has `rhs`"
 )]
 pub trait CastControlled<const N: usize, const M: usize> {
-    /// Models with constraints: see [`Cast::HYBRID`](crate::Cast::HYBRID).
+    /// True for models with constraints: see [`Cast::HYBRID`](crate::Cast::HYBRID).
     const HYBRID: bool = false;
 
     /// The model in another number type.
     type In<T: Real>: Controlled<T, N, M>;
 
-    /// The same model in another number type; its constants are rounded.
+    /// Converts the model to another number type. Its constants are rounded.
     fn cast<T: Real>(&self) -> Self::In<T>;
 
-    /// One model per lane, as [`Cast::gather`](crate::Cast::gather).
+    /// Combines one model per lane, as [`Cast::gather`](crate::Cast::gather).
     fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Self::In<V>
     where
         Self: 'm;

@@ -1,4 +1,4 @@
-//! What each part of a state is: angle or length, its place in the state, and the symmetries of the system.
+//! Layout of a state: kind, position and symmetries of each coordinate.
 
 #[cfg(feature = "std")]
 mod names;
@@ -8,11 +8,11 @@ use core::ops::Range;
 #[cfg(feature = "std")]
 pub use names::WrongLength;
 
-/// What each part of a state is, and whether time occurs in the right-hand side.
+/// Kind and place of each coordinate of a state, and whether the right-hand side depends on time.
 ///
-/// [`mechanism!`](crate::mechanism) generates it as the constant `LAYOUT` of a model, and
-/// [`System::layout`](crate::System::layout) returns it. The analyses of [`stability`](crate::stability) use it, so
-/// systems written by hand should have one where a full turn changes nothing:
+/// [`mechanism!`](crate::mechanism) generates the layout as the constant `LAYOUT` of a model, and
+/// [`System::layout`](crate::System::layout) returns it. The analyses of [`stability`](crate::stability) use it.
+/// Systems written by hand should provide a layout if they are periodic in an angle:
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -38,14 +38,14 @@ pub use names::WrongLength;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct StateLayout<'a> {
-    /// The coordinates with their rates. All positions precede all rates in the state.
+    /// Coordinates and their rates. In the state, all positions precede all rates.
     pub slots: &'a [Slot<'a>],
-    /// Whether the right-hand side is known not to depend on time.
+    /// True if the right-hand side is known not to depend on time.
     pub autonomous: bool,
 }
 
 impl<'a> StateLayout<'a> {
-    /// The layout of a state in these coordinates. The right-hand side may depend on time.
+    /// Layout of a state with these coordinates. The right-hand side may depend on time.
     #[must_use]
     pub const fn new(slots: &'a [Slot<'a>]) -> Self {
         Self {
@@ -54,26 +54,26 @@ impl<'a> StateLayout<'a> {
         }
     }
 
-    /// The same layout for a right-hand side that does not depend on time.
+    /// Marks the right-hand side as independent of time.
     #[must_use]
     pub const fn autonomous(mut self) -> Self {
         self.autonomous = true;
         self
     }
 
-    /// The number of components that are positions; the rates follow them.
+    /// Number of position components; the rates follow them.
     #[must_use]
     pub fn positions(self) -> usize {
         self.slots.iter().map(|slot| slot.positions.len()).sum()
     }
 
-    /// The components of the state that are a quaternion, for each.
+    /// Components of the state that form a quaternion, one range for each.
     pub fn quaternions(self) -> impl Iterator<Item = Range<usize>> {
         let slots = self.slots.iter().filter(|slot| slot.kind == SlotKind::Quaternion);
         slots.map(|slot| slot.positions.clone())
     }
 
-    /// The components of the state that are angles with the period 2 pi, as [`Slot::periodic`] defines it.
+    /// Components of the state that are angles with the period 2 pi, as defined by [`Slot::periodic`].
     pub fn angles(self) -> impl Iterator<Item = usize> {
         self.slots
             .iter()
@@ -82,25 +82,25 @@ impl<'a> StateLayout<'a> {
     }
 }
 
-/// A coordinate: its place in the state, and its symmetries.
+/// A coordinate: its place in the state and its symmetries.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct Slot<'a> {
-    /// The name of the coordinate.
+    /// Name of the coordinate.
     pub name: &'a str,
-    /// What it measures.
+    /// Kind of the coordinate.
     pub kind: SlotKind,
-    /// The components of the state that hold its position.
+    /// Components of the state that hold the position.
     pub positions: Range<usize>,
-    /// The components of the state that hold its rate. There may be fewer of them than positions.
+    /// Components of the state that hold the rate. A quaternion has fewer rates than positions.
     pub rates: Range<usize>,
-    /// Whether a full turn, 2 pi, is known to leave everything as it was: each body is in its place again, and the
-    /// right-hand side is the same.
+    /// True if a full turn of 2 pi is known to be a symmetry: each body returns to its place, and the right-hand side
+    /// is the same.
     ///
-    /// A helical joint with a pitch moves its body on, and a torsion spring counts turns: neither has a periodic
+    /// A helical joint with a pitch advances its body, and a torsion spring counts turns: neither has a periodic
     /// coordinate.
     pub periodic: bool,
-    /// Whether the right-hand side is known not to depend on the position at all, as on the place of a cart on a level
+    /// True if the right-hand side is known not to depend on the position, for example the place of a cart on a level
     /// track.
     pub cyclic: bool,
 }
@@ -119,8 +119,8 @@ impl<'a> Slot<'a> {
         }
     }
 
-    /// An angle at the component `position` of the state, with its rate at `rate`. Not every angle is
-    /// [`periodic`](Self::periodic).
+    /// An angle at the component `position` of the state, with its rate at `rate`. It is not
+    /// [`periodic`](Self::periodic) by default.
     #[must_use]
     pub const fn angle(name: &'a str, position: usize, rate: usize) -> Self {
         Self::new(name, SlotKind::Angle, position..position + 1, rate..rate + 1)
@@ -132,21 +132,21 @@ impl<'a> Slot<'a> {
         Self::new(name, SlotKind::Length, position..position + 1, rate..rate + 1)
     }
 
-    /// The same coordinate, of which a full turn leaves everything as it was.
+    /// Marks a full turn as a symmetry; see the field of this name.
     #[must_use]
     pub const fn periodic(mut self) -> Self {
         self.periodic = true;
         self
     }
 
-    /// The same coordinate, on which the right-hand side does not depend.
+    /// Marks the right-hand side as independent of this coordinate.
     #[must_use]
     pub const fn cyclic(mut self) -> Self {
         self.cyclic = true;
         self
     }
 
-    /// The unit of its position.
+    /// Unit of the position.
     #[must_use]
     pub const fn unit(&self) -> &'static str {
         match self.kind {
@@ -156,7 +156,7 @@ impl<'a> Slot<'a> {
         }
     }
 
-    /// The unit of its rate.
+    /// Unit of the rate.
     #[must_use]
     pub const fn rate_unit(&self) -> &'static str {
         match self.kind {
@@ -166,7 +166,7 @@ impl<'a> Slot<'a> {
     }
 }
 
-/// What a coordinate measures.
+/// Kind of a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SlotKind {

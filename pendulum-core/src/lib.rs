@@ -1,7 +1,7 @@
-//! Mechanisms that are declared in Rust source: their generated equations of motion, and the methods that integrate them.
+//! Mechanisms declared in Rust source: generated equations of motion, and methods to integrate them.
 //!
-//! [`mechanism!`] turns a declaration of rigid bodies ([`language`]) into a model that implements the traits of [`system`]; models
-//! written by hand can implement them as well. A method is a plain value with settings:
+//! [`mechanism!`] turns a declaration of rigid bodies ([`language`]) into a model that implements the traits of
+//! [`system`]. Models written by hand can implement the same traits. A method is a plain value with settings:
 //!
 //! ```
 //! use pendulum_core::prelude::*;
@@ -26,30 +26,30 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`language`] | what [`mechanism!`] understands, and what it makes of it |
-//! | [`system`] | what a model offers: right-hand side, Jacobian, energy |
-//! | [`hybrid`] | dry friction that sticks, stops and walls |
-//! | [`inputs`] | models with inputs, and laws for these |
-//! | [`layout`] | what each part of a state is |
+//! | [`language`] | the syntax of [`mechanism!`], and the code it generates |
+//! | [`system`] | traits of models: right-hand side, Jacobian, energy |
+//! | [`hybrid`] | dry friction with sticking, stops and walls |
+//! | [`inputs`] | models with inputs, and control laws |
+//! | [`layout`] | kind and place of each component of a state |
 //! | [`real`], [`dual`] | the number types: scalars, lanes and dual numbers |
-//! | [`ensemble`] | many trajectories at a time, in the lanes of vector registers |
+//! | [`ensemble`] | many trajectories at once, in the lanes of vector registers |
 //! | [`method`] | the methods, and the [`Stepper`] beneath them, which uses no heap |
 //! | [`tableau`] | Butcher tableaus as data |
 //! | [`taylor`] | power series of motions |
 //! | [`solution`], [`dense`] | accepted points and the states between them |
-//! | [`event`] | what happens along a trajectory |
-//! | [`error`] | what can go wrong |
+//! | [`event`] | events along a trajectory |
+//! | [`error`] | errors |
 //! | [`stability`] | equilibria, periodic orbits and their bifurcations, chaos, and the limits of methods |
-//! | [`accuracy`] | trusted solutions, norms of errors, and what accuracy takes |
-//! | [`shapes`] | how a mechanism looks |
+//! | [`accuracy`] | reference solutions, error norms, and work-precision measurements |
+//! | [`shapes`] | geometry of a mechanism for drawing |
 //! | [`cost`] | counted operations of generated functions |
 //!
 //! # Without `std`
 //!
-//! With `default-features = false` the crate is `no_std` and uses no heap: generated models, all methods by their
-//! [`Stepper`], and everything else but what keeps trajectories or makes lists. The feature `std`, a default, adds
-//! [`Method::solve`], [`solution`], [`event`], [`ensemble`], [`stability`], [`accuracy`], [`shapes`], and the detection of
-//! instruction sets at run time.
+//! With `default-features = false` the crate is `no_std` and uses no heap. Generated models and the [`Stepper`] of
+//! every method work in this mode; trajectories and lists do not. The default feature `std` adds [`Method::solve`],
+//! [`solution`], [`event`], [`ensemble`], [`stability`], [`accuracy`], [`shapes`], and the detection of instruction
+//! sets at run time.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(
@@ -121,14 +121,14 @@ pub use pendulum_macros::mechanism;
 #[doc = include_str!("language.md")]
 pub mod language {}
 
-/// Vectors and matrices, in the version that is used here, without its feature `std`.
+/// The version of `nalgebra` in the interface of this crate, built without its feature `std`.
 pub use nalgebra;
 #[cfg(feature = "serde")]
 #[doc(hidden)]
 pub use serde;
 
-/// Generated items that require `std`: nothing without it. The core decides, not the macro, which cargo may build once
-/// for several cores.
+/// Passes generated items that require `std` through, and drops them without the feature. This crate decides, not the
+/// macro crate, because cargo may build the macro crate once for several copies of this one.
 #[cfg(feature = "std")]
 #[doc(hidden)]
 #[macro_export]
@@ -142,14 +142,14 @@ macro_rules! with_std {
     ($($items:tt)*) => {};
 }
 
-/// What most programs with mechanisms need: `use pendulum_core::prelude::*;`.
+/// Items that most programs need: `use pendulum_core::prelude::*;`.
 pub mod prelude {
     pub use crate::mechanism;
     pub use crate::{Auto, Gauss4, Gauss6, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
     pub use crate::{Controlled, Energy, FnSystem, Jacobian, Method, System};
     #[cfg(feature = "std")]
     pub use crate::{Ensemble, Event, ObservedEnsemble, Solution, shapes::Shapes as _};
-    // Their methods alone: the names stay free.
+    // Only the methods of these traits are imported; their names stay free.
     #[doc(hidden)]
     pub use crate::system::Absent as _;
     pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};

@@ -8,29 +8,29 @@ use crate::cost::Operations;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 
-/// The numbers of a linear system: a [`Float`], several in [`Lanes`], or a [`Complex`] one.
+/// Number type of a linear system: a [`Float`], [`Lanes`], or a [`Complex`] number.
 pub(crate) trait Field:
     Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
-    /// The type of sizes.
+    /// Type of [`size`](Self::size).
     type Size: Lanes;
 
-    /// The operations of a sum or difference.
+    /// Operations of a sum or difference.
     const SUM: Operations;
 
-    /// Those of a product.
+    /// Operations of a product.
     const PRODUCT: Operations;
 
-    /// Those of [`size`](Self::size).
+    /// Operations of [`size`](Self::size).
     const SIZE: Operations;
 
-    /// Those of [`reciprocal`](Self::reciprocal).
+    /// Operations of [`reciprocal`](Self::reciprocal).
     const RECIPROCAL: Operations;
 
-    /// How large the number is, for the choice of a pivot: `|re| + |im|`, which takes no root.
+    /// Magnitude for the choice of a pivot. For complex numbers `|re| + |im|`, which needs no square root.
     fn size(self) -> Self::Size;
 
-    /// One over the number; not finite or zero where that is beyond the range of the type.
+    /// Reciprocal; zero or not finite if it is out of the range of the type.
     fn reciprocal(self) -> Self;
 }
 
@@ -52,7 +52,7 @@ impl<T: Lanes> Field for T {
     }
 }
 
-/// A complex number over any [`Float`]: that of nalgebra, which is public elsewhere, needs more of its numbers.
+/// A complex number over any [`Float`]. The type of nalgebra requires more traits of its components.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Complex<T> {
     /// The real part.
@@ -127,46 +127,48 @@ impl<T: Float> Field for Complex<T> {
     }
 }
 
-/// A matrix in triangular factors, `P A = L U`; or one in each lane, with pivots of its own.
+/// An LU factorisation with row pivoting, `P A = L U`, of one matrix or of one matrix per lane, each with its own
+/// pivots.
 ///
-/// Gaussian elimination with partial pivoting (G. H. Golub, C. F. Van Loan, "Matrix Computations", 4th ed., 3.4), made
-/// for the few rows that the state of a mechanism has: all of it is in arrays whose length the compiler knows.
+/// Gaussian elimination with partial pivoting (G. H. Golub, C. F. Van Loan, "Matrix Computations", 4th ed., 3.4), for
+/// small matrices: all storage is in arrays of constant length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lu<F, const N: usize, P = Alone<N>> {
-    /// By columns: `L` below the diagonal, whose ones are left out, the reciprocals of the pivots on it, and `U` above.
+    /// Columns of `L` below the diagonal (without its unit diagonal), reciprocals of the pivots on the diagonal, and
+    /// `U` above.
     factors: [[F; N]; N],
     pivots: P,
 }
 
-/// The matrix has no inverse that numbers of its type can hold, or an entry that is not finite.
+/// The matrix is singular within the range of its number type, or has an entry that is not finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Singular;
 
-/// Which rows of a matrix are its pivots, and whether these have reciprocals.
+/// Row permutation of a factorisation, and a check of its pivots.
 pub trait Pivots<F, const N: usize>: Copy {
-    /// The rows as they are.
+    /// The identity permutation.
     fn in_order() -> Self;
 
-    /// Row `i` moves up to row `k` if it is larger in that column.
+    /// Swaps rows `k` and `i` if row `i` has the larger entry in column `k`.
     fn compare(&mut self, columns: &mut [[F; N]; N], k: usize, i: usize);
 
-    /// Takes a pivot, with its reciprocal.
+    /// Records a pivot and its reciprocal.
     fn take(&mut self, pivot: F, over_pivot: F);
 
-    /// Whether all pivots have reciprocals: of a single matrix, those in lanes have a [`defect`](Self::defect).
+    /// True if all pivots have reciprocals. Only for single matrices; lanes report a [`defect`](Self::defect).
     fn are_regular(&self) -> bool;
 
-    /// A number that is not finite in the lanes where a pivot has no reciprocal.
+    /// A number that is not finite in lanes where a pivot has no reciprocal.
     fn defect(&self) -> F;
 
-    /// A vector in the order of the pivots.
+    /// Applies the permutation to a vector.
     fn sorted(&self, b: &[F; N]) -> [F; N];
 }
 
-/// The [`Pivots`] of a single matrix.
+/// [`Pivots`] of a single matrix.
 #[derive(Clone, Copy, Debug)]
 pub struct Alone<const N: usize> {
-    /// The row of the matrix that each row of the factors was.
+    /// Index of the original row for each row of the factors.
     rows: [usize; N],
     is_regular: bool,
 }
@@ -210,11 +212,11 @@ impl<F: Field<Size: Float>, const N: usize> Pivots<F, N> for Alone<N> {
     }
 }
 
-/// The [`Pivots`] of a matrix in each lane, which are those that it has alone.
+/// [`Pivots`] of one matrix per lane, identical to those of [`Alone`] in each lane.
 #[cfg(feature = "std")]
 #[derive(Clone, Copy, Debug)]
 pub struct PerLane<V, const N: usize> {
-    /// At `[k][i]` negative where row `i` moved up to row `k`.
+    /// Entry `[k][i]` is negative where row `i` was swapped with row `k`.
     moved: [[V; N]; N],
     /// Not finite where a pivot has no reciprocal.
     defect: V,
@@ -230,8 +232,7 @@ impl<V: Lanes, const N: usize> Pivots<V, N> for PerLane<V, N> {
         }
     }
 
-    /// The difference of two numbers is zero where they are equal, and else has the sign of the comparison: none is so
-    /// small that it would vanish.
+    /// The sign of the difference decides the comparison. By gradual underflow it is zero only for equal numbers.
     #[inline(always)]
     fn compare(&mut self, columns: &mut [[V; N]; N], k: usize, i: usize) {
         let moved = columns[k][k].abs() - columns[k][i].abs();
@@ -241,7 +242,7 @@ impl<V: Lanes, const N: usize> Pivots<V, N> for PerLane<V, N> {
         self.moved[k][i] = moved;
     }
 
-    /// The product is close to one, unless the pivot or its reciprocal is zero or not finite.
+    /// The product is close to one unless the pivot or its reciprocal is zero or not finite.
     #[inline(always)]
     fn take(&mut self, pivot: V, over_pivot: V) {
         self.defect += pivot * over_pivot;
@@ -269,7 +270,7 @@ impl<V: Lanes, const N: usize> Pivots<V, N> for PerLane<V, N> {
     }
 }
 
-/// Exchanges two numbers in the lanes where `moved` is negative.
+/// Swaps two numbers in the lanes where `moved` is negative.
 #[cfg(feature = "std")]
 #[inline(always)]
 fn exchange<V: Lanes>(moved: V, numbers: &mut [V], k: usize, i: usize) {
@@ -279,10 +280,10 @@ fn exchange<V: Lanes>(moved: V, numbers: &mut [V], k: usize, i: usize) {
 }
 
 impl<F: Field<Size: Float>, const N: usize> Lu<F, N> {
-    /// Factors a matrix, which is given by its columns.
+    /// Factors a matrix given by its columns.
     ///
     /// # Errors
-    /// If a pivot is zero, not finite, or so small or large that its reciprocal is beyond the range of the type.
+    /// If a pivot is zero, not finite, or so small or large that its reciprocal is out of the range of the type.
     #[inline(always)]
     pub(crate) fn new(columns: [[F; N]; N]) -> Result<Self, Singular> {
         Self::of(columns)
@@ -290,14 +291,14 @@ impl<F: Field<Size: Float>, const N: usize> Lu<F, N> {
 }
 
 impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
-    /// [`new`](Lu::new), or the same in each lane.
+    /// Factors a matrix like [`new`](Lu::new), or one matrix per lane.
     #[inline(always)]
     pub(crate) fn of(columns: [[F; N]; N]) -> Result<Self, Singular> {
         let mut a = columns;
         let mut pivots = P::in_order();
         for k in 0..N {
-            // One row after the other moves up if it is larger. The indices are constants where the loops are short
-            // enough to be unrolled; the factors then stay in registers.
+            // Each row is compared and swapped in turn, so that indices are constants in unrolled loops and the factors
+            // stay in registers.
             for i in k + 1..N {
                 pivots.compare(&mut a, k, i);
             }
@@ -313,7 +314,7 @@ impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
                 }
             }
         }
-        // A number that is not finite spreads to a pivot of a later column at the latest.
+        // Numbers that are not finite propagate to a pivot of a later column.
         if pivots.are_regular() {
             Ok(Self { factors: a, pivots })
         } else {
@@ -321,20 +322,20 @@ impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
         }
     }
 
-    /// [`Pivots::defect`].
+    /// See [`Pivots::defect`].
     #[inline(always)]
     pub(crate) fn defect(&self) -> F {
         self.pivots.defect()
     }
 
-    /// The `x` of `A x = b`.
+    /// Solves `A x = b` for `x`.
     #[inline]
     #[must_use]
     pub(crate) fn solve(&self, b: &[F; N]) -> [F; N] {
         self.solved(b)
     }
 
-    /// [`solve`](Self::solve), inlined for the instructions of lanes.
+    /// [`solve`](Self::solve), always inlined so that lanes use their instruction set.
     #[inline(always)]
     #[must_use]
     pub(crate) fn solved(&self, b: &[F; N]) -> [F; N] {
@@ -354,7 +355,7 @@ impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
     }
 }
 
-/// The operations of [`Lu::new`] for `n` rows.
+/// Operations of [`Lu::new`] for `n` rows.
 pub(crate) const fn factoring<F: Field>(n: usize) -> Operations {
     let mut operations = Operations::ZERO;
     let mut below = n;
@@ -369,14 +370,14 @@ pub(crate) const fn factoring<F: Field>(n: usize) -> Operations {
     operations
 }
 
-/// The operations of [`Lu::solve`] for `n` rows.
+/// Operations of [`Lu::solve`] for `n` rows.
 pub(crate) const fn solving<F: Field>(n: usize) -> Operations {
     let term = F::PRODUCT.and(F::SUM);
     let operations = term.times(n * n.saturating_sub(1)).and(F::PRODUCT.times(n));
     operations.with_chain((2 * term.chain + F::PRODUCT.chain) * n)
 }
 
-/// The product of a matrix and a vector; nalgebra's requires more of its numbers than a [`Real`] has.
+/// Product of a matrix and a vector. The one of nalgebra requires more traits than [`Real`] provides.
 #[inline(always)]
 pub(crate) fn image<T: Real, const N: usize>(matrix: &SMatrix<T, N, N>, vector: &SVector<T, N>) -> SVector<T, N> {
     let mut image = [T::default(); N];
@@ -388,7 +389,7 @@ pub(crate) fn image<T: Real, const N: usize>(matrix: &SMatrix<T, N, N>, vector: 
     SVector::from(image)
 }
 
-/// The square of the length of a vector.
+/// Squared Euclidean norm of a vector.
 #[inline(always)]
 pub(crate) fn square<T: Real, const N: usize>(vector: &SVector<T, N>) -> T {
     vector.iter().fold(T::default(), |sum, &v| sum + v * v)
@@ -399,7 +400,7 @@ mod tests {
     use super::{Complex, Field, Lu, Singular};
     use crate::real::Float;
 
-    /// Numbers between -1 and 1 without a pattern.
+    /// Pseudorandom number between -1 and 1.
     fn noise(seed: &mut u64) -> f64 {
         *seed = seed
             .wrapping_mul(6_364_136_223_846_793_005)
@@ -412,14 +413,14 @@ mod tests {
         core::array::from_fn(|i| (0..N).fold(F::default(), |sum, j| sum + term(i, j)))
     }
 
-    /// The largest error of `solve(A x)` in ulps, over a number of random matrices.
+    /// Largest residual of `solve(A x)` in ulps, over 200 random matrices.
     fn error<F: Field<Size: Float>, const N: usize>(mut entry: impl FnMut() -> F) -> f64 {
         let mut worst = 0.0_f64;
         for _ in 0..200 {
             let columns: [[F; N]; N] = core::array::from_fn(|_| core::array::from_fn(|_| entry()));
             let x = core::array::from_fn(|_| entry());
             let lu = Lu::new(columns).expect("regular");
-            // A residual, since an error of x grows with the condition of the matrix and this one does not.
+            // The residual is bounded independently of the condition number; the error of x is not.
             let residual = product(&columns, &lu.solve(&product(&columns, &x)));
             let error = |(a, b): (F, F)| (a - b).size().to_f64() / F::Size::EPSILON.to_f64();
             worst = core::iter::zip(residual, product(&columns, &x))
@@ -449,17 +450,17 @@ mod tests {
 
     #[test]
     fn the_largest_pivot_is_taken() {
-        // With the small pivot x_0 would be 0, not 1: Golub and Van Loan, 3.3.
+        // With the small pivot x_0 would be 0 instead of 1: Golub and Van Loan, 3.3.
         let lu = Lu::new([[1e-20, 1.0], [1.0, 1.0]]).expect("regular");
         assert_eq!(lu.solve(&[1.0, 2.0]), [1.0, 1.0]);
         let i = Complex::new(0.0, 1.0);
         let one = Complex::new(1.0, 0.0);
         let lu = Lu::new([[Complex::new(1e-20, 0.0), i], [one, one]]).expect("regular");
-        // x = (1, 1) to 20 digits: b = A (1, 1)
+        // x = (1, 1) to 20 digits, since b = A (1, 1)
         assert_eq!(lu.solve(&[one, one + i]), [one, one]);
     }
 
-    /// Matrices whose lanes need other pivots, or none, and are singular here and there.
+    /// Random matrices whose lanes need different pivots, some of them singular.
     #[cfg(feature = "std")]
     #[test]
     fn each_lane_has_the_pivots_that_it_has_alone() {
@@ -470,7 +471,7 @@ mod tests {
         fn check<V: Lanes, const N: usize>(seed: &mut u64) -> [usize; 2] {
             let (mut regular, mut singular) = (0, 0);
             for round in 0..200 {
-                // few different numbers, so that some are equal and some zero
+                // rounding produces equal entries and zeros
                 let coarse =
                     |number: f64| V::Scalar::from_f64(if round % 2 == 0 { (2.0 * number).round() } else { number });
                 let mut entries = || -> [[V; N]; N] {

@@ -1,10 +1,11 @@
-//! How a mechanism looks: the solids, joints, springs and points of its declaration, placed in the ground frame.
+//! Geometry of a mechanism for drawing: solids, joints, springs and points of its declaration, placed in the ground
+//! frame.
 
 use nalgebra::{Point3, SVector};
 
-/// A model that knows how it looks.
+/// A model with geometry for drawing.
 ///
-/// [`mechanism!`](crate::mechanism) implements it where `generate` has `shapes`.
+/// [`mechanism!`](crate::mechanism) implements it if `generate` lists `shapes`.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -29,32 +30,32 @@ use nalgebra::{Point3, SVector};
     note = "`mechanism!` generates it where `generate` has `shapes`"
 )]
 pub trait Shapes<const N: usize> {
-    /// What there is to see at the time `t` in the state `x`, in the order of the declaration: the solids of the bodies, then
+    /// Returns the shapes at the time `t` in the state `x`, in the order of declaration: the solids of the bodies, then
     /// their joints, then springs and dampers, then points.
     fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape<'_>>;
 }
 
-/// Something to see.
+/// A shape to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape<'a> {
-    /// The body that it belongs to, or the point that it is; for springs and dampers the body of their first end.
+    /// Name of its body, or of the point; for springs and dampers, the body of their first end.
     pub name: &'a str,
-    /// What it is.
+    /// Kind of the shape.
     pub kind: ShapeKind,
-    /// Its points in the ground frame, in m; the kind says which.
+    /// Points in the ground frame, in m. The kind defines their meaning.
     pub points: Vec<Point3<f64>>,
-    /// The radius of what is round, in m; 0 otherwise.
+    /// Radius of a round shape, in m; otherwise 0.
     pub radius: f64,
 }
 
-/// Kinds of [`Shape`], and their points.
+/// Kinds of [`Shape`], and the meaning of their points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ShapeKind {
-    /// A point mass: where it is, and the origin of its body.
+    /// A point mass: its position, and the origin of its body.
     Mass,
     /// A thin rod: its ends.
     Rod,
-    /// A disk: its centre, and a point of its rim.
+    /// A disk: its centre, and a point on its rim.
     Disk,
     /// A flat plate: its corners in order.
     Plate,
@@ -62,37 +63,37 @@ pub enum ShapeKind {
     Cuboid,
     /// A cylinder: the centres of its ends.
     Cylinder,
-    /// A sphere: its centre, and a point of its surface.
+    /// A sphere: its centre, and a point on its surface.
     Sphere,
-    /// The joint of a body that turns: its place. A body that moves freely has none.
+    /// The joint of a body that rotates: its position. A free body has none.
     Pivot,
     /// A spring between two points.
     Spring,
     /// A damper between two points.
     Damper,
-    /// A point with a name of its own, on a body that moves.
+    /// A named point on a moving body.
     Point,
-    /// A point with a name of its own that stays where it is.
+    /// A named point at rest.
     Anchor,
 }
 
-// For generated code, which may be without `std` where this crate is not.
+// Generated code may be in a `no_std` crate even if this crate has `std`.
 #[doc(hidden)]
 pub use std::vec::Vec;
 
-/// A shape before it is placed: a row of what the generated code knows.
+/// A shape before placement: a row of a generated table.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Outline<'a> {
     pub name: &'a str,
     pub kind: ShapeKind,
-    /// The number of points, whose coordinates are listed one after the other.
+    /// Number of points. Their coordinates are listed one after the other.
     pub points: usize,
-    /// Whether a radius is listed after them.
+    /// True if a radius follows the coordinates.
     pub radius: bool,
 }
 
-/// The shapes of outlines, from the values that generated code computes for them.
+/// Builds shapes from outlines and the values that generated code computes for them.
 #[doc(hidden)]
 pub fn placed<'a>(outlines: &[Outline<'a>], values: &[f64]) -> Vec<Shape<'a>> {
     let mut rest = values.iter().copied();

@@ -1,4 +1,4 @@
-//! What an integration returns: the accepted points and the states between them.
+//! Results of an integration: accepted points, and dense output between them.
 
 use std::error::Error;
 use std::fmt;
@@ -19,9 +19,9 @@ pub use below::BelowTolerance;
 
 /// A trajectory: the accepted points, and dense output between them.
 ///
-/// There is always at least one point, the initial one; it stays alone if the integration was asked to end where it starts.
-/// Times ascend, or descend if it went backward in time; where an event reset the state, and at an impact, a time
-/// stands twice, with the states before and after.
+/// It has at least one point, the initial one; an integration over an empty span has no other. Times ascend, or descend
+/// for an integration backward in time. At an impact, and at an event that resets the state, a time occurs twice, with
+/// the states before and after.
 #[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -37,9 +37,9 @@ pub use below::BelowTolerance;
 pub struct Solution<T, const N: usize> {
     t: Vec<T>,
     x: Vec<SVector<T, N>>,
-    /// Those of the steps, one after the other: `x(t_i + theta h) = x_i + c_1 theta + c_2 theta^2 + ..`.
+    /// Coefficients of the steps, concatenated: `x(t_i + theta h) = x_i + c_1 theta + c_2 theta^2 + ..`.
     coefficients: Vec<SVector<T, N>>,
-    /// Where those of each step end.
+    /// End index of the coefficients of each step.
     ends: Vec<usize>,
     events: Vec<Occurrence<T, N>>,
     modes: Vec<(T, Mode)>,
@@ -51,7 +51,7 @@ pub struct Solution<T, const N: usize> {
 }
 
 impl<T: Float, const N: usize> Solution<T, N> {
-    /// The solution that consists of its initial point: an [`Observer`] that keeps what follows.
+    /// A solution that consists of its initial point. As an [`Observer`] it records the following steps.
     #[must_use]
     pub fn start(t0: T, x0: SVector<T, N>) -> Self {
         Self {
@@ -69,59 +69,59 @@ impl<T: Float, const N: usize> Solution<T, N> {
         }
     }
 
-    /// The times of the accepted points, the initial one first; the last is the end of the span exactly.
+    /// Times of the accepted points, the initial one first. The last one is exactly the end of the span.
     #[must_use]
     pub fn t(&self) -> &[T] {
         &self.t
     }
 
-    /// The states at the times [`t`](Self::t).
+    /// States at the times [`t`](Self::t).
     #[must_use]
     pub fn x(&self) -> &[SVector<T, N>] {
         &self.x
     }
 
-    /// The accepted points: each time with the state there.
+    /// Iterates over the accepted points, each a time and a state.
     pub fn points(&self) -> impl DoubleEndedIterator<Item = (T, &SVector<T, N>)> + ExactSizeIterator {
         self.t.iter().copied().zip(&self.x)
     }
 
-    /// The last time and the state there.
+    /// Last time and state.
     #[must_use]
     pub fn last(&self) -> (T, SVector<T, N>) {
         let last = self.t.len() - 1;
         (self.t[last], self.x[last])
     }
 
-    /// The state at the end, which is the last good one if the integration stopped early.
+    /// Final state: the last valid one if the integration stopped early.
     #[must_use]
     pub fn end(&self) -> SVector<T, N> {
         self.last().1
     }
 
-    /// The events that occurred, in the order in which they did.
+    /// Events in the order of their occurrence.
     #[must_use]
     pub fn events(&self) -> &[Occurrence<T, N>] {
         &self.events
     }
 
-    /// The modes of a [hybrid](crate::hybrid) system, each with the time at which it begins; empty for other systems.
+    /// Modes of a [hybrid](crate::hybrid) system, each with the time at which it begins; empty for other systems.
     ///
-    /// An impact begins a mode, even one with the same constraints held as before: in [`t`](Self::t) its time then
-    /// stands twice, with the states before and after.
+    /// An impact begins a mode, even if the same constraints are held as before. Its time then occurs twice in
+    /// [`t`](Self::t), with the states before and after.
     ///
-    /// The times ascend, from the start of the span to its end at most; the last entry is the mode at the end. Rebounds
-    /// too low to follow are replaced by lasting contact from the first of them on. The mode of this contact has the time
-    /// at which the last rebound would have ended, a little later, or at which the next mode begins.
+    /// Times ascend from the start of the span to at most its end; the last entry is the mode at the end. Rebounds too
+    /// low to resolve are replaced by lasting contact, beginning with the first of them. The mode of this contact is
+    /// dated to the calculated end of the rebounds, or to the next mode switch if that comes earlier.
     #[must_use]
     pub fn modes(&self) -> &[(T, Mode)] {
         &self.modes
     }
 
-    /// The impacts of a [hybrid](crate::hybrid) system, in the order in which they occurred; empty for other systems.
+    /// Impacts of a [hybrid](crate::hybrid) system in the order of their occurrence; empty for other systems.
     ///
-    /// Impacts at the same time are one. Rebounds too low to follow are left out, and the impact before them is one
-    /// without a rebound.
+    /// Simultaneous impacts form one entry. Rebounds too low to resolve are omitted, and the impact before them is
+    /// recorded as one without rebound.
     ///
     /// ```
     /// use pendulum_core::hybrid::Hybrid;
@@ -154,16 +154,15 @@ impl<T: Float, const N: usize> Solution<T, N> {
         &self.impacts
     }
 
-    /// The impacts of a [hybrid](crate::hybrid) system at the same time whose order decides how the motion goes on, and
-    /// could not be resolved, in the order in which they occurred. What follows one of them is one of several motions
-    /// that are equally possible.
+    /// Simultaneous impacts of a [hybrid](crate::hybrid) system whose unknown order determines the subsequent motion,
+    /// in the order of their occurrence. The motion after such an impact is one of several equally possible ones.
     #[must_use]
     pub fn ambiguities(&self) -> &[Ambiguity<T>] {
         &self.ambiguities
     }
 
-    /// The times in which an event may have occurred more often than [`events`](Self::events) shows; empty where all
-    /// zeros were found.
+    /// Time intervals in which an event may have occurred more often than reported by [`events`](Self::events); empty
+    /// if all roots were found.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -181,14 +180,14 @@ impl<T: Float, const N: usize> Solution<T, N> {
         &self.missed
     }
 
-    /// How much work the integration was.
+    /// Evaluations and steps of the integration.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
         self.statistics
     }
 
-    /// The state at the time `t`, by the dense output of the method; at an accepted point, that point exactly, and where
-    /// the state was reset, the state after.
+    /// State at the time `t`, by the dense output of the method. At an accepted point, exactly that point; at a reset,
+    /// the state after it.
     ///
     /// # Errors
     /// If `t` is outside of the span, or NaN.
@@ -207,7 +206,7 @@ impl<T: Float, const N: usize> Solution<T, N> {
                 end: end.to_f64(),
             });
         }
-        // The last point that is not after `t`: inside the span there is one.
+        // Last point not after `t`, which exists inside the span.
         let left = self
             .t
             .partition_point(|&point| if forward { point <= t } else { point >= t })
@@ -222,61 +221,62 @@ impl<T: Float, const N: usize> Solution<T, N> {
         Ok(polynomial(&self.x[left], coefficients, theta))
     }
 
-    /// The states at many times, in any order.
+    /// States at many times, in any order.
     ///
     /// # Errors
-    /// If one of them is outside of the span.
+    /// If a time is outside of the span.
     pub fn sample(&self, times: impl IntoIterator<Item = T>) -> Result<Vec<SVector<T, N>>, OutsideSpan> {
         times.into_iter().map(|t| self.at(t)).collect()
     }
 }
 
-/// What sees a trajectory on its way, step by step: for [`ObservedEnsemble::observe`](crate::ObservedEnsemble::observe). A [`Solution`]
-/// keeps all of it.
+/// Observer of a trajectory during the integration, for
+/// [`ObservedEnsemble::observe`](crate::ObservedEnsemble::observe). A [`Solution`] is an observer that records
+/// everything.
 pub trait Observer<T, const N: usize> {
-    /// Whether the states within a step from `t0` to `t1` are of interest: by default they are.
+    /// True if the states within a step from `t0` to `t1` are needed, which is the default.
     ///
-    /// Where they are not, [`step`](Self::step) may show its ends alone, which takes less time.
+    /// If not, [`step`](Self::step) may receive only the ends of the step, which takes less time.
     fn looks_into(&self, _t0: T, _t1: T) -> bool {
         true
     }
 
-    /// Whether every step is kept: then methods with steps of equal length refuse to take more than ten million. By
-    /// default it is not so.
+    /// True if every step is kept; methods with fixed steps then reject more than ten million steps. False by default.
     fn keeps_all(&self) -> bool {
         false
     }
 
-    /// The tolerance that the steps will keep, before the first of them; not where their length is given.
+    /// Called before the first step with the tolerance of the step size control; not called for fixed steps.
     fn within(&mut self, _tolerance: Tolerance<T>) {}
 
-    /// A step, or the part of one after which an event acts. Steps follow each other without gaps, but for jumps.
+    /// Called after each step, or after the part of a step before an event acts. Steps are contiguous except for jumps.
     fn step(&mut self, dense: &Dense<'_, T, N>);
 
-    /// The state becomes another one at the time that was reached: by a reset, or by an impact.
+    /// Called when a reset or an impact changes the state at the current time.
     fn jump(&mut self, _t: T, _x: SVector<T, N>) {}
 
-    /// An event occurred, in the step that was seen last.
+    /// Called when an event has occurred in the last step.
     fn event(&mut self, _event: Occurrence<T, N>) {}
 
-    /// An event may have occurred more often than was found, in the step that was seen last.
+    /// Called when an event may have occurred in the last step without being found.
     fn missed(&mut self, _missed: Missed<T>) {}
 
-    /// Another mode of a hybrid system holds from this time on. The time lies ahead where rebounds too low to follow would
-    /// still last; if another mode begins before it, the rebounds were not at their end.
+    /// Called at a mode switch of a hybrid system; the mode holds from the time `_from`. `_from` lies ahead of the
+    /// current time while rebounds too low to resolve would continue. A mode switch before `_from` interrupts these
+    /// rebounds.
     fn mode(&mut self, _from: T, _mode: Mode) {}
 
-    /// The end, after so much work; not of a trajectory that cannot begin.
+    /// Called at the end with the statistics; not called if the trajectory cannot start.
     fn finish(&mut self, _statistics: Statistics) {}
 
-    /// An impact.
+    /// Called at an impact.
     fn impact(&mut self, _impact: Impact<T, N>) {}
 
-    /// The order of the impacts that were seen last decides how the motion goes on, and is not known.
+    /// Called when the last impacts were simultaneous and their unknown order determines the subsequent motion.
     fn ambiguity(&mut self, _ambiguity: Ambiguity<T>) {}
 }
 
-/// All of it.
+/// Records everything.
 impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
     fn keeps_all(&self) -> bool {
         true
@@ -304,7 +304,7 @@ impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
         self.tolerance = Some(tolerance);
     }
 
-    /// Steps that follow each other are one part.
+    /// Merges consecutive steps into one interval.
     fn missed(&mut self, missed: Missed<T>) {
         let last = self.missed.iter_mut().rfind(|last| last.index == missed.index);
         match last.filter(|last| last.to == missed.from) {
@@ -314,7 +314,7 @@ impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
     }
 
     fn mode(&mut self, from: T, mode: Mode) {
-        // rebounds that another mode interrupts were not at their end
+        // the new mode interrupts unfinished rebounds
         for (before, _) in self.modes.iter_mut().rev().take_while(|(before, _)| *before > from) {
             *before = from;
         }
@@ -334,7 +334,7 @@ impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
     }
 }
 
-/// Its events alone.
+/// Records only the events.
 impl<T, const N: usize> Observer<T, N> for Vec<Occurrence<T, N>> {
     fn step(&mut self, _dense: &Dense<'_, T, N>) {}
 
@@ -343,7 +343,7 @@ impl<T, const N: usize> Observer<T, N> for Vec<Occurrence<T, N>> {
     }
 }
 
-/// In short: a trajectory may have a million points.
+/// Abbreviated, since a trajectory may have a million points.
 impl<T: fmt::Debug, const N: usize> fmt::Debug for Solution<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let last = self.t.len() - 1;
@@ -356,7 +356,7 @@ impl<T: fmt::Debug, const N: usize> fmt::Debug for Solution<T, N> {
     }
 }
 
-/// What is read, before it is known to be a solution.
+/// A deserialised solution before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(bound(deserialize = "T: Float + serde::Deserialize<'de>"))]
@@ -416,14 +416,14 @@ impl<T: Float, const N: usize> TryFrom<Unchecked<T, N>> for Solution<T, N> {
 
 debug_as_display! { [] OutsideSpan; }
 
-/// A time at which a solution has no state.
+/// A time outside of the span of a solution.
 #[derive(Clone, Copy, PartialEq)]
 pub struct OutsideSpan {
-    /// The time asked for.
+    /// The requested time.
     pub t: f64,
-    /// The first time of the solution.
+    /// First time of the solution.
     pub start: f64,
-    /// The last time of the solution; before `start` if it went backward.
+    /// Last time of the solution; before `start` if it was integrated backward.
     pub end: f64,
 }
 

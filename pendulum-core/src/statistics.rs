@@ -1,34 +1,34 @@
-//! Counted work.
+//! Work counts.
 
-/// How much work an integration was.
+/// Amount of work of an integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 #[non_exhaustive]
 pub struct Statistics {
-    /// Evaluations of the right-hand side, those for the first step size included.
+    /// Number of evaluations of the right-hand side, including those for the first step size.
     pub evaluations: usize,
-    /// Steps that were accepted.
+    /// Number of accepted steps.
     pub accepted: usize,
-    /// Steps that were tried and rejected.
+    /// Number of rejected steps.
     pub rejected: usize,
-    /// Evaluations of the Jacobian, by implicit methods.
+    /// Number of evaluations of the Jacobian, by implicit methods.
     pub jacobians: usize,
-    /// Matrices that implicit methods factored, real and complex.
+    /// Number of matrices factored by implicit methods, real and complex.
     pub factorizations: usize,
-    /// Iterations in which implicit methods solved for their stages.
+    /// Number of iterations in which implicit methods solved for their stages.
     pub iterations: usize,
-    /// Accepted steps that [`Auto`](crate::Auto) left to its implicit method.
+    /// Number of accepted steps that [`Auto`](crate::Auto) took with its implicit method.
     pub stiff: usize,
-    /// How often [`Auto`](crate::Auto) changed between its methods.
+    /// Number of switches of [`Auto`](crate::Auto) between its methods.
     pub switches: usize,
-    /// Impacts at the same time whose order decides how the motion goes on, and could not be resolved: see
+    /// Number of simultaneous impacts whose order affects the motion afterwards, and could not be resolved: see
     /// [`Ambiguity`](crate::hybrid::Ambiguity).
     pub ambiguities: usize,
 }
 
 #[cfg(feature = "std")]
 impl Statistics {
-    /// Adds the work of another.
+    /// Adds the work of another integration.
     pub(crate) fn add(&mut self, other: &Self) {
         self.evaluations += other.evaluations;
         self.accepted += other.accepted;

@@ -1,4 +1,4 @@
-//! How long a step may be.
+//! Tolerances and step-size selection.
 
 use nalgebra::SVector;
 
@@ -6,21 +6,21 @@ use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::system::System;
 
-/// What an error is measured against: `atol + rtol |x|`, component by component.
+/// Error tolerance `atol + rtol |x|` of each component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Tolerance<T> {
-    /// Relative.
+    /// Relative tolerance.
     pub rtol: T,
-    /// Absolute.
+    /// Absolute tolerance.
     pub atol: T,
 }
 
 impl<T: Real> Tolerance<T> {
-    /// The mean square of `error / (atol + rtol (|x0| + |x1|) / 2)`; the error is within the tolerance up to 1.
+    /// Mean square of `error / (atol + rtol (|x0| + |x1|) / 2)`; the error is within the tolerance if it is at most 1.
     ///
-    /// The norm of Hairer, Nørsett, Wanner I, II.4, with the mean of both states in place of the larger, which lanes
-    /// can have as well, and before its root is taken: the controller works on logarithms.
+    /// This is the norm of Hairer, Nørsett, Wanner I, II.4, with the mean of both states in place of the larger one,
+    /// which also works in lanes. Its square root is not taken, since the controller works on logarithms.
     #[inline(always)]
     pub(crate) fn mean_square<const N: usize>(
         &self,
@@ -38,8 +38,8 @@ impl<T: Real> Tolerance<T> {
         sum * T::from_f64(1.0 / N as f64)
     }
 
-    /// The means of `|v| / (atol + rtol |x|)`, of several `v`. Not of the squares: the coefficients of a fast motion
-    /// grow with the order, and would leave the range of `f32`.
+    /// Means of `|v| / (atol + rtol |x|)`, of several `v`. They are not squared: the coefficients of a fast motion grow
+    /// with the order, and would leave the range of `f32`.
     #[inline(always)]
     pub(crate) fn mean_sizes<const M: usize, const N: usize>(
         &self,
@@ -58,7 +58,7 @@ impl<T: Real> Tolerance<T> {
 }
 
 impl<T: Float> Tolerance<T> {
-    /// The same tolerance in all lanes.
+    /// Broadcasts the tolerance to all lanes.
     #[inline(always)]
     pub(crate) fn in_lanes<V: Lanes<Scalar = T>>(self) -> Tolerance<V> {
         Tolerance {
@@ -67,11 +67,11 @@ impl<T: Float> Tolerance<T> {
         }
     }
 
-    /// A first step: so long that an explicit Euler step, judged by the change of the slope along it, is right to a
-    /// hundredth.
+    /// Chooses a first step such that an explicit Euler step is accurate to a hundredth, judged by the change of the
+    /// slope along it.
     ///
-    /// Hairer, Nørsett, Wanner I, II.4, "Starting step size". `order` is that of the error estimate, `h_max` bounds the
-    /// result, `direction` is 1 or -1. One evaluation of the right-hand side.
+    /// Hairer, Nørsett, Wanner I, II.4, "Starting step size". `order` is the order of the error estimate, `h_max`
+    /// bounds the result, `direction` is 1 or -1. One evaluation of the right-hand side.
     pub(crate) fn first_step<S, const N: usize>(
         &self,
         system: &S,
@@ -114,19 +114,20 @@ pub trait Estimates {}
 /// theoretic techniques for stepsize selection in explicit Runge-Kutta methods", ACM Trans. Math. Softw. 17 (1991)
 /// 533-554.
 ///
-/// After a step with the error `e_n` (1 is the tolerance) the next one is longer by `0.9 e_n^-alpha e_(n-1)^beta`,
-/// within 0.2 and 3; `beta = 0.04` damps the steps of mildly stiff systems, and `alpha = 1 / (order + 1) - 0.75 beta`.
+/// After a step with the error `e_n`, in units of the tolerance, the next one is longer by `0.9 e_n^-alpha
+/// e_(n-1)^beta`, within 0.2 and 3; `beta = 0.04` damps the steps of mildly stiff systems, and `alpha = 1 / (order + 1)
+/// - 0.75 beta`.
 ///
-/// DOPRI5 lets steps grow by 10. But between two jumps of a right-hand side errors may vanish, and all growth is blind:
-/// a step that is ten times as long as the one before, and so nine times as long as the way since the jump, can pass
-/// several more with stages that happen to agree. One that is three times as long as the one before is twice as long as
-/// that way, and has stages in between.
+/// DOPRI5 lets steps grow tenfold. But between two jumps of a right-hand side errors may vanish, so growth is blind: a
+/// step ten times as long as the last one, nine times the time since the jump, can pass several more jumps with stages
+/// that happen to agree. A step three times as long as the last one is twice as long as that time, and has stages in
+/// between.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PiController {
     pub(crate) alpha: f64,
-    /// The binary logarithm of the last accepted error.
+    /// Binary logarithm of the last accepted error.
     pub(crate) last: f64,
-    /// The most that the next factor may be.
+    /// Maximum of the next factor.
     pub(crate) most: f64,
 }
 
@@ -135,12 +136,12 @@ impl PiController {
     const SAFETY: f64 = 0.9;
     const SHRINK: f64 = 0.2;
     const GROW: f64 = 3.0;
-    /// After an attempt that arrived nowhere, and so has no error.
+    /// Factor after a failed attempt, without an error.
     const FAILED: f64 = 0.25;
-    /// The binary logarithm of 1e-4. A smaller error is not remembered as such: it says little about the next one.
+    /// Binary logarithm of 1e-4. Smaller errors are stored as this one, since they predict little about the next.
     const SMALLEST_LOG: f64 = -13.287_712_379_549_449;
 
-    /// `order` is that of the error estimate.
+    /// Creates a controller for an error estimate of this `order`.
     pub(crate) fn new(order: usize) -> Self {
         let mut controller = Self {
             alpha: 0.0,
@@ -151,16 +152,16 @@ impl PiController {
         controller
     }
 
-    /// Goes on with an estimate of another order.
+    /// Continues with an estimate of another order.
     #[inline]
     pub(crate) fn set_order(&mut self, order: usize) {
         self.alpha = 1.0 / (order as f64 + 1.0) - 0.75 * Self::BETA;
     }
 
-    /// The factor for the next attempt, after one with this mean square error, which was accepted up to 1. NaN is that of
-    /// an attempt that arrived nowhere.
+    /// Returns the factor for the next attempt, after one with this mean square error, which was accepted if it is at
+    /// most 1. NaN stands for a failed attempt.
     ///
-    /// Without branches, so that lanes decide together. After a rejection a step does not grow.
+    /// Without branches, so that it vectorizes over lanes. After a rejection a step does not grow.
     #[inline(always)]
     pub(crate) fn next(&mut self, mean_square: f64) -> f64 {
         let is_accepted = mean_square <= 1.0;
@@ -175,14 +176,15 @@ impl PiController {
     }
 }
 
-/// The binary logarithm of a positive normal number, to 1.2e-4; far below 0 at 0.
+/// Binary logarithm of a positive normal number, to 1.2e-4; far below 0 at 0.
 ///
-/// The length of a step needs no more, and every step waits for it: these take a third of the time of the platform's
-/// functions. The same steps on every machine are another gain. Both polynomials interpolate in Chebyshev's points.
+/// The length of a step needs no higher accuracy, and every step waits for the result: these functions take a third of
+/// the time of the platform's. They also give the same steps on every machine. Both polynomials interpolate in
+/// Chebyshev points.
 #[inline(always)]
 pub(crate) fn log2(x: f64) -> f64 {
     const MANTISSA: u64 = (1 << 52) - 1;
-    // With these bits on top, an integer below 2^52 is 2^52 more as a number: a conversion that all registers know.
+    // With these leading bits, an integer below 2^52 is 2^52 more as a number: a conversion available in all registers.
     const INTEGER: f64 = 4_503_599_627_370_496.0;
     let bits = x.to_bits();
     let m = f64::from_bits(bits & MANTISSA | 1.0_f64.to_bits());
@@ -193,11 +195,11 @@ pub(crate) fn log2(x: f64) -> f64 {
     exponent + (low + square * high)
 }
 
-/// 2 to the power of `x`, to 1e-4; `x` is kept within the exponents of numbers.
+/// 2 to the power of `x`, to 1e-4; `x` is clamped to the range of exponents.
 #[inline(always)]
 pub(crate) fn exp2(x: f64) -> f64 {
     let x = x.clamp(-1022.0, 1023.0);
-    // Adding 1.5 * 2^52 rounds to the nearest integer, and puts it into the lowest bits.
+    // Adding 1.5 * 2^52 rounds to the nearest integer, and places it in the lowest bits.
     const ROUND: f64 = 6_755_399_441_055_744.0;
     let rounded = x + ROUND;
     let y = x - (rounded - ROUND);
@@ -234,7 +236,7 @@ mod tests {
         }
     }
 
-    /// The first step of `x' = f(t, x)` from `x0` at 1.
+    /// First step of `x' = f(t, x)` from `x0` at 1.
     fn first_step(f: fn(f64, f64) -> f64, x0: f64, (rtol, atol): (f64, f64), order: usize, h_max: f64) -> f64 {
         let system = FnSystem(|t: f64, x: &SVector<f64, 1>| SVector::from([f(t, x[0])]));
         let (x0, f0) = (SVector::from([x0]), SVector::from([f(1.0, x0)]));
@@ -248,8 +250,8 @@ mod tests {
 
     #[test]
     fn the_first_step_is_that_of_hairer() {
-        // x' = 5 t - x^2 from 3: -4; atol + rtol |x| is 0.013. The trial step is 0.01 |x| / |x'| = 0.0075, to
-        // 5 * 1.0075 - 2.97^2 = -3.7834 forward, and to 5 * 0.9925 - 3.03^2 = -4.2184 backward.
+        // x' = 5 t - x^2 from 3: -4; atol + rtol |x| is 0.013. The trial step is 0.01 |x| / |x'| = 0.0075, with the
+        // derivatives 5 * 1.0075 - 2.97^2 = -3.7834 forward, and 5 * 0.9925 - 3.03^2 = -4.2184 backward.
         let f = |t: f64, x: f64| 5.0 * t - x * x;
         let tolerance = (1e-3, 0.01);
         for (h_max, apart) in [(10.0, 4.0 - 3.7834), (-10.0, 4.2184 - 4.0)] {
@@ -261,9 +263,9 @@ mod tests {
                 assert_is(first_step(f, 3.0, tolerance, order, h_max), expected);
             }
         }
-        // no longer than the longest
+        // at most h_max
         assert_is(first_step(f, 3.0, tolerance, 4, 0.001), 0.001);
-        // Where the slope hardly changes it counts itself.
+        // an almost constant slope counts itself
         assert_is(
             first_step(|_, _| -7.0, 3.0, tolerance, 4, 10.0),
             (0.01_f64 * 0.013 / 7.0).powf(0.2),
@@ -273,13 +275,13 @@ mod tests {
     #[test]
     fn the_first_step_where_a_size_says_nothing() {
         let absolute = (0.0, 1.0);
-        // From zero, or with next to no slope, the trial step is 1e-6, and the first at most a hundred times as long.
+        // from zero, or almost without slope, the trial step is 1e-6, and the first at most a hundred times as long
         assert_is(first_step(|_, _| 3.0, 0.0, absolute, 4, 10.0), 1e-4);
         assert_is(first_step(|_, _| 0.9e-5, 1.0, absolute, 4, 10.0), 1e-4);
-        // At 1e-5 sizes begin to count: the trial step is 0.01 d0 / d1, the first (0.01 / d1)^(1/5) or 100 of them.
+        // sizes count from 1e-5 on: the trial step is 0.01 d0 / d1, the first (0.01 / d1)^(1/5) or 100 trial steps
         assert_is(first_step(|_, _| 1.0, 1e-5, absolute, 4, 10.0), 1e-5);
         assert_is(first_step(|_, _| 1e-5, 1.0, absolute, 4, 10.0), 1e3_f64.powf(0.2));
-        // at rest, or so good as
+        // at rest, or almost
         assert_is(first_step(|_, _| 0.0, 1.0, absolute, 4, 10.0), 1e-6);
         assert_is(first_step(|_, _| 1e-15, 1.0, absolute, 4, 10.0), 1e-6);
         // where the trial step leaves the domain: a thousandth of it, which is 0.01
@@ -299,18 +301,18 @@ mod tests {
         }
         assert!(log2(0.0) < -1000.0 && log2(f64::INFINITY) > 1000.0);
         assert!(exp2(f64::NAN).is_nan());
-        // kept within the exponents
+        // clamped to the range of exponents
         assert!((exp2(-1e9) / f64::MIN_POSITIVE - 1.0).abs() < 1.01e-4);
         assert!((exp2(1e9) / 1023.0_f64.exp2() - 1.0).abs() < 1.01e-4);
     }
 
-    /// What follows a step with the error `e`, whose mean square it is given.
+    /// Factor after a step with the error `e`.
     fn next(controller: &mut PiController, e: f64) -> f64 {
         controller.next(e * e)
     }
 
     fn assert_near(found: f64, expected: f64) {
-        // What logarithm and power are good for.
+        // the accuracy of logarithm and power
         assert!((found / expected - 1.0).abs() < 2e-4, "{found} {expected}");
     }
 
@@ -326,13 +328,13 @@ mod tests {
             next(&mut controller, 0.3),
             0.9 * 0.3_f64.powf(-0.17) * 0.5_f64.powf(0.04),
         );
-        // A rejected step is not remembered, nor does it remember.
+        // a rejected step neither uses nor updates the last error
         assert_near(next(&mut controller, 4.0), 0.9 * 4.0_f64.powf(-0.17));
         assert_near(
             next(&mut controller, 0.9),
             0.9 * 0.9_f64.powf(-0.17) * 0.3_f64.powf(0.04),
         );
-        // An error below 1e-4 counts as 1e-4 afterwards.
+        // an error below 1e-4 counts as 1e-4 afterwards
         assert_near(
             next(&mut controller, 1e-3),
             0.9 * 1e-3_f64.powf(-0.17) * 0.9_f64.powf(0.04),

@@ -1,9 +1,8 @@
-//! What a model offers: traits that the generated code implements, and that hand-written models can implement as well.
+//! Traits of models, implemented by generated code or by hand.
 //!
-//! Everywhere `x` is the state, `[q; qd]` for a mechanism: the coordinates first, then their rates, in the order of
-//! declaration and in SI units (m, rad, s). `N` is the length of the state, twice the number of degrees of freedom, and
-//! one more for each orientation: its position is a unit quaternion, its rate the angular velocity along the axes of
-//! the body.
+//! `x` is the state, `[q; qd]` for a mechanism: the coordinates, then their rates, in the order of declaration and in
+//! SI units (m, rad, s). `N` is the length of the state: twice the number of degrees of freedom, plus one for each
+//! orientation, whose position is a unit quaternion and whose rate is the angular velocity along the axes of the body.
 
 mod absent;
 mod assembly;
@@ -39,27 +38,27 @@ use crate::real::lanes::Lanes;
             `System` where `generate` has `rhs`"
 )]
 pub trait System<T: Real, const N: usize> {
-    /// The time derivative of the state; `[qd; qdd]` for a mechanism.
+    /// Time derivative of the state; `[qd; qdd]` for a mechanism.
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>;
 
-    /// What each component of the state is, and whether time occurs; `None` where that is not known, as by default.
+    /// Kinds of the components of the state, and dependence on time; `None` if unknown, which is the default.
     #[inline]
     fn layout(&self) -> Option<StateLayout<'_>> {
         None
     }
 
-    /// Whether the right-hand side depends on the state alone, as far as that is known: by default what the
-    /// [layout](Self::layout) says.
+    /// `Some(true)` if the right-hand side depends on the state only, `None` if unknown. By default taken from the
+    /// [layout](Self::layout).
     #[inline]
     fn is_autonomous(&self) -> Option<bool> {
         Some(self.layout()?.autonomous)
     }
 
-    /// Puts a state back onto the constraints that the equations preserve, but rounding and truncation do not: a
-    /// quaternion is of unit length, a loop is closed. By default there are none, which costs nothing.
+    /// Projects a state onto the constraints that the exact solution preserves, but rounding and truncation do not:
+    /// unit quaternions, closed loops. By default there are none, at no cost.
     ///
-    /// Methods call it at the start and after each step, so that no error across the constraints adds up. States within
-    /// a step, by dense output, are as exact as that is.
+    /// Methods call it at the start and after each step, so that constraint errors do not accumulate. States of the
+    /// dense output within a step satisfy the constraints to the accuracy of the dense output.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -85,65 +84,68 @@ pub trait System<T: Real, const N: usize> {
     #[inline(always)]
     fn project(&self, _t: T, _x: &mut SVector<T, N>) {}
 
-    /// Tells how far each closed loop is from its toggle and the rate of that, with the names of the two bodies that
-    /// close it; by default there are none. Steps end before a margin is zero, as
-    /// [`Reason::Toggle`](crate::Reason::Toggle) tells. An angle that is known within half a turn only, but whose turns
-    /// a force takes, has a margin as well, with its name and an empty one:
-    /// [`Reason::HalfTurn`](crate::Reason::HalfTurn).
+    /// Reports for each closed loop the margin from its toggle and the rate of this margin, with the names of the two
+    /// bodies that close the loop. By default there are none.
+    ///
+    /// Steps end before a margin reaches zero, with [`Reason::Toggle`](crate::Reason::Toggle). An angle that is
+    /// determined only within half a turn, but has its turns counted by a force, has a margin as well, with its name
+    /// and an empty second name: [`Reason::HalfTurn`](crate::Reason::HalfTurn).
     #[inline(always)]
     fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 2])) {}
 
     /// Reports the gap of each closed loop that [`project`](Self::project) closes, with the names of the two bodies
-    /// that close it: the distance between its ends in m, the angle between their orientations, or their axes, in rad,
-    /// and the size of the loop, the sum of the lengths around it in m. By default there are none.
+    /// that close it. The gap consists of the distance between the ends in m, the angle between their orientations or
+    /// axes in rad, and the size of the loop in m, which is the sum of the lengths around it. By default there are
+    /// none.
     ///
-    /// A state to start from is refused, as [`Reason::Open`](crate::Reason::Open), where the distance exceeds 4096
-    /// units of rounding of the size, or the angle as many of 1 rad: 9e-13 in `f64`, 5e-4 in `f32`; and 4 more for each
-    /// radian of the largest angle of the state, which is rounded itself. Steps do not call it.
+    /// An initial state is rejected, with [`Reason::Open`](crate::Reason::Open), if the distance exceeds 4096 rounding
+    /// units of the size, or the angle exceeds as many of 1 rad: 9e-13 in `f64`, 5e-4 in `f32`. The limit grows by 4
+    /// rounding units for each radian of the largest angle of the state, since the angle itself is rounded. Steps do
+    /// not call this method.
     #[inline]
     fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 3])) {}
 
-    /// What switches between the modes of a [hybrid](crate::hybrid) system; `None`, as by default, where the equations
-    /// are always the same.
+    /// Interface for the mode switches of a [hybrid](crate::hybrid) system. The default, `None`, means that the
+    /// equations have a single mode.
     #[inline(always)]
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
         None
     }
 }
 
-/// A model that can be converted to any number type, vectors of lanes included; `N` is the length of its state.
+/// A model that can be converted to any number type, including vectors of lanes; `N` is the length of its state.
 ///
 /// [`mechanism!`](crate::mechanism) implements it for models without inputs, in double precision. A model with inputs
-/// has it together with a law that is generic as well: see [`InputLaw`](crate::InputLaw).
+/// implements it together with a generic law: see [`InputLaw`](crate::InputLaw).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be converted to other number types",
     note = "`mechanism!` implements `Cast` for scenes without inputs where `generate` has `rhs`; a model with inputs \
             has it as `model.with_law(law)`, with a law that is generic over `Real`"
 )]
 pub trait Cast<const N: usize> {
-    /// Whether the model may be [hybrid](crate::hybrid).
+    /// True if the model may be [hybrid](crate::hybrid).
     const HYBRID: bool = false;
 
     /// The model in another number type.
     type In<T: Real>: System<T, N>;
 
-    /// The same model in another number type; its constants are rounded.
+    /// Converts the model to another number type. Its constants are rounded.
     fn cast<T: Real>(&self) -> Self::In<T>;
 
-    /// One model per lane, so that parameters may differ: lane `i` takes its constants from `models(i)`.
+    /// Combines one model per lane, so that parameters may differ: lane `i` takes its constants from `models(i)`.
     ///
-    /// Everything except the constants, such as the parameters by name, is taken from model 0.
+    /// Everything except the constants, such as the parameters by name, comes from model 0.
     fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Self::In<V>
     where
         Self: 'm;
 
-    /// Whether the two models differ in their constants at most, so that they may share lanes: always, by default.
+    /// True if the two models differ at most in their constants, so that they can share lanes. The default is true.
     fn shares_lanes(&self, _other: &Self) -> bool {
         true
     }
 }
 
-/// A [`System`] that knows the derivative of its right-hand side.
+/// A [`System`] with the derivative of its right-hand side.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no Jacobian",
     note = "`mechanism!` generates it unless `generate` leaves it out; a system of your own gets it by \
@@ -151,24 +153,23 @@ pub trait Cast<const N: usize> {
     note = "explicit methods such as `Vern9` do not require it"
 )]
 pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
-    /// Entry `(i, j)` is the derivative of component `i` of the right-hand side with respect to component `j` of the
-    /// state.
+    /// Computes the Jacobian. Entry `(i, j)` is the derivative of component `i` of the right-hand side with respect to
+    /// component `j` of the state.
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
 
-    /// Both at once. Generated models compute their common parts once, and give the right-hand side of [`System::rhs`]
-    /// up to rounding.
+    /// Computes the right-hand side and the Jacobian. Generated models share common subexpressions between them; the
+    /// right-hand side equals [`System::rhs`] up to rounding.
     #[inline]
     fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         (self.rhs(t, x), self.jacobian(t, x))
     }
 
-    /// The derivative of the right-hand side with respect to the time, the state held fixed; Rosenbrock methods require
-    /// it.
+    /// Partial derivative of the right-hand side with respect to time, required by Rosenbrock methods.
     ///
-    /// Generated models know it exactly. By default it is a central difference over `cbrt(EPSILON) max(|t|, 1)` to
-    /// either side, for two evaluations of the right-hand side: where that varies over times of about 1 s, it is right
-    /// to about 10 digits, in `f32` to 4. Zero, without evaluations, where the [layout](System::layout) says that time
-    /// does not occur.
+    /// Generated models compute it exactly. The default is a central difference with half-width
+    /// `cbrt(EPSILON) max(|t|, 1)`, at the cost of two evaluations of the right-hand side. It is accurate to about 10
+    /// digits (4 in `f32`) if the right-hand side varies on a time scale of about 1 s. Zero, without evaluations, if
+    /// the system is autonomous according to its [layout](System::layout).
     #[inline]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
     where
@@ -177,57 +178,58 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
         by_time(self, t, |t| self.rhs(t, x))
     }
 
-    /// The derivatives of a [hybrid](crate::hybrid) system; `None`, as by default, for others, and where they are not
-    /// known: each mode is derived by central differences then, and analyses that pass changes of mode refuse it.
+    /// Derivatives of a [hybrid](crate::hybrid) system. The default is `None`, for other systems and for unknown
+    /// derivatives. In the latter case each mode is differentiated by central differences, and analyses across mode
+    /// switches reject the system.
     #[inline(always)]
     fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
         None
     }
 }
 
-/// A model that has its [`Jacobian`] in every number type, so that implicit methods run in lanes.
+/// A model with a [`Jacobian`] in every number type, so that implicit methods run in lanes.
 ///
-/// [`mechanism!`](crate::mechanism) implements it for models without inputs where `generate` has `jacobian`. A model
-/// with inputs has it together with a law that is generic as well, as it has [`Cast`].
+/// [`mechanism!`](crate::mechanism) implements it for models without inputs if `generate` has `jacobian`. A model with
+/// inputs implements it together with a generic law, like [`Cast`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no Jacobian in other number types",
     note = "`mechanism!` implements `CastJacobian` for scenes without inputs where `generate` has `jacobian`; a model \
             with inputs has it as `model.with_law(law)`, with a law that is generic over `Real`"
 )]
 pub trait CastJacobian<const N: usize>: Cast<N> {
-    /// The model as one with a Jacobian; that of [`Cast::In`], where it has one.
+    /// The model as one with a Jacobian; identical to the one of [`Cast::In`] if that has a Jacobian.
     fn with_jacobian<T: Real>(model: &Self::In<T>) -> &impl Jacobian<T, N>;
 }
 
 /// A mechanism in canonical variables: its coordinates and their momenta, `y = [q; p]` with `p = A(q) qd`.
 ///
-/// Both `y` and its rate are functions of the state `x = [q; qd]`, so nothing is divided by: `dp/dt = dL/dq + Q`, with
-/// the Lagrangian `L` and the forces `Q` that have no potential. A momentum has the unit of energy times time over that
-/// of its coordinate. Structure-preserving methods such as [`Gauss4`](crate::Gauss4) step in these variables, in which
-/// the motion without friction is a canonical map.
+/// Both `y` and its rate are functions of the state `x = [q; qd]` without matrix inversion: `dp/dt = dL/dq + Q`, with
+/// the Lagrangian `L` and the nonconservative forces `Q`. A momentum has the unit of energy times time divided by the
+/// unit of its coordinate. Structure-preserving methods such as [`Gauss4`](crate::Gauss4) step in these variables, in
+/// which the motion without friction is a canonical map.
 ///
-/// [`mechanism!`](crate::mechanism) implements it for scenes without inputs where `generate` has `canonical`. Scenes
-/// with orientations cannot have it: an angular velocity is the rate of no coordinates.
+/// [`mechanism!`](crate::mechanism) implements it for scenes without inputs if `generate` has `canonical`. Scenes with
+/// orientations are excluded: an angular velocity is not the rate of any coordinates.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no canonical equations",
     note = "`mechanism!` generates them for scenes without inputs where `generate` has `canonical`"
 )]
 pub trait Canonical<T: Real, const N: usize>: System<T, N> {
-    /// The variables `y = [q; p]`, and their rates `dy/dt = [qd; dp/dt]`.
+    /// Computes the variables `y = [q; p]` and their rates `dy/dt = [qd; dp/dt]`.
     fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
 
-    /// The derivatives of both with respect to the state.
+    /// Derivatives of `y` and `dy/dt` with respect to the state.
     fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
 
-    /// The same of a [hybrid](crate::hybrid) system, given the forces along its constraints: required of these; `None`,
-    /// as by default, for others.
+    /// Canonical equations of a [hybrid](crate::hybrid) system as functions of its constraint forces. Required for
+    /// hybrid systems; the default, `None`, is for others.
     #[inline(always)]
     fn hybrid_canonical(&self) -> Option<&dyn PlantCanonical<T, N, Given = [T; MAX_CONSTRAINTS]>> {
         None
     }
 }
 
-/// A model that knows its energy, in joules.
+/// A model with an energy, in joules.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no energy",
     note = "`mechanism!` generates it unless `generate` leaves it out; implement `Energy` for systems of your own"
@@ -236,10 +238,10 @@ pub trait Energy<T: Real, const N: usize> {
     /// Kinetic energy.
     fn kinetic(&self, t: T, x: &SVector<T, N>) -> T;
 
-    /// Potential energy, up to the constant that its declaration leaves open.
+    /// Potential energy, up to the constant left open by the declaration.
     fn potential(&self, t: T, x: &SVector<T, N>) -> T;
 
-    /// Kinetic and potential energy together; constant in time where nothing drives or brakes the model.
+    /// Total energy: kinetic plus potential. Constant in time if no drive or friction acts on the model.
     #[inline]
     fn energy(&self, t: T, x: &(impl IntoState<T, N> + Copy)) -> T
     where
@@ -250,7 +252,7 @@ pub trait Energy<T: Real, const N: usize> {
     }
 }
 
-/// Methods by those of what is wrapped.
+/// Implements methods by forwarding to a wrapped value.
 macro_rules! forward {
     ($self:ident => $wrapped:expr;
      $($method:ident($($argument:ident: $kind:ty),*) $(-> $output:ty)? $(where $number:ident: $order:ident)?;)*) => {
@@ -265,7 +267,7 @@ macro_rules! forward {
     };
 }
 
-/// All methods of a [`System`] by those of one that is wrapped.
+/// Implements all methods of a [`System`] by forwarding to a wrapped system.
 macro_rules! forward_system {
     ($self:ident => $wrapped:expr) => {
         $crate::system::forward! { $self => $wrapped;

@@ -1,10 +1,10 @@
-//! Power series of motions, and the products of series that their recurrences take.
+//! Power series of motions, and the products of series in their recurrences.
 //!
-//! Around a time `t` a motion is `x(tau) = sum_k x_k (tau - t)^k`. The coefficients follow one from the other: those of
-//! order `k` of everything that the right-hand side computes give the state's of order `k + 1` (Jorba and Zou, "A
+//! Around a time `t` a motion is `x(tau) = sum_k x_k (tau - t)^k`. The coefficients follow recursively: those of order
+//! `k` of all intermediate results of the right-hand side give those of order `k + 1` of the state (Jorba and Zou, "A
 //! software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
 //! Mathematics 2005; Griewank and Walther, "Evaluating Derivatives" 2008, ch. 13). [`mechanism!`](crate::mechanism)
-//! writes the recurrences of a scene whose `generate` has `taylor`.
+//! generates the recurrences of a scene whose `generate` contains `taylor`.
 
 use nalgebra::SVector;
 
@@ -12,7 +12,7 @@ use crate::constraint::Hold;
 use crate::real::Real;
 use crate::system::{Cast, System};
 
-/// The highest order of a series.
+/// Maximum order of a series.
 pub const MAX_ORDER: usize = 24;
 
 /// A [`System`] with the power series of its motions.
@@ -21,24 +21,24 @@ pub const MAX_ORDER: usize = 24;
     note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`"
 )]
 pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
-    /// The memory of the recurrences: some kilobytes, without a heap.
+    /// Memory of the recurrences: some kilobytes, without heap allocation.
     type Workspace: Clone;
 
-    /// A workspace, for any number of series one after the other.
+    /// Creates a workspace, for any number of series one after the other.
     fn workspace(&self) -> Self::Workspace;
 
     /// Computes `x[1..]` from `x[0]`, the state at `t`: the motion is `sum_k x[k] (tau - t)^k`, with `x[k]` in the
     /// units of the state over s^k.
     ///
-    /// The order is `x.len() - 1`. Where the motion has no series, as at the edge of a square root, coefficients are
-    /// not finite; `abs` and `signum` count as smooth, with the side that they are on at `t`, and as constant where
-    /// their argument is zero.
+    /// The order is `x.len() - 1`. If the motion has no series, as at the edge of the domain of a square root,
+    /// coefficients are not finite. `abs` and `signum` count as smooth continuations of their side at `t`, and as
+    /// constant where their argument is zero.
     ///
     /// # Panics
     /// If the order is above [`MAX_ORDER`].
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace);
 
-    /// The same of a [hybrid](crate::hybrid) system, given its mode: required of these; `None`, as by default, for
+    /// Series of a [hybrid](crate::hybrid) system, given its mode. Required of hybrid systems; `None` by default, for
     /// others.
     #[inline(always)]
     fn hybrid_series(&self) -> Option<&dyn HybridSeries<T, N, Workspace = Self::Workspace>> {
@@ -48,26 +48,26 @@ pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
 
 /// A [hybrid](crate::hybrid) system with the power series of its motions in each mode.
 pub trait HybridSeries<T: Real, const N: usize> {
-    /// [`TaylorSeries::Workspace`].
+    /// See [`TaylorSeries::Workspace`].
     type Workspace;
 
-    /// [`TaylorSeries::series`] in a mode.
+    /// Like [`TaylorSeries::series`], but in a mode.
     ///
     /// # Panics
     /// If the order is above [`MAX_ORDER`].
     fn eval_series(&self, hold: &Hold<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace);
 }
 
-/// A [`Cast`] with power series in every number type, lanes included.
+/// A [`Cast`] with power series in every number type, including lanes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no power series of its motions in other number types",
     note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`"
 )]
 pub trait CastTaylor<const N: usize>: Cast<N> {
-    /// [`TaylorSeries::Workspace`] of the model in a number type.
+    /// The [`TaylorSeries::Workspace`] of the model in a number type.
     type Workspace<T: Real>: Clone;
 
-    /// The model as one with power series; that of [`Cast::In`], where it has them.
+    /// Returns the model with power series, which is the one of [`Cast::In`] if it has them.
     fn with_series<T: Real>(model: &Self::In<T>) -> &impl TaylorSeries<T, N, Workspace = Self::Workspace<T>>;
 }
 
@@ -90,22 +90,24 @@ impl<T: Real, S: TaylorSeries<T, N> + ?Sized, const N: usize> TaylorSeries<T, N>
     }
 }
 
-/// How many products are summed side by side: few enough that their sums stay in registers, those of lanes as well.
+/// Number of products summed side by side: few enough that their sums stay in registers, in lanes as well.
 const BLOCK: usize = 4;
 
 /// `M` products of two series each, coefficient by coefficient: the workspace of generated recurrences.
 ///
-/// The coefficients of one order lie side by side, so that the sums of all products are one loop over them, in vector
+/// The coefficients of one order are contiguous, so that the sums of all products are one loop over them, in vector
 /// registers.
 #[derive(Clone, Debug)]
 pub struct Products<T, const M: usize> {
-    /// Row `k - 1` holds the coefficients of order `k`; those of order 0, and of the highest, are in no interior sum.
+    /// Left factors. Row `k - 1` holds the coefficients of order `k`; interior sums do not contain order 0 nor the
+    /// highest order.
     left: [[T; M]; MAX_ORDER - 2],
+    /// Right factors.
     right: [[T; M]; MAX_ORDER - 2],
 }
 
 impl<T: Real, const M: usize> Products<T, M> {
-    /// Without coefficients.
+    /// Creates products without coefficients.
     #[must_use]
     #[inline]
     pub fn new() -> Self {
@@ -125,8 +127,8 @@ impl<T: Real, const M: usize> Products<T, M> {
         }
     }
 
-    /// Of the interior sums of order `k`, `sum_(j = 1 .. k - 1) left_j right_(k - j)` of each product, and of scalars
-    /// all but the terms with coefficients of order `k - 1`, which [`Newest::add`] adds.
+    /// Computes the interior sums of order `k`, `sum_(j = 1 .. k - 1) left_j right_(k - j)`, of each product. For
+    /// scalars, terms with coefficients of order `k - 1` are missing: [`Newest::add`] adds them.
     ///
     /// # Panics
     /// If `k` is not below [`MAX_ORDER`].
@@ -147,8 +149,8 @@ impl<T: Real, const M: usize> Products<T, M> {
             at += 1;
         }
         if const { T::LANES == 1 } {
-            // Through memory, once: else compilers pair the products as the code after this pairs their sums, and load
-            // each number by itself.
+            // Pass the sums through memory once. Otherwise compilers pair the products in the order in which the code
+            // after this pairs their sums, and load each number separately.
             core::hint::black_box(&mut sums);
         } else if k > 1 {
             let (newest_l, newest_r) = (&self.left[k - 2], &self.right[k - 2]);
@@ -164,7 +166,7 @@ impl<T: Real, const M: usize> Products<T, M> {
     }
 }
 
-/// The sums of `B` products side by side, in two parts each, so that an addition need not wait for the one before.
+/// Sums `B` products side by side, in two parts each, so that an addition need not wait for the one before.
 #[inline(always)]
 fn block<T: Real, const M: usize, const B: usize>(left: &[[T; M]], right: &[[T; M]], at: usize, sums: &mut [T; M]) {
     let (mut even, mut odd) = ([T::default(); B], [T::default(); B]);
@@ -188,20 +190,19 @@ fn block<T: Real, const M: usize, const B: usize>(left: &[[T; M]], right: &[[T; 
 
 /// The newest coefficients of [`Products`], by value.
 ///
-/// What was written to memory number by number takes its time until it can be read in vectors. So, for scalars, the
-/// terms with the newest coefficients are summed from here, and last, and the loop over all the others need not wait
-/// for them.
+/// Coefficients stored one by one cannot be loaded as vectors right away. For scalars, the terms with the newest
+/// coefficients are therefore summed last, from these values, and the loop over all other terms need not wait for them.
 #[derive(Clone, Copy, Debug)]
 pub struct Newest<T, const M: usize> {
-    /// Left and right, of order 1. The right ones are known from order 3 on: in the sum of order 2 there is one term,
-    /// not two.
+    /// Left and right coefficients of order 1. The right ones are set from order 3 on, since the sum of order 2 has one
+    /// term, not two.
     first: [[T; M]; 2],
-    /// Left and right, of the order before.
+    /// Left and right coefficients of the order before.
     last: [[T; M]; 2],
 }
 
 impl<T: Real, const M: usize> Newest<T, M> {
-    /// Without coefficients.
+    /// Creates it without coefficients.
     #[inline(always)]
     pub fn new() -> Self {
         let zero = [[T::default(); M]; 2];
@@ -224,7 +225,7 @@ impl<T: Real, const M: usize> Newest<T, M> {
         sums
     }
 
-    /// Takes the coefficients of order `k`.
+    /// Stores the coefficients of order `k`.
     #[inline(always)]
     pub fn push(&mut self, k: usize, left: [T; M], right: [T; M]) {
         if const { T::LANES > 1 } {

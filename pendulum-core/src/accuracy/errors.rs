@@ -5,26 +5,27 @@ use nalgebra::SVector;
 use crate::accuracy::Reference;
 use crate::solution::Solution;
 
-/// The errors of a solution: of the largest component of the state each, in its units; the energy's in units of a given scale.
+/// Errors of a solution: each the maximum over the components of the state, in their units. The energy error is in
+/// units of a given scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
-    /// At the end of the span.
+    /// Error at the end of the span.
     pub last: f64,
-    /// The largest at the accepted points; `None` where the reference, or the method, has no states there.
+    /// Largest error at the accepted points. `None` if the reference or the method has no states there.
     pub largest: Option<f64>,
-    /// The largest of the dense output, at eight times within each step and at the points that the reference has by themselves;
-    /// `None` as above.
+    /// Largest error of the dense output, sampled at eight times within each step and at the isolated points of the
+    /// reference. `None` under the same conditions as [`largest`](Self::largest).
     pub dense: Option<f64>,
-    /// The largest difference of the energy from that of the reference at the accepted points; `None` as above, and where the system has
-    /// no energy or no scale was given.
+    /// Largest difference in energy from the reference at the accepted points. `None` under the same conditions as
+    /// [`largest`](Self::largest), and if the system has no energy or no scale was given.
     pub energy: Option<f64>,
 }
 
-/// At how many times within a step the dense output is compared.
+/// Number of samples of the dense output per step.
 const WITHIN: u32 = 8;
 
 impl Errors {
-    /// The errors of `solution`, or `None` where the reference does not know its end.
+    /// Computes the errors of `solution`. Returns `None` if the reference does not cover its end.
     #[must_use]
     pub fn of<const N: usize>(solution: &Solution<f64, N>, reference: &Reference<'_, N>) -> Option<Self> {
         let (end, x) = solution.last();
@@ -35,7 +36,7 @@ impl Errors {
         })
     }
 
-    /// The error of a final state alone.
+    /// Computes the error of a final state only.
     pub(super) fn at_end<const N: usize>(t: f64, x: &SVector<f64, N>, reference: &Reference<'_, N>) -> Option<Self> {
         Some(Self {
             last: distance(x, &reference.at(t)?),
@@ -45,10 +46,10 @@ impl Errors {
         })
     }
 
-    /// The same errors and that of the energy, in units of `scale`.
+    /// Adds the energy error, in units of `scale`.
     ///
-    /// `energy(t, x)` is that of [`Energy`](crate::Energy), or another quantity of interest. Take as its scale what the motion turns over: the kinetic
-    /// energy of its fastest moment, or the height it falls through times its weight.
+    /// `energy(t, x)` is the energy of the system ([`Energy`](crate::Energy)) or another quantity of interest. A
+    /// suitable scale is the energy exchanged in the motion: the peak kinetic energy, or weight times height of fall.
     #[must_use]
     pub fn with_energy<const N: usize>(
         mut self,
@@ -64,7 +65,7 @@ impl Errors {
     }
 }
 
-/// The larger of two numbers; infinite if one is none, which must not pass for a small one.
+/// Maximum of two numbers. NaN counts as infinite, so that it cannot pass for a small error.
 fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
         f64::INFINITY
@@ -73,14 +74,14 @@ fn larger(a: f64, b: f64) -> f64 {
     }
 }
 
-/// The largest difference of a component.
+/// Largest absolute difference of a component.
 pub(super) fn distance<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>) -> f64 {
     (a - b)
         .iter()
         .fold(0.0, |largest, difference| larger(largest, difference.abs()))
 }
 
-/// The largest difference at the accepted points, if the reference knows them all.
+/// Largest difference at the accepted points, or `None` if the reference does not cover all of them.
 fn along<const N: usize>(
     solution: &Solution<f64, N>,
     reference: &Reference<'_, N>,
@@ -91,7 +92,7 @@ fn along<const N: usize>(
     })
 }
 
-/// The largest error of the dense output.
+/// Largest error of the dense output.
 fn dense<const N: usize>(solution: &Solution<f64, N>, reference: &Reference<'_, N>) -> Option<f64> {
     let steps = if reference.is_curve() { solution.t() } else { &[] };
     let within = steps.windows(2).filter(|ends| ends[0] != ends[1]).flat_map(|ends| {

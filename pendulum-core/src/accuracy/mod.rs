@@ -1,5 +1,5 @@
-//! How accurate a method is, and what that takes: trusted solutions, norms of errors, and work-precision measurement on a system of
-//! your own.
+//! Accuracy and cost of integrators: reference solutions, error norms, and work-precision measurements on your own
+//! system.
 //!
 //! ```
 //! use pendulum_core::accuracy::{Errors, Problem, Reference, Sweep};
@@ -44,7 +44,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Errors are of the largest component of the state, in its units. Compare times only within one run of a sweep, and in release builds.
+//! Errors are the maximum over the components of the state, in their units. Compare times only within one run of a
+//! sweep, and only in release builds.
 
 mod errors;
 mod problem;

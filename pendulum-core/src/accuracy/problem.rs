@@ -1,4 +1,4 @@
-//! What methods are measured on.
+//! Test problems for methods.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use crate::accuracy::{Errors, Reference};
 use crate::solution::Solution;
 use crate::system::{Energy, IntoState, System};
 
-/// A system, a span of time, a start, and the solution that is trusted.
+/// A system, a time span, an initial condition, and a reference solution.
 pub struct Problem<'a, S, const N: usize> {
     pub(super) system: &'a S,
     pub(super) t0: f64,
@@ -18,14 +18,14 @@ pub struct Problem<'a, S, const N: usize> {
     energy: Option<(EnergyOf<'a, N>, f64)>,
 }
 
-/// An energy as a function of time and state.
+/// Energy as a function of time and state.
 type EnergyOf<'a, const N: usize> = Box<dyn Fn(f64, &SVector<f64, N>) -> f64 + 'a>;
 
 impl<'a, S: System<f64, N>, const N: usize> Problem<'a, S, N> {
-    /// The motion of `system` from the state `x0` at `t0` to `t1`.
+    /// Integration of `system` from the state `x0` at `t0` to `t1`.
     ///
     /// # Panics
-    /// If the reference does not know the state at `t1`.
+    /// If the reference does not cover `t1`.
     pub fn new(system: &'a S, t0: f64, t1: f64, x0: impl IntoState<f64, N>, reference: &'a Reference<'a, N>) -> Self {
         assert!(
             reference.at(t1).is_some(),
@@ -41,7 +41,7 @@ impl<'a, S: System<f64, N>, const N: usize> Problem<'a, S, N> {
         }
     }
 
-    /// Measures errors of the energy as well, in units of `scale`, in joules; see [`Errors::with_energy`].
+    /// Also measures energy errors, in units of `scale`, in joules; see [`Errors::with_energy`].
     #[must_use]
     pub fn energy(mut self, scale: f64) -> Self
     where
@@ -52,7 +52,7 @@ impl<'a, S: System<f64, N>, const N: usize> Problem<'a, S, N> {
         self
     }
 
-    /// The errors of a solution that came to the end.
+    /// Errors of a solution that reached the end of the span.
     pub(super) fn errors(&self, solution: &Solution<f64, N>) -> Errors {
         let errors = Errors::of(solution, self.reference).expect("the reference knows the end");
         match &self.energy {

@@ -1,4 +1,4 @@
-//! Solutions to measure against.
+//! Reference solutions.
 
 use std::fmt;
 
@@ -10,23 +10,24 @@ use crate::method::{Method, Vern7, Vern9};
 use crate::solution::{OutsideSpan, Solution};
 use crate::system::{IntoState, System};
 
-/// A trusted solution, which tells how far it can be trusted.
+/// A reference solution with an estimate of its own uncertainty.
 ///
-/// It is a function, a computed solution, or some points; [`with_points`](Self::with_points) adds points that are better known.
+/// The reference is a function, a computed solution, or a set of points; [`with_points`](Self::with_points) adds points
+/// of higher accuracy.
 pub struct Reference<'a, const N: usize> {
     curve: Option<ReferenceCurve<'a, N>>,
-    /// Where the state is known better than by the curve.
+    /// Points at which the state is more accurate than the curve.
     points: Vec<(f64, SVector<f64, N>)>,
     uncertainty: Uncertainty,
 }
 
-/// What is known between points.
+/// Solution between the points.
 enum ReferenceCurve<'a, const N: usize> {
     Function(Box<dyn Fn(f64) -> SVector<f64, N> + 'a>),
     Solution(Box<Solution<f64, N>>),
 }
 
-/// How far the largest component of the state may be wrong.
+/// Bounds on the error of the largest component of the state.
 #[derive(Clone, Copy, Debug, Default)]
 struct Uncertainty {
     curve: f64,
@@ -34,13 +35,13 @@ struct Uncertainty {
 }
 
 impl<'a, const N: usize> Reference<'a, N> {
-    /// An exact solution as a function of time. Its uncertainty is taken as 0, though the function rounds.
+    /// An exact solution as a function of time. Its uncertainty is set to 0; rounding of the function is not counted.
     pub fn exact(function: impl Fn(f64) -> SVector<f64, N> + 'a) -> Self {
         Self::along(ReferenceCurve::Function(Box::new(function)), 0.0)
     }
 
-    /// States at some times, for example published ones, with the largest error that their components may have. Nothing is known
-    /// between.
+    /// States at isolated times, for example published values, with the largest error of their components. The
+    /// reference is undefined between them.
     pub fn points(points: impl IntoIterator<Item = (f64, SVector<f64, N>)>, uncertainty: f64) -> Self {
         Self {
             curve: None,
@@ -52,10 +53,11 @@ impl<'a, const N: usize> Reference<'a, N> {
         }
     }
 
-    /// The solution `best`, trusted as far as the solution `other` agrees with it: take another tolerance, or better another method.
+    /// The solution `best`, with an uncertainty estimated by comparison with `other`. Compute `other` with a different
+    /// tolerance or, better, a different method.
     ///
-    /// The uncertainty is the largest component of their difference at the accepted points of `other`, where `best` interpolates. Errors
-    /// that both share do not show.
+    /// The uncertainty is the largest component of their difference at the accepted points of `other`, where `best` is
+    /// interpolated. Errors common to both go undetected.
     ///
     /// # Errors
     /// If they do not cover the same span.
@@ -68,12 +70,14 @@ impl<'a, const N: usize> Reference<'a, N> {
         Ok(Self::along(ReferenceCurve::Solution(Box::new(best)), uncertainty))
     }
 
-    /// The solution of [`Vern7`] from the state `x0` at `t0` to `t1` with tolerances of 1e-14, trusted as far as [`Vern9`] agrees.
+    /// The solution of [`Vern7`] from the state `x0` at `t0` to `t1` with tolerances of 1e-14, with an uncertainty
+    /// estimated by comparison with [`Vern9`].
     ///
-    /// For a stiff system these explicit methods are slow: take [`solutions`](Self::solutions) of implicit ones.
+    /// These explicit methods are slow on stiff systems: compute two solutions with implicit methods and call
+    /// [`solutions`](Self::solutions) instead.
     ///
     /// # Errors
-    /// As for [`Method::solve`].
+    /// See [`Method::solve`].
     pub fn integrate(
         system: &impl System<f64, N>,
         t0: f64,
@@ -81,13 +85,14 @@ impl<'a, const N: usize> Reference<'a, N> {
         x0: impl IntoState<f64, N>,
     ) -> Result<Self, SolveError<f64, N>> {
         let x0 = x0.into_state();
-        // Not the other way round: the dense output of order 9 has large weights of both signs, and rounds a hundred times worse.
+        // The dense output of order 9 has large weights of both signs and amplifies rounding errors about a
+        // hundredfold, so the order-7 solution is the one to interpolate.
         let best = Vern7::new().rtol(TIGHT).atol(TIGHT).solve(system, t0, t1, x0)?;
         let other = Vern9::new().rtol(TIGHT).atol(TIGHT).solve(system, t0, t1, x0)?;
         Ok(Self::solutions(best, &other).expect("both go from t0 to t1"))
     }
 
-    /// The same reference, and points that are better known: at their times they count, with their own uncertainty.
+    /// Adds points of higher accuracy. At their times they replace the curve, with their own uncertainty.
     #[must_use]
     pub fn with_points(mut self, points: impl IntoIterator<Item = (f64, SVector<f64, N>)>, uncertainty: f64) -> Self {
         self.points = points.into_iter().collect();
@@ -95,7 +100,7 @@ impl<'a, const N: usize> Reference<'a, N> {
         self
     }
 
-    /// The state at the time `t`, or `None` where it is not known.
+    /// State at the time `t`, or `None` if the reference does not cover `t`.
     #[must_use]
     pub fn at(&self, t: f64) -> Option<SVector<f64, N>> {
         self.point(t).copied().or_else(|| match &self.curve {
@@ -105,8 +110,8 @@ impl<'a, const N: usize> Reference<'a, N> {
         })
     }
 
-    /// How far the largest component of the state at the time `t` may be wrong, in the units of the state; infinite where nothing is
-    /// known. Errors that are not well above it tell nothing.
+    /// Error bound for the largest component of the state at the time `t`, in the units of the state; infinite if the
+    /// reference does not cover `t`. Measured errors are meaningful only well above this bound.
     #[must_use]
     pub fn uncertainty(&self, t: f64) -> f64 {
         match (self.point(t), self.at(t)) {
@@ -116,12 +121,12 @@ impl<'a, const N: usize> Reference<'a, N> {
         }
     }
 
-    /// The times of the points that are known by themselves.
+    /// Times of the isolated points.
     pub(super) fn times(&self) -> impl Iterator<Item = f64> {
         self.points.iter().map(|(t, _)| *t)
     }
 
-    /// Whether states are known between the points.
+    /// True if the reference is defined between the points.
     pub(super) fn is_curve(&self) -> bool {
         self.curve.is_some()
     }
@@ -142,7 +147,7 @@ impl<'a, const N: usize> Reference<'a, N> {
     }
 }
 
-/// The tolerances of [`Reference::integrate`]: some ulps, so that rounding decides.
+/// Relative and absolute tolerance of [`Reference::integrate`]: some ulps, so that rounding errors dominate.
 const TIGHT: f64 = 1e-14;
 
 impl<const N: usize> fmt::Debug for Reference<'_, N> {

@@ -1,4 +1,4 @@
-//! What a sweep found.
+//! Results of a sweep.
 
 use std::error::Error;
 use std::fmt;
@@ -7,65 +7,65 @@ use crate::accuracy::Errors;
 use crate::error::{Reason, debug_as_display};
 use crate::statistics::Statistics;
 
-/// The measurements of all methods.
+/// Measurements of all methods.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Report {
-    /// One for each method, in the order in which they were added.
+    /// One entry per method, in the order of insertion.
     pub methods: Vec<MethodRuns>,
-    /// The uncertainty of the reference at the end of the span.
+    /// Uncertainty of the reference at the end of the span.
     pub uncertainty: f64,
 }
 
-/// The measurements of one method.
+/// Measurements of one method.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct MethodRuns {
-    /// Its name.
+    /// Name of the method.
     pub name: String,
-    /// One for each setting.
+    /// One entry per setting.
     pub runs: Vec<Run>,
 }
 
-/// What became of one setting.
+/// Result of one setting.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Run {
-    /// The tolerance or the step.
+    /// Tolerance or step size.
     pub setting: f64,
-    /// The measurements, if the integration came to its end.
+    /// Measurements if the integration reached its end, otherwise the failure.
     pub outcome: Result<Measured, Failure>,
 }
 
-/// What an integration that came to its end achieved, and what it took.
+/// Accuracy and cost of an integration that reached its end.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Measured {
-    /// How accurate it is.
+    /// Errors with respect to the reference.
     pub errors: Errors,
-    /// The shortest time it took, in seconds for one trajectory.
+    /// Shortest run time, in seconds per trajectory.
     pub minimum: f64,
-    /// The median of the times, in the same units.
+    /// Median run time, in seconds per trajectory.
     pub median: f64,
-    /// Evaluations and steps, without those for dense output; `None` for ensembles and other solvers, which do not
+    /// Evaluations and steps, excluding those for dense output. `None` for ensembles and other solvers, which do not
     /// report them.
     pub work: Option<Statistics>,
 }
 
 debug_as_display! { [] Failure; }
 
-/// Where and why an integration stopped early.
+/// Time and reason of an early stop.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Failure {
-    /// The last good time.
+    /// Last valid time.
     pub t: f64,
-    /// Why.
+    /// Reason of the stop.
     pub reason: Reason,
 }
 
 impl Report {
-    /// For each method its name, and the fastest of the settings whose [last](Errors::last) error is no more than
-    /// `error`; `None` where there is no such setting, or where the reference is less certain than that.
+    /// Returns the name of each method with the fastest setting whose error at the end ([`Errors::last`]) is at most
+    /// `error`. The setting is `None` if none qualifies, or if the uncertainty of the reference exceeds `error`.
     pub fn time_to_reach(&self, error: f64) -> impl Iterator<Item = (&str, Option<(f64, &Measured)>)> {
         let known = self.uncertainty <= error;
         self.methods
@@ -75,7 +75,7 @@ impl Report {
 }
 
 impl MethodRuns {
-    /// The settings that came to their end, with what was measured.
+    /// Iterates over the settings that reached the end, with their measurements.
     pub fn measured(&self) -> impl Iterator<Item = (f64, &Measured)> {
         self.runs
             .iter()
@@ -97,7 +97,7 @@ impl fmt::Display for Failure {
 
 impl Error for Failure {}
 
-/// A table of all, with times in microseconds.
+/// A table of all runs, with times in microseconds.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = |method: &MethodRuns| method.name.chars().count();
@@ -130,7 +130,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// A line of the table.
+/// One row of the table.
 impl fmt::Display for Measured {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Errors {

@@ -1,4 +1,4 @@
-//! Methods and their settings, measured in turns.
+//! Interleaved measurement of methods and settings.
 
 use std::fmt;
 use std::hint::black_box;
@@ -13,7 +13,7 @@ use crate::method::Method;
 use crate::statistics::Statistics;
 use crate::system::System;
 
-/// A measurement of errors against time and evaluations: methods with lists of settings, on one [`Problem`].
+/// Work-precision measurement: methods with lists of settings, on one [`Problem`].
 pub struct Sweep<'a, S, const N: usize> {
     problem: Problem<'a, S, N>,
     methods: Vec<(String, Vec<Trial<'a, S, N>>)>,
@@ -23,11 +23,11 @@ pub struct Sweep<'a, S, const N: usize> {
 /// One method with one setting.
 struct Trial<'a, S, const N: usize> {
     setting: f64,
-    /// How accurate it is.
+    /// Integrates with a record and computes the errors.
     judge: Box<Judge<'a, S, N>>,
-    /// Does the same without a record.
+    /// Integrates without a record, for timing.
     run: Box<Rerun<'a, S, N>>,
-    /// How many trajectories that are.
+    /// Number of trajectories of a run.
     count: usize,
 }
 
@@ -35,7 +35,7 @@ type Rerun<'a, S, const N: usize> = dyn Fn(&Problem<'a, S, N>) + 'a;
 type Judge<'a, S, const N: usize> = dyn Fn(&Problem<'a, S, N>) -> Result<(Errors, Option<Statistics>), Failure> + 'a;
 
 impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
-    /// A sweep without methods yet, of 15 rounds.
+    /// A sweep of 15 rounds, without methods.
     #[must_use]
     pub fn new(problem: Problem<'a, S, N>) -> Self {
         Self {
@@ -45,14 +45,14 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
         }
     }
 
-    /// How often each setting is timed, at least once; see [`run`](Self::run).
+    /// Sets the number of timings per setting, at least one; see [`run`](Self::run).
     #[must_use]
     pub fn rounds(mut self, rounds: usize) -> Self {
         self.rounds = rounds.max(1);
         self
     }
 
-    /// Adds the method `make(setting)` for each of the settings: tolerances, or steps.
+    /// Adds the method `make(setting)` for each of the settings, which are tolerances or step sizes.
     #[must_use]
     pub fn method<M>(
         self,
@@ -70,7 +70,7 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
                 setting,
                 judge: Box::new(move |problem| judge(&*method, problem)),
                 run: Box::new(move |problem| {
-                    // Whether it arrives was seen before.
+                    // `judge` has checked that the integration succeeds.
                     let stepper = same.stepper(problem.system, problem.t0, problem.t1, black_box(problem.x0));
                     let _ = black_box(stepper.and_then(|mut stepper| stepper.run()));
                 }),
@@ -79,9 +79,10 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
         })
     }
 
-    /// Adds the method `make(setting)` for each of the settings, which integrates from the problem's start and from all of `more` together.
+    /// Adds the ensemble method `make(setting)` for each of the settings. It integrates from the initial condition of
+    /// the problem together with all of `more`.
     ///
-    /// Only the trajectory from the problem's start is compared with the reference; times are for one trajectory.
+    /// Only the trajectory of the problem is compared with the reference; times are per trajectory.
     #[must_use]
     pub fn ensemble<M>(
         self,
@@ -105,7 +106,7 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
         })
     }
 
-    /// Adds a solver of any other kind for each of the settings: `solve(setting)` returns the state of the problem at its end.
+    /// Adds any other solver for each of the settings: `solve(setting)` returns the state at the end of the problem.
     #[must_use]
     pub fn other(
         self,
@@ -120,13 +121,13 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
         })
     }
 
-    /// Measures: first all errors, then the times in rounds, each of which runs every setting in turn.
+    /// Runs the measurement: first all errors, then the times in rounds. Each round runs every setting once, in turn.
     ///
-    /// A time is that of an integration without a record, from making the stepper on to the end. Short ones are repeated within a
-    /// measurement. Settings that fail are not timed.
+    /// A time covers an integration without a record, including the construction of the stepper. Short runs are
+    /// repeated within a measurement. Settings that fail are not timed.
     ///
     /// # Panics
-    /// If a method claims success and is not at the end of the span.
+    /// If a method reports success before the end of the span.
     #[must_use]
     pub fn run(self) -> Report {
         let problem = &self.problem;
@@ -156,7 +157,7 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
         }
     }
 
-    /// Adds what gives a state at the end alone, from so many trajectories.
+    /// Adds a solver that returns only final states, of `count` trajectories.
     fn ends<F>(
         self,
         name: impl Into<String>,
@@ -196,7 +197,7 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
     }
 }
 
-/// What [`Trial::judge`] finds, and the timed work.
+/// Result of [`Trial::judge`], and the work to time.
 type Timed<'w> = ((Errors, Option<Statistics>), Timer<'w>);
 
 fn finish<S, const N: usize>(trial: &Trial<'_, S, N>, outcome: Result<Timed<'_>, Failure>) -> Run {
@@ -216,7 +217,7 @@ fn finish<S, const N: usize>(trial: &Trial<'_, S, N>, outcome: Result<Timed<'_>,
     }
 }
 
-/// Integrates twice: with a record for the errors, and without one for the work.
+/// Integrates twice: with a record for the errors, without one for the statistics.
 fn judge<S, M, const N: usize>(method: &M, problem: &Problem<'_, S, N>) -> Result<(Errors, Option<Statistics>), Failure>
 where
     S: System<f64, N>,
@@ -234,7 +235,7 @@ where
     Ok((problem.errors(&solution), Some(stepper.statistics())))
 }
 
-/// Of the first trajectory that stopped.
+/// Failure of the first trajectory that stopped.
 fn first_failure<const N: usize>(error: &EnsembleError<f64, N>, t0: f64) -> Failure {
     match error {
         EnsembleError::InvalidInput(reason) => Failure { t: t0, reason: *reason },

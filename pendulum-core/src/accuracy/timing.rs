@@ -1,21 +1,21 @@
-//! Times of short pieces of work on a machine that does other things as well.
+//! Timing of short tasks on a machine with background load.
 
 use std::time::Instant;
 
-/// A measurement shorter than this, in seconds, is mostly the clock's.
+/// Minimum duration of a measurement, in seconds: shorter ones mostly measure the clock.
 const LEAST: f64 = 50e-6;
 
-/// Something to time.
+/// A task to time.
 pub(super) struct Timer<'a> {
     run: Box<dyn Fn() + 'a>,
-    /// How often it is run in one measurement.
+    /// Number of runs in one measurement.
     repeats: u32,
-    /// In seconds, for one run.
+    /// Measured times, in seconds per run.
     times: Vec<f64>,
 }
 
 impl<'a> Timer<'a> {
-    /// Runs it once, so that all is warm, and to see how long it takes.
+    /// Runs the task once, to warm up caches and to estimate its duration.
     pub(super) fn new(run: impl Fn() + 'a) -> Self {
         let start = Instant::now();
         run();
@@ -27,7 +27,7 @@ impl<'a> Timer<'a> {
         }
     }
 
-    /// The minimum and the median.
+    /// Minimum and median time, in seconds per run.
     pub(super) fn minimum_and_median(&mut self) -> (f64, f64) {
         self.times.sort_by(f64::total_cmp);
         (self.times[0], self.times[self.times.len() / 2])
@@ -42,7 +42,7 @@ impl<'a> Timer<'a> {
     }
 }
 
-/// Times all in turns, so that what disturbs the machine for a while hits all alike.
+/// Times all tasks in turn, so that transient load affects all of them alike.
 pub(super) fn in_turns<'a, 'w: 'a>(works: impl IntoIterator<Item = &'a mut Timer<'w>>, rounds: usize) {
     let mut works: Vec<_> = works.into_iter().collect();
     for _ in 0..rounds {

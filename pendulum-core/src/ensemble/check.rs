@@ -1,11 +1,11 @@
-//! Whether what a step in lanes brings is finite.
+//! Detection of non-finite results of a step in lanes.
 
 use nalgebra::SVector;
 
 use crate::method::NonFinite;
 use crate::real::lanes::Lanes;
 
-/// A number that is not finite in the lanes where the state or its derivative is not.
+/// Sum of all components of the state and of its derivative. It is not finite in lanes with a non-finite component.
 #[inline(always)]
 pub(super) fn sum<V: Lanes, const N: usize>(x: &SVector<V, N>, slope: Option<&SVector<V, N>>) -> V {
     let mut sum = V::default();
@@ -20,7 +20,7 @@ pub(super) fn sum<V: Lanes, const N: usize>(x: &SVector<V, N>, slope: Option<&SV
     sum
 }
 
-/// The first component of the state in a lane, or else of its derivative, that is not finite.
+/// First non-finite component of the state in a lane, or else of its derivative.
 pub(super) fn first_not_finite<V: Lanes, const N: usize>(
     x: &SVector<V, N>,
     slope: Option<&SVector<V, N>>,
@@ -30,7 +30,7 @@ pub(super) fn first_not_finite<V: Lanes, const N: usize>(
     vectors.find_map(|vector| NonFinite::check(&in_lane(vector, lane)).err())
 }
 
-/// The vector of one lane.
+/// Extracts the vector of one lane.
 #[inline(always)]
 pub(crate) fn in_lane<V: Lanes, const N: usize>(vector: &SVector<V, N>, lane: usize) -> SVector<V::Scalar, N> {
     let mut own = [V::Scalar::default(); N];

@@ -1,4 +1,4 @@
-//! Where an ensemble begins: its arguments are checked, and its trajectories sent on their way.
+//! Entry points of ensembles: they check the arguments and start the trajectories.
 
 use nalgebra::SVector;
 
@@ -56,7 +56,7 @@ where
     }
 }
 
-/// Checks what is given, and sends the trajectories on their way.
+/// Checks the arguments and integrates the trajectories.
 fn send<A, M, T, W, const N: usize>(
     method: &A,
     isa: Isa,
@@ -72,7 +72,7 @@ where
     T: LaneElement,
     W: Watch<T, N>,
 {
-    // settings are wrong for all trajectories, or for none
+    // Invalid settings are invalid for every trajectory, so one check covers all.
     check_span(span.0, span.1)?;
     method.check(span, watch.keeps_all())?;
     check_models(models, starts)?;

@@ -1,5 +1,5 @@
-//! Trajectories of hybrid systems: side by side while nothing is held, and one by one where a mode ends, until nothing
-//! is held again.
+//! Trajectories of hybrid systems: in lanes while no constraint is held. At a mode switch a trajectory continues alone
+//! until no constraint is held again.
 
 use nalgebra::SVector;
 
@@ -22,8 +22,8 @@ where
     T: LaneElement,
     W: Watch<T, N>,
 {
-    /// Whether the rates of all constraints are sums of components of the state, so that lanes can tell where they
-    /// stay away from zero.
+    /// True if the rate of every constraint is a sum of components of the state, so that lanes can bound it away from
+    /// zero.
     pub(super) fn has_plain_rates(&self) -> bool {
         let model = self.models.first().map(Cast::cast::<T>);
         let constraints = model
@@ -33,8 +33,8 @@ where
         constraints.iter().all(|constraint| !constraint.rate.is_empty())
     }
 
-    /// Starts the next trajectory, up to where it can go on beside others; those that never can are brought to their
-    /// end.
+    /// Starts the next trajectory and advances it to a point where it can continue in a lane. Trajectories without such
+    /// a point are integrated to their end.
     fn start(&mut self) -> Option<(usize, Progress<T, N>)> {
         let t1 = self.span.1;
         loop {
@@ -55,7 +55,7 @@ where
         }
     }
 
-    /// Goes on alone with a step in which a mode may end.
+    /// Retakes a step that may contain a mode switch, outside the lanes.
     #[cold]
     fn go_on(&mut self, index: usize, progress: Progress<T, N>, control: &StepControl<T>) -> Option<Progress<T, N>> {
         let model = model_of(self.models, index).cast::<T>();
@@ -77,7 +77,7 @@ where
         }
     }
 
-    /// Goes on alone until the trajectory can go on beside others, or to its end.
+    /// Integrates one trajectory until it can continue in a lane, or to its end.
     fn go_alone(
         &mut self,
         index: usize,
@@ -98,10 +98,10 @@ where
     }
 }
 
-/// Trajectories leave where a mode may end within a step, and come back once nothing is held.
+/// Trajectories leave their lanes for steps that may contain a mode switch, and return once no constraint is held.
 pub(super) struct AtModes<V: Lanes, const N: usize> {
     modes: Vec<Option<Modes<V::Scalar, N>>>,
-    /// Those that can go on beside others.
+    /// Trajectories ready to enter a lane.
     ready: Vec<(usize, Progress<V::Scalar, N>)>,
     hold: Hold<V>,
     laws: [Law<V>; MAX_CONSTRAINTS],

@@ -1,4 +1,4 @@
-//! Many trajectories side by side, each of which leaves its lane where it ends.
+//! Integration in lanes: one trajectory per lane, each replaced by the next when it ends.
 
 use nalgebra::SVector;
 
@@ -20,7 +20,7 @@ use crate::real::lanes::{Kernel, LaneElement, Lanes};
 use crate::statistics::Statistics;
 use crate::system::{Cast, System};
 
-/// None leaves.
+/// No trajectory leaves its lane early.
 pub(super) struct Never<V>(Hold<V>);
 
 impl<A, F, M, V, W, const N: usize> Leave<A, M, V, W, N> for Never<V>
@@ -120,7 +120,7 @@ where
                     }
                     leave.begin(&system);
                     if const { L::ASKS } {
-                        // each has begun alone
+                        // Each trajectory was initialised by its own stepper.
                         let t = V::from_fn(|lane| members.t[lane]);
                         scheme.begin(&InMode::new(&system, leave.hold()), t, &x, work);
                     } else {
@@ -177,7 +177,7 @@ where
         }
     }
 
-    /// Begins where trajectories are; finds the first steps of those that have just entered.
+    /// Initialises the method in all lanes and finds the first steps of trajectories that have just entered.
     #[inline(always)]
     fn begin_all<V: Lanes<Scalar = T>>(
         &mut self,
@@ -200,7 +200,7 @@ where
         }
     }
 
-    /// Counts the work at the ends of steps, where they arrive.
+    /// Counts the evaluations at the ends of steps, for the lanes whose error is within the tolerance.
     #[inline(always)]
     fn count<V: Lanes<Scalar = T>>(
         &mut self,
@@ -225,7 +225,7 @@ where
         }
     }
 
-    /// Shows the steps that are accepted; takes those out of their lanes which an event ends.
+    /// Passes the accepted steps to the observers. Trajectories that an event ends leave their lanes.
     #[inline(always)]
     fn show<V: Lanes<Scalar = T>>(
         &mut self,
@@ -260,7 +260,7 @@ where
         }
     }
 
-    /// Plans the next steps; stops those that may take none.
+    /// Plans the next steps. Trajectories whose steps become too short are stopped.
     #[inline(always)]
     fn plan<V: Lanes<Scalar = T>>(
         &mut self,
@@ -295,7 +295,7 @@ where
         }
     }
 
-    /// Judges steps from the states `x` by what came of the attempt; stops those that may take no shorter one.
+    /// Accepts or rejects the steps from the states `x`. Trajectories that cannot take a shorter step are stopped.
     #[inline(always)]
     fn judge<V: Lanes<Scalar = T>>(
         &mut self,
@@ -358,7 +358,7 @@ where
         }
     }
 
-    /// Takes those out of their lanes that are at the end.
+    /// Removes trajectories that have reached the end of the span.
     #[inline(always)]
     pub(super) fn take_out<V: Lanes<Scalar = T>>(&mut self, members: &mut Members<T>, x: &SVector<V, N>) {
         let (_, t1) = self.span;
@@ -371,7 +371,8 @@ where
         }
     }
 
-    /// Those that wait take the lanes that are free, with equal steps once all are: whether there were any.
+    /// Fills free lanes with waiting trajectories; with equal steps, only once all lanes are free. Returns true if any
+    /// entered.
     #[inline(always)]
     pub(super) fn enter<V: Lanes<Scalar = T>>(
         &mut self,
@@ -398,7 +399,8 @@ where
         someone_enters
     }
 
-    /// The next trajectory, if one waits that has a way to go; those are brought to their ends that must go alone.
+    /// Returns the next waiting trajectory with a nonempty span. Trajectories that must be integrated alone are
+    /// completed on the way.
     pub(super) fn next(&mut self) -> Option<usize> {
         let (t0, t1) = self.span;
         loop {
@@ -420,7 +422,7 @@ where
         }
     }
 
-    /// Begins a trajectory with the derivative at its start: finds a first step, where the method does not propose it.
+    /// Checks the derivative at the start, and finds a first step if the method proposes none.
     fn begin(
         &mut self,
         steps: &Pacing<T>,
@@ -459,14 +461,14 @@ where
         }
     }
 
-    /// Ends a trajectory in a state.
+    /// Ends a trajectory in the state `x`.
     fn leave(&mut self, members: &mut Members<T>, (lane, index): (usize, usize), x: SVector<T, N>) {
         self.x[index] = x;
         members.leave(lane);
         self.watch.finish(index);
     }
 
-    /// Ends a trajectory before its time, in its last good state.
+    /// Stops a trajectory early, in its last valid state.
     #[cold]
     pub(super) fn stop(
         &mut self,
@@ -483,8 +485,8 @@ where
     }
 }
 
-/// What a step brings in a lane where not all is finite, or which [stalls](Scheme::attempt). The derivative at its end
-/// does not matter if its error is too large.
+/// Outcome of a step in a lane with non-finite numbers, or in a lane that [stalls](Scheme::attempt). The derivative at
+/// the end of the step is checked only if the error is within the tolerance.
 #[cold]
 fn outcome_of<V: Lanes, const N: usize>(
     (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),

@@ -1,4 +1,4 @@
-//! Which methods run in lanes, and on what.
+//! Methods that run in lanes, and the types they need.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,21 +17,21 @@ use crate::system::{Cast, CastJacobian, Jacobian, System};
 use crate::tableau::{RosenbrockMethod, Tableau};
 use crate::taylor::{CastTaylor, HybridSeries, TaylorSeries};
 
-/// A kind of method whose [`Scheme`] works on lanes as it does on a scalar.
+/// A kind of method whose [`Scheme`] works on lanes like on scalars.
 pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> {
-    /// Whether a step has so much to do, or to remember, that registers side by side gain nothing.
+    /// True if a step keeps so many values that several registers per number gain nothing.
     const NARROW: bool;
 
-    /// Whether lanes also go through the modes of hybrid systems, while nothing is held.
+    /// True if lanes also integrate hybrid systems, while no constraint is held.
     const IN_MODES: bool = true;
 
-    /// What a step in lanes works with.
+    /// Working memory of a step in lanes.
     type Stages<V: Lanes<Scalar = T>>: Scheme<Expanded<M, V, N>, V, N>;
 
-    /// [`OneStep::scheme`] in lanes; `is_dense` says whether dense output will be asked for.
+    /// [`OneStep::scheme`] in lanes. `is_dense` is true if dense output will be requested.
     ///
     /// # Errors
-    /// Those of [`OneStep::scheme`].
+    /// See [`OneStep::scheme`].
     fn stages<V: Lanes<Scalar = T>>(
         &self,
         system: &Expanded<M, V, N>,
@@ -82,12 +82,12 @@ where
     }
 }
 
-/// A model in the number type `T`: that it has its [`TaylorSeries`], or its [`Jacobian`], in all types is known of `M`
-/// alone.
+/// A model in the number type `T`. Bounds on `M` alone imply that it has its [`TaylorSeries`], or its [`Jacobian`], in
+/// all number types.
 pub struct Expanded<M: Cast<N>, T: Real, const N: usize>(M::In<T>);
 
 impl<M: Cast<N>, V: Lanes, const N: usize> Expanded<M, V, N> {
-    /// The model of each lane.
+    /// Combines one model per lane.
     #[inline(always)]
     pub(super) fn gather<'m>(models: impl Fn(usize) -> &'m M) -> Self
     where
@@ -159,7 +159,7 @@ where
     T: LaneElement,
 {
     const NARROW: bool = true;
-    // the derivatives in modes are functions that are never inlined
+    // The generated derivatives in modes are never inlined.
     const IN_MODES: bool = false;
     type Stages<V: Lanes<Scalar = T>> = RosenbrockStages<B, V, STAGES, N, PerLane<V, N>>;
 
@@ -177,7 +177,7 @@ where
 impl<M: CastJacobian<N>, T: Real, const N: usize> Jacobian<T, N> for Expanded<M, T, N> {
     #[inline(always)]
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        // it need not be inlined by itself
+        // The Jacobian alone need not be inlined.
         self.rhs_and_jacobian(t, x).1
     }
 

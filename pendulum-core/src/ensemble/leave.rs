@@ -1,4 +1,4 @@
-//! Trajectories that leave their lanes before they end.
+//! Trajectories that leave their lanes early.
 
 use nalgebra::SVector;
 
@@ -9,15 +9,15 @@ use crate::hybrid::{Hold, Hybrid};
 use crate::real::lanes::Lanes;
 use crate::system::System;
 
-/// Which trajectories leave their lanes before they end, to go on alone for a while.
+/// Strategy for trajectories to leave their lanes early and continue alone for a while.
 pub(super) trait Leave<A, M, V: Lanes, W, const N: usize> {
-    /// Whether any does.
+    /// True if trajectories may leave early.
     const ASKS: bool;
 
-    /// Before any has entered.
+    /// Initial state, before any trajectory has entered.
     fn none() -> Self;
 
-    /// Trajectories take the lanes that are free: whether there were any.
+    /// Fills free lanes. Returns true if any trajectory entered.
     fn enter(
         &mut self,
         march: &mut March<'_, A, M, V::Scalar, W, N>,
@@ -26,13 +26,13 @@ pub(super) trait Leave<A, M, V: Lanes, W, const N: usize> {
         steps: (&mut Pacing<V::Scalar>, &Pacing<V::Scalar>),
     ) -> bool;
 
-    /// Goes on with those that have entered.
+    /// Prepares for the trajectories that have entered.
     fn begin<S: System<V, N>>(&mut self, _system: &S) {}
 
-    /// What is held in the lanes.
+    /// Held constraints of the lanes.
     fn hold(&self) -> &Hold<V>;
 
-    /// Takes those out of their lanes that must take the step again alone.
+    /// Removes trajectories that must retake the step alone.
     fn check(
         &mut self,
         _march: &mut March<'_, A, M, V::Scalar, W, N>,

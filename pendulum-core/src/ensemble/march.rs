@@ -1,4 +1,4 @@
-//! Trajectories on their way, and how long their steps are.
+//! Trajectories of an ensemble and their step sizes.
 
 #![allow(private_interfaces, reason = "what is public here is in a private module")]
 
@@ -14,20 +14,20 @@ use crate::real::Float;
 use crate::step_size::Tolerance;
 use crate::system::Cast;
 
-/// Trajectories on their way from the states `x`, which are replaced, by the method `A`.
+/// Integration of trajectories from the states `x` by the method `A`. Their final states replace `x`.
 pub struct March<'a, A, M, T, W, const N: usize> {
     pub(super) method: &'a A,
     pub(super) models: &'a [M],
     pub(super) span: (T, T),
     pub(super) x: &'a mut [SVector<T, N>],
-    /// Those that have not begun.
+    /// Trajectories that have not started.
     pub(super) waiting: Range<usize>,
     pub(super) stopped: &'a mut Vec<Stopped<T>>,
     pub(super) watch: W,
 }
 
 impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
-    /// The same by another method.
+    /// Returns the same march with another method.
     pub(super) fn by<'b, B>(self, method: &'b B) -> March<'b, B, M, T, W, N>
     where
         Self: 'b,
@@ -43,7 +43,7 @@ impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
         }
     }
 
-    /// Brings all that have not begun to their ends, one after the other.
+    /// Integrates all waiting trajectories to their ends, one by one.
     pub(super) fn one_by_one(mut self)
     where
         A: Method<M::In<T>, T, N>,
@@ -55,7 +55,7 @@ impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
         self.alone(waiting);
     }
 
-    /// The same with some of them.
+    /// Integrates the trajectories `which` to their ends, one by one.
     pub(super) fn alone(&mut self, which: impl IntoIterator<Item = usize>)
     where
         A: Method<M::In<T>, T, N>,
@@ -68,16 +68,16 @@ impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
     }
 }
 
-/// How long the steps of trajectories are.
+/// Step sizes of the trajectories.
 #[derive(Clone, Copy)]
 pub(super) enum Pacing<T> {
-    /// As long as the tolerance of each allows.
+    /// Step sizes controlled by the error, separately for each trajectory.
     Controlled(StepControl<T>),
-    /// From one time of a grid to the next, for all of them.
+    /// Step sizes of a common grid.
     Equal(Grid<T>),
 }
 
-/// What the loops over lanes need to know of a method.
+/// Properties of a method used by the loops over lanes.
 pub trait Paced<T: Float> {
     /// The kind of one-step method.
     type Family;
@@ -85,24 +85,25 @@ pub trait Paced<T: Float> {
     /// The one-step method.
     fn family(&self) -> &Self::Family;
 
-    /// The tolerance that its steps keep; `None` where their length is given.
+    /// Tolerance of the step size control; `None` for fixed steps.
     ///
     /// # Errors
     /// [`Reason::InvalidInput`] if a setting is out of its range.
     fn within(&self) -> Result<Option<Tolerance<T>>, Reason>;
 
-    /// Checks settings for which no model is needed, and whether all points can be kept if they are to be.
+    /// Checks the settings that do not depend on the model. If `_keeps_all` is set, also checks that all points fit in
+    /// memory.
     ///
     /// # Errors
-    /// As for [`within`](Self::within).
+    /// See [`within`](Self::within).
     fn check(&self, _span: (T, T), _keeps_all: bool) -> Result<(), Reason> {
         Ok(())
     }
 
-    /// How long its steps are.
+    /// Step sizes over `span`.
     ///
     /// # Errors
-    /// As for [`within`](Self::within).
+    /// See [`within`](Self::within).
     fn steps(&self, error_order: usize, span: (T, T)) -> Result<Pacing<T>, Reason>;
 }
 

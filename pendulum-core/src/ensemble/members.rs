@@ -1,4 +1,4 @@
-//! Those that are on their way together, side by side: what concerns all of them is decided in vector registers too.
+//! State of the trajectories in the lanes. Decisions on all lanes also use vector registers.
 
 use nalgebra::SVector;
 
@@ -9,24 +9,24 @@ use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::step_size::PiController;
 
-/// The trajectories in the lanes, each with a time and steps of its own.
+/// The trajectories in the lanes, each with its own time and step size.
 pub(super) struct Members<T> {
-    /// Which; [`FREE`] where a lane has none.
+    /// Index of the trajectory in each lane; [`FREE`] for an empty lane.
     index: [usize; MOST_LANES],
     pub(super) t: [T; MOST_LANES],
-    /// The end of the step that is tried.
+    /// End of the current step.
     pub(super) t_new: [T; MOST_LANES],
-    /// The lengths of the next steps.
+    /// Sizes of the next steps.
     pub(super) h: [T; MOST_LANES],
     pub(super) steps: [usize; MOST_LANES],
-    /// -1 where the last attempt was accepted, else 1.
+    /// -1 if the last attempt was accepted, otherwise 1.
     verdict: [T; MOST_LANES],
     alpha: [f64; MOST_LANES],
     last: [f64; MOST_LANES],
     most: [f64; MOST_LANES],
 }
 
-/// No trajectory.
+/// Index of an empty lane.
 const FREE: usize = usize::MAX;
 
 impl<T: Float> Members<T> {
@@ -51,7 +51,7 @@ impl<T: Float> Members<T> {
         self.set_controller(lane, pace.controller);
     }
 
-    /// The order of the error estimate in a lane is another one from now on.
+    /// Changes the order of the error estimate of a lane.
     pub(super) fn set_order(&mut self, lane: usize, order: usize) {
         let mut controller = self.controller(lane);
         controller.set_order(order);
@@ -72,7 +72,7 @@ impl<T: Float> Members<T> {
         (self.alpha[lane], self.last[lane], self.most[lane]) = (alpha, last, most);
     }
 
-    /// How far the trajectory in a lane is, in the state `x`.
+    /// Progress of the trajectory in a lane, in the state `x`.
     pub(super) fn progress<const N: usize>(&self, lane: usize, x: SVector<T, N>, modes: Modes<T, N>) -> Progress<T, N> {
         Progress {
             t: self.t[lane],
@@ -86,24 +86,24 @@ impl<T: Float> Members<T> {
         }
     }
 
-    /// Takes the trajectory out of a lane, which stands still from then on.
+    /// Empties a lane. Its time stays fixed from then on.
     pub(super) fn leave(&mut self, lane: usize) {
         (self.index[lane], self.t_new[lane]) = (FREE, self.t[lane]);
     }
 
-    /// The trajectory in a lane.
+    /// Index of the trajectory in a lane.
     #[inline(always)]
     pub(super) fn index(&self, lane: usize) -> Option<usize> {
         Some(self.index[lane]).filter(|&index| index != FREE)
     }
 
-    /// The lanes that have trajectories now, and these.
+    /// Lanes in use, with the indices of their trajectories.
     pub(super) fn busy(&self, lanes: usize) -> impl Iterator<Item = (usize, usize)> + use<T> {
         let index = self.index;
         (0..lanes).filter_map(move |lane| Some((lane, index[lane])).filter(|&(_, index)| index != FREE))
     }
 
-    /// Whether a lane has no trajectory.
+    /// True if some lane is empty.
     #[inline(always)]
     pub(super) fn some_are_free(&self, lanes: usize) -> bool {
         self.index[..lanes]
@@ -111,26 +111,26 @@ impl<T: Float> Members<T> {
             .fold(false, |some, &index| some | (index == FREE))
     }
 
-    /// Plans a step to the time `t_new` for all of them.
+    /// Plans a step to the time `t_new` in all lanes.
     pub(super) fn go_to(&mut self, t_new: T) {
         for (lane, end) in self.t_new.iter_mut().enumerate() {
             *end = if self.index[lane] == FREE { self.t[lane] } else { t_new };
         }
     }
 
-    /// Moves all of them on to the ends of their steps.
+    /// Advances all lanes to the ends of their steps.
     pub(super) fn accept_all(&mut self) {
         self.t = self.t_new;
         self.steps.iter_mut().for_each(|steps| *steps += 1);
     }
 
-    /// Whether a trajectory has arrived at `t1`.
+    /// True if some trajectory has reached `t1`.
     #[inline(always)]
     pub(super) fn some_arrive(&self, lanes: usize, t1: T) -> bool {
         self.t[..lanes].iter().fold(false, |some, &t| some | (t == t1))
     }
 
-    /// Plans the next steps: whether all may be taken.
+    /// Plans the next steps. Returns true if all of them are long enough.
     #[inline(always)]
     pub(super) fn plan<V: Lanes<Scalar = T>>(&mut self, control: &StepControl<T>, t1: T, proposed: Option<V>) -> bool {
         let mut some_refused = false;
@@ -145,7 +145,7 @@ impl<T: Float> Members<T> {
         !some_refused
     }
 
-    /// What the method proposes for a lane. After a rejection the length is known.
+    /// Step size that the method proposes for a lane. After a rejection, the size already chosen.
     #[inline(always)]
     pub(super) fn proposal<V: Lanes<Scalar = T>>(&self, lane: usize, proposed: &Option<V>) -> Option<T> {
         proposed.as_ref().map(|h| {
@@ -157,13 +157,13 @@ impl<T: Float> Members<T> {
         })
     }
 
-    /// Whether the last attempt in a lane was accepted.
+    /// True if the last attempt in a lane was accepted.
     #[inline(always)]
     pub(super) fn is_accepted(&self, lane: usize) -> bool {
         self.verdict[lane] < T::default()
     }
 
-    /// Which lanes accept the last attempt.
+    /// Lanes that accepted the last attempt.
     #[inline(always)]
     pub(super) fn accepted<V: Lanes<Scalar = T>>(&self) -> Accepted<V> {
         if (0..V::LANES).fold(true, |all, lane| all & self.is_accepted(lane)) {
@@ -173,8 +173,8 @@ impl<T: Float> Members<T> {
         }
     }
 
-    /// Judges the steps by the mean squares of their errors, and moves on where they are accepted: whether all have a
-    /// next step that is long enough.
+    /// Accepts or rejects the steps by the mean squares of their errors, and advances the accepted lanes. Returns true
+    /// if the next step of every lane is long enough.
     #[inline(always)]
     pub(super) fn judge<V: Lanes<Scalar = T>>(
         &mut self,
@@ -182,7 +182,7 @@ impl<T: Float> Members<T> {
         errors: &V,
         method_proposes: bool,
     ) -> bool {
-        // An array, for the loop to become one over registers.
+        // A plain array lets the loop vectorise.
         let mut mean_squares = [T::default(); MOST_LANES];
         let mean_squares = &mut mean_squares[..V::LANES];
         for (lane, mean_square) in mean_squares.iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! Many trajectories at a time, in the lanes of the vector registers.
+//! Integration of many trajectories at once, in the lanes of vector registers.
 
 mod check;
 mod entry;
@@ -30,17 +30,17 @@ use crate::solution::Observer;
 use crate::system::Cast;
 use watch::Watch;
 
-/// A method that integrates many trajectories at a time.
+/// A method that integrates many trajectories at once.
 ///
-/// Explicit methods, [`Taylor`](crate::Taylor), Rosenbrock methods and [`Auto`](crate::Auto) do so in lanes: each
-/// trajectory has one, and the next takes it where it ends. [`Radau5`](crate::Radau5) and the methods of Gauss go through
-/// the trajectories one by one, and so do Rosenbrock methods and `Auto` with [hybrid](crate::hybrid) systems.
+/// Explicit methods, [`Taylor`](crate::Taylor), Rosenbrock methods and [`Auto`](crate::Auto) run in lanes of vector
+/// registers, one trajectory per lane. [`Radau5`](crate::Radau5) and the Gauss methods integrate the trajectories one
+/// by one, as do Rosenbrock methods and `Auto` for [hybrid](crate::hybrid) systems.
 pub trait Ensemble<M, T: LaneElement, const N: usize> {
-    /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
+    /// Integrates from each of the states `starts` at `t0` to `t1`, and returns the final states.
     ///
-    /// There is one model for each start, or a single one for all. Each final state is bit for bit that of
+    /// Pass one model per start, or a single model for all. Each final state is bit for bit the one computed by
     /// [`solve`](crate::Method::solve); the trajectories are not recorded. Apart from the result no heap is used.
-    /// Without optimisation, lanes are slower than scalars.
+    /// Without compiler optimisation, lanes are slower than scalars.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -61,11 +61,12 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Where the method adapts its steps, each trajectory has its own, and where one ends, the next takes its lane.
+    /// An adaptive method chooses the steps of each trajectory separately. When a trajectory ends, the next one takes
+    /// its lane.
     ///
     /// # Errors
     /// [`EnsembleError::InvalidInput`] if there is neither one model nor one for each start, or if times or settings
-    /// are invalid. [`EnsembleError::Stopped`] lists the trajectories that stopped early, or have an invalid start, and
+    /// are invalid. [`EnsembleError::Stopped`] lists the trajectories that stopped early or had an invalid start, and
     /// holds the final states of the others.
     fn ensemble(
         &self,
@@ -77,10 +78,10 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
         self.ensemble_on(Isa::widest(), models, t0, t1, starts)
     }
 
-    /// [`ensemble`](Self::ensemble) on the instruction set `isa`, for comparisons: the results are the same bits.
+    /// [`ensemble`](Self::ensemble) on the instruction set `isa`, for comparisons. The results are bit-identical.
     ///
     /// # Errors
-    /// As for [`ensemble`](Self::ensemble).
+    /// See [`ensemble`](Self::ensemble).
     fn ensemble_on(
         &self,
         isa: Isa,
@@ -90,24 +91,24 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>;
 
-    /// How many trajectories are best passed at a time, where there are many.
+    /// Recommended number of trajectories per call, if there are many.
     fn batch(&self) -> usize {
         256
     }
 }
 
-/// A method that integrates many trajectories at a time, and shows them on their way.
+/// A method that integrates many trajectories at once and passes them to observers.
 pub trait ObservedEnsemble<M, T: LaneElement, const N: usize>: Ensemble<M, T, N> {
-    /// [`ensemble`](Ensemble::ensemble), where an observer for each start sees the trajectory on its way, and `events(i)`
-    /// are those of trajectory `i`: what each observer sees is bit for bit what
-    /// [`solve_with`](crate::Method::solve_with) keeps. A terminal event ends its trajectory, whose final state is that
-    /// of the event.
+    /// [`ensemble`](Ensemble::ensemble) with one observer per start. `events(i)` are the events of trajectory `i`.
     ///
-    /// Trajectories with events that reset their state go one by one, and so do those of hybrid systems.
+    /// Each observer receives bit for bit the data that [`solve_with`](crate::Method::solve_with) records. A terminal
+    /// event ends its trajectory; the final state is the state at the event.
+    ///
+    /// Trajectories with events that reset their state, and those of hybrid systems, are integrated one by one.
     ///
     /// # Errors
-    /// As for [`ensemble`](Ensemble::ensemble), and [`EnsembleError::InvalidInput`] if there is not one observer for each
-    /// start.
+    /// Errors of [`ensemble`](Ensemble::ensemble), and [`EnsembleError::InvalidInput`] if there is not one observer for
+    /// each start.
     fn observe<'w, 'e: 'w, O>(
         &self,
         models: &[M],
@@ -127,7 +128,7 @@ pub trait ObservedEnsemble<M, T: LaneElement, const N: usize>: Ensemble<M, T, N>
     /// [`observe`](Self::observe) on the instruction set `isa`.
     ///
     /// # Errors
-    /// As for [`observe`](Self::observe).
+    /// See [`observe`](Self::observe).
     fn observe_on<'w, 'e: 'w, O>(
         &self,
         isa: Isa,
@@ -147,11 +148,11 @@ pub trait ObservedEnsemble<M, T: LaneElement, const N: usize>: Ensemble<M, T, N>
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Stopped<T = f64> {
-    /// Its index among the starts.
+    /// Index of the trajectory among the starts.
     pub index: usize,
-    /// The last good time.
+    /// Last valid time.
     pub t: T,
-    /// Why it stopped.
+    /// Reason of the stop.
     pub reason: Reason,
 }
 
@@ -165,7 +166,7 @@ impl<T> Stopped<T> {
 
 debug_as_display! { [T: Float, const N: usize] EnsembleError<T, N>; }
 
-/// Why not every trajectory of an ensemble reached the end.
+/// Reason why some trajectories of an ensemble did not reach the end.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum EnsembleError<T, const N: usize> {
@@ -173,9 +174,9 @@ pub enum EnsembleError<T, const N: usize> {
     InvalidInput(Reason),
     /// Some trajectories stopped early.
     Stopped {
-        /// Which, in ascending order; at least one.
+        /// The trajectories that stopped, in ascending order; at least one.
         stopped: Vec<Stopped<T>>,
-        /// The final states of all others, and the last good states of these.
+        /// Final states of the others, and last valid states of those that stopped.
         x: Vec<SVector<T, N>>,
     },
 }
@@ -203,7 +204,7 @@ impl<T: Float, const N: usize> fmt::Display for EnsembleError<T, N> {
 
 impl<T: Float, const N: usize> Error for EnsembleError<T, N> {}
 
-/// Refuses models that are neither one nor one for each start, or that cannot run side by side: for implementations of
+/// Checks that there is one model, or one for each start, and that the models can share lanes. For implementations of
 /// [`Ensemble`].
 ///
 /// # Errors
@@ -227,10 +228,10 @@ fn check_observers<O, X>(observers: &[O], starts: &[X]) -> Result<(), Reason> {
     )
 }
 
-/// The final states, or which trajectories stopped: for implementations of [`Ensemble`].
+/// Returns the final states, or the list of trajectories that stopped. For implementations of [`Ensemble`].
 ///
 /// # Errors
-/// [`EnsembleError::Stopped`], if any did.
+/// [`EnsembleError::Stopped`] if any trajectory stopped.
 pub fn conclude<T, const N: usize>(
     x: Vec<SVector<T, N>>,
     mut stopped: Vec<Stopped<T>>,
@@ -242,8 +243,8 @@ pub fn conclude<T, const N: usize>(
     Err(EnsembleError::Stopped { stopped, x })
 }
 
-/// Integrates some of the trajectories from the states `x`, which are replaced, one after the other. A single lane is
-/// slower than a scalar, whose right-hand side is a function rather than a copy in each stage.
+/// Integrates the trajectories `which` from the states `x`, one by one, and replaces `x` by the final states. Scalars
+/// are faster than a single lane: their right-hand side is one function, not a copy inlined in each stage.
 fn alone<A, M, T, W, const N: usize>(
     method: &A,
     models: &[M],
@@ -276,11 +277,11 @@ fn alone<A, M, T, W, const N: usize>(
     }
 }
 
-/// The model of trajectory `i`.
+/// Returns the model of trajectory `i`.
 fn model_of<M>(models: &[M], i: usize) -> &M {
     if let [model] = models { model } else { &models[i] }
 }
 
-/// The most lanes there are: registers of eight `f64` four times, or of sixteen `f32` twice; twice that is left for
-/// wider ones.
+/// Largest number of lanes: four registers of eight `f64` or two of sixteen `f32`, times two in reserve for wider
+/// registers.
 pub(crate) const MOST_LANES: usize = 64;

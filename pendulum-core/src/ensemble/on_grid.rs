@@ -1,4 +1,4 @@
-//! Many trajectories side by side with steps of the same length, of which nobody sees more than the ends.
+//! Integration in lanes with a fixed step size, of which only the final states are returned.
 
 use nalgebra::SVector;
 
@@ -26,8 +26,8 @@ where
 
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
-        // Further lanes fill the gaps where operations wait for one another. A longer system has enough that are independent, and
-        // needs the registers for itself.
+        // Further lanes hide the latency of dependent operations. Larger systems have enough independent operations,
+        // and need the registers for themselves.
         if const { !M::HYBRID && V::LANES > 1 && W::WATCHES } {
             self.in_lanes::<V, Never<V>>()
         } else if const { !M::HYBRID && !F::NARROW && !W::WATCHES } {
@@ -48,10 +48,10 @@ where
     T: LaneElement,
     W: Watch<T, N>,
 {
-    /// As many trajectories at a time as there are lanes; where they run out, the last fills the group.
+    /// Integrates as many trajectories at once as there are lanes; the last trajectory fills up an incomplete group.
     ///
-    /// What is not finite stays so to the end. Such a trajectory is integrated alone, which tells where it stopped and
-    /// why: to ask in every step would take a tenth of the time.
+    /// Non-finite numbers persist to the end, so only the final states are checked. Trajectories with a non-finite end
+    /// are repeated alone to find time and reason; a check in every step would cost a tenth of the run time.
     #[inline(always)]
     fn in_groups<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
         let grid = Grid::new(self.method.h, self.span.0, self.span.1)?;
@@ -63,7 +63,7 @@ where
                 let model = model_of(self.models, first + lane).cast::<T>();
                 match place(&model, grid.t0(), state) {
                     Ok(placed) => *state = placed,
-                    // alone it tells why
+                    // The scalar run reports the reason.
                     Err(_) => failed.push(first + lane),
                 }
             }
@@ -93,7 +93,8 @@ where
     }
 }
 
-/// Goes from the states `x` to the end of the grid: the states there, and their derivatives from methods that need them.
+/// Integrates from the states `x` to the end of the grid. Returns the states there, and their derivatives for methods
+/// that compute them.
 #[inline(always)]
 #[allow(clippy::type_complexity, reason = "a state and a derivative")]
 fn march<C, S, V, const N: usize>(
@@ -111,7 +112,7 @@ where
     let work = &mut Statistics::default();
     let mut t = grid.t0();
     let (mut states, mut others) = (x, x);
-    // They change places with each step, where copies would take their time.
+    // Swapping references avoids copies of the states.
     let (mut x, mut x_new) = (&mut states, &mut others);
     let mut slope = None;
     if t != grid.t1() {

@@ -1,4 +1,4 @@
-//! Which methods integrate many trajectories side by side, and which one after the other.
+//! Selects the methods that run in lanes; the others integrate trajectories one by one.
 
 use super::lanes::InLanes;
 use super::march::{March, Paced};
@@ -12,9 +12,9 @@ use crate::real::lanes::{Isa, LaneElement};
 use crate::system::{Cast, CastJacobian, Jacobian};
 use crate::tableau::{Tsitouras5, Verner7, Verner9};
 
-/// A kind of method that integrates many trajectories: one after the other, unless it is [`InLanes`].
+/// A kind of method for ensembles. By default it integrates trajectories one by one; methods [`InLanes`] override this.
 pub trait Together<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> + Sized {
-    /// With steps within a tolerance.
+    /// Integrates with steps controlled by a tolerance.
     #[doc(hidden)]
     fn within_tolerance<W>(_isa: Isa, march: March<'_, Adaptive<Self>, M, T, W, N>) -> Result<(), Reason>
     where
@@ -25,7 +25,7 @@ pub trait Together<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>
         Ok(())
     }
 
-    /// With steps of equal length.
+    /// Integrates with steps of equal size.
     #[doc(hidden)]
     fn on_grid<W>(_isa: Isa, march: March<'_, Fixed<Self>, M, T, W, N>) -> Result<(), Reason>
     where
@@ -105,9 +105,9 @@ one_by_one! {
     [const STAGES: usize,] Gauss<STAGES>;
 }
 
-/// A method for many trajectories.
+/// A method for ensembles.
 pub trait Marches<M: Cast<N>, T: LaneElement, const N: usize>: Paced<T> + Sized {
-    /// Brings trajectories to their ends.
+    /// Integrates trajectories to their ends.
     fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason>;
 }
 

@@ -1,4 +1,4 @@
-//! What is seen of trajectories on their way.
+//! Observation of the trajectories of an ensemble.
 
 use nalgebra::SVector;
 
@@ -14,21 +14,21 @@ use crate::statistics::Statistics;
 use crate::step_size::Tolerance;
 use crate::system::System;
 
-/// Who watches the trajectories of an ensemble, each known by its index.
+/// Observer of all trajectories of an ensemble, which are identified by their index.
 pub trait Watch<T: Float, const N: usize> {
-    /// Whether there is anybody.
+    /// True if there are observers.
     const WATCHES: bool;
 
-    /// Whether every step of some trajectory is kept.
+    /// True if some observer keeps every step of its trajectory.
     fn keeps_all(&self) -> bool;
 
-    /// Whether a trajectory must go alone.
+    /// True if a trajectory must be integrated alone.
     fn is_alone(&self, index: usize) -> bool;
 
-    /// Brings a trajectory to its end alone: the state there.
+    /// Integrates a trajectory alone and returns its final state.
     ///
     /// # Errors
-    /// Why it stopped early, and where.
+    /// Reason and place of an early stop.
     fn run<C, S>(
         &mut self,
         start: (usize, SVector<T, N>),
@@ -39,7 +39,7 @@ pub trait Watch<T: Float, const N: usize> {
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized;
 
-    /// A trajectory starts in a lane, after so much work.
+    /// Called when a trajectory starts in a lane. `work` counts the evaluations so far.
     fn start(
         &mut self,
         index: usize,
@@ -48,21 +48,21 @@ pub trait Watch<T: Float, const N: usize> {
         work: &Statistics,
     ) -> Result<(), Reason>;
 
-    /// Whether the states within a step are of interest.
+    /// True if the states within a step will be evaluated.
     fn looks_into(&self, index: usize, span: (T, T)) -> bool;
 
-    /// A step in a lane: the state at which a terminal event ends the trajectory, if one does.
+    /// Receives a step of a lane. Returns the state at a terminal event in this step, if there is one.
     fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Early<T, N>>;
 
-    /// Work in a lane.
+    /// Adds evaluations made in a lane.
     fn work(&mut self, index: usize, work: &Statistics);
 
-    /// A trajectory leaves its lane, at its end or before.
+    /// Called when a trajectory leaves its lane, at its end or earlier.
     fn finish(&mut self, index: usize);
 }
 
-/// Shows the step of a lane, with the coefficients of its dense output, and the work that they took, where the states
-/// within are of interest: what [`Watch::see`] returns.
+/// Passes the step of a lane to [`Watch::see`] and returns its result. `looks_into` holds the coefficients of the dense
+/// output and the evaluations they took, if the states within the step will be evaluated.
 #[inline(always)]
 pub(super) fn show_lane<V: Lanes, W: Watch<V::Scalar, N>, const N: usize>(
     watch: &mut W,
@@ -83,7 +83,7 @@ pub(super) fn show_lane<V: Lanes, W: Watch<V::Scalar, N>, const N: usize>(
     watch.see(index, &Dense::new(step, within))
 }
 
-/// Nobody.
+/// No observers.
 pub(super) struct Unwatched;
 
 impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
@@ -134,11 +134,11 @@ impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
     fn finish(&mut self, _index: usize) {}
 }
 
-/// An observer of each trajectory, with the events that it meets.
+/// One observer per trajectory, with its events.
 pub(super) struct Watched<'o, 'w, 'e, O, T, const N: usize> {
     observers: &'o mut [O],
     events: Vec<&'w [Event<'e, T, N>]>,
-    /// Of those that are in lanes.
+    /// Searches of the trajectories in lanes.
     searches: Vec<Option<Search<'w, 'e, T, N>>>,
     work: Vec<Statistics>,
 }
@@ -162,7 +162,7 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         self.observers.iter().any(Observer::keeps_all)
     }
 
-    /// With events that set another state, or at which steps are taken again.
+    /// True for trajectories with events that reset the state or require steps to be retaken.
     fn is_alone(&self, index: usize) -> bool {
         self.events[index].iter().any(Event::begins_anew)
     }
@@ -206,7 +206,7 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         let observer = &mut self.observers[index];
         match &mut self.searches[index] {
             Some(search) if !self.events[index].is_empty() => {
-                // trajectories with resets go alone
+                // Trajectories with resets are integrated alone, so the state is kept here.
                 Ok(see(search, dense, observer, |_, x| Ok(*x))?.map(|stop| stop.x))
             }
             _ => {

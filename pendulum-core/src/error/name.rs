@@ -3,11 +3,13 @@
 use core::fmt;
 use core::ops::Deref;
 
-/// The bytes of a name, but for its end where it is longer.
+/// Maximum number of bytes of a stored name.
 const MOST: usize = 39;
+/// End of a truncated name.
 const ELLIPSIS: &str = "…";
 
-/// The name of a part of a model, in an error that outlives the model: up to 39 bytes of it. Longer ones end in `…`.
+/// The name of a part of a model, in an error that outlives the model: at most 39 bytes. Longer names are truncated,
+/// and end in `…`.
 ///
 /// ```
 /// use pendulum_core::Name;

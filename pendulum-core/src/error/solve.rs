@@ -1,4 +1,4 @@
-//! The error of an integration whose points are kept.
+//! The error of an integration whose points are stored.
 
 use std::error::Error;
 use std::fmt;
@@ -14,16 +14,16 @@ debug_as_display! { [T: Float, const N: usize] SolveError<T, N>; }
 /// An integration that stopped early, with the solution up to there.
 #[derive(Clone, PartialEq)]
 pub struct SolveError<T, const N: usize> {
-    /// Why it stopped.
+    /// Reason why it stopped.
     pub reason: Reason,
-    /// The solution up to the last good state; the initial point alone if no step succeeded.
+    /// Solution up to the last good state; the initial point alone if no step succeeded.
     ///
     /// For [`Reason::InvalidInput`] it is the initial point as given, valid or not.
     pub solution: Box<Solution<T, N>>,
 }
 
 impl<T: Float, const N: usize> SolveError<T, N> {
-    /// An integration that stopped before its first step.
+    /// Error of an integration that stopped before its first step.
     pub(crate) fn at_start(reason: Reason, t0: T, x0: SVector<T, N>) -> Self {
         Self {
             reason,
@@ -31,13 +31,13 @@ impl<T: Float, const N: usize> SolveError<T, N> {
         }
     }
 
-    /// The last good time.
+    /// Last good time.
     #[must_use]
     pub fn t(&self) -> T {
         self.solution.last().0
     }
 
-    /// The last good state.
+    /// Last good state.
     #[must_use]
     pub fn x(&self) -> SVector<T, N> {
         self.solution.end()
@@ -47,7 +47,7 @@ impl<T: Float, const N: usize> SolveError<T, N> {
 impl<T: Float, const N: usize> fmt::Display for SolveError<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.reason {
-            // one of an input happened before, the other says when
+            // an invalid input precedes the integration, and a bad reset contains its time
             Reason::InvalidInput { .. } | Reason::BadReset { .. } => self.reason.fmt(f),
             _ => write!(f, "stopped at t = {:?}: {}", self.t().to_f64(), self.reason),
         }

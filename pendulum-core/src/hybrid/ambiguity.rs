@@ -1,25 +1,25 @@
-//! Impacts whose order is not known.
+//! Impacts whose order is ambiguous.
 
 use super::mode::bits;
 
-/// Impacts at the same time whose order decides how the motion goes on, where times and states do not resolve which
-/// comes first: see [`hybrid`](crate::hybrid).
+/// Simultaneous impacts whose order affects the motion afterwards, but is not resolved by times and states: see
+/// [`hybrid`](crate::hybrid).
 ///
-/// The motion goes on from all of them at once, with the least of their restitutions. A start that differs by less than
-/// rounding errors may end elsewhere.
+/// The integration continues with all of them at once, with the smallest of their restitutions. An initial condition
+/// that differs by less than rounding errors may lead to another motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ambiguity<T> {
-    /// The time, in s.
+    /// Time, in s.
     pub t: T,
-    /// The largest difference that the order makes to a rate, in rad/s or m/s.
+    /// Largest difference of a rate between the orders, in rad/s or m/s.
     pub difference: T,
-    /// The constraints, as bits.
+    /// Bit set of the constraints.
     pub(crate) set: u8,
 }
 
 impl<T> Ambiguity<T> {
-    /// The constraints that reach their limits, in the order of their declaration.
+    /// Constraints that reach their limits, in the order of their declaration.
     pub fn constraints(&self) -> impl Iterator<Item = usize> + use<T> {
         bits(self.set)
     }

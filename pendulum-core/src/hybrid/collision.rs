@@ -1,11 +1,11 @@
-//! Impacts at an instant, one after the other or at once.
+//! Impacts at an instant, sequential or simultaneous.
 //!
-//! Newton's law: a contact that approaches with the rate `v` leaves with `-e v`; those that it acts on and that rest
-//! take part, so that none of them approaches then. Where others approach after that, with no time in between, theirs
-//! follow: of two contacts that act on each other they alternate, whatever the gaps are, so the rates at which such a
-//! series ends do not depend on when gaps became too small to be resolved. Where contacts that act on each other
-//! approach at once, each order is tried. If it matters, all of them collide at once with the least of their
-//! restitutions, so that energy never grows, and that is reported.
+//! Newton's law of restitution: a contact that approaches with the rate `v` leaves with `-e v`. Resting contacts
+//! coupled to it take part, so that none of them approaches afterwards. If others approach after that, their impacts
+//! follow at the same instant: impacts of two coupled contacts alternate whatever the gaps are, so the final rates do
+//! not depend on the moment at which gaps became too small to be resolved. If coupled contacts approach at once, each
+//! order is tried. If the order matters, all of them collide at once with the smallest of their restitutions, so that
+//! energy never grows, and an ambiguity is reported.
 
 use nalgebra::SVector;
 
@@ -19,52 +19,53 @@ use super::witness::{Witness, Witnesses};
 use super::{MAX_CONSTRAINTS, Response};
 use crate::real::Float;
 
-/// Contacts where some of them approach.
+/// Contacts at an instant at which some of them approach.
 struct Approach<T, const N: usize> {
-    /// The approaching ones.
+    /// Approaching contacts.
     set: u8,
-    /// The rates of all away from their limits, zero where they rest.
+    /// Rates of all contacts away from their limits, zero where they rest.
     rates: [T; MAX_CONSTRAINTS],
-    /// The changes of these rates by unit impulses away from the limits.
+    /// Changes of these rates by unit impulses away from the limits.
     matrix: [[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
     response: Response<T, N>,
 }
 
-/// Impacts at once, one in each group of contacts that act on each other.
+/// Simultaneous impacts, one in each group of coupled contacts.
 struct Blow<T> {
-    /// The contacts that take part.
+    /// Contacts that take part.
     members: u8,
-    /// Those of them that push.
+    /// Members that push.
     pushing: u8,
-    /// The impulses away from the limits, and the rates at which those that push leave.
+    /// Impulses away from the limits.
     impulses: [T; MAX_CONSTRAINTS],
+    /// Rates at which the pushing contacts leave.
     leaving: [T; MAX_CONSTRAINTS],
-    /// The fastest rate in the group of each before.
+    /// Fastest rate before the impact in the group of each contact.
     fastest: [T; MAX_CONSTRAINTS],
 }
 
 impl<T: Float, const N: usize> Settling<'_, T, N> {
-    /// The rate of each constraint away from the limit that it touches.
+    /// Rate of each constraint away from the limit that it touches.
     fn rates_away(&self) -> [T; MAX_CONSTRAINTS] {
         let measures = self.system.measures(self.t, &self.x);
         core::array::from_fn(|n| self.away(n) * measures[n][1])
     }
 
-    /// [`rates_away`](Self::rates_away), zero where a constraint rests.
+    /// Like [`rates_away`](Self::rates_away), but zero where a constraint rests.
     fn leaving(&self) -> [T; MAX_CONSTRAINTS] {
         let mut rates = self.rates_away();
         bits(self.resting).for_each(|n| rates[n] = T::default());
         rates
     }
 
-    /// Up to which rates those of contacts may be rounding errors, of their own and of the impacts before.
+    /// Rounding errors of the rates of contacts, from their terms and from earlier impacts.
     fn noise(&self, response: &Response<T, N>) -> [T; MAX_CONSTRAINTS] {
         let sizes = self.sizes();
         let of_first = |n: usize| (self.series.largest * response.matrix[n][n]).sqrt();
         core::array::from_fn(|n| ulps(AT_LIMIT, sizes.rates[n].max(of_first(n))))
     }
 
-    /// The contacts that approach after an impact. Where there are none, those rest that no longer leave.
+    /// Contacts that approach after an impact. If there are none, contacts that no longer leave come to rest.
     pub(super) fn next(&mut self) -> Witnesses {
         let mut next = Witnesses::default();
         if self.series.is_empty() {
@@ -83,7 +84,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         next
     }
 
-    /// The contacts, if some of them approach.
+    /// Returns the contacts if some of them approach.
     fn approach(&self) -> Option<Approach<T, N>> {
         let zero = T::default();
         let rates = self.leaving();
@@ -102,7 +103,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         })
     }
 
-    /// The impacts with which a series begins or goes on: one in each group of contacts that act on each other.
+    /// Applies the next impacts of a series: one in each group of coupled contacts.
     pub(super) fn collide(&mut self) {
         let Some(approach) = self.approach() else { return };
         let before = *self;
@@ -117,7 +118,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             } else {
                 before.first_of(approaching, &mut self.series)
             };
-            // the least, so that energy does not grow
+            // the smallest restitution, so that energy does not grow
             let restitutions = bits(hit & approaching).map(|n| self.restitution(n, -approach.rates[n]));
             let restitution = restitutions.reduce(T::min).filter(|_| !self.series.ends_now());
             blow.add(&approach, hit | group & self.resting, restitution.unwrap_or_default());
@@ -139,12 +140,12 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         }
     }
 
-    /// Impulses away from limits as those along the constraints.
+    /// Converts impulses away from limits into impulses along the constraints.
     fn forward(&self, away: &[T; MAX_CONSTRAINTS]) -> [T; MAX_CONSTRAINTS] {
         core::array::from_fn(|n| self.away(n) * away[n])
     }
 
-    /// Changes the rates, and notes what rests then.
+    /// Applies the impulses to the rates, and updates the resting constraints.
     fn receive(&mut self, approach: &Approach<T, N>, blow: &Blow<T>) {
         let zero = T::default();
         let rested = self.resting;
@@ -155,14 +156,14 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             self.resting &= !(u8::from(is_moved) << n);
         }
         self.push(&approach.response, blow.pushing, &impulses);
-        // once more, for the rounding errors of what is light
+        // a second solve removes the rounding errors of light bodies
         let rates = self.rates_away();
         let surplus = core::array::from_fn(|n| rates[n] - blow.leaving[n]);
         let correction = solve_negated(&approach.matrix, blow.pushing, &surplus);
         self.push(&approach.response, blow.pushing, &self.forward(&correction));
         let rates = self.rates_away();
         for n in bits(blow.members) {
-            // not where an impulse does not do what the matrix says
+            // unless the impulse failed to have the effect that the matrix predicts
             let obeys = rates[n].abs() <= T::EPSILON.sqrt() * blow.fastest[n];
             let is_stopped = blow.pushing & 1 << n != 0 && blow.leaving[n] == zero && obeys;
             let rests_on = rested & 1 << n != 0 && rates[n].abs() <= ulps(CONSISTENT, blow.fastest[n]);
@@ -170,8 +171,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         }
     }
 
-    /// Those of the contacts that approach, and act on each other, that collide first: one of them if their order does
-    /// not matter.
+    /// Chooses which of the approaching, coupled contacts collide first: a single one if their order does not matter.
     fn first_of(&self, approaching: u8, series: &mut Series<T, N>) -> u8 {
         if let Some(first) = self.first {
             return approaching & first;
@@ -187,7 +187,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         approaching
     }
 
-    /// The differences that the order of impacts makes to the state, if it makes any.
+    /// Differences of the state between the orders of impacts; none if the order does not matter.
     fn between_orders(&self, approaching: u8) -> Option<SVector<T, N>> {
         let (mut least, mut most) = (None, None);
         for first in bits(approaching) {
@@ -203,7 +203,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         matters.then_some(differences)
     }
 
-    /// The state after all impacts where only some contacts may collide first.
+    /// State after all impacts, if only some contacts may collide first.
     fn outcome(&self, first: u8) -> SVector<T, N> {
         let mut tried = *self;
         (tried.first, tried.series.tries) = (Some(first), 0);
@@ -231,7 +231,7 @@ impl<T: Float> Blow<T> {
         }
     }
 
-    /// With an impact in one more group, with one restitution.
+    /// Adds an impact in one more group, with one restitution.
     fn add<const N: usize>(&mut self, approach: &Approach<T, N>, members: u8, restitution: T) {
         let zero = T::default();
         let impulses = impulses(&approach.matrix, members, &approach.rates, restitution);

@@ -1,14 +1,14 @@
-//! Small symmetric systems, of which some rows and columns are chosen.
+//! Small symmetric systems restricted to chosen rows and columns.
 
 use super::MAX_CONSTRAINTS;
 use super::mode::{bits, set_of};
 use super::resolution::{LAWFUL, UNCOUPLED, ulps};
 use crate::real::{Float, Real};
 
-/// Rows that depend on those before them, to this part of their size, have no force of their own.
+/// Pivot, relative to the diagonal, below which a row depends on those before it and gets no force of its own.
 const INDEPENDENT: f64 = 1e-10;
 
-/// A factored symmetric matrix, `L D L^T`, of chosen rows and columns.
+/// Factors `L D L^T` of chosen rows and columns of a symmetric matrix.
 pub(super) struct Factored<T> {
     chosen: u8,
     /// `L` below the diagonal, `1/D` on it.
@@ -16,7 +16,7 @@ pub(super) struct Factored<T> {
 }
 
 impl<T: Real> Factored<T> {
-    /// The factors of the chosen rows and columns, which are independent.
+    /// Factors the chosen rows and columns, which must be independent.
     #[inline(always)]
     pub(super) fn of(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], chosen: u8) -> Self {
         let mut factored = Self::none();
@@ -34,7 +34,7 @@ impl<T: Real> Factored<T> {
         }
     }
 
-    /// Adds a row and column, after those before; returns its pivot.
+    /// Appends a row and column, and returns its pivot.
     #[inline(always)]
     fn push(&mut self, matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], row: usize) -> T {
         let mut pivot = matrix[row][row];
@@ -57,7 +57,7 @@ impl<T: Real> Factored<T> {
         pivot
     }
 
-    /// `-A^-1 b` for the chosen rows, 0 for the others.
+    /// Solves for `-A^-1 b` in the chosen rows; 0 in the others.
     #[inline(always)]
     pub(super) fn solve_negated(&self, b: &[T; MAX_CONSTRAINTS]) -> [T; MAX_CONSTRAINTS] {
         let mut x = [T::default(); MAX_CONSTRAINTS];
@@ -82,7 +82,7 @@ impl<T: Real> Factored<T> {
     }
 }
 
-/// [`Factored::solve_negated`] of a matrix that nothing else is solved with.
+/// Like [`Factored::solve_negated`], for a matrix used only once.
 #[inline(always)]
 pub(super) fn solve_negated<T: Real>(
     matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
@@ -98,13 +98,13 @@ pub(super) fn solve_negated<T: Real>(
     Factored::of(matrix, chosen).solve_negated(b)
 }
 
-/// The bits below the one at a place.
+/// Mask of the bits below an index.
 #[inline(always)]
 fn before(place: usize) -> u8 {
     ((1_u16 << place) - 1) as u8
 }
 
-/// Those of the chosen rows that are independent of the ones before them.
+/// Chosen rows that are independent of the chosen rows before them.
 pub(crate) fn independent<T: Float>(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], chosen: u8) -> u8 {
     if chosen == 0 {
         return chosen;
@@ -119,12 +119,12 @@ pub(crate) fn independent<T: Float>(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAI
     factored.chosen
 }
 
-/// Whether a row depends on others, which are independent.
+/// True if a row depends on others, which are independent.
 pub(super) fn depends<T: Float>(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], row: usize, others: u8) -> bool {
     independent(matrix, others | 1 << row).count_ones() == others.count_ones()
 }
 
-/// The parts of a set whose rows have nothing to do with each other, to rounding.
+/// Splits a set into groups of rows that are uncoupled to rounding.
 pub(super) fn groups<T: Float>(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], set: u8) -> impl Iterator<Item = u8> {
     let acts_on = |n: usize, m: usize| {
         let least = ulps(UNCOUPLED, T::from_f64(1.0));
@@ -146,8 +146,8 @@ pub(super) fn groups<T: Float>(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
     })
 }
 
-/// The impulses `p >= 0` by which rates `w` become `w + A p >= -e w`, each with one of the two equal: those of Newton's
-/// law with one restitution `e`. Rows are those chosen; `A` is symmetric and not negative.
+/// Impulses `p >= 0` under which rates `w` become `w + A p >= -e w`, with equality in one of the two for each row:
+/// Newton's law with one restitution `e`. Only chosen rows take part; `A` is symmetric and positive semidefinite.
 pub(super) fn impulses<T: Float>(
     matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS],
     chosen: u8,
@@ -158,7 +158,7 @@ pub(super) fn impulses<T: Float>(
     let target: [T; MAX_CONSTRAINTS] = core::array::from_fn(|n| (one + e) * w[n]);
     let size = bits(chosen).fold(zero, |size: T, n| size.max(w[n].abs()));
     let mut best = ([zero; MAX_CONSTRAINTS], T::from_f64(f64::INFINITY));
-    // all pushing first: mostly it is one
+    // all push in most cases: try that first
     for set in subsets(chosen) {
         let p = solve_negated(matrix, independent(matrix, set), &target);
         let mut violation = zero;
@@ -179,7 +179,7 @@ pub(super) fn impulses<T: Float>(
     best.0
 }
 
-/// All parts of a set, those of more elements first.
+/// All subsets of a set, larger ones first.
 pub(super) fn subsets(set: u8) -> impl Iterator<Item = u8> {
     let parts = move || {
         core::iter::successors(Some(0_u8), move |part| {

@@ -8,10 +8,10 @@ use super::{Hold, Hybrid, HybridJacobian, MAX_CONSTRAINTS, Response};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 
-/// The right-hand side of a hybrid system in a mode.
+/// Right-hand side of a hybrid system in a mode.
 ///
-/// It is not inlined, as its derivatives are not, and takes any system: one that is not hybrid has none of this in its
-/// code.
+/// Neither it nor its derivatives are inlined, and they take a trait object, so systems that are not hybrid contain
+/// none of this code.
 #[inline(never)]
 pub(crate) fn rhs<T: Real, const N: usize>(
     system: &dyn Hybrid<T, N>,
@@ -25,7 +25,7 @@ pub(crate) fn rhs<T: Real, const N: usize>(
     held(system, hold, t, x).0
 }
 
-/// [`rhs`] and its derivative with respect to the state.
+/// Like [`rhs`], but also returns its derivative with respect to the state.
 #[inline(never)]
 pub(crate) fn rhs_and_jacobian<T: Lanes, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
@@ -37,7 +37,7 @@ pub(crate) fn rhs_and_jacobian<T: Lanes, const N: usize>(
         return system.eval_with_jacobian(t, x, &hold.forces);
     }
     let (rates, forces) = held(system, hold, t, x);
-    // the forces are as fixed as those of friction; how they change comes on top
+    // derivatives at fixed forces first, as for friction; the changes of the holding forces are added below
     let derivative = system.response_derivative(t, x, &forces);
     let factored = Factored::of(&derivative.response.matrix, hold.solved);
     let mut jacobian = derivative.rates;
@@ -54,7 +54,7 @@ pub(crate) fn rhs_and_jacobian<T: Lanes, const N: usize>(
     (rates, jacobian)
 }
 
-/// The derivative of [`rhs`] with respect to the time.
+/// Derivative of [`rhs`] with respect to the time.
 #[inline(never)]
 pub(crate) fn time_derivative<T: Lanes, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
@@ -71,7 +71,7 @@ pub(crate) fn time_derivative<T: Lanes, const N: usize>(
     column
 }
 
-/// The right-hand side with what is held, and all forces along the constraints.
+/// Right-hand side with holding forces, and all forces along the constraints.
 #[inline(always)]
 fn held<S, T, const N: usize>(
     system: &S,
@@ -91,7 +91,7 @@ where
     (rates, with_solved(hold, &forces))
 }
 
-/// All forces along the constraints, from those that were solved for.
+/// Merges the forces solved for into all forces along the constraints.
 #[inline(always)]
 fn with_solved<T: Real>(hold: &Hold<T>, forces: &[T; MAX_CONSTRAINTS]) -> [T; MAX_CONSTRAINTS] {
     let mut all = hold.forces;
@@ -101,25 +101,25 @@ fn with_solved<T: Real>(hold: &Hold<T>, forces: &[T; MAX_CONSTRAINTS]) -> [T; MA
     all
 }
 
-/// The power series of the forces along the constraints in a mode, for what computes that of the motion.
+/// Power series of the forces along the constraints in a mode, for the power series of the motion.
 ///
-/// The coefficients of one order of the forces add to those of the constraints' second derivatives what the forces
-/// themselves add at the start: so from what these are without them follows what makes them vanish.
+/// The force coefficients of one order enter the same order of the constraints' second derivatives through the
+/// constraint matrix at the start. Solving with it gives the coefficients that make the second derivatives vanish.
 pub struct HeldSeries<T> {
-    /// The forces at the start.
+    /// Forces at the start.
     pub forces: [T; MAX_CONSTRAINTS],
     held: u8,
     factored: Factored<T>,
 }
 
 impl<T: Real> HeldSeries<T> {
-    /// The forces at the start of a motion in a mode.
+    /// Computes the forces at the start of a motion in a mode.
     #[inline(always)]
     pub fn new<S, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> Self
     where
         S: Hybrid<T, N> + ?Sized,
     {
-        // nothing is held of what runs in lanes
+        // nothing is held in lanes
         if T::LANES > 1 || hold.held == 0 {
             return Self {
                 forces: hold.forces,
@@ -136,13 +136,14 @@ impl<T: Real> HeldSeries<T> {
         }
     }
 
-    /// The coefficients of the next order, from those of the constraints' second derivatives without them.
+    /// Returns the force coefficients of the next order, from the coefficients of the constraints' second derivatives
+    /// without them.
     #[inline(always)]
     pub fn next(&self, accelerations: &[T; MAX_CONSTRAINTS]) -> [T; MAX_CONSTRAINTS] {
         self.factored.solve_negated(accelerations)
     }
 
-    /// Makes the rates of what is held zero, exactly, in a coefficient of the motion.
+    /// Sets the rates of held constraints to exactly zero in a coefficient of the motion.
     #[inline(always)]
     pub fn pin<S, const N: usize>(&self, system: &S, x: &mut SVector<T, N>)
     where
@@ -152,7 +153,7 @@ impl<T: Real> HeldSeries<T> {
     }
 }
 
-/// The forces along the constraints in a mode, those of what is held included.
+/// Forces along the constraints in a mode, holding forces included.
 #[inline(always)]
 pub(crate) fn forces<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> [T; MAX_CONSTRAINTS]
 where
@@ -169,8 +170,8 @@ where
     )
 }
 
-/// The forces along the constraints in canonical equations that are [reduced]: those that hold sums of components are
-/// in none of these, and are left out where nothing else is held.
+/// Forces along the constraints for the [reduced] canonical equations. Holding forces along sums of components do not
+/// enter these, and are omitted if nothing else is held.
 #[inline(never)]
 pub(crate) fn pressing<T, const N: usize>(
     system: &dyn Hybrid<T, N>,
@@ -188,7 +189,7 @@ where
     forces(system, hold, t, x)
 }
 
-/// Canonical variables of a state and their rates, or the derivatives of both, without the momenta of what is held: see
+/// Reduces canonical variables and their rates, or the derivatives of both, by the momenta of held constraints: see
 /// [`InMode`](super::InMode).
 #[inline(never)]
 pub(crate) fn reduced<T: Real, const N: usize, const K: usize>(
@@ -198,7 +199,7 @@ pub(crate) fn reduced<T: Real, const N: usize, const K: usize>(
     (mut variables, mut rates): (SMatrix<T, N, K>, SMatrix<T, N, K>),
 ) -> (SMatrix<T, N, K>, SMatrix<T, N, K>) {
     let constraints = system.constraints();
-    // from the last on: what follows from others may itself be one that others follow from
+    // in reverse order: a dependent component may itself determine others
     for n in (0..constraints.len()).rev().filter(|n| held & 1 << n != 0) {
         let Some((&(last, sign), others)) = constraints[n].rate.split_last() else {
             continue;
@@ -228,7 +229,7 @@ pub(crate) fn reduced<T: Real, const N: usize, const K: usize>(
     (variables, rates)
 }
 
-/// Adds what forces along some constraints do.
+/// Adds the effect of forces along some constraints.
 #[inline(always)]
 pub(super) fn add<T: Real, const N: usize>(
     rates: &mut SVector<T, N>,
@@ -243,7 +244,7 @@ pub(super) fn add<T: Real, const N: usize>(
     }
 }
 
-/// Makes the rates of what is held zero, exactly: in a state, or in its derivative.
+/// Sets the rates of held constraints to exactly zero in a state or in its derivative.
 #[inline(always)]
 pub(super) fn pin<S, T, const N: usize>(system: &S, held: u8, x: &mut SVector<T, N>)
 where

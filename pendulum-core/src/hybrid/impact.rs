@@ -1,11 +1,11 @@
-//! What happened at an impact.
+//! Impacts of a hybrid system.
 
 use nalgebra::SVector;
 
 use super::MAX_CONSTRAINTS;
 use crate::real::Float;
 
-/// An impact of a [hybrid](crate::hybrid) system: the rates change at once, at one limit or at several.
+/// An impact of a [hybrid](crate::hybrid) system: an instantaneous change of the rates, at one or more limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -16,19 +16,19 @@ use crate::real::Float;
     ))
 )]
 pub struct Impact<T, const N: usize> {
-    /// The time, in s.
+    /// Time, in s.
     pub t: T,
-    /// The integral of the force along each constraint, positive forward: in N s, for rates in rad/s in N m s. It is 0
-    /// along those that take no part.
+    /// Integral of the force along each constraint, positive forward: in N s, or in N m s for rates in rad/s. It is 0
+    /// along constraints that take no part.
     pub impulses: [T; MAX_CONSTRAINTS],
-    /// The state before.
+    /// State before.
     pub before: SVector<T, N>,
-    /// The state after. What has hit a limit is moved to it, so positions may change in their last digits.
+    /// State after. Constraints are moved onto the limits that they hit, so positions may change in their last digits.
     pub after: SVector<T, N>,
 }
 
 impl<T: Float, const N: usize> Impact<T, N> {
-    /// The constraints that take part, in the order of their declaration, each with its impulse.
+    /// Constraints that take part, in the order of their declaration, with their impulses.
     pub fn pushes(&self) -> impl Iterator<Item = (usize, T)> {
         let impulses = self.impulses.into_iter().enumerate();
         impulses.filter(|&(_, impulse)| impulse != T::default())

@@ -1,4 +1,4 @@
-//! A system in one of its modes, and the way from one to the next.
+//! A system in one of its modes, and mode switches.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -12,8 +12,8 @@ use crate::real::lanes::Lanes;
 use crate::system::{Canonical, Jacobian, System, by_state, by_time};
 use crate::taylor::TaylorSeries;
 
-/// A system in one of its modes, as a system itself: what a [`Scheme`](crate::method::Scheme) integrates. Systems that
-/// are not [hybrid](crate::hybrid) have only one.
+/// A system restricted to one of its modes, as a smooth system that a [`Scheme`](crate::method::Scheme) integrates.
+/// Systems that are not [hybrid](crate::hybrid) have only one mode.
 #[derive(Debug)]
 pub struct InMode<'a, S: ?Sized, T> {
     system: &'a S,
@@ -21,13 +21,13 @@ pub struct InMode<'a, S: ?Sized, T> {
 }
 
 impl<'a, S: ?Sized, T> InMode<'a, S, T> {
-    /// `system` with what is held.
+    /// Restricts `system` to the mode described by `hold`.
     #[inline(always)]
     pub fn new(system: &'a S, hold: &'a Hold<T>) -> Self {
         Self { system, hold }
     }
 
-    /// The system, and what is held.
+    /// The system and its hold.
     #[cfg(feature = "std")]
     #[inline(always)]
     pub(crate) fn parts(&self) -> (&'a S, &'a Hold<T>) {
@@ -36,7 +36,7 @@ impl<'a, S: ?Sized, T> InMode<'a, S, T> {
 }
 
 impl<S: ?Sized, T: Real> InMode<'_, S, T> {
-    /// Makes the rates of what is held zero, exactly, in a state.
+    /// Sets the rates of held constraints to exactly zero in a state.
     #[inline(always)]
     pub(crate) fn pin<const N: usize>(&self, x: &mut SVector<T, N>)
     where
@@ -48,7 +48,7 @@ impl<S: ?Sized, T: Real> InMode<'_, S, T> {
     }
 }
 
-/// A point at which a mode ends and another begins.
+/// A mode switch: the point at which a mode ends and another begins.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(
     not(feature = "std"),
@@ -56,13 +56,13 @@ impl<S: ?Sized, T: Real> InMode<'_, S, T> {
 )]
 pub struct ModeSwitch<T, const N: usize> {
     pub(crate) t: T,
-    /// The state before, and the mode that ended.
+    /// State before, and the mode that ended.
     pub(crate) before: (SVector<T, N>, Mode, Hold<T>),
-    /// What ended it.
+    /// Witnesses that ended it.
     pub(crate) fired: Witnesses,
-    /// The impulses along the constraints.
+    /// Impulses along the constraints.
     pub(crate) impulses: [T; MAX_CONSTRAINTS],
-    /// The state after, and what is held there.
+    /// State after, and the constraints held there.
     pub(crate) after: (SVector<T, N>, Hold<T>),
 }
 
@@ -136,9 +136,9 @@ impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for In
     }
 }
 
-/// Where a rate that is a sum of components is held, the mechanism has a coordinate less: its canonical variables are
-/// the momenta of the others, in which no force holds anything, and that rate, which stays zero, stands in the place of
-/// the momentum that is left over. Forces along the constraints are held fixed in the derivatives.
+/// Holding a rate that is a sum of components removes a coordinate. The canonical variables are then the momenta of the
+/// remaining coordinates, which holding forces do not enter, and the held rate, which stays zero, replaces the leftover
+/// momentum. Forces along the constraints are held constant in the derivatives.
 impl<S: Canonical<T, N> + ?Sized, T: Real, const N: usize> Canonical<T, N> for InMode<'_, S, T> {
     #[inline(always)]
     fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {

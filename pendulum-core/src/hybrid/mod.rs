@@ -1,28 +1,28 @@
 //! Hybrid systems: dry friction that sticks, stops, and walls.
 //!
-//! A [`Constraint`] is a number that the state determines, such as the coordinate of a joint or the gap to a wall,
-//! whose rate may be braked by friction, and which may have limits. In each [`Mode`] (what slips, what sticks, what
-//! touches) the equations are smooth, and methods integrate them as they do others. A mode ends where a friction force
-//! reaches its limit, a rate or a gap passes zero, or a contact would have to pull: that is found on the dense output,
-//! the step ends there, and the next one starts in another mode.
+//! A [`Constraint`] is a scalar function of the state, such as the coordinate of a joint or the gap to a wall. Friction
+//! may brake its rate, and it may have limits. In each [`Mode`] (a status of every constraint: free, slipping,
+//! sticking, in contact) the equations are smooth, and methods integrate them like any others. A mode ends where a
+//! friction force reaches its limit, a rate or a gap passes zero, or a contact would have to pull. The mode switch is
+//! located on the dense output, the step ends there, and the next step starts in another mode.
 //!
-//! - A rate that reaches zero stays there, exactly, as long as friction can hold it. Which constraints hold and which
-//!   slip is decided for all of them together, so that all forces are within their limits, and what slips does so
-//!   against its friction (a complementarity problem, solved by trying combinations, those that hold most first).
-//! - At a limit there is an impact: by Newton's law, a constraint that approaches with the rate `v` leaves with `-e v`.
-//!   Those on which it acts and that rest take part, and do not approach afterwards. Friction forces are finite, so they
-//!   take no part in impacts.
-//! - Where another constraint at its limit approaches after that, its impact follows at the same instant. Of two that
-//!   act on each other the impacts alternate, and may accumulate while rates are still finite: the rates at which such a
-//!   series ends depend on its order, not on the times between the impacts.
-//! - Where constraints that act on each other approach at the same instant, each order is tried. If it decides how the
-//!   motion goes on, they collide at once, with the least of their restitutions, so that energy never grows, and an
-//!   [`Ambiguity`] reports it.
-//! - Rebounds lower than 1e-13 of the size of the positions, in `f32` 64 ulps of it, end at once, at the limit of the
-//!   series of their times, in which friction changes its direction where they turn.
-//! - No size is absolute: rounding errors are relative to lengths, angles and rates of the system.
+//! - A rate that reaches zero stays exactly zero as long as friction can hold it. One complementarity problem decides
+//!   for all constraints together which of them stick and which slip, such that all forces are within their limits and
+//!   every slip opposes its friction. It is solved by trying combinations, beginning with the most held constraints.
+//! - At a limit there is an impact: by Newton's law of restitution, a constraint that approaches with the rate `v`
+//!   leaves with `-e v`. Resting constraints coupled to it take part, and do not approach afterwards. Friction forces
+//!   are finite, so they take no part in impacts.
+//! - If another constraint at its limit approaches after that, its impact follows at the same instant. Impacts of two
+//!   coupled constraints alternate, and may accumulate while rates are still finite. The rates at which the series ends
+//!   depend on the order of the impacts, not on the times between them.
+//! - If coupled constraints approach at the same instant, each order is tried. If the order affects the motion
+//!   afterwards, they collide simultaneously with the smallest of their restitutions, so that energy never grows, and
+//!   an [`Ambiguity`] reports it.
+//! - Rebounds lower than 1e-13 of the size of the positions (64 ulps of it in `f32`) end at once, at the limit of the
+//!   series of their times. Friction changes its direction where they turn.
+//! - No size is absolute: rounding errors are relative to the lengths, angles and rates of the system.
 //!
-//! Generated models have all this from `dry_friction`, `stop` and `wall` in their declaration. A model by hand
+//! Generated models get all this from `dry_friction`, `stop` and `wall` in their declaration. A model written by hand
 //! implements [`Plant`](crate::Plant), given the forces along its constraints:
 //!
 //! ```

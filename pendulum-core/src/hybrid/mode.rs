@@ -1,42 +1,42 @@
-//! What each constraint of a hybrid system does.
+//! Status of each constraint of a hybrid system.
 
 use core::fmt;
 
 use super::{Constraint, MAX_CONSTRAINTS};
 
-/// What a constraint does.
+/// Status of a constraint.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Status {
-    /// Nothing: it has no friction, and is away from its limits.
+    /// Without friction, and away from its limits.
     #[default]
     Free,
-    /// It slips with a positive rate.
+    /// Slips with a positive rate.
     Forward,
-    /// It slips with a negative rate.
+    /// Slips with a negative rate.
     Backward,
-    /// Friction holds it.
+    /// Held by friction.
     Stuck,
-    /// It is held at its least value.
+    /// Held at its lower limit.
     Low,
-    /// It is held at its largest value.
+    /// Held at its upper limit.
     High,
 }
 
 impl Status {
-    /// Whether its rate is held at zero.
+    /// True if the rate is held at zero.
     #[must_use]
     pub fn is_held(self) -> bool {
         matches!(self, Self::Stuck | Self::Low | Self::High)
     }
 
-    /// Whether it touches a limit.
+    /// True if the constraint touches a limit.
     #[must_use]
     pub fn touches(self) -> bool {
         matches!(self, Self::Low | Self::High)
     }
 
-    /// The direction in which friction acts.
+    /// Direction in which friction acts: 1 forward, -1 backward, 0 for none.
     pub(super) fn friction(self) -> i8 {
         match self {
             Self::Forward => -1,
@@ -46,19 +46,19 @@ impl Status {
     }
 }
 
-/// What all constraints of a system do, in the order of their declaration.
+/// Status of all constraints of a system, in the order of their declaration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mode(pub [Status; MAX_CONSTRAINTS]);
 
 impl Mode {
-    /// Whether a constraint is held.
+    /// True if a constraint is held.
     #[must_use]
     pub fn is_held(&self, constraint: usize) -> bool {
         self.0[constraint].is_held()
     }
 
-    /// In words: "upper slips forward, lower sticks".
+    /// Describes the mode in words: "upper slips forward, lower sticks".
     pub fn describe<'a>(self, constraints: &'a [Constraint<'a>]) -> impl fmt::Display + 'a {
         Described(self, constraints)
     }
@@ -86,13 +86,13 @@ impl fmt::Display for Described<'_> {
     }
 }
 
-/// The number in which these bits are set.
+/// Returns the bit set of these indices.
 #[inline(always)]
 pub(crate) fn set_of(bits: impl Iterator<Item = usize>) -> u8 {
     bits.fold(0, |set, n| set | 1 << n)
 }
 
-/// The places of the bits of a number that are set.
+/// Indices of the set bits of a number, in ascending order.
 #[inline(always)]
 pub(super) fn bits(mut set: u8) -> impl Iterator<Item = usize> + Clone {
     core::iter::from_fn(move || {

@@ -1,4 +1,4 @@
-//! The mode of a system on its way.
+//! Mode of a system during an integration.
 
 use nalgebra::SVector;
 
@@ -11,30 +11,30 @@ use super::{Hold, MAX_CONSTRAINTS};
 use crate::real::Float;
 use crate::system::System;
 
-/// The mode of a hybrid system; of no meaning for others.
+/// Mode of a hybrid system. Meaningless for other systems.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Modes<T, const N: usize> {
     pub(crate) mode: Mode,
     pub(crate) hold: Hold<T>,
-    /// From when on it holds.
+    /// Time at which the mode began.
     pub(crate) from: T,
-    /// The impulses along the constraints with which it began.
+    /// Impulses along the constraints at the beginning of the mode.
     pub(crate) impulses: [T; MAX_CONSTRAINTS],
-    /// The impacts among these whose order is not known.
+    /// Impacts at the beginning whose order is ambiguous.
     pub(crate) ambiguity: Option<Ambiguity<T>>,
     pub(crate) watch: ModeWatch<T, N>,
-    /// What ended it, where the last step ended.
+    /// Witnesses that ended the mode where the last step ended.
     pub(crate) fired: Witnesses,
-    /// Of the last step, the fraction of what was integrated: less than one where a mode ended.
+    /// Length of the last step as a fraction of the integrated one: less than 1 if a mode ended in it.
     pub(crate) cut: T,
-    /// Whether the dense output of the last step is known.
+    /// True if the dense output of the last step is available.
     pub(crate) is_dense: bool,
-    /// How often modes have changed since some time, and that time.
+    /// Number of mode switches since some time, and that time.
     pub(crate) changes: (usize, T),
 }
 
 impl<T: Float, const N: usize> Modes<T, N> {
-    /// Before the first mode is known.
+    /// Placeholder before the first mode is determined.
     pub(crate) fn none(t: T) -> Self {
         Self {
             mode: Mode::default(),
@@ -50,7 +50,7 @@ impl<T: Float, const N: usize> Modes<T, N> {
         }
     }
 
-    /// Puts a state to where the mode holds it.
+    /// Projects a state onto the constraints held by the mode.
     #[inline]
     pub(crate) fn place<S>(&self, system: &S, t: T, x: &mut SVector<T, N>)
     where

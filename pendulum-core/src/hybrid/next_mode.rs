@@ -1,4 +1,4 @@
-//! Which mode begins: combinations of what holds and what goes are tried, those that hold most first.
+//! Choice of the next mode by trying combinations of held and moving constraints, beginning with the most held ones.
 
 use super::complementarity::{depends, independent, solve_negated, subsets};
 use super::mode::{Mode, Status, bits, set_of};
@@ -8,21 +8,22 @@ use super::sizes::ForceSizes;
 use super::{Hold, MAX_CONSTRAINTS, Response};
 use crate::real::Float;
 
-/// What gave way is pushed on by this part of what acts on it: shortly after, it is.
+/// Push on a constraint that gave way, relative to the forces on it: it stands for the growth of the force shortly
+/// after.
 const PUSHED_ON: f64 = 1e-6;
 
-/// A mode that begins.
+/// The next mode.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Next<T> {
     pub(super) mode: Mode,
     pub(super) hold: Hold<T>,
-    /// The accelerations of the constraints.
+    /// Accelerations of the constraints.
     pub(super) accelerations: [T; MAX_CONSTRAINTS],
     pub(super) sizes: ForceSizes<T>,
 }
 
 impl<T: Float, const N: usize> Settling<'_, T, N> {
-    /// The mode that the rates and accelerations ask for.
+    /// Finds the mode consistent with the rates and accelerations.
     pub(super) fn next_mode(&self) -> Next<T> {
         let choice = ModeChoice::of(self);
         let consistent = ulps(CONSISTENT, T::from_f64(1.0));
@@ -44,7 +45,8 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             }
         }
         let (_, (mut mode, mut hold), accelerations) = best;
-        // friction that depends on what is held rests with it, under the force that it has, unless all is about to move
+        // friction that depends on held constraints rests with them, under its present force, unless it is about to
+        // slip
         for n in bits(choice.candidates & !hold.held).filter(|&n| self.has_friction(n)) {
             let (mut with, mut holds) = (mode, hold);
             with.0[n] = self.holding(n);
@@ -61,7 +63,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         }
     }
 
-    /// What a constraint does that is held.
+    /// Status of a constraint while it is held.
     fn holding(&self, n: usize) -> Status {
         if self.touching[n].touches() {
             self.touching[n]
@@ -74,7 +76,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         T::from_f64(f64::from(status.friction())) * self.laws[n].slipping
     }
 
-    /// The sizes of the terms that the accelerations of the constraints are sums of.
+    /// Sizes of the terms that sum up to the accelerations of the constraints.
     pub(super) fn sizes_of_accelerations(&self, response: &Response<T, N>) -> [T; MAX_CONSTRAINTS] {
         let mut of_accelerations = self.x;
         for k in N / 2..N {
@@ -84,17 +86,17 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     }
 }
 
-/// The choice of the next mode.
+/// Data for the choice of the next mode.
 struct ModeChoice<'a, 'b, T, const N: usize> {
     of: &'a Settling<'b, T, N>,
-    /// The constraints that rest: each may be held, or be about to go.
+    /// Resting constraints: each may be held, or start to move.
     candidates: u8,
-    /// The statuses of all others, with their forces.
+    /// Statuses of all other constraints, with their forces.
     mode: Mode,
     forces: [T; MAX_CONSTRAINTS],
-    /// Under these forces.
+    /// Response to these forces.
     response: Response<T, N>,
-    /// The sizes of the terms that its accelerations are sums of.
+    /// Sizes of the terms that sum up to its accelerations.
     sizes: [T; MAX_CONSTRAINTS],
 }
 
@@ -132,8 +134,8 @@ impl<'a, 'b, T: Float, const N: usize> ModeChoice<'a, 'b, T, N> {
         }
     }
 
-    /// The mode in which some of the candidates are held, and of the others some go forward; none where a limit is in
-    /// the way.
+    /// Mode in which some of the candidates are held, and some of the others move forward. None if a limit blocks a
+    /// motion.
     fn with(&self, held: u8, forward: u8) -> Option<(Mode, Hold<T>)> {
         let (of, mut mode, mut hold) = (self.of, self.mode, self.holding_nothing());
         for n in bits(held) {
@@ -155,7 +157,8 @@ impl<'a, 'b, T: Float, const N: usize> ModeChoice<'a, 'b, T, N> {
         Some((mode, hold))
     }
 
-    /// How far a mode is from being consistent, relative to the forces and accelerations at hand; the accelerations.
+    /// Violation of the consistency conditions by a mode, relative to the forces and accelerations, and the
+    /// accelerations.
     fn violation(&self, mode: &Mode, hold: &Hold<T>) -> (T, [T; MAX_CONSTRAINTS]) {
         let zero = T::default();
         let (of, matrix) = (self.of, &self.response.matrix);
@@ -184,7 +187,7 @@ impl<'a, 'b, T: Float, const N: usize> ModeChoice<'a, 'b, T, N> {
             let of_force = (sizes[n] / matrix[n][n]).max(law.sticking).max(T::MIN_POSITIVE);
             let violation = match mode.0[n] {
                 status if status.is_held() => {
-                    // a limit pushes as much as it takes
+                    // a limit pushes without bound
                     let forward = if status == Status::Low {
                         zero
                     } else {
@@ -206,7 +209,7 @@ impl<'a, 'b, T: Float, const N: usize> ModeChoice<'a, 'b, T, N> {
         (worst, accelerations)
     }
 
-    /// The sizes with what friction may add.
+    /// Sizes of accelerations and forces, including possible friction.
     fn force_sizes(&self) -> ForceSizes<T> {
         let matrix = &self.response.matrix;
         let of_friction = |n: usize, m: usize| matrix[n][m].abs() * self.of.laws[m].sticking;

@@ -11,17 +11,18 @@ use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::taylor::MAX_ORDER;
 
-/// Bounds of polynomials have this part of all their terms to spare, for rounding errors.
+/// Margin of the bounds of a polynomial for rounding errors, relative to the sum of its terms.
 const SLACK: f64 = 1e-4;
-/// Parts of a step shorter than this part of the way from its start are not divided further.
+/// Length of the shortest subinterval, relative to the distance of its end from the start of the step.
 const SHORTEST: f64 = 1e-9;
 
-/// The terms of a polynomial of a scheme other than a Taylor series, and of any.
+/// Number of terms of a polynomial of any scheme but a Taylor series.
 const FEW: usize = MAX_DEGREE + 1;
+/// Number of terms of a polynomial of any scheme.
 const MANY: usize = MAX_ORDER + 1;
 
-/// What a step in lanes leaves, at least, of the rate of each constraint in its direction, and of its distance from its
-/// limits, where nothing is held: the mode of a lane does not end where both are positive. All rates are sums of
+/// Lower bounds, over a step in lanes, of the rate of each constraint in its direction and of its distance from its
+/// limits, where nothing is held. The mode of a lane does not end if both are positive. All rates are sums of
 /// components of the state.
 #[cfg(feature = "std")]
 #[inline(always)]
@@ -34,7 +35,7 @@ pub(crate) fn room<V: Lanes, const N: usize>(
     let mut room = [[one; 2]; MAX_CONSTRAINTS];
     for (n, constraint) in constraints.iter().enumerate() {
         let [value, rate] = measures[n];
-        // no closures, which need not be inlined
+        // no closures: they might not be inlined
         let low = match laws[n].low {
             Some(low) => least((value - low, one), (constraint, Witness::Low), terms),
             None => one,
@@ -49,8 +50,8 @@ pub(crate) fn room<V: Lanes, const N: usize>(
     room
 }
 
-/// What a witness stays above in a step: a value at its start, and `sign` times a sum of components of the state, of
-/// the polynomial `x0 + c_1 theta + c_2 theta^2 + ..`.
+/// Lower bound of a witness over a step. `start` holds its value at the start and the sign of its changes; it changes
+/// with a sum of components of the polynomial `x0 + c_1 theta + c_2 theta^2 + ..`.
 #[cfg(feature = "std")]
 #[inline(always)]
 fn least<V: Lanes, const N: usize>(start: (V, V), witness: (&Constraint, Witness), terms: &[SVector<V, N>]) -> V {
@@ -61,7 +62,7 @@ fn least<V: Lanes, const N: usize>(start: (V, V), witness: (&Constraint, Witness
     }
 }
 
-/// Whether what a witness stays above in a step is positive.
+/// True if the lower bound of a witness over a step is positive.
 pub(super) fn stays_positive<T: Float, const N: usize>(
     start: (T, T),
     witness: (&Constraint, Witness),
@@ -74,26 +75,26 @@ pub(super) fn stays_positive<T: Float, const N: usize>(
     }
 }
 
-/// The course of a witness in a step.
+/// Course of a witness over a step.
 #[derive(Clone, Copy)]
 pub(super) enum Course<T> {
-    /// It is positive, or would be but for rounding errors at the start.
+    /// Positive, except for rounding errors at the start.
     Positive {
-        /// The value at the end.
+        /// Value at the end.
         end: T,
     },
-    /// It is positive up to its first zero.
+    /// Positive up to its first zero.
     Zero {
         theta: T,
-        /// The value halfway to the zero.
+        /// Value halfway to the zero.
         halfway: T,
     },
-    /// It is not positive where it starts.
+    /// Not positive at the start.
     Unclear,
 }
 
-/// The course of a witness that is zero at the start within `noise`, or that `is_positive` since before. Zeros that it
-/// passes by no more than `noise` below do not count.
+/// Determines the course of a witness that has been positive before (`is_positive`), or is zero at the start within
+/// `noise`. Undershoots of at most `noise` do not count as zeros.
 pub(super) fn course<T: Float, const N: usize>(
     start: (T, T),
     witness: (&Constraint, Witness),
@@ -107,7 +108,7 @@ pub(super) fn course<T: Float, const N: usize>(
     }
 }
 
-/// A polynomial of the fraction of a step, by its coefficients from the constant on.
+/// A polynomial over the fraction of a step, with its coefficients in ascending order.
 struct Polynomial<V, const TERMS: usize> {
     coefficients: [V; TERMS],
     degree: usize,
@@ -133,13 +134,12 @@ impl<V: Lanes, const TERMS: usize> Polynomial<V, TERMS> {
         Self { coefficients, degree }
     }
 
-    /// The coefficients in the basis of Bernstein, between which the polynomial lies (G. Farin, "Curves and Surfaces for
-    /// CAGD" 2002, Sec. 5.1).
+    /// Bernstein coefficients, which bound the polynomial (G. Farin, "Curves and Surfaces for CAGD" 2002, Sec. 5.1).
     #[inline(always)]
     fn bernstein(&self) -> [V; TERMS] {
         let (mut sums, mut choices) = (self.coefficients, 1.0);
         for (power, sum) in sums[1..=self.degree].iter_mut().enumerate() {
-            // over the number of ways to choose so many of all
+            // divide by the binomial coefficient
             choices *= (self.degree - power) as f64 / (power + 1) as f64;
             *sum *= V::from_f64(1.0 / choices);
         }
@@ -152,7 +152,7 @@ impl<V: Lanes, const TERMS: usize> Polynomial<V, TERMS> {
         sums
     }
 
-    /// The sizes of all terms but the constant together.
+    /// Sum of the sizes of all terms but the constant.
     #[inline(always)]
     fn size(&self) -> V {
         let terms = self.coefficients[1..=self.degree].iter();
@@ -169,7 +169,7 @@ impl<V: Lanes, const TERMS: usize> Polynomial<V, TERMS> {
 
 impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
     fn stays_positive(&self) -> bool {
-        // mostly its terms are too small for anything else
+        // usually the terms are too small to reach zero
         let size = self.size() * T::from_f64(1.0 + SLACK);
         self.coefficients[0] > size || self.least() > T::default()
     }
@@ -187,7 +187,7 @@ impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
             let bernstein = slope.bernstein();
             let slack = slope.size() * T::from_f64(SLACK);
             let (first, others) = (bernstein[0], &bernstein[1..self.degree]);
-            // what breaks loose has no acceleration yet
+            // a constraint that breaks loose has no acceleration yet
             if first.abs() <= slack && !others.is_empty() && others.iter().all(|&other| other > slack) {
                 return Course::Positive { end };
             }
@@ -216,7 +216,7 @@ impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
         powers.fold(T::default(), |sum, &coefficient| sum * theta + coefficient)
     }
 
-    /// Without its constant, over the fraction of the step.
+    /// Without its constant term, divided by the fraction of the step.
     fn divided(&self) -> Self {
         let mut coefficients = [T::default(); TERMS];
         coefficients[..self.degree].copy_from_slice(&self.coefficients[1..=self.degree]);
@@ -226,11 +226,11 @@ impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
         }
     }
 
-    /// The first zero in a part of the step where it has these coefficients of Bernstein, the first of them positive;
-    /// not one that it passes by no more than `noise`.
+    /// First zero in a subinterval, given the Bernstein coefficients there, of which the first is positive. Undershoots
+    /// of at most `noise` do not count.
     ///
-    /// Where the coefficients change their sign once there is one zero. Halves show what is not certain of the whole (J.
-    /// M. Lane, R. F. Riesenfeld, "Bounds on a polynomial", BIT 21 (1981) 112-117).
+    /// Coefficients that change their sign once have exactly one zero. Otherwise the interval is bisected (J. M. Lane,
+    /// R. F. Riesenfeld, "Bounds on a polynomial", BIT 21 (1981) 112-117).
     fn first_zero(&self, bernstein: &[T; TERMS], (from, to): (T, T), noise: T) -> Option<T> {
         let zero = T::default();
         let coefficients = &bernstein[..=self.degree];
@@ -250,7 +250,7 @@ impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
         let half = T::from_f64(0.5);
         let (mut left, mut right) = (*bernstein, *bernstein);
         for n in 0..self.degree {
-            // de Casteljau's scheme: the ends of its rows are the halves
+            // de Casteljau's algorithm: the ends of its rows are the coefficients of the halves
             for m in 0..self.degree - n {
                 right[m] = (right[m] + right[m + 1]) * half;
             }

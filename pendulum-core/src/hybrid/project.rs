@@ -1,4 +1,4 @@
-//! States moved to where they are held.
+//! Projection of states onto held constraints.
 
 use nalgebra::SVector;
 
@@ -8,8 +8,8 @@ use super::mode::{Status, bits, set_of};
 use super::{Hold, Hybrid, Law, MAX_CONSTRAINTS, Response};
 use crate::real::Float;
 
-/// Moves a state to where it is held: each rate to zero, and to its limit the position of whatever is `touching` one, be
-/// it held there or not.
+/// Projects a state onto the constraints: sets held rates to zero, and moves each constraint that is `touching` a limit
+/// onto it, even if it is not held there.
 pub(crate) fn project<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     hold: &Hold<T>,
@@ -30,7 +30,7 @@ pub(crate) fn project<T: Float, const N: usize>(
     } else {
         independent(&response.matrix, hold.held | touched)
     };
-    // the second time for what is quadratic in the first
+    // the second pass removes the quadratic error of the first
     for _ in 0..2 {
         let measures = system.measures(t, x);
         shift(x, N / 2, &response, placed, &apart(&laws, touching, &measures));
@@ -40,7 +40,7 @@ pub(crate) fn project<T: Float, const N: usize>(
     pin(system, hold.held, x);
 }
 
-/// How far from its limit each constraint is that touches one.
+/// Distance of each touching constraint from its limit.
 pub(crate) fn apart<T: Float>(
     laws: &[Law<T>; MAX_CONSTRAINTS],
     touching: &[Status; MAX_CONSTRAINTS],
@@ -56,7 +56,7 @@ pub(crate) fn apart<T: Float>(
     })
 }
 
-/// Moves coordinates to the limits that they touch, to the last bit.
+/// Moves coordinates exactly onto the limits that they touch.
 pub(crate) fn place_coordinates<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     touching: &[Status; MAX_CONSTRAINTS],
@@ -71,8 +71,8 @@ pub(crate) fn place_coordinates<T: Float, const N: usize>(
     }
 }
 
-/// Takes what some constraints have off positions or rates, which stand so far `before` the rates: a column holds what
-/// a force does to the rates, and along it the least kinetic energy moves.
+/// Removes a surplus of some constraints from the positions or rates that stand `before` components ahead of the rates.
+/// The correction follows the columns of the response, along which it takes the least kinetic energy.
 pub(super) fn shift<T: Float, const N: usize>(
     x: &mut SVector<T, N>,
     before: usize,

@@ -1,4 +1,4 @@
-//! Rebounds that are too low to be followed: they end at once, after the time for which they would last.
+//! Rebounds too low to be followed: they end at once, after the time that they would last.
 
 use super::MAX_CONSTRAINTS;
 use super::complementarity::{independent, solve_negated};
@@ -9,53 +9,55 @@ use super::resolution::{CONSISTENT, LOWEST_REBOUND, SHORTEST_REBOUND, ulps};
 use super::settling::Settling;
 use crate::real::Float;
 
-/// Rebounds that are lower than this part of the size of all positions are not followed, should it resolve lower ones.
+/// Height below which rebounds are not followed, relative to the size of the positions, unless rounding errors resolve
+/// less.
 const LEAST: f64 = 1e-13;
-/// How many rebounds are summed at most, and up to which part of their sum.
+/// Maximum number of rebounds summed up.
 const MOST_FOLLOWED: usize = 1000;
+/// Duration of the last rebound summed up, relative to the sum.
 const LAST_REBOUND: f64 = 1e-9;
 
-/// How a constraint leaves its limit, and how fast it falls back.
+/// Motion of a constraint that leaves its limit and falls back.
 #[derive(Clone, Copy, Debug)]
 struct Rebound<T> {
-    /// The constraint.
+    /// Index of the constraint.
     of: usize,
-    /// Its speed away from the limit.
+    /// Speed away from the limit.
     rate: T,
-    /// Its acceleration back to it.
+    /// Acceleration back to the limit.
     fall: T,
 }
 
 impl<T: Float> Rebound<T> {
-    /// Whether it rises no further than `least`, or is back at its limit within the time `shortest`.
+    /// True if it rises no higher than `least`, or returns to its limit within the time `shortest`.
     fn is_low(&self, least: T, shortest: T) -> bool {
         let two = T::from_f64(2.0);
         self.rate * self.rate <= two * self.fall * least || two * self.rate.abs() <= self.fall * shortest
     }
 
-    /// The time until it is back at its limit, from a height above it.
+    /// Time of the return to the limit, from a height above it.
     fn time_back(&self, height: T) -> T {
         let square = self.rate * self.rate + T::from_f64(2.0) * self.fall * height;
         (self.rate + square.sqrt()) / self.fall
     }
 
-    /// How far it rises within a time.
+    /// Change of height within a time.
     fn rise(&self, time: T) -> T {
         time * (self.rate - T::from_f64(0.5) * self.fall * time)
     }
 }
 
-/// The end of a part of a flight in which accelerations are constant.
+/// End of a phase of a flight with constant accelerations.
 #[derive(Clone, Copy, Debug)]
 enum End {
     /// A constraint is back at its limit.
     Back(usize),
-    /// A rate that friction brakes is zero, as at the top of a flight.
+    /// A rate braked by friction reaches zero, as at the top of a flight.
     Stop(usize),
 }
 
 impl<T: Float, const N: usize> Settling<'_, T, N> {
-    /// Stops some constraints that touch their limits, together with all that rests there.
+    /// Stops some constraints at their limits, together with all that rest there.
     pub(super) fn halt(&mut self, low: u8) {
         self.resting |= low;
         let response = self.system.response(self.t, &self.x, &[T::default(); MAX_CONSTRAINTS]);
@@ -65,7 +67,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         self.push(&response, solved, &impulses);
     }
 
-    /// How those of some constraints rebound that fall back.
+    /// Rebounds of those constraints among `of` that fall back.
     fn rebounds(
         &self,
         of: u8,
@@ -80,7 +82,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         })
     }
 
-    /// The constraints that leave their limits in rebounds too low to be followed.
+    /// Constraints that leave their limits in rebounds too low to be followed.
     pub(super) fn low_rebounds(&self, accelerations: &[T; MAX_CONSTRAINTS]) -> u8 {
         let leaving = self.touched() & !self.resting;
         if leaving == 0 {
@@ -106,10 +108,11 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         )
     }
 
-    /// How long rebounds last that are so low that accelerations change by contacts and by friction alone, with all that
-    /// follow them.
+    /// Duration of low rebounds and of all rebounds after them. They are so low that only contacts and friction change
+    /// the accelerations.
     ///
-    /// They shrink to nothing: where one contact takes off alone and comes to do so again, in a fixed ratio.
+    /// Rebounds shrink to nothing, in a fixed ratio once one contact repeatedly takes off alone: that gives a geometric
+    /// series.
     pub(super) fn lasting(&self, low: u8, next: Next<T>) -> T {
         let mut flight = Flight::of(self, low, next);
         let mut alone: Option<(Rebound<T>, T)> = None;
@@ -118,7 +121,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             match (flight.takes_off_alone(rebounds.clone()), alone) {
                 (Some(again), Some((first, since))) if again.of == first.of => {
                     let lost = T::from_f64(1.0) - again.rate / first.rate;
-                    // where no energy is lost there is no limit
+                    // without a loss of energy the series has no limit
                     let is_some = lost * first.rate > ulps(CONSISTENT, self.sizes().rates[first.of]);
                     let sum = since + (flight.lasted - since) / lost;
                     return if is_some { sum } else { T::default() };
@@ -133,7 +136,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         flight.lasted
     }
 
-    /// When rates that friction brakes come to rest under constant accelerations.
+    /// Times at which rates braked by friction reach zero under constant accelerations.
     fn stops(&self, next: &Next<T>) -> impl Iterator<Item = (T, End)> {
         let measures = self.system.measures(self.t, &self.x);
         let slips = |status: Status| matches!(status, Status::Forward | Status::Backward);
@@ -144,7 +147,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         })
     }
 
-    /// All impacts that follow each other at once.
+    /// Applies all impacts that follow each other at once.
     fn collide_to_the_end(&mut self) {
         self.series.begin();
         loop {
@@ -157,15 +160,17 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     }
 }
 
-/// Low rebounds on their way.
+/// Low rebounds in progress.
 struct Flight<'a, T, const N: usize> {
-    /// Where they begin: with all limits that they come back to.
+    /// State at the beginning, with all limits of the rebounds.
     limits: Settling<'a, T, N>,
     now: Settling<'a, T, N>,
     next: Next<T>,
-    /// The constraints that are above their limits, and how far.
+    /// Constraints above their limits.
     flying: u8,
+    /// Heights above the limits.
     heights: [T; MAX_CONSTRAINTS],
+    /// Time since the beginning.
     lasted: T,
 }
 
@@ -191,13 +196,14 @@ impl<'a, T: Float, const N: usize> Flight<'a, T, N> {
         now.rebounds(self.flying, &self.next.accelerations)
     }
 
-    /// The rebound that begins, if there is no other.
+    /// The rebound that begins, if it is the only one.
     fn takes_off_alone(&self, mut rebounds: impl Iterator<Item = Rebound<T>>) -> Option<Rebound<T>> {
         let first = rebounds.next()?;
         (self.flying == 1 << first.of && self.heights[first.of] == T::default()).then_some(first)
     }
 
-    /// Follows the rebounds up to where something comes back to its limit or to rest; false if nothing comes back, or in no time.
+    /// Follows the rebounds until a constraint returns to its limit or a rate comes to rest. Returns false if nothing
+    /// returns, or in no time.
     fn goes_on(&mut self, rebounds: impl Iterator<Item = Rebound<T>> + Clone) -> bool {
         let zero = T::default();
         let back = rebounds

@@ -1,34 +1,33 @@
-//! What can be told apart: below these many ulps, places, forces and times are the same.
+//! Resolution of positions, forces and times: tolerances, in ulps, below which two values count as equal.
 
 use crate::real::Float;
 
-/// Rows of which one acts on the other by no more than this are independent.
+/// Coupling below which two rows of the constraint matrix are independent.
 pub(super) const UNCOUPLED: f64 = 8.0;
-/// What has left a limit by more than this has left it, and a force that is above its limit by more than this is too
-/// large.
+/// Beyond this distance from a limit, contact is lost. A force larger than its limit by more than this breaks a hold.
 pub(super) const NOISE: f64 = 16.0;
-/// What is this close to a limit where a mode begins is at it, and rests there if it is as slow.
+/// Distance from a limit within which a constraint touches it where a mode begins. Rates this small count as rest.
 pub(super) const AT_LIMIT: f64 = 64.0;
-/// Forces and accelerations contradict each other no more than this.
+/// Largest contradiction between forces and accelerations of a consistent mode.
 pub(super) const CONSISTENT: f64 = 64.0;
-/// Rates after impacts depend on their order if these differ by more than this.
+/// Difference of rates after impacts, beyond which the order of the impacts matters.
 pub(super) const ORDER_MATTERS: f64 = 4096.0;
-/// Impulses contradict a law of impacts no more than this.
+/// Largest contradiction between impulses and the law of impacts.
 pub(super) const LAWFUL: f64 = 8.0;
-/// Rebounds are followed while they are higher than this,
+/// Height below which rebounds are no longer followed.
 pub(super) const LOWEST_REBOUND: f64 = 64.0;
-/// and last longer than so much of the time.
+/// Duration, in ulps of t, below which rebounds are no longer followed.
 pub(super) const SHORTEST_REBOUND: f64 = 1024.0;
-/// Modes that end this close to each other end at once.
+/// Spacing within which mode switches are simultaneous.
 pub(super) const SIMULTANEOUS: f64 = 64.0;
-/// A mode lasts at least so long.
+/// Minimum duration of a mode.
 pub(super) const SHORTEST_MODE: f64 = 4.0;
 
-// what is followed, or has left, is told from noise
+// rebounds that are followed, and contacts that are lost, stand out from rounding errors
 const _: () = assert!(UNCOUPLED < NOISE && NOISE < AT_LIMIT && NOISE < LOWEST_REBOUND);
 const _: () = assert!(SHORTEST_MODE < SIMULTANEOUS && SIMULTANEOUS < SHORTEST_REBOUND);
 
-/// So many ulps of a size.
+/// Returns `count` ulps of a size.
 #[inline(always)]
 pub(super) fn ulps<T: Float>(count: f64, size: T) -> T {
     T::from_f64(count) * T::EPSILON * size

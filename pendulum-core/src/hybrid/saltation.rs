@@ -1,4 +1,4 @@
-//! How neighbouring trajectories pass from one mode to the next.
+//! Transfer of tangents across mode switches.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -11,12 +11,12 @@ use super::{Hold, HybridJacobian, MAX_CONSTRAINTS, ModeSwitch};
 use crate::linear::image;
 use crate::real::Float;
 
-/// The saltation matrix: a tangent `v` before becomes `S v` after.
+/// Computes the saltation matrix `S`, which maps a tangent `v` before a mode switch to `S v` after it.
 ///
-/// With the function `g` whose zero ends the mode, the jump `r` of the state, and the right-hand sides before and
-/// after, it is `Dr + (f+ - Dr f- - dr/dt) Dg / (Dg f- + dg/dt)` (M. di Bernardo, C. J. Budd, A. R. Champneys, P.
-/// Kowalczyk, "Piecewise-smooth Dynamical Systems" 2008, Sec. 2.5). Where two modes end at the same time it is that
-/// of the first.
+/// With the function `g` whose zero ends the mode, the jump `r` of the state, and the right-hand sides `f-` before and
+/// `f+` after, it is `Dr + (f+ - Dr f- - dr/dt) Dg / (Dg f- + dg/dt)` (M. di Bernardo, C. J. Budd, A. R. Champneys, P.
+/// Kowalczyk, "Piecewise-smooth Dynamical Systems" 2008, Sec. 2.5). If two modes end at the same time, `g` is the
+/// function of the first.
 pub(crate) fn saltation<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
     passage: &ModeSwitch<T, N>,
@@ -39,19 +39,20 @@ pub(crate) fn saltation<T: Float, const N: usize>(
     let (gradient, by_time) = first(system, (*t, x), (mode, hold), *fired);
     let speed = (0..N).fold(by_time, |sum, n| sum + gradient[n] * slope[n]);
     let size = (0..N).fold(by_time.abs(), |sum, n| sum + (gradient[n] * slope[n]).abs());
-    // neighbours of what arrives at rest arrive at no definite time
+    // neighbours of a trajectory that arrives at rest have no definite time of arrival
     if speed.abs() <= ulps(CONSISTENT, size) {
         return by_state;
     }
     SMatrix::from_fn(|i, j| by_state[(i, j)] + apart[i] * gradient[j] / speed)
 }
 
-/// Takes off tangents what would move what is held: neighbours that have it lose it at once. Held are rates, and the
-/// place where a limit pushes back harder than friction could: what friction holds stays wherever it is.
+/// Removes the components of tangents that would move held constraints, since neighbouring trajectories lose them at
+/// once. The rates of all held constraints are fixed, but the position only where a limit pushes back harder than
+/// friction could: friction holds a constraint in any position.
 ///
-/// A neighbour at a small distance `d` from the limit is there after a time of the order of the root of `d`. The pushes
-/// that it lacks on the way, and those where it arrives, add up to none; that they come later moves it along the
-/// bracket of the motion `f` with what they do, `Df c - Dc f`, whether it rebounds or not.
+/// A neighbour at a small distance `d` from the limit reaches it after a time of the order of the root of `d`. The
+/// pushes missing on its way and the pushes at its arrival cancel, but their delay moves it along the Lie bracket of
+/// the motion `f` with the column `c` of the push, `Df c - Dc f`, whether it rebounds or not.
 pub(crate) fn hold_tangents<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
     hold: &Hold<T>,
@@ -81,7 +82,7 @@ pub(crate) fn hold_tangents<T: Float, const N: usize>(
             }
         }
     };
-    // places first: rates depend on them
+    // positions first, since rates depend on them
     if pressed != 0 {
         let free = system.response_derivative(t, x, &[T::default(); MAX_CONSTRAINTS]);
         let mut brackets = response.columns;
@@ -102,10 +103,10 @@ pub(crate) fn hold_tangents<T: Float, const N: usize>(
     }
 }
 
-/// Friction at rest holds this part more than its largest force, for rounding errors.
+/// Margin of the largest friction force at rest for rounding errors, relative to the force.
 const AT_REST: f64 = 1e-10;
 
-/// The derivatives of the state after a jump with respect to that before, and to the time.
+/// Derivatives of the state after a jump with respect to the state before and to the time.
 fn jump<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
     passage: &ModeSwitch<T, N>,
@@ -118,14 +119,14 @@ fn jump<T: Float, const N: usize>(
     if hit == 0 {
         return (by_state, by_time);
     }
-    // what impulses do is linear in them: as forces they show how it depends on the state
+    // effects are linear in the impulses: evaluated as forces, they give the dependence on the state
     let (under, free) = (
         system.response_derivative(t, x, impulses),
         system.response_derivative(t, x, &[zero; MAX_CONSTRAINTS]),
     );
     let measures = system.measure_derivatives(t, x);
     let (rates, after) = (system.measures(t, x), system.measures(t, &passage.after.0));
-    // the share of the rate that is taken away: 1 + e
+    // removed share of the rate: 1 + e
     let taken = |n: usize| {
         let [_, rate] = rates[n];
         if rate == zero {
@@ -157,7 +158,7 @@ fn jump<T: Float, const N: usize>(
     (by_state, by_time)
 }
 
-/// The derivatives of the first witness that fired, up to their sign, with respect to the state and to the time.
+/// Derivatives, up to their sign, of the first witness that fired with respect to the state and to the time.
 fn first<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
     (t, x): (T, &SVector<T, N>),
@@ -172,7 +173,7 @@ fn first<T: Float, const N: usize>(
         let gradient = SVector::from_fn(|j, _| of(&derivative.accelerations.map(|gradient| gradient[j])));
         return (gradient, of(&derivative.accelerations_by_time));
     }
-    // the rate of what slips, or the value of what reaches a limit
+    // the rate of a slipping constraint, or the value of one that reaches a limit
     let which = usize::from(fired.has(n, Witness::Slip));
     let measures = system.measure_derivatives(t, x);
     (measures.by_state[n][which], measures.by_time[n][which])

@@ -1,4 +1,5 @@
-//! The search for witnesses in places of a step: those that are not polynomials of the dense output, or start at zero.
+//! Search for zeros of witnesses by sampling a step. Used where a witness is not a polynomial of the dense output, or
+//! starts at zero.
 
 use super::MAX_CONSTRAINTS;
 use super::mode::bits;
@@ -9,13 +10,13 @@ use crate::error::Reason;
 use crate::method::{dip, first_zero, places, root, unseen_bend};
 use crate::real::Float;
 
-/// Forces are looked at so closely that none bends by more than this part of its size between three places.
+/// Largest bend of a force between three samples, relative to its size. A larger one doubles the number of samples.
 const MOST_BEND: f64 = 0.25;
-/// But not in more places of a step.
+/// Maximum number of force samples in a step.
 const MOST_FORCES: usize = 1 << 10;
 
 impl<T: Float, const N: usize> ModeWatch<T, N> {
-    /// Where the first of some witnesses of the state ends the mode, up to where others do.
+    /// Finds the first zero of some witnesses of the state that ends the mode before `ended`, or returns `ended`.
     pub(super) fn sample_states(
         &mut self,
         step: &StepInMode<'_, T, N>,
@@ -29,7 +30,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         let positive = self.positive;
         let mut bends = [T::default(); MAX_CONSTRAINTS];
         let found = self.pass(step, start, (live, noise), &mut bends, ended)?;
-        // what moves by itself may do so faster than could be seen up to there
+        // a driven constraint may move faster than the samples up to there have shown
         if let Some((_, fired)) = found
             && look_ahead(step, start.0, (fired.and(live), noise), &mut bends)
         {
@@ -39,7 +40,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         Ok(found)
     }
 
-    /// Looks at one place after the other; gaps bend by `bends` between them, as far as was seen.
+    /// Samples the step once, in order. `bends` holds the largest bend of each gap between samples so far.
     fn pass(
         &mut self,
         step: &StepInMode<'_, T, N>,
@@ -50,7 +51,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
     ) -> Result<Option<Ended<T>>, Reason> {
         let to = ended.map_or(T::from_f64(1.0), |(theta, _)| theta);
         let (mut earlier, mut last) = (None, *start);
-        // what begins may end at once
+        // a mode may end as soon as it begins
         for theta in places::<T>(is_first).filter(|&theta| theta > start.theta) {
             let here = step.place(theta.min(to));
             self.note_reach(step, &here);
@@ -86,8 +87,8 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         Ok(ended)
     }
 
-    /// Where the first of the forces of what is held passes its limit, up to where other witnesses end the mode. Each
-    /// takes an evaluation.
+    /// Finds where the first holding force passes its limit before `ended`, or returns `ended`. Each sample takes an
+    /// evaluation.
     pub(super) fn sample_forces(
         &mut self,
         step: &StepInMode<'_, T, N>,
@@ -118,8 +119,8 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         }
     }
 
-    /// In how many places of a step forces are looked at: as many as its polynomial can have extrema, and not much
-    /// farther from each other than where they were seen to be close enough. A power of two.
+    /// Number of force samples in a step, a power of two: enough for all extrema of its polynomial, and not much
+    /// coarser than a spacing that was fine enough before.
     fn count_of_forces(&self, step: &StepInMode<'_, T, N>) -> usize {
         let least = step.dense.terms().len().div_ceil(2).next_power_of_two();
         let widest = T::from_f64(2.0) * self.width;
@@ -127,8 +128,8 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         wanted.next_power_of_two().clamp(least.max(2), MOST_FORCES)
     }
 
-    /// Looks at forces in equal distances: what ends the mode, and how much at most a force bends between three of
-    /// these, relative to its size.
+    /// Samples forces at equal distances. Returns the end of the mode, and the largest bend of a force between three
+    /// samples, relative to its size.
     fn pass_forces(
         &mut self,
         step: &StepInMode<'_, T, N>,
@@ -182,7 +183,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         Ok((ended, bend))
     }
 
-    /// How much the forces of what is held bend between three places in equal distances, relative to their sizes.
+    /// Largest bend of the holding forces between three equidistant samples, relative to their sizes.
     fn bend(&self, step: &StepInMode<'_, T, N>, [first, middle, last]: [&[T; MAX_CONSTRAINTS]; 3]) -> T {
         let mut most = T::default();
         for n in bits(step.hold.held) {
@@ -196,8 +197,8 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
     }
 }
 
-/// Looks at all of a step where gaps that move by themselves have ended the mode: whether they bend more than was known
-/// before.
+/// Samples the whole step where gaps of driven constraints have ended the mode. Returns true if they bend more than
+/// `bends` showed.
 fn look_ahead<T: Float, const N: usize>(
     step: &StepInMode<'_, T, N>,
     start: &Place<T>,
@@ -221,8 +222,8 @@ fn look_ahead<T: Float, const N: usize>(
     finds
 }
 
-/// Where a function that was positive first reaches zero, up to the last of three places with their values, of which the
-/// first need not be known. What stays within the noise of zero has not passed it.
+/// First zero of an initially positive function, up to the last of three samples. The first sample may be missing.
+/// Values within the noise of zero do not count as a crossing.
 #[inline]
 fn zero<T: Float>(
     function: impl Fn(T) -> T,
@@ -241,7 +242,7 @@ fn zero<T: Float>(
     (bottom.1 < -noise || noise == zero).then(|| root(&function, earlier, bottom))
 }
 
-/// The same of a gap; `bend` is how much it bends between places, as far as was seen.
+/// Like [`zero`], but for a gap, whose slope is available. `bend` is its largest bend between samples so far.
 fn zero_of_gap<T: Float, const N: usize>(
     step: &StepInMode<'_, T, N>,
     gap: (usize, Witness),

@@ -1,23 +1,23 @@
-//! The impacts at an instant.
+//! Impacts at an instant.
 
 use nalgebra::SVector;
 
 use crate::real::Float;
 
-/// Impacts that follow each other at once; after these, contacts that still approach stay together.
+/// Maximum number of impacts at an instant; after these, contacts that still approach stay together.
 const MOST_IMPACTS: usize = 1 << 12;
-/// Tries of all orders at an instant: each follows the impacts to their end.
+/// Number of times per instant that all orders of impacts are tried, each followed to its end.
 const MOST_TRIES: usize = 4;
 
-/// The impacts at an instant.
+/// A series of impacts at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Series<T, const N: usize> {
     pub(super) count: usize,
-    /// The largest energy that was lost or turned back in one of the first.
+    /// Largest energy lost or turned back in one of the first impacts.
     pub(super) largest: T,
-    /// The tries of all orders that are left; none where one order is followed, to be compared with others.
+    /// Remaining tries of all orders. Zero while a single order is followed, for comparison with others.
     pub(super) tries: usize,
-    /// The contacts whose order mattered, with the differences that it makes to the state.
+    /// Contacts whose order mattered, with the differences of the state that it makes.
     pub(super) ambiguity: Option<(u8, SVector<T, N>)>,
 }
 
@@ -35,22 +35,22 @@ impl<T: Float, const N: usize> Series<T, N> {
         self.count == 0
     }
 
-    /// Tries no other orders.
+    /// Disables tries of other orders.
     pub(super) fn follow_one_order(&mut self) {
         self.tries = 0;
     }
 
-    /// Returns true if there are too many of them, as where contacts contradict each other.
+    /// Returns true if there are too many impacts, as where contacts contradict each other.
     pub(super) fn is_too_long(&self) -> bool {
         self.count > MOST_IMPACTS
     }
 
-    /// From now on contacts that still approach stay together.
+    /// True if contacts that still approach stay together from now on.
     pub(super) fn ends_now(&self) -> bool {
         self.count == MOST_IMPACTS
     }
 
-    /// Begins anew, at another instant.
+    /// Restarts the series at another instant.
     pub(super) fn begin(&mut self) {
         (self.count, self.largest) = (0, T::default());
     }

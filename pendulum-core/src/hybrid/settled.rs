@@ -1,4 +1,4 @@
-//! The state and the mode from which to go on.
+//! State and mode after a mode switch.
 
 use nalgebra::SVector;
 
@@ -9,7 +9,7 @@ use super::witness::Witnesses;
 use super::{Hold, MAX_CONSTRAINTS};
 use crate::real::Float;
 
-/// The state and the mode from which to go on.
+/// State and mode after a mode switch, from which the integration continues.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Settled<T, const N: usize> {
     pub(crate) x: SVector<T, N>,
@@ -17,22 +17,23 @@ pub(crate) struct Settled<T, const N: usize> {
     pub(crate) hold: Hold<T>,
     /// Duration of the rebounds that are not followed.
     pub(crate) delay: T,
-    /// The impulses along the constraints.
+    /// Impulses along the constraints.
     pub(crate) impulses: [T; MAX_CONSTRAINTS],
     pub(crate) gains: Gains<T, N>,
     pub(crate) sizes: ForceSizes<T>,
-    /// The impacts so far, and the contacts that approach again: theirs follow at once.
+    /// Impacts so far at this instant.
     pub(super) series: Series<T, N>,
+    /// Contacts that approach again: their impacts follow at once.
     pub(super) next: Witnesses,
 }
 
 impl<T: Float, const N: usize> Settled<T, N> {
-    /// The contacts whose order mattered and was not resolved, with the differences that it makes to the state.
+    /// Contacts whose order mattered and was not resolved, with the differences of the state that it makes.
     pub(crate) fn ambiguity(&self) -> Option<(u8, SVector<T, N>)> {
         self.series.ambiguity
     }
 
-    /// The first of the contacts that approach after all impacts: they contradict each other.
+    /// First contact that still approaches after all impacts: the contacts contradict each other.
     pub(crate) fn contradiction(&self) -> Option<usize> {
         (!self.next.is_empty()).then(|| self.next.first())
     }

@@ -1,4 +1,4 @@
-//! A state on its way to the next mode: what touches its limit collides, what rests stands, and low rebounds end.
+//! Transition of a state to the next mode: approaching contacts collide, resting constraints hold, low rebounds end.
 
 use nalgebra::SVector;
 
@@ -13,27 +13,27 @@ use super::sizes::{Gains, Sizes};
 use super::{Hybrid, Law, MAX_CONSTRAINTS};
 use crate::real::Float;
 
-/// A state on its way to the next mode.
+/// A state in transition to the next mode.
 #[derive(Clone, Copy)]
 pub(super) struct Settling<'a, T, const N: usize> {
     pub(super) system: &'a dyn Hybrid<T, N>,
     pub(super) laws: [Law<T>; MAX_CONSTRAINTS],
     pub(super) t: T,
     pub(super) x: SVector<T, N>,
-    /// The limits that constraints touch: `Low`, `High`, or else `Free`.
+    /// Limit that each constraint touches: `Low`, `High`, or else `Free`.
     pub(super) touching: [Status; MAX_CONSTRAINTS],
-    /// The constraints whose rates are zero.
+    /// Constraints whose rates are zero.
     pub(super) resting: u8,
-    /// What those must do that gave way.
+    /// Status that a constraint must take because it gave way.
     pub(super) forced: [Option<Status>; MAX_CONSTRAINTS],
-    /// The impulses so far.
+    /// Impulses so far.
     pub(super) impulses: [T; MAX_CONSTRAINTS],
     pub(super) gains: Gains<T, N>,
-    /// How far each constraint has been from its limits since it was held there.
+    /// Largest distance of each constraint from its limits since it was held there.
     pub(super) reach: [T; MAX_CONSTRAINTS],
-    /// The impacts so far.
+    /// Impacts so far.
     pub(super) series: Series<T, N>,
-    /// The contacts that may collide first, where their order is given.
+    /// Contacts that may collide first, where an order is prescribed.
     pub(super) first: Option<u8>,
 }
 
@@ -60,7 +60,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         }
     }
 
-    /// After impacts that others follow at once.
+    /// Continues after impacts that others follow at once.
     pub(super) fn after(
         system: &'a dyn Hybrid<T, N>,
         t: T,
@@ -73,7 +73,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         }
     }
 
-    /// The sizes to which rounding errors are relative.
+    /// Sizes relative to which rounding errors are measured.
     pub(super) fn sizes(&self) -> Sizes<T> {
         self.gains.sizes(self.system, self.t, &self.x)
     }
@@ -82,7 +82,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         self.resting |= u8::from(rests) << n;
     }
 
-    /// How far from each of its limits a constraint is, the limit, and what it is there.
+    /// For each limit of a constraint: the distance from it, the limit, and the status at it.
     pub(super) fn distances(
         &self,
         n: usize,
@@ -94,7 +94,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         [low, high].into_iter().flatten()
     }
 
-    /// 1 at a lower limit, -1 at an upper one, 0 elsewhere: the direction away from it.
+    /// Direction away from a touched limit: 1 at a lower limit, -1 at an upper one, 0 elsewhere.
     pub(super) fn away(&self, n: usize) -> T {
         T::from_f64(match self.touching[n] {
             Status::Low => 1.0,
@@ -139,12 +139,12 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         }
     }
 
-    /// The constraints that touch a limit.
+    /// Constraints that touch a limit.
     pub(super) fn touched(&self) -> u8 {
         set_of((0..MAX_CONSTRAINTS).filter(|&n| self.touching[n].touches()))
     }
 
-    /// Moves what touches a limit to it, coordinates to the last bit; what rests stays.
+    /// Moves touching constraints onto their limits (coordinates exactly), without moving resting ones.
     fn place_at_limits(&mut self) {
         let constraints = self.system.constraints();
         if bits(self.touched()).any(|n| constraints[n].rate.is_empty()) {
@@ -156,7 +156,8 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         place_coordinates(self.system, &self.touching, self.t, &mut self.x);
     }
 
-    /// Makes the rates of all that rests zero: whichever of it is held next, none of the rest moves by that.
+    /// Sets the rates of all resting constraints to zero, so that the choice of which of them to hold moves none of the
+    /// others.
     pub(super) fn stand(&mut self) {
         let constraints = self.system.constraints();
         if bits(self.resting).all(|n| !constraints[n].rate.is_empty()) {
@@ -168,7 +169,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         let solved = independent(&response.matrix, self.resting);
         let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
         shift(&mut self.x, 0, &response, solved, &rates);
-        // what the rest of it holds rests too
+        // constraints held by the others rest too
         for (n, [_, rate]) in self.system.measures(self.t, &self.x).into_iter().enumerate() {
             let rests = n < constraints.len() && rate.abs() <= ulps(AT_LIMIT, sizes.rates[n]);
             self.rest(n, rests && depends(&response.matrix, n, solved));

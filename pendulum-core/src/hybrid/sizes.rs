@@ -1,4 +1,4 @@
-//! Sizes to which the rounding errors of constraints are relative.
+//! Sizes relative to which rounding errors of constraints are measured.
 
 use nalgebra::SVector;
 
@@ -6,27 +6,27 @@ use super::{Hybrid, MAX_CONSTRAINTS};
 use crate::layout::{SlotKind, StateLayout};
 use crate::real::Float;
 
-/// The largest derivatives of each constraint by lengths and by angles, about the state in which an integration starts.
-/// Only their order of magnitude matters.
+/// Largest derivatives of each constraint with respect to lengths and to angles, near the state in which an integration
+/// starts. Only their order of magnitude matters.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gains<T, const N: usize> {
     by_lengths: [T; MAX_CONSTRAINTS],
     by_angles: [T; MAX_CONSTRAINTS],
-    /// Which positions are angles.
+    /// True for positions that are angles.
     is_angle: [bool; N],
 }
 
 /// Sizes of values and rates at a state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sizes<T> {
-    /// Of the terms that a value is a sum of.
+    /// Size of the terms that sum up to each value.
     pub(super) values: [T; MAX_CONSTRAINTS],
-    /// Of the terms that a rate is a sum of.
+    /// Size of the terms that sum up to each rate.
     pub(super) rates: [T; MAX_CONSTRAINTS],
 }
 
 impl<T: Float, const N: usize> Gains<T, N> {
-    /// None at all: before an integration starts.
+    /// Placeholder before an integration starts.
     pub(super) fn none() -> Self {
         Self {
             by_lengths: [T::default(); MAX_CONSTRAINTS],
@@ -45,7 +45,7 @@ impl<T: Float, const N: usize> Gains<T, N> {
             ..Self::none()
         };
         gains.note(system, t, x);
-        // the gap to a floor below a pendulum that hangs has no derivative there
+        // the gap between a hanging pendulum and the floor has a zero derivative there
         let mut turned = *x;
         for k in 0..N / 2 {
             if gains.is_angle[k] {
@@ -58,7 +58,7 @@ impl<T: Float, const N: usize> Gains<T, N> {
         gains
     }
 
-    /// Notes the derivatives at a state: a rate is linear in the rates of the coordinates.
+    /// Updates the derivatives by those at a state, where a rate is linear in the rates of the coordinates.
     fn note(&mut self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) {
         let by_itself = rates_at_rest(system, t, x);
         for k in N / 2..N {
@@ -79,8 +79,8 @@ impl<T: Float, const N: usize> Gains<T, N> {
         }
     }
 
-    /// The sizes at a state. An angle counts as 1 rad at least, which is the size of what its sine and cosine are
-    /// multiplied by; the place of what moves by itself is as exact as the time is.
+    /// Sizes at a state. An angle counts as at least 1 rad, which is the size of the factor of its sine and cosine. A
+    /// driven position is as accurate as the time.
     pub(super) fn sizes(&self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Sizes<T> {
         let [length, angle] = self.largest(x.iter().take(N / 2));
         let [speed, turning] = self.largest(x.iter().skip(N / 2));
@@ -93,13 +93,13 @@ impl<T: Float, const N: usize> Gains<T, N> {
         }
     }
 
-    /// For each rate in a state, the largest one of its kind: of a length, or of an angle.
+    /// For each component, the largest rate of its kind: of lengths, or of angles.
     pub(super) fn of_kind(&self, x: &SVector<T, N>) -> SVector<T, N> {
         let [speed, turning] = self.largest(x.iter().skip(N / 2));
         SVector::from_fn(|k, _| if self.is_angle[k % (N / 2)] { turning } else { speed })
     }
 
-    /// The largest of lengths, and the largest of angles, of positions or of their rates.
+    /// Largest of the lengths and largest of the angles, among positions or rates.
     fn largest<'a>(&self, of: impl Iterator<Item = &'a T>) -> [T; 2]
     where
         T: 'a,
@@ -113,16 +113,16 @@ impl<T: Float, const N: usize> Gains<T, N> {
     }
 }
 
-/// Whether a position is an angle; without a layout all of them are lengths.
+/// True if a position is an angle. Without a layout all positions are lengths.
 fn is_angle(layout: Option<StateLayout<'_>>, position: usize) -> bool {
     let slots = layout.map_or(&[][..], |layout| layout.slots);
-    // a slot has at least one position, so it is at its place or before
+    // each slot has at least one position, so its index is at most the index of the position
     let mut before = slots.iter().take(position + 1).rev();
     let slot = before.find(|slot| slot.positions.start <= position);
     slot.is_some_and(|slot| slot.kind == SlotKind::Angle && slot.positions.start == position)
 }
 
-/// The rate of each constraint while nothing but what is driven moves.
+/// Rate of each constraint where all coordinates rest: nonzero only for driven constraints.
 pub(super) fn rates_at_rest<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     t: T,
@@ -140,17 +140,17 @@ pub(super) fn rates_at_rest<T: Float, const N: usize>(
     system.measures(t, &at_rest).map(|[_, rate]| rate)
 }
 
-/// Sizes to which rounding errors of accelerations and of forces are relative, where a mode begins.
+/// Sizes relative to which rounding errors of accelerations and of forces are measured, at the beginning of a mode.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ForceSizes<T> {
-    /// Of the terms that the acceleration of each constraint is a sum of.
+    /// Size of the terms that sum up to the acceleration of each constraint.
     pub(super) accelerations: [T; MAX_CONSTRAINTS],
-    /// Of the forces along each that take such accelerations.
+    /// Force along each constraint that causes such an acceleration.
     pub(super) forces: [T; MAX_CONSTRAINTS],
 }
 
 impl<T: Float> ForceSizes<T> {
-    /// None at all: before an integration starts.
+    /// Placeholder before an integration starts.
     pub(super) fn none() -> Self {
         let none = [T::default(); MAX_CONSTRAINTS];
         Self {

@@ -1,4 +1,4 @@
-//! A step of a system in a mode, and the witnesses in it.
+//! A step of a system in a mode, and its witnesses.
 
 use core::cell::Cell;
 
@@ -16,21 +16,22 @@ use crate::error::Reason;
 use crate::method::{Known, root, root_of_line};
 use crate::real::Float;
 
-/// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
+/// Acceleration, relative to the one at the end of the step, below which it may be a rounding error.
 const LEAST_ACCELERATION: f64 = 1e-6;
 
-/// A polynomial that is wrong where a step starts, before the first of these places, is right again from one of them
-/// on.
+/// Positions, in fractions of a step, at which its polynomial is checked again if it is wrong near the start of the
+/// step, before the first of them.
 pub(super) const RIGHT_AGAIN: [f64; 2] = [0.01, 0.125];
 
-/// So far about the end of a step, in fractions of it, its polynomial is as exact as the end.
+/// Distance from the end of a step, in fractions of it, within which its polynomial is as accurate as the end itself.
 pub(crate) const ABOUT_THE_END: f64 = 1e-3;
-/// A step that was taken to the end of a mode is searched so far about its end, and farther on back from it, up to
-/// just behind its start: the longer step may not have shown a low rebound there.
+/// Search distances about the end of a step that was shortened to the end of a mode, in fractions of the step.
 const ABOUT: [f64; 4] = [1e-12, 1e-9, 1e-6, ABOUT_THE_END];
+/// Search distances back from the end of a step whose witness is negative there, after [`ABOUT`], up to just behind its
+/// start: a longer step may have missed a low rebound there.
 const BACK: [f64; 9] = [0.1, 0.5, 0.9, 0.99, 0.999, 0.9999, 0.99999, 0.999999, 1.0];
 
-/// A place within a step, in fractions of it, and the value and the rate of each constraint there.
+/// A position within a step, in fractions of it, with the value and the rate of each constraint there.
 #[derive(Clone, Copy)]
 pub(super) struct Place<T> {
     pub(super) theta: T,
@@ -38,7 +39,7 @@ pub(super) struct Place<T> {
 }
 
 impl<T: Copy> Place<T> {
-    /// The value of a constraint.
+    /// Value of a constraint.
     pub(super) fn value(&self, n: usize) -> T {
         self.measures[n][0]
     }
@@ -51,7 +52,7 @@ pub(super) struct StepInMode<'a, T, const N: usize> {
     pub(super) hold: &'a Hold<T>,
     pub(super) laws: [Law<T>; MAX_CONSTRAINTS],
     pub(super) dense: &'a Dense<'a, T, N>,
-    /// How often the equations of motion were evaluated.
+    /// Number of evaluations of the equations of motion.
     pub(super) evaluations: Cell<usize>,
 }
 
@@ -70,7 +71,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         }
     }
 
-    /// The time and the state at a place.
+    /// Time and state at a position within the step.
     fn at(&self, theta: T) -> (T, SVector<T, N>) {
         (self.dense.time(theta), self.dense.at_fraction(theta))
     }
@@ -81,7 +82,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         Place { theta, measures }
     }
 
-    /// A place shortly after the end of the step, or before it: see [`Dense::about_end`].
+    /// Place at `by` steps after the end of the step (before it if negative): see [`Dense::about_end`].
     pub(super) fn about_end(&self, by: T) -> Place<T> {
         let step = self.dense.step();
         let measures = self.system.measures(step.t1 + by * step.h, &self.dense.about_end(by));
@@ -89,7 +90,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         Place { theta, measures }
     }
 
-    /// The forces along the constraints at a place, where something is held.
+    /// Forces along the constraints at a position within the step, where something is held.
     pub(super) fn forces(&self, theta: T) -> [T; MAX_CONSTRAINTS] {
         let (t, x) = self.at(theta);
         self.forces_at(t, &x)
@@ -100,14 +101,14 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         forces(self.system, self.hold, t, x)
     }
 
-    /// The witnesses that there are.
+    /// Witnesses of all constraints in this mode, without limits that their laws do not have.
     pub(super) fn witnesses(&self) -> impl Iterator<Item = (usize, Witness)> {
         let statuses = self.mode.0.iter().enumerate().take(self.system.constraints().len());
         let all = statuses.flat_map(|(n, &status)| Witness::of(status).iter().map(move |&witness| (n, witness)));
         all.filter(|&(n, witness)| witness.exists(&self.laws[n]))
     }
 
-    /// A witness of a state.
+    /// Value of a witness of the state.
     pub(super) fn value(&self, place: &Place<T>, (n, witness): (usize, Witness)) -> T {
         let ([value, rate], law) = (place.measures[n], &self.laws[n]);
         match witness {
@@ -118,14 +119,14 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         }
     }
 
-    /// A witness that is a gap, with its slope.
+    /// A gap and its slope.
     pub(super) fn known(&self, place: &Place<T>, (n, gap): (usize, Witness)) -> Known<T> {
         let h = self.dense.step().h;
         let slope = (if gap == Witness::High { -h } else { h }) * place.measures[n][1];
         (place.theta, [self.value(place, (n, gap)), slope])
     }
 
-    /// A number of a constraint at a place, or the error that it is none.
+    /// Returns `number`, or an error if it is NaN.
     pub(super) fn number(&self, theta: T, n: usize, number: T) -> Result<T, Reason> {
         if number.to_f64().is_nan() {
             let constraint = self.system.constraints()[n].name.into();
@@ -135,10 +136,10 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         Ok(number)
     }
 
-    /// A witness of the forces along the constraints.
+    /// Margin of a holding force.
     pub(super) fn margin(&self, forces: &[T; MAX_CONSTRAINTS], (n, witness): (usize, Witness)) -> T {
         let sticking = self.laws[n].sticking;
-        // a push forward that is too large lets it slip backward
+        // a forward force beyond its limit lets the constraint slip backward
         if witness == Witness::Backward {
             sticking - forces[n]
         } else {
@@ -146,8 +147,8 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         }
     }
 
-    /// Where a witness of a state that has not been positive since the mode began ends it, from the last place but one
-    /// to the last; the first is the start of the step.
+    /// Finds where a witness of the state that has not been positive since the mode began ends the mode, between the
+    /// last two samples. The first sample is the start of the step.
     pub(super) fn end_at_the_start(
         &self,
         (n, witness): (usize, Witness),
@@ -161,7 +162,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         }
         let within = here.theta != T::from_f64(1.0);
         if witness == Witness::Slip {
-            // where the equations push it on, it is the polynomial that goes back
+            // where the equations accelerate the slip, the apparent reversal is an error of the polynomial
             return (!(within && self.slips_on(here.theta, n))).then_some(here.theta);
         }
         if within && self.leaves((n, witness), noise, [start, here]) {
@@ -174,25 +175,26 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         Some(self.end_since(value, before, after))
     }
 
-    /// Where a witness, raised by its noise, ends the mode: at a place where it was not positive, or between that and
-    /// one where it is negative.
+    /// End of the mode by a witness, with its noise added: the root between a positive and a negative value, or the
+    /// first place if the value there is not positive.
     pub(super) fn end_since(&self, value: impl Fn(T) -> T, before: (T, T), after: (T, T)) -> T {
         if before.1 > T::default() {
             return root(value, before, after);
         }
-        // since there it has not seemed to leave, or gives way
+        // the constraint has given way, or passed its limit, since that place
         before.0.max(part_of(self.dense, self.dense.step().t0, SHORTEST_MODE))
     }
 
-    /// Whether a gap that seems to be beyond its limit leaves it: it may start there, by the error of the polynomial.
+    /// Checks that a gap apparently beyond its limit opens: it may start there by the error of the polynomial.
     fn leaves(&self, (n, gap): (usize, Witness), noise: T, [start, here]: [&Place<T>; 2]) -> bool {
         let [thrown, departs] = [start, here].map(|place| self.known(place, (n, gap)).1[1]);
         let is_thrown_on = here.theta * thrown < -noise;
         departs >= T::default() || !is_thrown_on && !self.is_pushed_on(here.theta, (n, gap))
     }
 
-    /// Where a witness passes zero about a place, in fractions of a step from its end. Where it does not, it is there if
-    /// it is zero within its `noise`, and otherwise where a line leads to zero farther on.
+    /// Finds where a witness passes zero near a place, in fractions of a step from the step's end. Without a sign
+    /// change it returns the place itself if the witness is zero within its `noise`, and otherwise extrapolates
+    /// linearly.
     pub(super) fn zero_about_the_end(
         &self,
         place: T,
@@ -211,7 +213,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         if value == zero {
             return Some(place);
         }
-        // forces, each of which takes an evaluation, no more exactly than the step resolves
+        // resolve forces, which take an evaluation each, no finer than the step
         let one = T::from_f64(1.0);
         let origin = if witness.1.is_force() { one } else { zero };
         let shifted = |place: T| function(place - origin);
@@ -232,38 +234,38 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
             true => -self.known(&self.about_end(place), witness).1[1],
             false => value - function(place + one),
         };
-        // not about the end, where it is known to be positive
+        // near the end it is already known to be positive
         (falls > zero).then(|| place + (value / falls).max(T::from_f64(2.0 * ABOUT_THE_END)))
     }
 
-    /// Whether a constraint moves where the state does not.
+    /// True if the constraint moves at zero rates of the state.
     pub(super) fn moves_by_itself(&self, n: usize) -> bool {
         let step = self.dense.step();
         let mut ends = [(step.t0, &step.x0), (step.t1, &step.x1)].into_iter();
         ends.any(|(t, x)| rates_at_rest(self.system, t, x)[n] != T::default())
     }
 
-    /// Whether a gap is accelerated towards its limit at a place within a step.
+    /// True if a gap is accelerated towards its limit at a place within a step.
     fn is_pushed_on(&self, theta: T, (n, gap): (usize, Witness)) -> bool {
         let towards = T::from_f64(if gap == Witness::High { 1.0 } else { -1.0 });
         let [here, last] = [theta, T::from_f64(1.0)].map(|theta| towards * self.acceleration(theta, n));
         here > T::from_f64(LEAST_ACCELERATION) * last.abs()
     }
 
-    /// Whether what slips is accelerated in its direction at a place within a step.
+    /// True if a slipping constraint is accelerated in its direction of slip at a place within a step.
     fn slips_on(&self, theta: T, n: usize) -> bool {
         let acceleration = self.acceleration(theta, n);
         (acceleration > T::default()) == (self.mode.0[n] == Status::Forward)
     }
 
-    /// The second derivative of a constraint at a place within a step.
+    /// Second derivative of a constraint at a place within a step.
     fn acceleration(&self, theta: T, n: usize) -> T {
         let (t, x) = self.at(theta);
         let forces = self.forces_at(t, &x);
         self.system.response(t, &x, &forces).accelerations[n]
     }
 
-    /// Whether a witness is a polynomial of the dense output: then with the sign of its changes.
+    /// Sign of a witness relative to its constraint, if it is a polynomial of the dense output.
     fn sign(&self, (n, witness): (usize, Witness)) -> Option<T> {
         let is_polynomial = !witness.is_force() && !self.system.constraints()[n].rate.is_empty();
         let is_negated = match witness {
@@ -273,7 +275,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         is_polynomial.then(|| T::from_f64(if is_negated { -1.0 } else { 1.0 }))
     }
 
-    /// Whether the dense output shows that a witness that is positive stays so.
+    /// True if the dense output proves that a positive witness stays positive.
     pub(super) fn stays_positive(&self, start: &Place<T>, (n, witness): (usize, Witness)) -> bool {
         self.sign((n, witness)).is_some_and(|sign| {
             let (start, constraint) = (self.value(start, (n, witness)), &self.system.constraints()[n]);
@@ -281,7 +283,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         })
     }
 
-    /// The course of a witness, as far as it is a polynomial of the dense output: see [`course`].
+    /// Course of a witness that is a polynomial of the dense output: see [`course`]. Unclear for others.
     pub(super) fn course(&self, start: &Place<T>, (n, witness): (usize, Witness), known: (bool, T)) -> Course<T> {
         self.sign((n, witness)).map_or(Course::Unclear, |sign| {
             let (start, constraint) = (self.value(start, (n, witness)), &self.system.constraints()[n]);
@@ -290,12 +292,12 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
     }
 }
 
-/// Within what part of a step ends of modes are simultaneous.
+/// Fraction of a step within which ends of modes are simultaneous.
 pub(super) fn resolution<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T) -> T {
     part_of(dense, t, SIMULTANEOUS)
 }
 
-/// What part of a step some ulps of a time are.
+/// Converts `count` ulps of a time into a fraction of a step.
 fn part_of<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T, count: f64) -> T {
     let h = dense.step().h.abs();
     ulps(count, t.abs().max(h)) / h

@@ -1,4 +1,4 @@
-//! What happens where a mode ends, and which one begins.
+//! Mode switches: the end of one mode, and the choice of the next.
 
 use nalgebra::SVector;
 
@@ -19,7 +19,7 @@ use crate::real::Float;
 #[cfg(feature = "std")]
 use crate::system::System;
 
-/// The mode in which to start from a state.
+/// Determines the mode in which an integration starts from a state.
 pub(crate) fn start<T: Float, const N: usize>(
     (system, layout): (&dyn Hybrid<T, N>, Option<StateLayout<'_>>),
     t: T,
@@ -59,7 +59,7 @@ pub(crate) fn start<T: Float, const N: usize>(
     }
 }
 
-/// The right-hand side at a state, in the mode in which a hybrid system starts from it.
+/// Right-hand side at a state, in the mode in which a hybrid system starts from it.
 #[cfg(feature = "std")]
 pub(crate) fn rate<S, T, const N: usize>(system: &S, t: T, x: &SVector<T, N>) -> Result<SVector<T, N>, Reason>
 where
@@ -72,7 +72,8 @@ where
     }
 }
 
-/// The mode after the one that ended. `pass` sees the ways there: one impact may follow the other at once.
+/// Determines the mode after the one that ended. Calls `pass` for every transition, since impacts may follow each other
+/// at once.
 pub(crate) fn switch<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     (t, x): (T, &SVector<T, N>),
@@ -101,7 +102,7 @@ pub(crate) fn switch<T: Float, const N: usize>(
     })
 }
 
-/// Goes on where an impact is followed by others at once, until nothing approaches, or for too long.
+/// Follows impacts at the same instant, until nothing approaches or there are too many.
 pub(super) fn finish<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     t: T,
@@ -122,7 +123,7 @@ pub(super) fn finish<T: Float, const N: usize>(
 }
 
 impl<T: Float, const N: usize> Settling<'_, T, N> {
-    /// With what holds, touches and gave way where a mode has ended.
+    /// Initializes the constraints that rest, touch or gave way at the end of a mode.
     fn at_the_end_of(mut self, mode: &Mode, fired: Witnesses) -> Self {
         let measures = self.system.measures(self.t, &self.x);
         let sizes = self.sizes();
@@ -158,14 +159,14 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
                 }
             }
         }
-        // between impacts at an instant there is no time in which to stand still
+        // between impacts at an instant, no time passes in which a contact could come to rest
         if still != 0 && self.series.is_empty() {
             self.resting |= still & !self.parting(mode);
         }
         self
     }
 
-    /// The contacts that accelerations draw apart in a mode.
+    /// Contacts that separate under the accelerations of a mode.
     fn parting(&self, mode: &Mode) -> u8 {
         let forces = core::array::from_fn(|n| self.slipping(n, mode.0[n]));
         let response = self.system.response(self.t, &self.x, &forces);

@@ -1,4 +1,4 @@
-//! The search for the end of a mode within a step.
+//! Search for the end of a mode within a step.
 
 #[cfg(feature = "std")]
 use super::Law;
@@ -16,26 +16,26 @@ use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
 
-/// Where a mode ends within a step, in fractions of it, and by which witnesses.
+/// End of a mode within a step: the fraction of the step, and the witnesses that ended it.
 pub(super) type Ended<T> = (T, Witnesses);
 
-/// What is known of a mode since it began.
+/// History of a mode since it began.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ModeWatch<T, const N: usize> {
-    /// The witnesses that have been positive.
+    /// Witnesses that have been positive.
     pub(super) positive: Witnesses,
-    /// Whether nothing of the mode has been looked at.
+    /// True until the first step of the mode is searched.
     starts: bool,
-    /// How far each constraint has been from its limits since it was held there.
+    /// Largest distance of each constraint from its limits since it was held there.
     pub(super) reach: [T; MAX_CONSTRAINTS],
     pub(super) gains: Gains<T, N>,
-    /// Where the mode began.
+    /// Sizes of forces and accelerations where the mode began.
     begun: ForceSizes<T>,
-    /// The forces at the end of the last step.
+    /// Forces at the end of the last step.
     pub(super) forces: Option<[T; MAX_CONSTRAINTS]>,
-    /// How far from each other the places were where forces were seen to be close enough.
+    /// Spacing of samples, in time, that was fine enough for the forces.
     pub(super) width: T,
-    /// The largest of the forces of what is held that were seen in the mode.
+    /// Largest holding forces sampled in the mode.
     pub(super) sizes: [T; MAX_CONSTRAINTS],
 }
 
@@ -53,7 +53,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         }
     }
 
-    /// Goes on in another mode.
+    /// Resets the history for another mode.
     pub(crate) fn restart(&mut self, mode: &Mode, gains: Gains<T, N>, begun: ForceSizes<T>) {
         (self.gains, self.begun) = (gains, begun);
         (self.positive, self.starts, self.forces) = (Witnesses::default(), true, None);
@@ -65,15 +65,15 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         }
     }
 
-    /// Whether all witnesses of a mode in which nothing is held have been positive: from then on a mode ends only where
-    /// one of them reaches zero.
+    /// True if all witnesses of a mode in which nothing is held have been positive. From then on, the mode ends only
+    /// where one of them reaches zero.
     #[cfg(feature = "std")]
     pub(crate) fn is_settled(&self, laws: &[Law<T>; MAX_CONSTRAINTS], mode: &Mode) -> bool {
         let is_positive = |n, &witness: &Witness| !witness.exists(&laws[n]) || self.positive.has(n, witness);
         (0..MAX_CONSTRAINTS).all(|n| Witness::of(mode.0[n]).iter().all(|witness| is_positive(n, witness)))
     }
 
-    /// Notes how far the constraints of a lane are from their limits, as [`look`](Self::look) does.
+    /// Updates the distances from the limits for a lane, as [`look`](Self::look) does for a scalar trajectory.
     #[cfg(feature = "std")]
     pub(crate) fn note_lane<V: Lanes<Scalar = T>>(
         &mut self,
@@ -89,8 +89,8 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         }
     }
 
-    /// Where the mode ends within a step; the work of looking is counted. Where the step starts, those that are
-    /// [`disproved`](disproves) do not end it.
+    /// Finds the end of the mode within a step, and counts the evaluations in `work`. Witnesses that are
+    /// [`disproved`](disproves) do not end the mode at the start of the step.
     pub(crate) fn look(
         &mut self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
@@ -104,7 +104,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         found
     }
 
-    /// Polynomials first, then what is looked at in places up to where these end the mode, then the forces.
+    /// Searches polynomials first, then samples the other witnesses of the state up to the zero found, then the forces.
     fn search(&mut self, step: &StepInMode<'_, T, N>, disproved: Witnesses) -> Result<Option<Ended<T>>, Reason> {
         let start = step.place(T::default());
         self.note_reach(step, &start);
@@ -141,8 +141,8 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         Ok(ended.map(|ended| self.with_simultaneous(step, ended, live)))
     }
 
-    /// Where the first of some witnesses of the state ends the mode that are polynomials of the dense output; and those
-    /// of which the course is unclear.
+    /// Finds the first zero among the witnesses of the state that are polynomials of the dense output. Also returns the
+    /// witnesses whose course is unclear.
     fn courses(
         &mut self,
         step: &StepInMode<'_, T, N>,
@@ -177,7 +177,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         (first, unclear)
     }
 
-    /// What ends a mode, with all that does so at the same time.
+    /// Adds all witnesses that end the mode at the same time.
     fn with_simultaneous(&self, step: &StepInMode<'_, T, N>, (theta, fired): Ended<T>, live: Witnesses) -> Ended<T> {
         let others = live.and(self.positive).without(fired);
         if others.is_empty() {
@@ -196,10 +196,10 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         (theta, fired.or(others.filter(is_negative)))
     }
 
-    /// Where the mode ends about the end of a step that was taken to there, in fractions of the step from its end, and
-    /// by which witnesses: those that fired, or others that pass zero before them, since two that are near to each
-    /// other may have come in another order. Farther than [`ABOUT_THE_END`] it is a guess. None where the step shows
-    /// that none of those that fired ends it.
+    /// Locates the end of the mode near the end of a step that was shortened to it. Returns its position, in fractions
+    /// of the step from the step's end, and the witnesses. Besides those that fired, others may pass zero before them,
+    /// since two close zeros may have come in another order. Beyond [`ABOUT_THE_END`] the position is an estimate. None
+    /// if the step shows that no witness that fired ends the mode.
     pub(crate) fn locate(
         &mut self,
         system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
@@ -228,7 +228,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         let by = first.map_or(T::default(), |(by, _)| by);
         let others = self.positive.without(fired).pairs();
         let mut others = others.filter(|(_, witness)| !witness.is_force()).peekable();
-        // farther on the polynomial of the step does not show them
+        // the polynomial of the step is not accurate farther on
         if by <= T::from_f64(ABOUT_THE_END) && others.peek().is_some() {
             let there = step.about_end(by);
             for (n, witness) in others {
@@ -244,7 +244,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         first
     }
 
-    /// Within what of its limit the force of what is held may be rounding errors.
+    /// Rounding error of a holding force near its limit.
     pub(super) fn noise_of_force(&self, step: &StepInMode<'_, T, N>, n: usize) -> T {
         ulps(
             NOISE,
@@ -252,7 +252,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         )
     }
 
-    /// Within what of zero some witnesses of the state may be rounding errors; not of what slips for long.
+    /// Rounding errors of some witnesses of the state near zero; 0 for a slip that has been positive.
     fn noise(&self, step: &StepInMode<'_, T, N>, of: Witnesses) -> Values<T> {
         let ends = step.dense.step();
         let mut noise = [[T::default(); 3]; MAX_CONSTRAINTS];
@@ -266,7 +266,8 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
             let value = self.reach[n].max(sizes.values[n]);
             let beside = |limit: Option<T>| ulps(NOISE, limit.map_or(value, |limit| value.max(limit.abs())));
             let acceleration = self.begun.accelerations[n];
-            // what breaks loose from rest has no rate yet: that after the step, or over the length of the scene, counts
+            // a constraint that breaks loose has no rate yet: take its rate after the step, or after the length of the
+            // scene
             let speed = (acceleration * ends.h.abs()).max((acceleration * value).sqrt());
             *noise = [
                 ulps(NOISE, sizes.rates[n].max(speed)),
@@ -277,7 +278,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         noise
     }
 
-    /// Notes how far the constraints are from their limits.
+    /// Updates the largest distances of the constraints from their limits.
     pub(super) fn note_reach(&mut self, step: &StepInMode<'_, T, N>, place: &Place<T>) {
         for (n, law) in step.laws.iter().enumerate().take(step.system.constraints().len()) {
             if !step.mode.is_held(n) {
@@ -287,8 +288,8 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
     }
 }
 
-/// A step disproves that witnesses of the state end its mode where it starts, at the time `t`, if its polynomial is
-/// [right again](right_again) later on.
+/// Returns true if a step disproves that witnesses of the state end its mode at its start, at the time `t`: its
+/// polynomial is [positive again](right_again) later on.
 pub(crate) fn disproves<T: Float, const N: usize>(
     system: (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
     dense: &Dense<'_, T, N>,
@@ -299,28 +300,28 @@ pub(crate) fn disproves<T: Float, const N: usize>(
     is_at_the_start && is_of_states && right_again(&StepInMode::new(system, dense), fired).is_some()
 }
 
-/// From where on the polynomial of a step may be right about witnesses again: where they are positive.
+/// First of the [`RIGHT_AGAIN`] positions at which all of some witnesses are positive.
 fn right_again<T: Float, const N: usize>(step: &StepInMode<'_, T, N>, of: Witnesses) -> Option<Place<T>> {
     let places = RIGHT_AGAIN.map(|theta| step.place(T::from_f64(theta)));
     let is_right = |place: &Place<T>| of.pairs().all(|witness| step.value(place, witness) > T::default());
     places.into_iter().find(is_right)
 }
 
-/// The distance from the nearer of two limits; infinite where there is none.
+/// Distance from the nearer of two limits; infinite if there is none.
 fn nearest<T: Float>(value: T, [low, high]: [Option<T>; 2]) -> T {
     let none = T::from_f64(f64::INFINITY);
     low.map_or(none, |low| value - low)
         .min(high.map_or(none, |high| high - value))
 }
 
-/// Notes a distance from a limit.
+/// Updates the largest finite distance from a limit.
 fn note<T: Float>(reach: &mut T, near: T) {
     if near > *reach && near < T::from_f64(f64::INFINITY) {
         *reach = near;
     }
 }
 
-/// The earlier of two ends of a mode, the first if they are at the same place.
+/// Earlier of two ends of a mode; the first if they coincide.
 pub(super) fn sooner<T: Float>(first: Option<Ended<T>>, other: Option<Ended<T>>) -> Option<Ended<T>> {
     match (first, other) {
         (Some(first), Some(other)) if other.0 < first.0 => Some(other),
@@ -328,7 +329,8 @@ pub(super) fn sooner<T: Float>(first: Option<Ended<T>>, other: Option<Ended<T>>)
     }
 }
 
-/// What ends a mode first, and where in fractions of the step, after one more that may.
+/// Adds the zero of one more witness to the first end of a mode so far: it replaces later ones, and joins simultaneous
+/// ones.
 fn sooner_or_together<T: Float, const N: usize>(
     first: Option<(T, Witnesses)>,
     place: Option<T>,

@@ -3,25 +3,25 @@
 use super::mode::{Mode, Status};
 use super::{Law, MAX_CONSTRAINTS};
 
-/// A function of a constraint that is positive as long as a mode lasts.
+/// A function of a constraint, positive as long as its mode lasts. A zero ends the mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Witness {
-    /// The rate of what slips, in the direction of the slip.
+    /// Rate of a slipping constraint, in the direction of slip.
     Slip,
-    /// The distance from the lower limit.
+    /// Distance from the lower limit.
     Low,
-    /// The distance from the upper limit.
+    /// Distance from the upper limit.
     High,
-    /// What the force that holds can still take before the constraint gives way forward.
+    /// Margin of the holding force before the constraint gives way forward.
     Forward,
-    /// The same backward.
+    /// Margin of the holding force before the constraint gives way backward.
     Backward,
 }
 
 impl Witness {
     const ALL: [Self; 5] = [Self::Slip, Self::Low, Self::High, Self::Forward, Self::Backward];
 
-    /// Those of a constraint in a status.
+    /// Witnesses of a constraint in a status.
     pub(super) fn of(status: Status) -> &'static [Self] {
         match status {
             Status::Free => &[Self::Low, Self::High],
@@ -32,7 +32,7 @@ impl Witness {
         }
     }
 
-    /// Whether a constraint that has it by its status has it by its law as well.
+    /// True if the law of the constraint has the limit that the witness needs.
     pub(super) fn exists<T>(self, law: &Law<T>) -> bool {
         match self {
             Self::Low => law.low.is_some(),
@@ -41,7 +41,7 @@ impl Witness {
         }
     }
 
-    /// Its place among the numbers of a constraint.
+    /// Index among the values of a constraint.
     pub(super) fn slot(self) -> usize {
         match self {
             Self::Slip | Self::Forward => 0,
@@ -50,26 +50,26 @@ impl Witness {
         }
     }
 
-    /// Whether it is a distance from a limit.
+    /// True for a distance from a limit.
     pub(super) fn is_gap(self) -> bool {
         matches!(self, Self::Low | Self::High)
     }
 
-    /// Whether it is a margin of a force that holds.
+    /// True for a margin of a holding force.
     pub(super) fn is_force(self) -> bool {
         matches!(self, Self::Forward | Self::Backward)
     }
 }
 
-/// A number for each witness, in the [slots](Witness::slot) of its constraint.
+/// A value for each witness, in the [slots](Witness::slot) of its constraint.
 pub(super) type Values<T> = [[T; 3]; MAX_CONSTRAINTS];
 
-/// A set of witnesses, each of a constraint.
+/// A set of pairs of a constraint and a witness.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Witnesses(u64);
 
 impl Witnesses {
-    /// Bits of a constraint.
+    /// Number of bits for each constraint.
     const PLACES: usize = u64::BITS as usize / MAX_CONSTRAINTS;
 
     fn bit(constraint: usize, witness: Witness) -> u64 {
@@ -113,12 +113,12 @@ impl Witnesses {
         self.0 == 0
     }
 
-    /// The first constraint of which one is.
+    /// First constraint with a witness in the set.
     pub(crate) fn first(self) -> usize {
         self.0.trailing_zeros() as usize / Self::PLACES
     }
 
-    /// The constraints at a limit where these end a mode: those held there, and those whose gaps close.
+    /// Constraints at a limit after these witnesses ended a mode: those held there before, and those whose gaps close.
     pub(crate) fn touching(self, mode: &Mode) -> [Status; MAX_CONSTRAINTS] {
         let mut touching = mode.0;
         for (n, witness) in self.pairs() {
@@ -131,7 +131,7 @@ impl Witnesses {
         touching
     }
 
-    /// The witnesses with their constraints, in the order of these.
+    /// Pairs of a constraint and a witness, in the order of the constraints.
     pub(super) fn pairs(mut self) -> impl Iterator<Item = (usize, Witness)> {
         core::iter::from_fn(move || {
             let bit = self.0.trailing_zeros() as usize;

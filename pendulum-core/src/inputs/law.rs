@@ -1,4 +1,4 @@
-//! The laws that inputs follow, and their derivatives.
+//! Control laws and their derivatives.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -7,29 +7,30 @@ use crate::real::Real;
 use crate::real::lanes::Lanes;
 use crate::system::{Differences, WithJacobian, by_number, by_state};
 
-/// A law for `M` inputs, from the time and a state of length `N`, in one number type. Closures are laws.
+/// A law for `M` inputs as a function of time and a state of length `N`, in one number type. Closures implement it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a law for {M} inputs of a state of {N} components",
     note = "a law is a closure `|t, x| NameInputs {{ .. }}` of the time and the state"
 )]
 pub trait ControlLaw<T: Real, const N: usize, const M: usize> {
-    /// The inputs, in the order of their declaration.
+    /// Computes the inputs, in the order of declaration.
     fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M];
 }
 
-/// A [`ControlLaw`] that knows its derivatives, so that the closed loop has a [`Jacobian`](crate::Jacobian).
+/// A [`ControlLaw`] with derivatives, which gives the closed loop a [`Jacobian`](crate::Jacobian).
 #[diagnostic::on_unimplemented(
     message = "the law of these inputs has no derivative, so the closed loop has no Jacobian",
     note = "`model.with_inputs(law).with_derivative(|t, x| ..)` states it, `model.with_law(law)` finds it for \
             a law that is generic over `Real`, and `model.with_inputs(law).by_differences()` approximates it"
 )]
 pub trait LawJacobian<T: Real, const N: usize, const M: usize>: ControlLaw<T, N, M> {
-    /// The inputs, and their derivative with respect to the state: a row for each input.
+    /// Computes the inputs and their derivative with respect to the state, one row per input.
     fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>);
 
-    /// The derivative of the inputs with respect to the time, the state held fixed.
+    /// Partial derivative of the inputs with respect to time.
     ///
-    /// By default a central difference, for two evaluations of the law: see [`Jacobian::time_derivative`](crate::Jacobian::time_derivative).
+    /// The default is a central difference, at the cost of two evaluations of the law: see
+    /// [`Jacobian::time_derivative`](crate::Jacobian::time_derivative).
     #[inline]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, M>
     where
@@ -39,12 +40,12 @@ pub trait LawJacobian<T: Real, const N: usize, const M: usize>: ControlLaw<T, N,
     }
 }
 
-/// A law for `M` inputs, from the time and a state of length `N`, in any number type.
+/// A law for `M` inputs as a function of time and a state of length `N`, in any number type.
 ///
-/// Its derivatives are found by [dual numbers](crate::dual), to rounding errors, and the closed loop runs wherever a
-/// model does: with stiff methods, in [`Auto`](crate::Auto), in [`stability`](crate::stability), and in the lanes of an
+/// Its derivatives come from [dual numbers](crate::dual) and are exact to rounding errors. The closed loop runs with
+/// stiff methods, in [`Auto`](crate::Auto), in [`stability`](crate::stability), and in the lanes of an
 /// [`ensemble`](crate::Ensemble). The models of an ensemble share one law; to sweep over gains, make them parameters of
-/// the scene and the feedback a `torque`.
+/// the scene and write the feedback as a `torque`.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -87,11 +88,11 @@ pub trait LawJacobian<T: Real, const N: usize, const M: usize>: ControlLaw<T, N,
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait InputLaw<const N: usize, const M: usize>: Clone + PartialEq {
-    /// The inputs, in the order of their declaration: `NameInputs { .. }.into()` keeps their names.
+    /// Computes the inputs, in the order of declaration. `NameInputs { .. }.into()` converts from named inputs.
     fn inputs<T: Real>(&self, t: T, x: &SVector<T, N>) -> [T; M];
 }
 
-/// An [`InputLaw`] as a [`ControlLaw`] in each number type.
+/// Adapter from an [`InputLaw`] to a [`ControlLaw`] in each number type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Generic<L>(pub(super) L);
 

@@ -1,4 +1,4 @@
-//! Closed loops: a model with inputs and the law that these follow.
+//! Closed loops: a model with inputs and its control law.
 
 use core::fmt;
 
@@ -18,8 +18,8 @@ use crate::system::{
 
 /// A [`Controlled`] model whose `M` inputs follow the [`ControlLaw`] `L`: a [`System`] that can be integrated.
 ///
-/// Its Jacobian is that of the model plus `input_jacobian * K`, with the derivative `K` of the law: see
-/// [`inputs`](crate::inputs) for the ways to have one.
+/// Its Jacobian is the one of the model plus `input_jacobian * K`, with the derivative `K` of the law: see
+/// [`inputs`](crate::inputs) for the ways to provide `K`.
 #[derive(Clone, Copy)]
 pub struct WithInputs<S, L, const M: usize> {
     system: S,
@@ -34,7 +34,8 @@ impl<S: Shapes<N>, L, const N: usize, const M: usize> Shapes<N> for WithInputs<S
 }
 
 impl<S, F, const M: usize> WithInputs<S, F, M> {
-    /// The model `system` with the inputs `inputs(t, x)`; generated models have it as their method `with_inputs`.
+    /// Combines the model `system` with the inputs `inputs(t, x)`. Generated models have a method `with_inputs` for
+    /// this.
     #[inline]
     pub fn new<T, const N: usize>(system: S, inputs: F) -> Self
     where
@@ -45,11 +46,11 @@ impl<S, F, const M: usize> WithInputs<S, F, M> {
         Self { system, law: inputs }
     }
 
-    /// The same closed loop, whose law has the derivative `derivative(t, x)` with respect to the state: a row for each
-    /// input.
+    /// Adds the derivative `derivative(t, x)` of the law with respect to the state: one row per input.
     ///
-    /// Its derivative with respect to time is a central difference of the law, for two evaluations of that: right to
-    /// about 10 digits where the law varies over times of about 1 s, and zero where time does not occur.
+    /// The derivative with respect to time is a central difference, at the cost of two evaluations of the law. It is
+    /// accurate to about 10 digits if the law varies on a time scale of about 1 s, and zero if the law does not depend
+    /// on time.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -82,11 +83,10 @@ impl<S, F, const M: usize> WithInputs<S, F, M> {
         }
     }
 
-    /// The same closed loop, with the derivatives of the law by central differences: see [`Differences`] for their
-    /// error.
+    /// Differentiates the law by central differences: see [`Differences`] for their error.
     ///
-    /// A Jacobian takes two evaluations of the law for each component of the state, and none of the model beyond its
-    /// own Jacobians.
+    /// A Jacobian takes two evaluations of the law for each component of the state, and no evaluations of the model
+    /// beyond its own Jacobians.
     #[inline]
     pub fn by_differences(self) -> WithInputs<S, Differences<F>, M> {
         WithInputs {
@@ -97,7 +97,7 @@ impl<S, F, const M: usize> WithInputs<S, F, M> {
 }
 
 impl<S, L, const M: usize> WithInputs<S, Generic<L>, M> {
-    /// The model `system` with a law in any number type; generated models have it as their method `with_law`.
+    /// Combines the model `system` with a law in any number type. Generated models have a method `with_law` for this.
     #[inline]
     pub const fn with_law<const N: usize>(system: S, law: L) -> Self
     where
@@ -126,7 +126,7 @@ where
         self.system.layout()
     }
 
-    /// Not known: the law may depend on the time.
+    /// Unknown, since the law may depend on time.
     #[inline(always)]
     fn is_autonomous(&self) -> Option<bool> {
         None
@@ -219,7 +219,7 @@ where
     }
 }
 
-/// No force along a constraint changes what inputs do.
+/// Constraint forces do not change the derivative with respect to the inputs.
 impl<T, S, L, const N: usize, const M: usize> PlantJacobian<T, N> for WithInputs<S, L, M>
 where
     T: Real,
@@ -265,7 +265,7 @@ where
         let by_time = self.law.time_derivative(t, x);
         add_product(&mut derivative.rates, &by_inputs, &by_state);
         add_product(&mut derivative.rates_by_time, &by_inputs, &by_time);
-        // rates of constraints, and so their accelerations, follow those of the state
+        // The rates of constraints, and therefore their accelerations, are linear in the rates of the state.
         let measures = self.system.measure_derivatives(t, x);
         for (n, [_, slopes]) in measures.by_state[..self.system.constraints().len()].iter().enumerate() {
             for m in 0..M {
@@ -297,7 +297,7 @@ impl<T: Real, S: Energy<T, N>, L, const N: usize, const M: usize> Energy<T, N> f
     }
 }
 
-/// The models may differ in their constants, and share the law.
+/// The models may differ in their constants, but share the law.
 impl<S, L, const N: usize, const M: usize> Cast<N> for WithInputs<S, Generic<L>, M>
 where
     S: CastControlled<N, M>,
@@ -340,7 +340,7 @@ where
     }
 }
 
-/// Adds to `sum` what moves it through the inputs: its derivative by these, times theirs.
+/// Adds the product of the derivative with respect to the inputs and the derivative of the inputs (chain rule).
 #[inline(always)]
 fn add_product<T: Real, const N: usize, const M: usize, const K: usize>(
     sum: &mut SMatrix<T, N, K>,

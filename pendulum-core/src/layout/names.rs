@@ -1,4 +1,4 @@
-//! The components of a state by name.
+//! Names of the components of a state.
 
 use std::error::Error;
 use std::fmt;
@@ -9,8 +9,8 @@ use nalgebra::{SVector, Scalar};
 use super::{Slot, StateLayout};
 
 impl StateLayout<'_> {
-    /// The names of the components of the state: `theta` is a coordinate, `dot(theta)` its rate, and `o.w`, .. `o.z`
-    /// are a quaternion.
+    /// Returns the names of the components of the state. `theta` is a coordinate, `dot(theta)` its rate, and `o.w`, ..
+    /// `o.z` are a quaternion.
     #[must_use]
     pub fn components(&self) -> Vec<String> {
         let mut named: Vec<(usize, String)> = self.slots.iter().flat_map(Slot::components).collect();
@@ -18,7 +18,7 @@ impl StateLayout<'_> {
         named.into_iter().map(|(_, name)| name).collect()
     }
 
-    /// The state with these components, from numbers that are known at run time only.
+    /// Builds a state from a slice whose length is known only at run time.
     ///
     /// ```
     /// # use pendulum_core::{Slot, StateLayout};
@@ -31,7 +31,7 @@ impl StateLayout<'_> {
     /// ```
     ///
     /// # Errors
-    /// If the number of components is not that of the layout, or `N` is not.
+    /// If `components.len()` or `N` differs from the number of components of the layout.
     pub fn state<T: Scalar, const N: usize>(&self, components: &[T]) -> Result<SVector<T, N>, WrongLength> {
         let names = self.components();
         match [components.len(), N].into_iter().find(|&length| length != names.len()) {
@@ -42,7 +42,7 @@ impl StateLayout<'_> {
 }
 
 impl Slot<'_> {
-    /// The names of its components with their places in the state.
+    /// Names of the components, with their places in the state.
     fn components(&self) -> impl Iterator<Item = (usize, String)> {
         let name = |stem: String, range: &Range<usize>| {
             let parts: &[&str] = match range.len() {
@@ -58,13 +58,13 @@ impl Slot<'_> {
     }
 }
 
-/// Numbers that are too few or too many for a state.
+/// A slice of the wrong length for a state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct WrongLength {
-    /// How many were given.
+    /// Number of components passed.
     pub given: usize,
-    /// The names of the components that the state has.
+    /// Names of the components of the state.
     pub names: Vec<String>,
 }
 

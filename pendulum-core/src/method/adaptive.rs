@@ -1,4 +1,4 @@
-//! Steps whose length a tolerance determines.
+//! Steps whose length is controlled by a tolerance.
 
 use crate::error::Reason;
 use crate::method::input::{check_start, require};
@@ -12,16 +12,17 @@ use crate::system::{IntoState, System};
 
 /// A method that adapts the length of its steps to a tolerance, such as [`Rk45`](crate::Rk45). `F` is the kind of step.
 ///
-/// A step is accepted if its estimated error `e` has `mean((e / (atol + rtol |x|))^2) <= 1`; the next one is chosen by
-/// a PI controller with the constants of Hairer's DOPRI5, or by the method itself. The tolerances bound the error of a
-/// single step; the error of a trajectory is larger and grows with time, exponentially if the motion is chaotic.
+/// A step is accepted if its estimated error `e` satisfies `mean((e / (atol + rtol |x|))^2) <= 1`. The next step is
+/// chosen by a PI controller with the constants of Hairer's DOPRI5, or by the method itself. The tolerances bound the
+/// error of a single step; the error of a trajectory is larger and grows with time, exponentially if the motion is
+/// chaotic.
 ///
-/// A right-hand side may jump: steps become short there, and are at most three times as long as the one before (twice
-/// with [`Taylor`](crate::Taylor)), so that the next jump is seen if it comes about as late as the last one did. Square
-/// waves of 1 Hz to 1 kHz are followed with errors below 1e-4 at the default tolerance. But a method knows the
-/// right-hand side only where it evaluates it. What begins and ends between these times, such as a short pulse after a
-/// long rest, leaves no trace, and no estimate can show it: set [`h_max`](Self::h_max) no longer than the shortest
-/// pulse, or end the integration where it begins and go on from there.
+/// Discontinuous right-hand sides are allowed: steps become short at a jump, and grow at most threefold afterwards
+/// (twofold with [`Taylor`](crate::Taylor)), so that the next jump is detected if the intervals between jumps are
+/// similar. Square waves of 1 Hz to 1 kHz are integrated with errors below 1e-4 at the default tolerance. But a method
+/// samples the right-hand side only where it evaluates it. A feature that begins and ends between these times, such as
+/// a short pulse after a long rest, escapes every error estimate: set [`h_max`](Self::h_max) no longer than the
+/// shortest pulse, or end the integration where the pulse begins and continue from there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<F> {
     rtol: Option<f64>,
@@ -34,9 +35,9 @@ pub struct Adaptive<F> {
 }
 
 impl<F> Adaptive<F> {
-    /// The method with its default settings.
+    /// Creates the method with default settings.
     ///
-    /// The compiler refuses methods without an estimate of their error:
+    /// Methods without an error estimate do not compile:
     ///
     /// ```compile_fail,E0277
     /// use pendulum_core::method::{Adaptive, Gauss};
@@ -59,7 +60,7 @@ impl<F> Adaptive<F> {
         }
     }
 
-    /// The same settings for another kind of method.
+    /// Transfers the settings to another kind of method.
     #[cfg(feature = "std")]
     pub(crate) fn by<G>(&self, family: G) -> Adaptive<G> {
         let Self {
@@ -82,49 +83,50 @@ impl<F> Adaptive<F> {
         }
     }
 
-    /// The relative tolerance, at least 10 ulps of the number type and below 1. Default: 1e-6, in `f32` 1.2e-5 (100
-    /// ulps).
+    /// Sets the relative tolerance, at least 10 ulps of the number type and below 1. Default: 1e-6, in `f32` 1.2e-5
+    /// (100 ulps).
     #[must_use]
     pub const fn rtol(mut self, rtol: f64) -> Self {
         self.rtol = Some(rtol);
         self
     }
 
-    /// The absolute tolerance, positive, in the units of the state. Default: 1e-9, in `f32` 1.2e-7 (1 ulp).
+    /// Sets the absolute tolerance, positive, in the units of the state. Default: 1e-9, in `f32` 1.2e-7 (1 ulp).
     ///
-    /// The default suits motions of about 1. Where a component is always less than 1000 times as large, set it to `rtol`
-    /// times the size of the motion: a [`Solution`](crate::Solution) lists such components,
-    /// [`below_tolerance`](crate::Solution::below_tolerance), but a [`Stepper`] cannot.
+    /// The default suits motions of magnitude 1. If a component always stays below 1000 times `atol`, set `atol` to
+    /// `rtol` times the size of the motion. A [`Solution`](crate::Solution) lists such components as
+    /// [`below_tolerance`](crate::Solution::below_tolerance); a [`Stepper`] cannot.
     #[must_use]
     pub const fn atol(mut self, atol: f64) -> Self {
         self.atol = Some(atol);
         self
     }
 
-    /// The first step to try; [`Taylor`](crate::Taylor) tries a shorter one if its series asks for it. Default: found
-    /// from the first and second derivative at the start.
+    /// Sets the first step to try; [`Taylor`](crate::Taylor) takes a shorter one if its series requires it. Default:
+    /// chosen from the first and second derivatives at the start.
     #[must_use]
     pub const fn h0(mut self, h0: f64) -> Self {
         self.h0 = Some(h0);
         self
     }
 
-    /// The minimum step: where the tolerance requires a shorter one, the integration stops with
-    /// [`Reason::StepUnderflow`]. Default: 0. It is at least 4 ulps of the time; only the last step may be shorter.
+    /// Sets the minimum step: if the tolerance requires a shorter one, the integration stops with
+    /// [`Reason::StepUnderflow`]. Default: 0. The effective minimum is at least 4 ulps of the time; only the last step
+    /// may be shorter.
     #[must_use]
     pub const fn h_min(mut self, h_min: f64) -> Self {
         self.h_min = h_min;
         self
     }
 
-    /// The maximum step. Default: infinite. The last step may be 1 % longer.
+    /// Sets the maximum step. Default: infinite. The last step may be 1 % longer.
     #[must_use]
     pub const fn h_max(mut self, h_max: f64) -> Self {
         self.h_max = h_max;
         self
     }
 
-    /// The number of steps, accepted or rejected, after which the integration stops with [`Reason::TooManySteps`].
+    /// Sets the number of steps, accepted or rejected, after which the integration stops with [`Reason::TooManySteps`].
     /// Default: a million.
     #[must_use]
     pub const fn max_steps(mut self, max_steps: usize) -> Self {
@@ -132,16 +134,16 @@ impl<F> Adaptive<F> {
         self
     }
 
-    /// The settings of an integration from `t0` to `t1`, with an error estimate of this order: for those who take the
-    /// steps by other means.
+    /// Step-size settings of an integration from `t0` to `t1`, with an error estimate of this order, for engines other
+    /// than [`Stepper`].
     ///
     /// # Errors
-    /// [`Reason::InvalidInput`] if one is out of range.
+    /// [`Reason::InvalidInput`] if a setting is out of range.
     pub fn step_control<T: Float>(&self, error_order: usize, (t0, t1): (T, T)) -> Result<StepControl<T>, Reason> {
         self.control(self.tolerance()?, error_order, (t0, t1))
     }
 
-    /// The step control of an integration from `t0` to `t1`.
+    /// Step control of an integration from `t0` to `t1`.
     pub(crate) fn control<T: Float>(
         &self,
         tolerance: Tolerance<T>,

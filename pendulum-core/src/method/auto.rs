@@ -21,12 +21,12 @@ use crate::tableau::{self, Tableau, Tsitouras5, Verner7, Verner9};
 /// An explicit method that switches to [`Rodas5P`](crate::Rodas5P) where the system is stiff; see [`Adaptive`] for its
 /// settings.
 ///
-/// The explicit method is that of Tsitouras for tolerances above 1e-4, Verner's of order 7 above 1e-8, and that of
-/// order 9 below. In each step it measures `|h lambda|`, the length of the step times the fastest rate of the system,
-/// as `h |f(x1) - f(x2)| / |x1 - x2|` of the two states that it has at the end of the step (Hairer and Wanner II,
-/// IV.2). Where that is repeatedly at the limit of stability, it is stability and not the tolerance that keeps the
-/// steps short, and the implicit method takes over. It measures the same by power iteration with its Jacobian, and
-/// hands back once explicit steps of the same length would be stable.
+/// The explicit method is Tsitouras's for tolerances above 1e-4, Verner's of order 7 above 1e-8, and Verner's of order
+/// 9 below. In each step it estimates `|h lambda|`, the length of the step times the fastest rate of the system, as `h
+/// |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2). If the
+/// estimate repeatedly reaches the limit of stability, then stability rather than the tolerance limits the steps, and
+/// the implicit method takes over. It estimates `|h lambda|` by power iteration with its Jacobian, and hands back once
+/// explicit steps of the same length would be stable.
 ///
 /// [`Statistics`] count the implicit steps and the switches.
 ///
@@ -51,32 +51,32 @@ pub type Auto = Adaptive<Switching>;
 #[cfg(feature = "std")]
 pub(crate) use in_lanes::{SwitchInLanes, SwitchingFrom};
 
-/// The kind of method that [`Auto`] is.
+/// Kind of method of [`Auto`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Switching;
 
-/// A tolerance above this is for the method of Tsitouras.
+/// Tolerance above which the method of Tsitouras is used.
 const LOOSE: f64 = 1e-4;
-/// One above this for Verner's method of order 7.
+/// Tolerance above which Verner's method of order 7 is used.
 const MIDDLE: f64 = 1e-8;
-/// An explicit step at this fraction of its stability limit is kept short by it: the error estimates grow before the
-/// errors do (Verner's of order 9 hovers about 0.6).
+/// Fraction of the stability limit at which it limits the explicit steps: error estimates grow before the errors do
+/// (with Verner's method of order 9 the fraction hovers about 0.6).
 const AT_THE_LIMIT: f64 = 0.55;
-/// This many such steps make a system stiff, without `FREE` others in between.
+/// Number of steps at the limit that make a system stiff, without [`FREE`] others in a row between them.
 const STIFF: usize = 8;
-/// This many steps in a row that are not at the limit reset the count.
+/// Number of steps in a row below the limit that reset the count, or that return to the explicit method.
 const FREE: usize = 4;
-/// An implicit step at no more than this part of the limit could as well be explicit; `FREE` in a row are.
+/// Fraction of the stability limit up to which an implicit step could as well be explicit.
 const WITHIN: f64 = 0.3;
 
 impl Auto {
-    /// The operations that one try of a step takes at most, whatever the tolerance and whichever method is at work, in
-    /// a system of `n` state components. `rhs` are those of the right-hand side, `jacobian` those of the right-hand
-    /// side with the Jacobian and, where time occurs, the derivative by the time. An error above the tolerance takes
-    /// another try.
+    /// Upper bound of the operations of one attempt of a step, for any tolerance and either method, in a system of `n`
+    /// state components. `rhs` are the operations of the right-hand side, `jacobian` those of the right-hand side with
+    /// the Jacobian and, if time occurs, the derivative by the time. An error above the tolerance takes another
+    /// attempt.
     ///
-    /// Comparisons and moves of numbers come on top. The error, what is measured of stiffness, a switch and the choice
-    /// of the next step are included, dense output and the choice of the first step are not.
+    /// Comparisons and moves of numbers are extra. The error, the stiffness estimate, a switch and the choice of the
+    /// next step are included; dense output and the choice of the first step are not.
     #[must_use]
     pub const fn operations(rhs: Operations, jacobian: Operations, n: usize) -> Operations {
         let tsit5 = explicit::attempt_within::<Tsitouras5, 7>(rhs, n).and(explicit::stiffness::<Tsitouras5, 7>(n));
@@ -89,7 +89,7 @@ impl Auto {
     }
 }
 
-/// The operations of [`fastest_rate`], and of its product with the length of a step.
+/// Operations of [`fastest_rate`], and of its product with the length of a step.
 const fn of_fastest_rate(n: usize) -> Operations {
     let image = Operations::new(n * n, n * n, 0, 0, 0, n + 1);
     let lengths = count::square(n).times(2).and(Operations::new(0, 0, 0, 0, 2, 20));
@@ -119,36 +119,36 @@ where
 
 impl Estimates for Switching {}
 
-/// Both methods, of which one is at work.
+/// Both methods, one of which is active.
 #[derive(Clone, Debug)]
 pub struct Switch<T, const N: usize> {
     explicit: Free<T, N>,
     implicit: RosenbrockStages<tableau::Steinebach5, T, 8, N>,
     stiffness: Stiffness,
-    /// The direction of the fastest change, for power iteration.
+    /// Direction of the fastest change, for power iteration.
     fastest: SVector<T, N>,
 }
 
-/// What steps so far tell of the stiffness.
+/// Detection of stiffness from the steps so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Stiffness {
-    /// Whether the implicit method is at work.
+    /// True if the implicit method is active.
     pub(crate) is_stiff: bool,
-    /// Whether the other one is to take the next step.
+    /// True if the other method takes the next step.
     pub(crate) changes: bool,
-    /// Steps at the limit of stability.
+    /// Number of steps at the limit of stability.
     at_limit: usize,
-    /// Steps in a row that are not.
+    /// Number of steps in a row that are not.
     free: usize,
 }
 
 impl Stiffness {
-    /// The method at work begins.
+    /// Restarts the counts for the active method.
     pub(crate) fn begin(&mut self) {
         (self.changes, self.at_limit, self.free) = (false, 0, 0);
     }
 
-    /// Looks at an explicit step with its `|h lambda|`: whether it was one too many at the limit of stability.
+    /// Counts an explicit step by its `|h lambda|`, and requests a switch after too many at the limit of stability.
     pub(crate) fn after_explicit(&mut self, measured: f64, limit: f64) {
         if measured > AT_THE_LIMIT * limit {
             self.at_limit += 1;
@@ -162,7 +162,8 @@ impl Stiffness {
         self.changes = self.at_limit >= STIFF;
     }
 
-    /// Looks at an implicit step: whether explicit steps of such lengths would have been stable for a while.
+    /// Counts an implicit step, and requests a switch if explicit steps of such lengths would have been stable for a
+    /// while.
     pub(crate) fn after_implicit(&mut self, measured: f64, limit: f64) {
         if measured <= WITHIN * limit {
             self.free += 1;
@@ -173,9 +174,9 @@ impl Stiffness {
     }
 }
 
-/// An explicit method whose limit of stability is known.
+/// An explicit method with its limit of stability.
 pub(crate) trait Bounded<const STAGES: usize>: Tableau<STAGES> {
-    /// The limit of stability on the negative real axis.
+    /// Limit of stability on the negative real axis.
     const LIMIT: f64;
 }
 
@@ -191,7 +192,7 @@ impl Bounded<17> for Verner9 {
     const LIMIT: f64 = 4.4;
 }
 
-/// Which method is the explicit one.
+/// Choice of the explicit method.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Choice {
     Tsit5,
@@ -200,7 +201,7 @@ pub(crate) enum Choice {
 }
 
 impl Choice {
-    /// That for a tolerance.
+    /// Method for a tolerance.
     pub(crate) fn within<T: Float>(tolerance: Option<&Tolerance<T>>) -> Self {
         let least = tolerance.map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64());
         if least > LOOSE {
@@ -221,7 +222,7 @@ enum Free<T, const N: usize> {
     Vern9(ExplicitStages<Verner9, T, 17, N>),
 }
 
-/// The explicit method, whichever it is.
+/// Matches on the explicit method.
 macro_rules! explicit {
     ($free:expr, $stages:ident => $value:expr) => {
         match $free {
@@ -236,7 +237,7 @@ macro_rules! explicit {
 mod in_lanes;
 
 impl<T: Float, const N: usize> Free<T, N> {
-    /// That for a tolerance.
+    /// Creates the method for a tolerance.
     fn new<S>(system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self, Reason>
     where
         S: System<T, N> + ?Sized,
@@ -248,7 +249,7 @@ impl<T: Float, const N: usize> Free<T, N> {
         })
     }
 
-    /// Its limit of stability.
+    /// Limit of stability.
     fn limit(&self) -> f64 {
         match self {
             Self::Tsit5(_) => Tsitouras5::LIMIT,
@@ -258,12 +259,13 @@ impl<T: Float, const N: usize> Free<T, N> {
     }
 }
 
-/// Those of [`fastest_rate`], whose product is four lengths.
+/// Number of power iterations. The fourth root below depends on it.
 const ITERATIONS: usize = 4;
 
-/// The size of the largest eigenvalue of a matrix by a few power iterations from `v`, which turns to its direction.
+/// Magnitude of the largest eigenvalue of a matrix, by a few power iterations from `v`, which converges to its
+/// eigenvector.
 ///
-/// A pair of complex ones makes `v` turn on and on: the mean over some iterations smooths that.
+/// A complex pair makes `v` rotate; the mean over the iterations smooths its effect.
 pub(crate) fn fastest_rate<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, v: &mut SVector<T, N>) -> T {
     let mut product = T::from_f64(1.0);
     for _ in 0..ITERATIONS {
@@ -378,14 +380,14 @@ mod tests {
     #[test]
     fn the_fastest_rate_is_that_of_the_largest_eigenvalue() {
         let symmetric = SMatrix::<f64, 2, 2>::new(-3.0, 1.0, 1.0, -3.0);
-        // from the vector of -2, but for a little
+        // almost the eigenvector of -2
         let mut v = SVector::from([1.0, 0.999]);
         for _ in 0..20 {
             fastest_rate(&symmetric, &mut v);
         }
         assert!((fastest_rate(&symmetric, &mut v) - 4.0).abs() < 1e-9);
         assert!((v.norm() - 1.0).abs() < 1e-12 && (v[0] + v[1]).abs() < 1e-9, "{v}");
-        // A pair +-5 i: over two iterations the vector grows by 25 and turns half around.
+        // a pair +-5 i: over two iterations the vector grows by 25 and makes half a turn
         let turning = SMatrix::<f64, 2, 2>::new(0.0, 50.0, -0.5, 0.0);
         assert!((fastest_rate(&turning, &mut v) - 5.0).abs() < 1e-9);
     }

@@ -1,4 +1,4 @@
-//! The equations of collocation methods: simplified Newton iterations, one eigenvalue of the method at a time.
+//! Equations of collocation methods: simplified Newton iterations, decoupled by the eigenvalues of the method.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -8,8 +8,8 @@ use crate::method::operations as count;
 use crate::real::Float;
 use crate::tableau::{Eigenpair, Eigenpairs};
 
-/// The matrix of the iteration, `G d_i - h sum_j a_ij F d_j`, factored: the stages come apart along the eigenvectors of
-/// `a_ij`, and a real and a complex matrix of the size of the state remain (E. Hairer, G. Wanner, "Solving Ordinary
+/// Factored matrix of the iteration, `G d_i - h sum_j a_ij F d_j`. The eigenvectors of `a_ij` decouple the stages,
+/// which leaves a real and a complex matrix of the size of the state (E. Hairer, G. Wanner, "Solving Ordinary
 /// Differential Equations II", IV.8).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pencil<T, const STAGES: usize, const N: usize> {
@@ -18,8 +18,8 @@ pub(super) struct Pencil<T, const STAGES: usize, const N: usize> {
 }
 
 impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
-    /// The matrix for a step of length `h`; `g` and `f` are the derivatives by the state of the variables and of their
-    /// rates.
+    /// Factors the matrix for a step of length `h`; `g` and `f` are the derivatives of the variables and of their rates
+    /// by the state.
     #[inline]
     pub(super) fn new(
         modes: &Eigenpairs<STAGES>,
@@ -47,24 +47,24 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
         })
     }
 
-    /// The `d` of `G d - h mu F d = r` with the real eigenvalue `mu`; none where the method has none.
+    /// Solves `G d - h mu F d = r` with the real eigenvalue `mu` for `d`. None if the method has no real eigenvalue.
     #[inline]
     pub(super) fn solve_real(&self, r: &SVector<T, N>) -> Option<SVector<T, N>> {
         let (_, lu) = self.real.as_ref()?;
         Some(SVector::from(lu.solve(&r.data.0[0])))
     }
 
-    /// How many matrices were factored.
+    /// Number of factored matrices.
     pub(super) fn factorizations(&self) -> usize {
         1 + usize::from(self.real.is_some())
     }
 
-    /// The `d_i` for which the matrix gives the residuals `r_i`.
+    /// Solves for the `d_i` that the matrix maps to the residuals `r_i`.
     #[inline]
     pub(super) fn solve(&self, residuals: &[SVector<T, N>; STAGES]) -> [SVector<T, N>; STAGES] {
         let (mode, lu) = &self.pair;
         let left = mode.left.map(|l| Complex::new(T::from_f64(l.re), T::from_f64(l.im)));
-        // the other one of the pair adds the conjugate: twice the real part
+        // the conjugate eigenvalue adds the conjugate: twice the real part
         let right = mode
             .right
             .map(|r| Complex::new(T::from_f64(2.0 * r.re), T::from_f64(2.0 * r.im)));
@@ -92,7 +92,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
     }
 }
 
-/// The operations of [`Pencil::new`] for `n` state components.
+/// Operations of [`Pencil::new`] for `n` state components.
 pub(super) const fn pencil<const STAGES: usize>(modes: &Eigenpairs<STAGES>, n: usize) -> Operations {
     let of_pair = Operations::new(2 * n * n, 2 * n * n + 2, 0, 0, 0, 3);
     let of_pair = of_pair.and(factoring::<Complex<f64>>(n));
@@ -103,10 +103,10 @@ pub(super) const fn pencil<const STAGES: usize>(modes: &Eigenpairs<STAGES>, n: u
     of_pair.and(of_real).and(factoring::<f64>(n))
 }
 
-/// Those of [`Pencil::solve`].
+/// Operations of [`Pencil::solve`].
 pub(super) const fn changes<const STAGES: usize>(modes: &Eigenpairs<STAGES>, n: usize) -> Operations {
     let terms = STAGES * n;
-    // along the eigenvector, and back to the stages
+    // projection onto the eigenvector, and back to the stages
     let there = Operations::new(2 * terms, 2 * terms, 0, 0, 0, STAGES + 1);
     let back = Operations::new(terms, 2 * terms, 0, 0, 0, 2);
     let of_pair = there.and(solving::<Complex<f64>>(n)).and(back);
@@ -118,7 +118,7 @@ pub(super) const fn changes<const STAGES: usize>(modes: &Eigenpairs<STAGES>, n: 
     of_pair.and(there).and(solving::<f64>(n)).and(back)
 }
 
-/// A matrix by its columns: `entry(j, i)` is that of column `j` and row `i`.
+/// Collects a matrix by its columns: `entry(j, i)` is the entry in column `j` and row `i`.
 #[inline]
 fn columns<F: Field, const N: usize>(entry: impl Fn(usize, usize) -> F) -> [[F; N]; N] {
     core::array::from_fn(|j| core::array::from_fn(|i| entry(j, i)))

@@ -1,4 +1,4 @@
-//! Explicit Runge-Kutta methods, whatever their tableau.
+//! Explicit Runge-Kutta methods with any tableau.
 
 use core::marker::PhantomData;
 
@@ -26,7 +26,7 @@ use crate::tableau::{Tableau, difference};
 pub struct Explicit<B, const STAGES: usize>(PhantomData<B>);
 
 impl<B, const STAGES: usize> Explicit<B, STAGES> {
-    /// The method.
+    /// Creates the method.
     #[must_use]
     pub const fn new() -> Self {
         Self(PhantomData)
@@ -34,9 +34,10 @@ impl<B, const STAGES: usize> Explicit<B, STAGES> {
 }
 
 impl<B: Tableau<STAGES>, const STAGES: usize> Fixed<Explicit<B, STAGES>> {
-    /// The operations that one step takes at most, in a system of `n` state components whose right-hand side takes `rhs`.
+    /// Upper bound of the operations of one step, in a system of `n` state components whose right-hand side takes
+    /// `rhs`.
     ///
-    /// Comparisons and moves of numbers come on top. The choice of the time of a step is included, dense output is not.
+    /// Comparisons and moves of numbers are extra. The choice of the time of a step is included, dense output is not.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -57,18 +58,18 @@ impl<B: Tableau<STAGES>, const STAGES: usize> Fixed<Explicit<B, STAGES>> {
 }
 
 impl<B: Tableau<STAGES>, const STAGES: usize> Adaptive<Explicit<B, STAGES>> {
-    /// The operations that one try of a step takes at most, in a system of `n` state components whose right-hand side
-    /// takes `rhs`. An error above the tolerance takes another try.
+    /// Upper bound of the operations of one attempt of a step, in a system of `n` state components whose right-hand
+    /// side takes `rhs`. An error above the tolerance takes another attempt.
     ///
-    /// Comparisons and moves of numbers come on top. The error and the choice of the next step are included, dense
-    /// output and the choice of the first step, which takes two evaluations, are not.
+    /// Comparisons and moves of numbers are extra. The error and the choice of the next step are included; dense
+    /// output, and the choice of the first step with its two evaluations, are not.
     #[must_use]
     pub const fn operations(rhs: Operations, n: usize) -> Operations {
         attempt_within::<B, STAGES>(rhs, n).and(count::CONTROLLED)
     }
 }
 
-/// The operations of the stages of a step, the last one included.
+/// Operations of the stages of a step, including the last one.
 const fn stages<B: Tableau<STAGES>, const STAGES: usize>(rhs: Operations, n: usize) -> Operations {
     let mut operations = Operations::ZERO;
     let mut stage = 1;
@@ -82,7 +83,7 @@ const fn stages<B: Tableau<STAGES>, const STAGES: usize>(rhs: Operations, n: usi
     operations
 }
 
-/// Those of a step with its error.
+/// Operations of an attempt with its error estimate.
 pub(super) const fn attempt_within<B: Tableau<STAGES>, const STAGES: usize>(rhs: Operations, n: usize) -> Operations {
     // the length without its sign
     let length = Operations::new(1, 0, 0, 0, 1, 0);
@@ -90,7 +91,7 @@ pub(super) const fn attempt_within<B: Tableau<STAGES>, const STAGES: usize>(rhs:
     stages::<B, STAGES>(rhs, n).and(length).and(error)
 }
 
-/// Those of [`ExplicitStages::stiffness`].
+/// Operations of [`ExplicitStages::stiffness`].
 pub(super) const fn stiffness<B: Tableau<STAGES>, const STAGES: usize>(n: usize) -> Operations {
     let apart = count::weighted_sum(&difference(B::TABLEAU.b, B::TABLEAU.a[STAGES - 2]), n).and(count::square(n));
     let change = count::added(n).and(count::square(n));
@@ -121,12 +122,12 @@ where
 
 impl<B: Estimates, const STAGES: usize> Estimates for Explicit<B, STAGES> {}
 
-/// The stages of a step.
+/// Stages of a step of an explicit method.
 #[derive(Clone, Copy, Debug)]
 pub struct ExplicitStages<B, T, const STAGES: usize, const N: usize> {
     tolerance: Option<Tolerance<T>>,
-    /// Whether what is tried is accepted, as without a tolerance, and the derivative at the end is the slope at once: in
-    /// lanes, where nothing else reads the last stage.
+    /// True if every attempt is accepted, as without a tolerance, and the derivative at its end overwrites the slope:
+    /// in lanes, where nothing else reads the last stage.
     goes_on_at_once: bool,
     /// See [`slope`](Self::slope).
     slope: SVector<T, N>,
@@ -136,8 +137,8 @@ pub struct ExplicitStages<B, T, const STAGES: usize, const N: usize> {
 }
 
 impl<B, T: Lanes, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N> {
-    /// The derivative where the next step starts. It stands beside the stages of the last step, whose first one dense
-    /// output needs; lanes have dense output before a step is accepted, and save the copy.
+    /// Derivative at the start of the next step. It is separate from the stages of the last step, since dense output
+    /// needs the first of them. Lanes compute dense output before a step is accepted, and save the copy.
     #[inline(always)]
     fn slope(&mut self) -> &mut SVector<T, N> {
         if const { T::LANES == 1 } {
@@ -147,7 +148,7 @@ impl<B, T: Lanes, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAG
         }
     }
 
-    /// Keeps all stages of a step for dense output, where that is asked for.
+    /// Keeps all stages of a step if dense output is requested.
     #[cfg(feature = "std")]
     pub(crate) fn keep_stages(&mut self, is_dense: bool) {
         self.goes_on_at_once &= !is_dense;
@@ -159,14 +160,14 @@ where
     B: Tableau<STAGES>,
     T: Lanes,
 {
-    /// The derivatives at the stages of the step that was tried last.
+    /// Derivatives at the stages of the last attempt.
     #[cfg(feature = "std")]
     pub(super) fn stages(&self) -> &[SVector<T, N>; STAGES] {
         &self.stages
     }
 
-    /// `|h lambda|` of the step that was tried last, of length `h`, with the fastest rate `lambda` of the system: from the
-    /// last two stages, which are derivatives at two states at the same time; 0 where these are equal.
+    /// Estimates `|h lambda|` of the last attempt, of length `h`, with the fastest rate `lambda` of the system. The
+    /// last two stages are derivatives at two states at the same time; 0 if the states are equal.
     #[inline(always)]
     pub(super) fn stiffness(&self, h: T) -> T {
         let weights = const {
@@ -218,8 +219,8 @@ where
         if const { T::LANES == 1 } {
             self.stages[0] = self.slope;
         }
-        // Through a reference the right-hand side may stay a function, where that of a generated model is always
-        // inlined: many copies of a long one are slower than calls. In lanes a function would not use their
+        // Through a reference the right-hand side may stay a function, whereas the one of a generated model is always
+        // inlined: calls are faster than many copies of a long one. In lanes a function would not use their
         // instructions.
         *x_new = if const { N <= SHORT || T::LANES > 1 } {
             attempt::<B, InMode<'_, S, T>, _, _, _>(system, (t, x), t_new, &mut self.stages)
@@ -289,20 +290,21 @@ where
     }
 }
 
-/// The most stages that [`attempt`] spells out.
+/// Maximum number of stages in [`attempt`].
 const MAX_STAGES: usize = 20;
-/// The most further stages of a dense output.
+/// Maximum number of extra stages of a dense output.
 const MAX_EXTRA: usize = 10;
-/// The highest degree of a dense output, of other methods as well.
+/// Maximum degree of a dense output, of other methods as well.
 pub(crate) const MAX_DEGREE: usize = 9;
 
-/// Evaluates the stages of a step from `(t, x)` to `t_new`, but for the first and the last, and returns the state
-/// there.
+/// Evaluates the stages of a step from `(t, x)` to `t_new`, except the first and the last, and returns the state at the
+/// end.
 ///
-/// `stages[0]` is the derivative at the start, given. The last one is the derivative at the end: `rhs(t_new, x_new)`.
+/// `stages[0]`, the derivative at the start, is given. The last stage is the derivative at the end: `rhs(t_new,
+/// x_new)`.
 ///
-/// The stages are spelled out up to `MAX_STAGES`, since compilers do not unroll a loop over calls of the right-hand
-/// side: so each sees its row of the tableau as constants, and zero coefficients vanish.
+/// The stages are unrolled up to `MAX_STAGES` by a macro, since compilers do not unroll a loop over calls of the
+/// right-hand side: each stage then has its row of the tableau as constants, and zero coefficients vanish.
 #[inline(always)]
 fn attempt<B, S, T, const STAGES: usize, const N: usize>(
     system: &S,
@@ -329,7 +331,7 @@ where
             if $i + 1 < STAGES {
                 let row = const { &Row::of::<B>($i) };
                 let x = shifted(x, &weighted_sum::<T, STAGES, N>(h, &row.a, $i, stages));
-                // Not t + h, which may differ in the last bit.
+                // not t + h, which may differ in the last bit
                 let time = if row.c == 1.0 { t_new } else { t + h * T::from_f64(row.c) };
                 stages[$i] = system.rhs(time, &x);
             }
@@ -340,14 +342,14 @@ where
     shifted(x, &weighted_sum::<T, STAGES, N>(h, weights, STAGES - 1, stages))
 }
 
-/// One row of a tableau.
+/// A row of a tableau.
 struct Row<const STAGES: usize> {
     a: [f64; STAGES],
     c: f64,
 }
 
 impl<const STAGES: usize> Row<STAGES> {
-    /// Row `i`; a row of zeros beyond the last, where the compiler asks in code that is never reached.
+    /// Row `i`; a row of zeros beyond the last one, for unreachable code that is compiled nonetheless.
     const fn of<B: Tableau<STAGES>>(i: usize) -> Self {
         if i < STAGES {
             Self {

@@ -12,14 +12,14 @@ use crate::system::{IntoState, System};
 /// A method with steps of fixed length, such as [`Rk4`](crate::Rk4). `F` is the kind of step.
 ///
 /// The steps end at the times `t0 + i h`, computed without accumulating rounding errors; the last step is shortened to
-/// end at `t1` exactly. A restart within a step does not move these times.
+/// end exactly at `t1`. A restart within a step does not move these times.
 ///
-/// Nothing checks the error: steps that are too long for a motion give wrong numbers without an error. Compare with half
-/// the step, or with a method that takes a tolerance; [`max_stable_step`](crate::stability::max_stable_step) tells beyond
-/// which step a motion blows up.
+/// There is no error control: steps too long for a motion give wrong results without an error. Compare with half the
+/// step, or with an adaptive method; [`max_stable_step`](crate::stability::max_stable_step) returns the longest stable
+/// step.
 ///
-/// The only setting is `h`, which must be positive, even backward in time, and large enough for the times to resolve.
-/// [`solve`](Method::solve) keeps ten million points at most; [`stepper`](Method::stepper) has no such limit.
+/// The only setting is `h`, which must be positive, even backward in time, and large enough to be resolved by the
+/// times. [`solve`](Method::solve) stores at most ten million points; [`stepper`](Method::stepper) has no such limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<F> {
     pub(crate) h: f64,
@@ -27,7 +27,7 @@ pub struct Fixed<F> {
 }
 
 impl<F: Default> Fixed<F> {
-    /// The method with steps of length `h`, which is positive even backward in time.
+    /// Creates the method with steps of length `h`, which is positive even backward in time.
     #[must_use]
     pub fn new(h: f64) -> Self {
         Self {
@@ -38,7 +38,7 @@ impl<F: Default> Fixed<F> {
 }
 
 impl<F> Fixed<F> {
-    /// The length of a step.
+    /// Length of a step.
     #[must_use]
     pub const fn h(&self) -> f64 {
         self.h

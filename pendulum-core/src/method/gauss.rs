@@ -1,4 +1,4 @@
-//! The methods of Gauss and Legendre, in coordinates and momenta.
+//! Gauss-Legendre methods, in coordinates and momenta.
 
 use nalgebra::SVector;
 
@@ -23,9 +23,9 @@ use crate::tableau::{GaussLegendre, GaussTableau, HasTableau};
 ///
 /// It is symplectic and symmetric (E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", II.1.3 and
 /// VI.4): without friction, the energy error of a regular motion stays bounded and falls with the step to the power of
-/// the order, conserved momenta stay so up to rounding, and integrating backward retraces the motion.
+/// the order, conserved momenta are constant up to rounding, and backward integration retraces the motion.
 ///
-/// There is no error estimate, so it takes fixed steps only.
+/// There is no error estimate, so only fixed steps are available.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const STAGES: usize>;
 
@@ -33,11 +33,11 @@ impl<const STAGES: usize> Fixed<Gauss<STAGES>>
 where
     GaussLegendre: HasTableau<STAGES>,
 {
-    /// The operations that one step takes at most, in a system of `n` state components. `canonical` are those of the
-    /// canonical equations, `jacobian` those of their Jacobian: the costs `canonical` and `canonical_jacobian` of a
-    /// generated model.
+    /// Upper bound of the operations of one step, in a system of `n` state components. `canonical` are the operations
+    /// of the canonical equations, `jacobian` those of their Jacobian: the costs `canonical` and `canonical_jacobian`
+    /// of a generated model.
     ///
-    /// It is for 100 iterations, which are the most. Comparisons and moves of numbers come on top. The choice of the
+    /// The bound assumes 100 iterations, the maximum. Comparisons and moves of numbers are extra. The choice of the
     /// time of a step is included, dense output is not.
     #[must_use]
     pub const fn operations(canonical: Operations, jacobian: Operations, n: usize) -> Operations {
@@ -54,9 +54,9 @@ where
         // of the changes and of the stages
         let largest = Operations::new(STAGES * n, 0, 0, 0, STAGES * n, STAGES * n).times(2);
         let iteration = parts.and(swept).and(collocation::changes(modes, n)).and(largest);
-        // What the last iteration changes is rounding.
+        // the last change is rounding, and not applied
         let updates = count::added(STAGES * n).times(MAX_ITERATIONS - 1);
-        // A change that is larger than the one before is compared with what can be rounding.
+        // a change larger than the one before is compared with the size of rounding errors
         let rises = Operations::new(0, 1, 0, 0, 1, 11).times(MAX_RISES + 1);
         let increment = count::added(n).times(STAGES).and(count::added(n).times(6));
         let rates = jacobian.and(canonical).and(factoring::<f64>(n)).and(solving::<f64>(n));
@@ -96,37 +96,38 @@ where
     }
 }
 
-/// The stages of a step.
+/// Stages of a step of a Gauss method.
 #[derive(Clone, Copy, Debug)]
 pub struct GaussStages<T, const STAGES: usize, const N: usize> {
-    /// Where the next step starts.
+    /// Start of the next step.
     start: Point<T, N>,
-    /// The derivative of the state where it began.
+    /// Derivative of the state at the initial point.
     slope: SVector<T, N>,
-    /// How many of the canonical variables are coordinates; the momenta follow them.
+    /// Number of canonical variables that are coordinates; the momenta follow them.
     positions: usize,
     /// The last step: its start, its stages and its length.
     before: Option<(SVector<T, N>, [SVector<T, N>; STAGES], T)>,
-    /// Where the step that was tried last ends, and its stages.
+    /// End and stages of the last attempt.
     tried: (Point<T, N>, [SVector<T, N>; STAGES]),
     coefficients: [SVector<T, N>; 5],
 }
 
-/// A point in canonical variables, which are the state that the method steps on.
+/// A point in canonical variables, which the method advances.
 #[derive(Clone, Copy, Debug)]
 struct Point<T, const N: usize> {
     y: SVector<T, N>,
-    /// What was rounded off when the last step was added (compensated summation).
+    /// Rounding error of the last addition of a step (compensated summation).
     lost: SVector<T, N>,
 }
 
-/// An iteration that takes longer does not converge.
+/// Maximum number of iterations.
 const MAX_ITERATIONS: usize = 100;
 
-/// A step is not carried on over one that is longer by more than this.
+/// Maximum ratio of a step to the last one, up to which the last step is extrapolated.
 const MAX_RATIO: f64 = 4.0;
 
-/// The first iterations may lead away, from starting values that were better than it shows; later ones must not.
+/// Maximum number of iterations whose changes grow: the first may move away from starting values more accurate than
+/// they show.
 const MAX_RISES: usize = 2;
 
 /// A vector for each stage.
@@ -138,8 +139,8 @@ where
 {
     const TABLEAU: GaussTableau<STAGES> = GaussLegendre::TABLEAU;
 
-    /// Starting values: the polynomial through start, stages and end of the last step, carried on; a straight line before
-    /// there is one, or after one that was too short to tell, as it is from an impact to the grid.
+    /// Starting values: extrapolates the polynomial through start, stages and end of the last step. Falls back to a
+    /// straight line if there is no last step, or if it was too short, as from an impact to the grid.
     fn predicted(&self, x: &SVector<T, N>, h: T) -> [SVector<T, N>; STAGES] {
         let table = const { &Self::TABLEAU };
         let last = self
@@ -160,7 +161,7 @@ where
         })
     }
 
-    /// The products `h b_i f_i` of the rates of the stages of a step, and what the stages leave of its equations.
+    /// Returns the products `h b_i f_i` of the rates of the stages of a step, and the residuals of its equations.
     #[inline(always)]
     fn residuals<S: Canonical<T, N> + ?Sized>(
         &self,
@@ -175,7 +176,7 @@ where
             let (variables, rates) = system.canonical(t + h * T::from_f64(c[i]), &stages[i]);
             parts[i] = rates * (h * T::from_f64(b[i]));
             half += parts[i] * T::from_f64(0.5);
-            // increments, which are smaller than the variables, and so are their rounding errors
+            // sum increments: they are smaller than the variables, and so are their rounding errors
             residuals[i] = (self.start.y - variables) + self.start.lost;
         }
         for i in 0..STAGES {
@@ -185,8 +186,8 @@ where
         (parts, residuals)
     }
 
-    /// Solves for the stages of a step from `x` at `t`: the stages, and the products `h b_i f_i` of their rates. Not
-    /// finite where a rate is not.
+    /// Solves for the stages of a step from `x` at `t`, and returns them with the products `h b_i f_i` of their rates.
+    /// The result is not finite if a rate is not.
     #[inline]
     fn solve<S: Canonical<T, N> + ?Sized>(
         &self,
@@ -198,7 +199,7 @@ where
         let GaussTableau { modes, .. } = const { &Self::TABLEAU };
         let [one_half, zero] = [0.5, 0.0].map(T::from_f64);
         let mut stages = self.predicted(x, h);
-        // in the middle of the step, where the stages are on both sides
+        // the middle of the step, amid the stages
         let middle = stages
             .iter()
             .fold(SVector::from_element(zero), |sum, stage| sum + stage)
@@ -221,7 +222,7 @@ where
                     Ok((stages, parts))
                 };
             }
-            // Until the changes are rounding, which does not fall on: what an iteration leaves undone would be a drift.
+            // iterate until the changes stop falling, at the level of rounding: a remaining error would cause a drift
             if change >= before || change == zero {
                 if change <= T::EPSILON.sqrt() * size {
                     return Ok((stages, parts));
@@ -277,7 +278,7 @@ where
             *x_new = y;
             return Ok(T::default());
         }
-        // The coordinates are there; their rates solve A qd = p, from some rates nearby.
+        // the coordinates are final; their rates solve A qd = p, linearized at nearby rates
         let nearby = SVector::from_fn(|k, _| {
             if k < self.positions {
                 y[k]
@@ -331,7 +332,7 @@ where
     }
 }
 
-/// The sum rounded, and what the rounding took (D. E. Knuth, "The Art of Computer Programming 2", 4.2.2, Theorem B).
+/// Rounded sum, and its rounding error (D. E. Knuth, "The Art of Computer Programming 2", 4.2.2, Theorem B).
 fn sum_and_rest<T: Float, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
     let sum = a + b;
     let of_b = sum - a;
@@ -339,7 +340,7 @@ fn sum_and_rest<T: Float, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>) 
     (sum, (a - of_a) + (b - of_b))
 }
 
-/// The size of the largest component; not finite if one is not.
+/// Magnitude of the largest component; not finite if a component is not.
 fn largest<T: Float, const N: usize>(vectors: &[SVector<T, N>]) -> T {
     let mut largest = T::default();
     let mut sum = T::default();
@@ -347,6 +348,6 @@ fn largest<T: Float, const N: usize>(vectors: &[SVector<T, N>]) -> T {
         largest = largest.max(component.abs());
         sum += *component;
     }
-    // the larger of a number and NaN is the number
+    // the maximum of a number and NaN is the number
     if sum.is_finite() { largest } else { sum }
 }

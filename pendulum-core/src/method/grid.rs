@@ -1,30 +1,30 @@
-//! Steps of equal length.
+//! Grid of times for steps of equal length.
 
 use crate::error::Reason;
 use crate::method::input::require;
 use crate::real::Float;
 
-/// Times `t0 + i h` on the way from `t0` to `t1`, of which the last is `t1` exactly.
+/// Times `t0 + i h` from `t0` towards `t1`; the last one is exactly `t1`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid<T> {
     t0: T,
     t1: T,
-    /// Positive, whatever the direction of time.
+    /// Step, positive in both directions of time.
     h: T,
-    /// The number of the time that was reached last.
+    /// Index of the last time reached.
     reached: usize,
 }
 
-/// The least step in ulps of the time: a shorter one would be mostly rounding error.
+/// Minimum step, in ulps of the time: a shorter one would be mostly rounding error.
 const LEAST_ULPS: f64 = 16.0;
-/// What remains of a span shorter than this many ulps of its times is added to the last step.
+/// Rest of the span, in ulps of its times, below which it is added to the last step.
 const SLACK_ULPS: f64 = 8.0;
-/// The most points of a solution: a pendulum's take 800 MB.
+/// Maximum number of points of a solution: for a pendulum they take 800 MB.
 #[cfg(feature = "std")]
 const MOST_KEPT: f64 = 1e7;
 
 impl<T: Float> Grid<T> {
-    /// The grid over a span of finite times.
+    /// Creates the grid over a span of finite times.
     pub(crate) fn new(h: f64, t0: T, t1: T) -> Result<Self, Reason> {
         require(h.is_finite() && h > 0.0, "h", h, "the step must be positive and finite")?;
         let grid = Self {
@@ -42,17 +42,17 @@ impl<T: Float> Grid<T> {
         Ok(grid)
     }
 
-    /// Goes on by one: the time there.
+    /// Advances by one step, and returns the time there.
     #[inline]
     pub(crate) fn next(&mut self) -> T {
         self.reached += 1;
         self.time(self.reached)
     }
 
-    /// Goes to the time `t` within the span: the next one is after it.
+    /// Moves to the time `t` within the span: the next time lies after it.
     pub(crate) fn go_to(&mut self, t: T) {
         self.reached = ((t - self.t0).abs() / self.h).to_f64() as usize;
-        // Rounding errors may put the quotient on either side, and no step is taken to a time that is nearly reached.
+        // rounding errors may put the quotient on either side, and no step should end at a time almost reached
         let next = self.time(self.reached + 1);
         let near = T::from_f64(LEAST_ULPS) * T::EPSILON * self.largest();
         if next != self.t1 && (next - t).abs() <= near {
@@ -68,11 +68,11 @@ impl<T: Float> Grid<T> {
         T::from_f64(if self.t1 < self.t0 { -1.0 } else { 1.0 })
     }
 
-    /// The time `i`; beyond the last, the end.
+    /// Time `i`; the end beyond the last one.
     #[inline]
     fn time(&self, i: usize) -> T {
         let direction = self.direction();
-        // Multiples of h from the start on: adding h again and again would gather its rounding errors.
+        // multiples of h from the start on: repeated additions of h would accumulate their rounding errors
         let time = self.t0 + direction * (self.h * T::from_f64(i as f64));
         let slack = T::from_f64(SLACK_ULPS) * T::EPSILON * self.largest();
         let is_last = (self.t1 - time) * direction <= slack;
@@ -84,10 +84,10 @@ impl<T: Float> Grid<T> {
     }
 }
 
-/// For those who keep the times.
+/// Limits for solutions, which store the times.
 #[cfg(feature = "std")]
 impl<T: Float> Grid<T> {
-    /// Whether all times can be kept.
+    /// Checks that the number of times fits into a solution.
     pub(crate) fn check_to_keep(&self) -> Result<(), Reason> {
         let steps = ((self.t1 - self.t0).abs() / self.h).to_f64();
         require(

@@ -1,5 +1,4 @@
-//! The states between the ends of a step, from the slopes there: for methods whose stages are of a lower order than
-//! their ends.
+//! Dense output from the slopes at the ends of a step, for methods whose stages are of lower order than their ends.
 
 use nalgebra::SVector;
 
@@ -8,9 +7,9 @@ use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::system::System;
 
-/// The coefficients from the first power on of the cubic with the states and slopes of both ends: of order 3.
+/// Coefficients, from the first power on, of the cubic through the states and slopes of both ends: of order 3.
 ///
-/// Slopes are by the fraction of the step.
+/// Slopes are derivatives by the fraction of the step.
 pub(super) fn cubic<S, T, const N: usize>(system: &S, step: &Step<T, N>, work: &mut Statistics) -> [SVector<T, N>; 3]
 where
     S: System<T, N> + ?Sized,
@@ -24,17 +23,17 @@ where
     [first, change * three - first * two - last, first + last - change * two]
 }
 
-/// Those of the quintic that has the slopes of the system at two points within as well: of order 5.
+/// Coefficients of the quintic that also has the slopes of the system at two interior points: of order 5.
 ///
-/// It is the cubic plus `theta^2 (1 - theta)^2 (alpha + beta theta)`. The slopes are taken from states of the
-/// polynomial before, twice, and each time the order rises by one (W. H. Enright, K. R. Jackson, S. P. Norsett, P. G.
-/// Thomsen, "Interpolants for Runge-Kutta formulas", ACM TOMS 12 (1986) 193-218).
+/// It is the cubic plus `theta^2 (1 - theta)^2 (alpha + beta theta)`. The slopes are evaluated at states of the
+/// previous polynomial, twice, and each pass raises the order by one (W. H. Enright, K. R. Jackson, S. P. Norsett, P.
+/// G. Thomsen, "Interpolants for Runge-Kutta formulas", ACM TOMS 12 (1986) 193-218).
 pub(super) fn quintic<S, T, const N: usize>(system: &S, step: &Step<T, N>, work: &mut Statistics) -> [SVector<T, N>; 5]
 where
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    /// The outer nodes of Gauss at `1/2 -+ sqrt(15)/10`, where `theta (1 - theta)` is 1/10.
+    /// Distance of the outer Gauss nodes from the middle: `1/2 -+ sqrt(15)/10`, where `theta (1 - theta)` is 1/10.
     const OFFSET: f64 = 0.387_298_334_620_741_7;
     let [c1, c2, c3] = cubic(system, step, work);
     let mut coefficients = [
@@ -53,7 +52,7 @@ where
             slope - (c1 + (c2 * two + c3 * (three * theta)) * theta)
         });
         work.evaluations += 2;
-        // with u = theta (1 - theta) the slopes ask for 2 u (5 u - 1) beta = left + right and 2 u (1 - 2 theta) (2
+        // with u = theta (1 - theta) the slopes require 2 u (5 u - 1) beta = left + right and 2 u (1 - 2 theta) (2
         // alpha + beta) = left - right
         let beta = (left + right) * T::from_f64(-10.0);
         let alpha = ((left - right) * T::from_f64(2.5 / OFFSET) - beta) * T::from_f64(0.5);

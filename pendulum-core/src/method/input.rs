@@ -1,4 +1,4 @@
-//! The checks of settings and arguments that all methods share.
+//! Validation of settings and arguments, common to all methods.
 
 use nalgebra::SVector;
 
@@ -7,7 +7,7 @@ use crate::layout::StateLayout;
 use crate::real::Float;
 use crate::system::{System, close, open};
 
-/// An error unless `holds`.
+/// Returns an error unless `holds`.
 pub(crate) fn require(holds: bool, what: &'static str, value: f64, rule: &'static str) -> Result<(), Reason> {
     if holds {
         Ok(())
@@ -16,7 +16,7 @@ pub(crate) fn require(holds: bool, what: &'static str, value: f64, rule: &'stati
     }
 }
 
-/// Checks the span of time.
+/// Checks that the time span is finite.
 pub(crate) fn check_span<T: Float>(t0: T, t1: T) -> Result<(), Reason> {
     let finite = "a time must be finite";
     require(t0.is_finite(), "t0", t0.to_f64(), finite)?;
@@ -26,17 +26,18 @@ pub(crate) fn check_span<T: Float>(t0: T, t1: T) -> Result<(), Reason> {
     require(span.is_finite(), "t1 - t0", span.to_f64(), rule)
 }
 
-/// Checks the span of time and the initial state.
+/// Checks the time span and the initial condition.
 pub(super) fn check_start<T: Float, const N: usize>(t0: T, t1: T, x0: &SVector<T, N>) -> Result<(), Reason> {
     const { assert!(N > 0, "a state has at least one component") };
     check_span(t0, t1)?;
     check_state(x0)
 }
 
-/// A state to start from that is this far from the constraints of its system is an error, not one of rounding.
+/// Largest distance of an initial condition from the constraints of its system. A larger one is an error of the caller,
+/// not a rounding error.
 const FAR: f64 = 1e-3;
 
-/// What may be wrong with a state to start from, and how it is called in one that a reset returns.
+/// Names of checked quantities: in an initial condition, and in a state returned by a reset.
 const COMPONENT: [&str; 2] = ["x0", "a component"];
 const QUATERNION: [&str; 2] = ["length of a quaternion in x0", "the length of a quaternion"];
 const DISTANCE: [&str; 2] = [
@@ -44,7 +45,7 @@ const DISTANCE: [&str; 2] = [
     "its distance from the constraints",
 ];
 
-/// Why a state that an event returned at the time `t` is none to go on from.
+/// Converts the reason that rejects a state returned by an event at the time `t`.
 #[cfg(feature = "std")]
 pub(crate) fn of_reset(reason: Reason, event: usize, t: f64) -> Reason {
     let Reason::InvalidInput { what, value, rule } = reason else {
@@ -62,7 +63,7 @@ pub(crate) fn of_reset(reason: Reason, event: usize, t: f64) -> Reason {
     }
 }
 
-/// A state to start from on the constraints of its system, close to the one that is given.
+/// Projects an initial condition onto the constraints of its system. Rejects it if it is far from them.
 pub(crate) fn place<S, T, const N: usize>(system: &S, t: T, given: &SVector<T, N>) -> Result<SVector<T, N>, Reason>
 where
     S: System<T, N> + ?Sized,
@@ -83,7 +84,8 @@ where
         .map(|(&x, &given)| (x - given).abs().to_f64());
     for by in moved {
         let rule = if by.is_nan() {
-            "the loops do not close from here: start nearer to where they do, as by `assemble`, and not at a toggle position"
+            "the loops do not close from here: start nearer to where they do, as by `assemble`, and not at a toggle \
+             position"
         } else {
             "it must be at most 1e-3: quaternions have unit length, and `assemble` closes loops"
         };
@@ -93,7 +95,7 @@ where
     Ok(x)
 }
 
-/// Checks that closed loops can close, and that they are closed.
+/// Checks that the closed loops can be closed, and that they are.
 pub(crate) fn check_loops<S, T, const N: usize>(system: &S, t: T, x: &SVector<T, N>) -> Result<(), Reason>
 where
     S: System<T, N> + ?Sized,
@@ -110,7 +112,7 @@ where
     wrong.map_or(Ok(()), Err)
 }
 
-/// Checks a state to start from.
+/// Checks that an initial condition is finite.
 pub(crate) fn check_state<T: Float, const N: usize>(x: &SVector<T, N>) -> Result<(), Reason> {
     for x in x.iter() {
         require(x.is_finite(), COMPONENT[0], x.to_f64(), "the state must be finite")?;

@@ -1,4 +1,4 @@
-//! Jumps of a right-hand side, which no step crosses within a tolerance.
+//! Detection of discontinuities of a right-hand side that steps within a tolerance cannot cross.
 
 use nalgebra::SVector;
 
@@ -6,15 +6,16 @@ use crate::error::Reason;
 use crate::real::Float;
 use crate::system::System;
 
-/// Lengths at which the derivative is compared, each half of the one before.
+/// Maximum number of times that the compared length is halved.
 const LENGTHS: usize = 50;
-/// Half a length changes what is smooth by a few times less; a jump that lies between, by this factor or more.
+/// Ratio of changes of the derivative over a length and over its half, beyond which a jump lies between: smooth changes
+/// shrink by a few times.
 const DROP: f64 = 100.0;
-/// A jump is at least this part of the derivative.
+/// Minimum jump, relative to the derivative.
 const LEAST: f64 = 1e-3;
 
-/// The jump that is behind the reason for which steps from `(t, x)` become too short or too many, if there is one within
-/// reach of them. Systems in modes jump where these change, and are not asked.
+/// Replaces the reason for which steps from `(t, x)` become too short or too many by a jump nearby, if there is one.
+/// Hybrid systems are excluded, since they jump at mode switches.
 #[cold]
 pub(crate) fn behind<S, T, const N: usize>(reason: Reason, system: &S, t: T, x: &SVector<T, N>) -> Reason
 where
@@ -32,13 +33,13 @@ where
     found.map_or(reason, |(component, by)| Reason::Jump { component, by })
 }
 
-/// The line along which a state moves, ahead and back.
+/// Straight line through a state along its derivative, in both directions of time.
 struct Line<'a, S: ?Sized, T, const N: usize> {
     system: &'a S,
     t: T,
     x: &'a SVector<T, N>,
     slope: SVector<T, N>,
-    /// The largest component of the slope.
+    /// Largest component of the slope.
     size: T,
 }
 
@@ -59,13 +60,13 @@ impl<'a, S: System<T, N> + ?Sized, T: Float, const N: usize> Line<'a, S, T, N> {
         self.system.rhs(self.t + h, &(self.x + self.slope * h))
     }
 
-    /// The component that jumps the most in the nearest jump, and by how much.
+    /// Nearest jump: the component that jumps the most, and the size of its jump.
     fn jump(&self) -> Option<(usize, f64)> {
         if self.size == T::default() || !self.size.is_finite() {
             return None;
         }
         let (one, half) = (T::from_f64(1.0), T::from_f64(0.5));
-        // the time in which the state would change by its own size
+        // time in which the state would change by its own size
         let reach = largest(self.x).1.max(T::MIN_POSITIVE) / self.size;
         [one, -one].into_iter().find_map(|ahead| {
             let mut beyond = ahead * reach;
@@ -79,14 +80,14 @@ impl<'a, S: System<T, N> + ?Sized, T: Float, const N: usize> Line<'a, S, T, N> {
                 }
                 (beyond, change) = (nearer, next);
             }
-            // what differs at no distance is noise
+            // a change that persists at every distance is noise
             self.is_jump(change)
                 .then(|| self.within(T::default(), beyond))
                 .flatten()
         })
     }
 
-    /// The jump between two places, if the derivative changes there by as much however near to each other they are.
+    /// Bisects an interval to a jump, if most of the change of the derivative concentrates in one point.
     fn within(&self, mut near: T, mut far: T) -> Option<(usize, f64)> {
         let whole = self.change(near, far).1;
         for _ in 0..LENGTHS {
@@ -101,7 +102,7 @@ impl<'a, S: System<T, N> + ?Sized, T: Float, const N: usize> Line<'a, S, T, N> {
         (by + by > whole).then(|| (component, by.to_f64()))
     }
 
-    /// The component of the derivative that changes the most between two places, and by how much.
+    /// Component of the derivative that changes the most between two positions, and its change.
     fn change(&self, from: T, to: T) -> (usize, T) {
         largest(&(self.at(to) - self.at(from)))
     }
@@ -126,7 +127,7 @@ mod tests {
     use crate::error::Reason;
     use crate::prelude::*;
 
-    /// Why a motion from (1, 0) does not reach its end.
+    /// Reason why a motion from (1, 0) does not reach its end.
     fn reason(rhs: impl Fn(f64, &SVector<f64, 2>) -> SVector<f64, 2>, max_steps: usize) -> Reason {
         let method = Vern7::new().max_steps(max_steps);
         let error = method

@@ -1,4 +1,4 @@
-//! The integration methods: plain values with settings, each with `solve` and `stepper`.
+//! Integration methods: plain values with settings, each with `solve` and `stepper`.
 
 mod adaptive;
 mod auto;
@@ -83,20 +83,20 @@ pub use taylor::{PowerSeries, Taylor};
 
 /// An integration method.
 pub trait Method<S: ?Sized, T: Float, const N: usize> {
-    /// What a step of it works with.
+    /// Scheme that takes the steps.
     type Scheme: Scheme<S, T, N>;
 
-    /// The tolerance that the steps keep; `None` where their length is given.
+    /// Tolerance of the steps; `None` if their length is given.
     fn tolerance(&self) -> Option<Tolerance<T>> {
         None
     }
 
     /// Integrates `system` from the state `x0` at `t0` towards `t1`, which may lie before `t0`, one step at a time.
-    /// Records nothing, and uses no heap.
+    /// Records nothing, and allocates nothing on the heap.
     ///
     /// # Errors
-    /// [`Reason::InvalidInput`] if a setting is out of range, or if a time or the state is not finite, and
-    /// [`Reason::NonFinite`] if the derivative at the initial point is not.
+    /// [`Reason::InvalidInput`] if a setting is out of range, or if a time or the state is not finite;
+    /// [`Reason::NonFinite`] if the derivative at the initial point is not finite.
     fn stepper<'s>(
         &self,
         system: &'s S,
@@ -107,11 +107,11 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
 
     /// Integrates `system` from the state `x0` at `t0` to `t1`, which may lie before `t0`, and returns the trajectory.
     ///
-    /// With `t1 == t0` it is the initial point alone.
+    /// If `t1 == t0`, the trajectory is the initial point alone.
     ///
     /// # Errors
-    /// Those of [`stepper`](Self::stepper) and of [`Stepper::step`]. The error holds the solution up to the last good
-    /// state.
+    /// Errors of [`stepper`](Self::stepper) and of [`Stepper::step`]. The error contains the solution up to the last
+    /// good state.
     #[cfg(feature = "std")]
     fn solve(&self, system: &S, t0: T, t1: T, x0: impl IntoState<T, N>) -> Result<Solution<T, N>, SolveError<T, N>>
     where
@@ -120,13 +120,13 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
         self.solve_with(system, t0, t1, x0, &[])
     }
 
-    /// [`solve`](Self::solve) with events: [`Solution::events`] lists those that occurred.
+    /// Like [`solve`](Self::solve), but with events: [`Solution::events`] lists those that occurred.
     ///
     /// A terminal event ends the solution. Where an event resets the state, the solution has two points at the same
     /// time.
     ///
     /// # Errors
-    /// Those of [`solve`](Self::solve), [`Reason::EventNotFinite`], [`Reason::EventsAccumulate`], and
+    /// Errors of [`solve`](Self::solve), [`Reason::EventNotFinite`], [`Reason::EventsAccumulate`], and
     /// [`Reason::BadReset`].
     #[cfg(feature = "std")]
     fn solve_with(
@@ -147,8 +147,8 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
         }
     }
 
-    /// [`solve_with`](Self::solve_with) for an observer in place of a [`Solution`], which is itself one: the final
-    /// state. Nothing is kept but what the observer keeps.
+    /// Like [`solve_with`](Self::solve_with), but passes the trajectory to an observer and returns only the final
+    /// state. A [`Solution`] is itself an observer. Only the observer stores anything.
     ///
     /// ```
     /// use pendulum_core::dense::Dense;
@@ -176,7 +176,8 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     /// ```
     ///
     /// # Errors
-    /// The reasons of [`solve_with`](Self::solve_with). The observer has then seen all up to the last good state.
+    /// Reasons of [`solve_with`](Self::solve_with). The observer has then received the trajectory up to the last good
+    /// state.
     #[cfg(feature = "std")]
     fn follow(
         &self,
@@ -203,7 +204,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
 
 /// The classical Runge-Kutta method of order 4 with a fixed step; see [`Fixed`].
 ///
-/// Four evaluations a step; the states between the steps are of order 3.
+/// Four evaluations a step; dense output of order 3.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -218,7 +219,7 @@ pub type Rk4 = Fixed<Explicit<Kutta4, 5>>;
 
 /// The Runge-Kutta pair 5(4) of Dormand and Prince with step-size control; see [`Adaptive`] for its settings.
 ///
-/// Six evaluations a step; the states between the steps are of order 4.
+/// Six evaluations a step; dense output of order 4.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -235,31 +236,29 @@ pub type Rk45 = Adaptive<Explicit<DormandPrince5, 7>>;
 
 /// The Runge-Kutta pair 5(4) of Tsitouras with step-size control; see [`Adaptive`] for its settings.
 ///
-/// Six evaluations a step, as for [`Rk45`], with smaller errors; the states between the steps are of order 4.
+/// Six evaluations a step, as for [`Rk45`], with smaller errors; dense output of order 4.
 pub type Tsit5 = Adaptive<Explicit<Tsitouras5, 7>>;
 
 /// The Runge-Kutta pair 7(6) of Verner with step-size control; see [`Adaptive`] for its settings.
 ///
-/// Ten evaluations a step; the states between the steps are of order 7, and take five more in steps where they are
-/// computed.
+/// Ten evaluations a step; dense output of order 7, with five more evaluations in steps where it is computed.
 pub type Vern7 = Adaptive<Explicit<Verner7, 11>>;
 
 /// The Runge-Kutta pair 9(8) of Verner with step-size control; see [`Adaptive`] for its settings.
 ///
-/// Sixteen evaluations a step; the states between the steps are of order 9, and take nine more in steps where they are
-/// computed.
+/// Sixteen evaluations a step; dense output of order 9, with nine more evaluations in steps where it is computed.
 pub type Vern9 = Adaptive<Explicit<Verner9, 17>>;
 
 /// The Rosenbrock method Rodas of order 4 for stiff systems; see [`Adaptive`] for its settings, and
 /// [`tableau::HairerWanner4`].
 ///
-/// Six evaluations, one Jacobian and one factorisation a step; the states between the steps are of order 3.
+/// Six evaluations, one Jacobian and one factorisation a step; dense output of order 3.
 pub type Rodas4 = Adaptive<Rosenbrock<tableau::HairerWanner4, 6>>;
 
 /// The Rosenbrock method Rodas5P of order 5 for stiff systems; see [`Adaptive`] for its settings, and
 /// [`tableau::Steinebach5`].
 ///
-/// Eight evaluations, one Jacobian and one factorisation a step; the states between the steps are of order 4.
+/// Eight evaluations, one Jacobian and one factorisation a step; dense output of order 4.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -289,17 +288,16 @@ pub type Rodas5P = Adaptive<Rosenbrock<tableau::Steinebach5, 8>>;
 
 /// The method Radau IIA of order 5 for stiff systems; see [`Adaptive`] for its settings, and [`RadauIIA`].
 ///
-/// Three evaluations an iteration and one Jacobian a step; the states between the steps are of order 3. The error
-/// estimate is of order 3 too, so with tight tolerances steps are shorter than necessary, and errors far below the
-/// tolerance.
+/// Three evaluations an iteration and one Jacobian a step; dense output of order 3. The error estimate is of order 3
+/// too, so tight tolerances lead to shorter steps than necessary, and to errors far below the tolerance.
 ///
-/// More robust than [`Rodas5P`], which is cheaper: it works with inexact Jacobians and strongly nonlinear right-hand
+/// More robust than the cheaper [`Rodas5P`]: it converges with inexact Jacobians and for strongly nonlinear right-hand
 /// sides.
 pub type Radau5 = Adaptive<RadauIIA>;
 
 /// The Gauss-Legendre method of order 4 in canonical variables, with a fixed step; see [`Gauss`].
 ///
-/// The states between the steps are of order 3.
+/// Dense output of order 3.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -323,5 +321,5 @@ pub type Gauss4 = Fixed<Gauss<2>>;
 
 /// The Gauss-Legendre method of order 6 in canonical variables, with a fixed step; see [`Gauss`].
 ///
-/// The states between the steps are of order 5.
+/// Dense output of order 5.
 pub type Gauss6 = Fixed<Gauss<3>>;

@@ -1,7 +1,7 @@
-//! The operations of what methods have in common, each beside the name of the code that it counts.
+//! Operation counts of code common to methods, each named after that code.
 //!
-//! `n` is the number of state components. Comparisons and moves are not counted; what is computed in `f64`, whatever
-//! the type of the state, is.
+//! `n` is the number of state components. Comparisons and moves are not counted; computations in `f64` are, whatever
+//! the type of the state.
 
 use crate::cost::Operations;
 
@@ -18,10 +18,10 @@ pub(super) const fn multiplied(n: usize) -> Operations {
 /// The time of a stage, `t + c h`.
 pub(super) const TIME: Operations = Operations::new(1, 1, 0, 0, 0, 0);
 
-/// `Grid::next`, and the lengths of the step tried and of the step taken.
+/// `Grid::next`, and the lengths of the attempted and of the accepted step.
 pub(super) const ON_GRID: Operations = Operations::new(4, 5, 0, 0, 2, 10);
 
-/// `StepControl` with `PiController`, and the lengths of the step tried and of the step taken.
+/// `StepControl` with `PiController`, and the lengths of the attempted and of the accepted step.
 pub(super) const CONTROLLED: Operations = Operations::new(22, 24, 1, 0, 4, 62);
 
 /// `Tolerance::mean_square`.
@@ -39,7 +39,7 @@ pub(super) const fn weighted_sum(weights: &[f64], n: usize) -> Operations {
     Operations::new(terms.saturating_sub(1) * n, terms * (n + 1), 0, 0, 0, terms + 2)
 }
 
-/// `shifted` by such a sum.
+/// `shifted` by the `weighted_sum` with these weights.
 pub(super) const fn shifted(weights: &[f64], n: usize) -> Operations {
     weighted_sum(weights, n).and(added(n))
 }

@@ -21,31 +21,30 @@ use crate::tableau::radau_iia5::{A, C, MODES, MU, POWERS, STAGES};
 
 /// The method Radau IIA with three stages, for systems with a Jacobian: of order 5, stiffly accurate and L-stable.
 ///
-/// A step fits a cubic polynomial to the differential equation at three of its times, the last of which is its end.
-/// Simplified Newton iterations solve for it, with the Jacobian of the start of the step. E. Hairer, G. Wanner,
+/// A step fits a cubic polynomial to the differential equation at three times, the last of which is the end of the
+/// step. Simplified Newton iterations solve for it, with the Jacobian at the start of the step. E. Hairer, G. Wanner,
 /// "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.5 and IV.8; "Stiff differential equations solved by
 /// Radau methods", J. Comput. Appl. Math. 111 (1999) 93-111.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RadauIIA;
 
-/// The order of the embedded method.
+/// Order of the embedded method.
 const ORDER_HAT: usize = 3;
 
-/// The most iterations of a step within a tolerance: where more are needed, a shorter step takes less work.
+/// Maximum number of iterations of a step within a tolerance: if it needs more, a shorter step takes less work.
 const MOST: usize = 7;
-/// Those of a step of fixed length, which cannot be shortened.
+/// Maximum number of iterations of a step of fixed length, which cannot be shortened.
 const MOST_FIXED: usize = 50;
-/// The tolerance of steps of fixed length, in ulps: their equations are solved to the level of rounding.
+/// Tolerance of steps of fixed length, in ulps: their equations are solved to the level of rounding.
 const ULPS: f64 = 100.0;
 
 impl Adaptive<RadauIIA> {
-    /// The operations that one try of a step takes at most, in a system of `n` state components. `rhs` are those of the
-    /// right-hand side, `jacobian` those of the right-hand side with the Jacobian. An error above the tolerance, or an
-    /// iteration that does not converge, takes another try.
+    /// Upper bound of the operations of one attempt of a step, in a system of `n` state components. `rhs` are the
+    /// operations of the right-hand side, `jacobian` those of the right-hand side with the Jacobian. An error above the
+    /// tolerance, or an iteration that does not converge, takes another attempt.
     ///
-    /// It is for seven iterations, which are the most, and for an error that is estimated twice. Comparisons and moves
-    /// of numbers come on top. The choice of the next step is included, dense output and the choice of the first step
-    /// are not.
+    /// The bound assumes seven iterations, the maximum, and two error estimates. Comparisons and moves of numbers are
+    /// extra. The choice of the next step is included; dense output and the choice of the first step are not.
     #[must_use]
     pub const fn operations(rhs: Operations, jacobian: Operations, n: usize) -> Operations {
         let prediction = Operations::new(2 * n + 4, 3 * n + 2, 0, 0, 0, 4).times(STAGES);
@@ -61,7 +60,7 @@ impl Adaptive<RadauIIA> {
         let norm = norm.and(Operations::new(0, 0, 1, 0, 1, 14));
         let decision = Operations::new(1, 2, 2, 0, 0, 12);
         let iteration = slopes.and(residuals).and(changes).and(norm).and(decision);
-        // what an error would be after the iterations that are left
+        // forecast of the error after the remaining iterations
         let forecasts = count::multiplied(1).times(MOST * (MOST - 1) / 2);
         let error = count::multiplied(2 * n).and(combination(n)).and(count::added(n));
         let error = error.and(solving::<f64>(n)).and(count::mean_square(n));
@@ -81,7 +80,7 @@ impl Adaptive<RadauIIA> {
     }
 }
 
-/// The operations of [`combined`].
+/// Operations of [`combined`].
 const fn combination(n: usize) -> Operations {
     Operations::new((STAGES - 1) * n, STAGES * n, 0, 0, 0, STAGES)
 }
@@ -111,27 +110,28 @@ where
 
 impl Estimates for RadauIIA {}
 
-/// The stages of a step of a method of Radau.
+/// Stages of a step of a Radau method.
 #[derive(Clone, Copy, Debug)]
 pub struct RadauStages<T, const N: usize> {
     tolerance: Option<Tolerance<T>>,
-    /// The derivative where the next step starts, and its derivative by the state.
+    /// Derivative at the start of the next step, and its derivative by the state.
     start: (SVector<T, N>, SMatrix<T, N, N>),
-    /// The same where the step that was tried last ends.
+    /// Derivative at the end of the last attempt, and its derivative by the state.
     end: (SVector<T, N>, SMatrix<T, N, N>),
-    /// By how much the stages differ from the state at the start.
+    /// Differences between the stages and the state at the start.
     rises: [SVector<T, N>; STAGES],
-    /// The polynomial of the last step and its length, 0 where there is none.
+    /// Polynomial of the last step.
     coefficients: [SVector<T, N>; STAGES],
+    /// Length of the last step; 0 if there is none.
     h: T,
-    /// How the error of the last iteration compared with its change.
+    /// Ratio of the error of the last iteration to its change.
     eta: T,
-    /// Whether the step is a first one, or another try after a rejected one.
+    /// True for the first step, and after a rejected one.
     is_doubtful: bool,
 }
 
 impl<T: Float, const N: usize> RadauStages<T, N> {
-    /// Continues the polynomial of the last step over one of length `h`.
+    /// Extrapolates the polynomial of the last step over a step of length `h`.
     #[inline]
     fn predict(&mut self, h: T) {
         if self.h == T::default() {
@@ -144,13 +144,13 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         for (rise, c) in self.rises.iter_mut().zip(C) {
             let excess = ratio * T::from_f64(c);
             let theta = one + excess;
-            // theta^k - 1 without the loss of digits
+            // theta^k - 1 without cancellation
             let (second, third) = (theta + one, theta * theta + theta + one);
             *rise = (c1 + c2 * second + c3 * third) * excess;
         }
     }
 
-    /// What the stages leave of the equations of a step.
+    /// Residuals of the equations of a step.
     #[inline(always)]
     fn residuals<S>(&self, system: &S, (t, x): (T, &SVector<T, N>), t_new: T) -> [SVector<T, N>; STAGES]
     where
@@ -186,8 +186,8 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
             Some(tolerance) => (tolerance, MOST),
             None => (Tolerance { rtol: ulps, atol: ulps }, MOST_FIXED),
         };
-        // So far below the tolerance is the error of the iteration, but for what rounding leaves: Hairer and Wanner,
-        // IV.8.
+        // factor by which the error of the iteration stays below the tolerance, unless rounding limits it: Hairer and
+        // Wanner, IV.8
         let rounding = T::from_f64(10.0) * T::EPSILON / tolerance.rtol;
         let kappa = tolerance.rtol.sqrt().min(T::from_f64(0.03)).max(rounding);
         let mut eta = T::from_f64(exp2(0.8 * log2(self.eta.max(T::EPSILON).to_f64())));
@@ -203,7 +203,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
             }
             let norm = (sum / T::from_f64(STAGES as f64)).sqrt();
             if !norm.is_finite() {
-                // The state at the end shows it.
+                // the state at the end is then not finite either
                 return Ok(());
             }
             let mut rate = T::default();
@@ -219,7 +219,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
                 self.eta = eta.min(one);
                 return Ok(());
             }
-            // No more iterations if they are to fail: they diverge, or come closer too slowly.
+            // stop if the iteration would fail: it diverges, or converges too slowly
             let at_best = (iteration..most).fold(eta * norm, |error, _| error * rate);
             if at_best > kappa {
                 return Err(Stalled);
@@ -229,15 +229,15 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         Err(Stalled)
     }
 
-    /// The error of a step of length `h`: by how much the slope of its polynomial at the start differs from that of the
-    /// system, which `slope` is, filtered by the matrix of the iteration. Hairer and Wanner, IV.8, Eq. 8.19.
+    /// Error of a step of length `h`: the difference between the slope of its polynomial at the start and the given
+    /// `slope` of the system, filtered by the matrix of the iteration. Hairer and Wanner, IV.8, Eq. 8.19.
     #[inline]
     fn error(&self, slope: &SVector<T, N>, h: T, pencil: &Pencil<T, STAGES, N>) -> SVector<T, N> {
         let difference = (slope * h - combined(&POWERS[0], &self.rises)) * T::from_f64(MU);
         pencil.solve_real(&difference).unwrap_or(difference)
     }
 
-    /// The mean square error of the step that was solved for, in units of the tolerance.
+    /// Mean square error of the solved step, in units of the tolerance.
     #[inline]
     fn estimate<S>(
         &self,
@@ -258,8 +258,8 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         if mean_square <= T::from_f64(1.0) || !self.is_doubtful {
             return mean_square;
         }
-        // Of components that die out within the step the estimate is far too large, until it is filtered once more: Eq.
-        // 8.20.
+        // the estimate is far too large for components that decay within the step, unless it is filtered once more: Eq.
+        // 8.20
         work.evaluations += 1;
         let error = self.error(&system.rhs(t, &(x + error)), h, pencil);
         tolerance.mean_square(&error, x, x_new)

@@ -1,4 +1,4 @@
-//! Rosenbrock methods: implicit ones that solve linear equations only, whatever their tableau.
+//! Rosenbrock methods with any tableau: implicit methods that solve only linear equations.
 
 use core::marker::PhantomData;
 
@@ -23,18 +23,18 @@ use crate::tableau::{RosenbrockMethod, RosenbrockTableau, difference};
 
 /// The Rosenbrock method of the tableau `B`, for systems with a Jacobian.
 ///
-/// A step evaluates the Jacobian once, factors one matrix, and solves one system of linear equations for each stage. No
-/// iteration is involved that could fail to converge.
+/// A step evaluates the Jacobian once, factors one matrix, and solves one system of linear equations for each stage.
+/// There is no iteration that could fail to converge.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rosenbrock<B, const STAGES: usize>(PhantomData<B>);
 
 impl<B: RosenbrockMethod<STAGES>, const STAGES: usize> Adaptive<Rosenbrock<B, STAGES>> {
-    /// The operations that one try of a step takes at most, in a system of `n` state components. `rhs` are those of the
-    /// right-hand side, `jacobian` those of the right-hand side with the Jacobian and, where time occurs, the
-    /// derivative by the time. An error above the tolerance takes another try.
+    /// Upper bound of the operations of one attempt of a step, in a system of `n` state components. `rhs` are the
+    /// operations of the right-hand side, `jacobian` those of the right-hand side with the Jacobian and, if time
+    /// occurs, the derivative by the time. An error above the tolerance takes another attempt.
     ///
-    /// Comparisons and moves of numbers come on top. The error and the choice of the next step are included, dense
-    /// output and the choice of the first step are not.
+    /// Comparisons and moves of numbers are extra. The error and the choice of the next step are included; dense output
+    /// and the choice of the first step are not.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -55,7 +55,7 @@ impl<B: RosenbrockMethod<STAGES>, const STAGES: usize> Adaptive<Rosenbrock<B, ST
     }
 }
 
-/// The operations of a step with its error and the Jacobian at its end.
+/// Operations of an attempt with its error estimate and the Jacobian at its end.
 pub(super) const fn attempt_within<B: RosenbrockMethod<STAGES>, const STAGES: usize>(
     rhs: Operations,
     jacobian: Operations,
@@ -102,13 +102,13 @@ where
 
 impl<B, const STAGES: usize> Estimates for Rosenbrock<B, STAGES> {}
 
-/// The stages of a step of a Rosenbrock method; `P` are the [`Pivots`] of its matrices.
+/// Stages of a step of a Rosenbrock method; `P` are the [`Pivots`] of its matrices.
 #[derive(Clone, Copy, Debug)]
 pub struct RosenbrockStages<B, T, const STAGES: usize, const N: usize, P = Alone<N>> {
     tolerance: Option<Tolerance<T>>,
-    /// The system where the next step starts, and beside it where a step was tried to.
+    /// Linearizations at the start of the next step and at the end of the last attempt.
     points: [Linearisation<T, N>; 2],
-    /// Whether the first of them is the second.
+    /// True if the second of them is the start.
     swapped: bool,
     /// The `u_i` of the tableau.
     stages: [SVector<T, N>; STAGES],
@@ -116,13 +116,13 @@ pub struct RosenbrockStages<B, T, const STAGES: usize, const N: usize, P = Alone
     tableau: PhantomData<(B, P)>,
 }
 
-/// A system to first order about a point.
+/// First-order expansion of a system about a point.
 #[derive(Clone, Copy, Debug)]
 struct Linearisation<T, const N: usize> {
     slope: SVector<T, N>,
-    /// The derivative of the slope by the state.
+    /// Derivative of the slope by the state.
     jacobian: SMatrix<T, N, N>,
-    /// The derivative of the slope by the time.
+    /// Derivative of the slope by the time.
     drift: SVector<T, N>,
 }
 
@@ -164,19 +164,19 @@ where
         }
     }
 
-    /// The Jacobian where the next step starts.
+    /// Jacobian at the start of the next step.
     pub(super) fn jacobian(&self) -> &SMatrix<T, N, N> {
         &self.start().jacobian
     }
 
-    /// The system where the next step starts.
+    /// Linearization at the start of the next step.
     #[inline(always)]
     fn start(&self) -> &Linearisation<T, N> {
         &self.points[usize::from(self.swapped)]
     }
 
-    /// Solves for the stages, which are spelled out for the reasons that explicit methods have: the state at the end,
-    /// and the [defect](Pivots::defect) of the matrix.
+    /// Solves for the stages, which are unrolled for the same reasons as in explicit methods. Returns the state at the
+    /// end, and the [defect](Pivots::defect) of the matrix.
     #[inline(always)]
     fn solve_stages<S>(
         &mut self,
@@ -199,7 +199,7 @@ where
                         self.start().slope
                     } else {
                         let x = shifted(x, &weighted_sum(one, &row.a, $i, &self.stages));
-                        // Not t + h, which may differ in the last bit.
+                        // not t + h, which may differ in the last bit
                         let time = if row.alpha == 1.0 { t_new } else { t + h * T::from_f64(row.alpha) };
                         system.rhs(time, &x)
                     };
@@ -213,7 +213,11 @@ where
                         *right += h_gamma * slope;
                     }
                     let right = &right.data.0[0];
-                    self.stages[$i] = SVector::from(if const { T::LANES > 1 } { lu.solved(right) } else { lu.solve(right) });
+                    self.stages[$i] = SVector::from(if const { T::LANES > 1 } {
+                        lu.solved(right)
+                    } else {
+                        lu.solve(right)
+                    });
                 }
             )* };
         }
@@ -289,7 +293,7 @@ where
     #[inline(always)]
     fn accept(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
         if let Accepted::Negative(_) = lanes {
-            // the others start again where they were
+            // the other lanes restart from their present points
             let (start, end) = (*self.start(), &mut self.points[usize::from(!self.swapped)]);
             end.slope = lanes.select(&end.slope, &start.slope);
             end.drift = lanes.select(&end.drift, &start.drift);
@@ -314,9 +318,9 @@ where
     }
 }
 
-/// The most stages that a step spells out.
+/// Maximum number of unrolled stages.
 const MAX_STAGES: usize = 8;
-/// The highest degree of a dense output.
+/// Maximum degree of a dense output.
 const MAX_DEGREE: usize = 4;
 
 /// `1 - h J`, by columns.
@@ -332,8 +336,8 @@ fn identity_minus<T: Lanes, const N: usize>(h: T, jacobian: &SMatrix<T, N, N>) -
     columns
 }
 
-/// One row of a tableau in the form the solver uses: multiplied by `h gamma`, so that no entry of the matrix grows
-/// beyond all bounds where `h` is small.
+/// A row of a tableau in the form used by the solver: multiplied by `h gamma`, so that entries of the matrix stay
+/// bounded for small `h`.
 struct Row<const STAGES: usize> {
     a: [f64; STAGES],
     c: [f64; STAGES],
@@ -342,7 +346,7 @@ struct Row<const STAGES: usize> {
 }
 
 impl<const STAGES: usize> Row<STAGES> {
-    /// Row `i`; a row of zeros beyond the last, where the compiler asks in code that is never reached.
+    /// Row `i`; a row of zeros beyond the last one, for unreachable code that is compiled nonetheless.
     const fn of<B: RosenbrockMethod<STAGES>>(i: usize) -> Self {
         let mut row = Self {
             a: [0.0; STAGES],

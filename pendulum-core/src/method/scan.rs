@@ -1,45 +1,45 @@
-//! The values of a function along a step, at so many places that its zeros lie apart.
+//! Sampling of a function along a step, densely enough to separate its zeros.
 
 use crate::event::Direction;
 use crate::method::zero::PLACES;
 use crate::real::Float;
 
-/// Signs of a function that is faster than its values at the places of a step show.
+/// Thresholds for signs that a function varies faster than its samples in a step resolve.
 #[derive(Clone, Copy)]
 struct Signs {
-    /// Turns between them.
+    /// Number of turns between the samples.
     turns: usize,
-    /// Ends at which the tangent leads far off the next value,
+    /// Number of ends at which the tangent is far off the next sample.
     ends: usize,
-    /// by this many times the range of the values.
+    /// Deviation of the tangent that counts as far off, relative to the range of the samples.
     off: f64,
-    /// Whether the function may go as far beyond its values.
+    /// True if the function may exceed its samples by the same deviation.
     may_reach_beyond: bool,
 }
 
-/// More places are needed: a sine has these signs from 1.5 rad between neighbours on, and more than one zero between
-/// them from pi on.
+/// Signs that more samples are needed: a sine shows them from 1.5 rad between neighbours on, and has more than one zero
+/// between neighbours from pi on.
 const SUSPICIOUS: Signs = Signs {
     turns: 4,
     ends: 1,
     off: 0.5,
     may_reach_beyond: true,
 };
-/// Zeros may be missed.
+/// Signs that zeros may be missed even between the finest samples.
 const UNRESOLVED: Signs = Signs {
     turns: 7,
     ends: 2,
     off: 1.5,
     may_reach_beyond: false,
 };
-/// A function turns where it goes back by more than this part of its range.
+/// Change that counts as a turn, relative to the range of the function.
 const SWING: f64 = 1.0 / 8.0;
-/// Intervals between places are divided this often.
+/// Number of times that intervals between samples are subdivided.
 const DEPTH: usize = 2;
-/// Swings below this part of the largest size are not looked into: what is left of sums after their digits cancel.
+/// Swings, relative to the largest magnitude, below which intervals are not subdivided: remainders of cancellation.
 const NOISE: f64 = 1e-9;
 
-/// The places at which a function was evaluated in a step, with its values; kept for its memory.
+/// Positions at which a function was evaluated in a step, with its values. Stored to reuse its memory.
 #[derive(Clone)]
 pub(super) struct Scan<T> {
     samples: Vec<(T, T)>,
@@ -56,13 +56,14 @@ impl<T> Default for Scan<T> {
 }
 
 impl<T: Float> Scan<T> {
-    /// The places after the start, in their order.
+    /// Samples after the start, in their order.
     pub(super) fn samples(&self) -> &[(T, T)] {
         &self.samples
     }
 
-    /// Takes a function at given places of a step, and at more where these are too few; returns whether neighbours are
-    /// close enough to show all zeros. `size` is the largest of its values so far, and `start` the one at the start.
+    /// Takes samples of a function in a step, and refines them where they are too coarse. Returns true if neighbours
+    /// are close enough to separate all zeros. `size` is the largest magnitude so far, and `start` the value at the
+    /// start.
     pub(super) fn look(
         &mut self,
         function: impl Fn(T) -> T,
@@ -76,7 +77,7 @@ impl<T: Float> Scan<T> {
         if !goes_up_and_down(first, &self.samples, size, SUSPICIOUS) {
             return true;
         }
-        // the first step has more places, close together at its start
+        // the first step has more samples, close together at its start
         let close = self.samples.len().saturating_sub(PLACES.len());
         self.coarse.clear();
         self.coarse.extend(self.samples.drain(close..));
@@ -86,15 +87,15 @@ impl<T: Float> Scan<T> {
     }
 }
 
-/// Which zeros of a step matter.
+/// Zeros of a step that matter.
 #[derive(Clone, Copy)]
 pub(super) enum Wanted {
     All,
-    /// None after the first one that is passed in this direction.
+    /// None after the first zero passed in this direction.
     First(Direction),
 }
 
-/// The division of intervals between the places of a function.
+/// Subdivision of intervals between the samples of a function.
 struct Division<F, T> {
     function: F,
     size: T,
@@ -102,8 +103,8 @@ struct Division<F, T> {
 }
 
 impl<F: Fn(T) -> T, T: Float> Division<F, T> {
-    /// Evaluates the function between places, and again between those where it goes up and down, or everywhere if it
-    /// does so in most of them; returns whether neighbours are close enough to show the zeros.
+    /// Samples the function between the given positions, and recursively where it oscillates, or everywhere if it
+    /// oscillates in most intervals. Returns true if neighbours are close enough to separate the zeros.
     fn divide(&self, (mut from, places): ((T, T), &[(T, T)]), depth: usize, samples: &mut Vec<(T, T)>) -> bool {
         let signs = if depth == 0 { UNRESOLVED } else { SUSPICIOUS };
         let part = |&to: &(T, T)| {
@@ -129,7 +130,7 @@ impl<F: Fn(T) -> T, T: Float> Division<F, T> {
         is_resolved
     }
 
-    /// The places between two, and the second of these.
+    /// Samples between two positions, and the second of these.
     fn between(&self, from: (T, T), to: (T, T)) -> [(T, T); PLACES.len()] {
         let mut between = [to; PLACES.len()];
         for (point, place) in between.iter_mut().zip(&PLACES[..PLACES.len() - 1]) {
@@ -139,7 +140,7 @@ impl<F: Fn(T) -> T, T: Float> Division<F, T> {
         between
     }
 
-    /// Whether the zero is passed after which none matters, by more than rounding errors.
+    /// True if the samples clearly pass the zero after which no other matters.
     fn passes(&self, start: (T, T), points: &[(T, T)]) -> bool {
         let Wanted::First(direction) = self.wanted else {
             return false;
@@ -161,7 +162,7 @@ impl<F: Fn(T) -> T, T: Float> Division<F, T> {
     }
 }
 
-/// Whether values show one of the signs, and come so near to zero that more zeros may lie between them.
+/// True if values show one of the signs, and come so close to zero that more zeros may lie between them.
 fn goes_up_and_down<T: Float>(first: (T, T), rest: &[(T, T)], size: T, signs: Signs) -> bool {
     let (mut least, mut low, mut high) = (first.1.abs(), first.1, first.1);
     for &(_, value) in rest {
@@ -172,7 +173,7 @@ fn goes_up_and_down<T: Float>(first: (T, T), rest: &[(T, T)], size: T, signs: Si
     if is_noise || rest.iter().any(|(_, value)| !value.is_finite()) {
         return false;
     }
-    // the first step has more places at its start
+    // the first step has more samples at its start
     if let Some([near, next, .., before, beside, last]) = rest.last_chunk::<{ PLACES.len() }>() {
         let far = T::from_f64(PLACES[1] / PLACES[0]);
         let off = |end: T, near: T, next: T| (next - end - far * (near - end)).abs();
@@ -193,7 +194,7 @@ fn goes_up_and_down<T: Float>(first: (T, T), rest: &[(T, T)], size: T, signs: Si
     least <= range && turns((first.1, rest), T::from_f64(SWING) * range) >= signs.turns
 }
 
-/// How often values go back by more than `swing`.
+/// Number of times that values go back by more than `swing`.
 fn turns<T: Float>((first, rest): (T, &[(T, T)]), swing: T) -> usize {
     let (mut count, mut extreme, mut rises) = (0, first, None);
     for &(_, value) in rest {

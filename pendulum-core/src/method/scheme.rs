@@ -1,4 +1,4 @@
-//! What a one-step method supplies. Two engines do the rest: [`Stepper`](crate::Stepper) for one trajectory, and
+//! Interface of one-step methods. Two engines do the rest: [`Stepper`](crate::Stepper) for one trajectory, and
 //! [`ensemble`](crate::ensemble) for many, in lanes.
 
 use nalgebra::SVector;
@@ -11,57 +11,58 @@ use crate::real::{Float, Real};
 use crate::statistics::Statistics;
 use crate::step_size::Tolerance;
 
-/// A kind of one-step method, which [`Fixed`](crate::method::Fixed) and [`Adaptive`](crate::method::Adaptive) give the
-/// lengths of its steps.
+/// A kind of one-step method, independent of step-size control: [`Fixed`](crate::method::Fixed) and
+/// [`Adaptive`](crate::method::Adaptive) determine the lengths of its steps.
 ///
-/// `T` is a scalar, or several in lanes.
+/// `T` is a scalar, or several scalars in lanes.
 pub trait OneStep<S: ?Sized, T: Lanes, const N: usize> {
-    /// What a step of it works with.
+    /// Scheme that takes the steps.
     type Scheme: Scheme<S, T, N>;
 
-    /// The scheme for steps within a tolerance, or for steps of fixed length, which have none.
+    /// Creates the scheme for steps within a tolerance, or for steps of fixed length, without one.
     ///
     /// # Errors
-    /// [`Reason::InvalidInput`] if a setting is out of its range.
+    /// [`Reason::InvalidInput`] if a setting is out of range.
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T::Scalar>>) -> Result<Self::Scheme, Reason>;
 }
 
-/// The work of single steps: tried, accepted, and interpolated.
+/// Work of single steps: attempts, acceptance, and dense output.
 ///
-/// The engine holds time and state, chooses the length of steps, and checks that what comes back is finite. `T` is a
-/// scalar, or several in lanes, each of which has a time and a step of its own.
+/// The engine stores time and state, chooses the length of steps, and checks that results are finite. `T` is a scalar,
+/// or several scalars in lanes, each with its own time and step.
 pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
-    /// Whether [`prepare`](Self::prepare) chooses the steps.
+    /// True if [`prepare`](Self::prepare) chooses the steps.
     const PROPOSES: bool = false;
 
-    /// Whether each lane has an order of its own, which changes.
+    /// True if each lane has its own, variable order.
     const ORDERS_DIFFER: bool = false;
 
-    /// The order `q` of the error estimate: the estimate falls as `h^(q + 1)`.
+    /// Order `q` of the error estimate: the estimate falls as `h^(q + 1)`.
     fn error_order(&self) -> usize;
 
-    /// The same in a lane, where [`ORDERS_DIFFER`](Self::ORDERS_DIFFER).
+    /// Order of the error estimate in a lane, for schemes with [`ORDERS_DIFFER`](Self::ORDERS_DIFFER).
     fn error_order_in(&self, _lane: usize) -> usize {
         self.error_order()
     }
 
-    /// Another trajectory, of this index, takes a lane; all of them [begin](Self::begin) next, where they are.
+    /// Replaces the trajectory in a lane by the one with this index. All lanes [begin](Self::begin) next, at their
+    /// present points.
     fn enter(&mut self, _lane: usize, _index: usize) {}
 
-    /// Goes to an initial point, or to one after a jump: the derivative there.
+    /// Starts from an initial point, or from one after a jump, and returns the derivative there.
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N>;
 
-    /// Prepares a step from `(t, x)`: its length, from methods that know it before they try; else `None`.
+    /// Prepares a step from `(t, x)`. Returns its length from methods that determine it before an attempt, else `None`.
     #[inline(always)]
     fn prepare(&mut self, _system: &InMode<'_, S, T>, _t: T, _x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
         None
     }
 
-    /// Tries a step from the start `(t, x)` to the end `(t, x)`, whose state it writes: on the constraints of the
-    /// system, by [`System::project`](crate::System::project).
+    /// Attempts a step from the start `(t, x)` to the end `(t, x)`, and writes the state at the end: on the constraints
+    /// of the system, by [`System::project`](crate::System::project).
     ///
-    /// Returns the mean square of the estimated error in units of the tolerance; 0 where there is no estimate. Of
-    /// several lanes, those that stall have a negative one, and a state that is not finite.
+    /// Returns the mean square of the estimated error in units of the tolerance; 0 without an estimate. If some of
+    /// several lanes stall, they get a negative mean square and a state that is not finite.
     fn attempt(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -70,8 +71,8 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
         work: &mut Statistics,
     ) -> Result<T, Stalled>;
 
-    /// The derivative at the end `(t, x)` of the step that was tried last, from methods that need it for the next step;
-    /// it must be finite.
+    /// Returns the derivative at the end `(t, x)` of the last attempt, from methods that need it for the next step; it
+    /// must be finite.
     fn arrive(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -79,48 +80,48 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
         work: &mut Statistics,
     ) -> Option<&SVector<T, N>>;
 
-    /// Accepts the step after [`arrive`](Self::arrive), in some lanes or in [all](Accepted::All); a scalar is all.
+    /// Accepts the step after [`arrive`](Self::arrive), in some lanes or in [all](Accepted::All). A scalar is all
+    /// lanes.
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics);
 
-    /// The vectors `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the
-    /// step, for the step that was accepted last. In lanes it is that which was tried last, before it is accepted.
+    /// Coefficients `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, with `theta` the fraction
+    /// of the step, for the last accepted step. In lanes it is the last attempted step, before it is accepted.
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>];
 
-    /// Goes back to the start of the step that was accepted last, before it [begins](Self::begin) there: what a scheme
-    /// carries along with the state.
+    /// Restores the scheme's own state at the start of the last accepted step, before it [begins](Self::begin) there.
     fn go_back(&mut self) {}
 
-    /// Passes from one mode of a hybrid system to the next: what a scheme carries along with the state.
+    /// Transfers the scheme's own state across a mode switch of a hybrid system.
     fn pass(&mut self, _system: &S, _passage: &ModeSwitch<T, N>) {}
 
-    /// What [`dense`](Self::dense) found for the last step.
+    /// Coefficients that [`dense`](Self::dense) computed for the last step.
     fn coefficients(&self) -> &[SVector<T, N>];
 
-    /// The same in a lane, of which others may have fewer or more.
+    /// Coefficients in a lane, whose number may differ between lanes.
     #[inline(always)]
     fn coefficients_in(&self, _lane: usize) -> &[SVector<T, N>] {
         self.coefficients()
     }
 
-    /// A lane's part of the `work` that was counted last: to [begin](Self::begin), to [prepare](Self::prepare) and
-    /// [attempt](Self::attempt), to [arrive](Self::arrive), or for [`dense`](Self::dense).
+    /// Share of a lane in the `work` counted last by [`begin`](Self::begin), by [`prepare`](Self::prepare) and
+    /// [`attempt`](Self::attempt), by [`arrive`](Self::arrive), or by [`dense`](Self::dense).
     #[inline(always)]
     fn work_in(&self, _lane: usize, work: &Statistics) -> Statistics {
         *work
     }
 }
 
-/// Which lanes accept a step.
+/// Lanes that accept a step.
 #[derive(Clone, Copy, Debug)]
 pub enum Accepted<T> {
-    /// All of them; a scalar is one lane.
+    /// All lanes; a scalar is one lane.
     All,
-    /// Those in which the number is negative.
+    /// Lanes in which the number is negative.
     Negative(T),
 }
 
 impl<T: Lanes> Accepted<T> {
-    /// Whether a lane accepts.
+    /// True if a lane accepts.
     #[inline(always)]
     pub fn is_in(self, lane: usize) -> bool {
         match self {
@@ -129,7 +130,7 @@ impl<T: Lanes> Accepted<T> {
         }
     }
 
-    /// `new` in the lanes that accept, and `old` in the others.
+    /// Returns `new` in the lanes that accept, and `old` in the others.
     #[inline(always)]
     pub fn select<const N: usize>(self, new: &SVector<T, N>, old: &SVector<T, N>) -> SVector<T, N> {
         match self {
@@ -145,11 +146,12 @@ impl<T: Lanes> Accepted<T> {
     }
 }
 
-/// The iteration of an implicit method did not converge, or its matrix is singular: a shorter step may succeed.
+/// Failure of an implicit method: its iteration did not converge, or its matrix is singular. A shorter step may
+/// succeed.
 #[derive(Clone, Copy, Debug)]
 pub struct Stalled;
 
-/// Marks the lanes that stall, where `defect` is not finite, as [`Scheme::attempt`] says.
+/// Marks the lanes that stall, where `defect` is not finite, as specified by [`Scheme::attempt`].
 #[cold]
 pub(crate) fn stall<V: Lanes, const N: usize>(defect: V, x_new: &mut SVector<V, N>, mean_square: V) -> V {
     let marked = |number: V, mark: f64| {
@@ -162,12 +164,12 @@ pub(crate) fn stall<V: Lanes, const N: usize>(defect: V, x_new: &mut SVector<V, 
     marked(mean_square, -1.0)
 }
 
-/// The component of a state or derivative that is infinite or not a number.
+/// Index of the component of a state or derivative that is infinite or NaN.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NonFinite(usize);
 
 impl NonFinite {
-    /// The first such component, if there is one.
+    /// Returns the first such component as an error, if there is one.
     #[inline]
     pub(crate) fn check<T: Float, const N: usize>(v: &SVector<T, N>) -> Result<(), Self> {
         match v.iter().position(|component| !component.is_finite()) {
@@ -176,14 +178,14 @@ impl NonFinite {
         }
     }
 
-    /// The reason not to start, or to go on after a reset, from there.
+    /// Reason not to start there, or not to continue there after a reset.
     pub(crate) fn at_start(self) -> Reason {
         let Self(component) = self;
         Reason::NonFinite { component, h: None }
     }
 }
 
-/// Why an attempt was not a step.
+/// Reason why an attempt failed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum StepFailure {
     Stalled,
@@ -203,7 +205,7 @@ impl From<NonFinite> for StepFailure {
 }
 
 impl StepFailure {
-    /// The reason to give up, after a step of length `h`.
+    /// Reason to stop, after an attempt of length `h`.
     pub(crate) fn reason(self, h: f64) -> Reason {
         match self {
             Self::Stalled => Reason::NoConvergence { h },

@@ -1,4 +1,4 @@
-//! The search for events within a step.
+//! Search for events within a step.
 
 use nalgebra::SVector;
 
@@ -10,65 +10,68 @@ use crate::method::side::{Change, Passage, Side};
 use crate::method::zero::{dip, places, root};
 use crate::real::Float;
 
-/// An event that acts twice within this many roots of an ulp of the time, and is then found on the far side, never ends:
-/// heights go with the square of the time between rebounds, and vanish among rounding errors.
+/// Spacing of two occurrences, in square roots of an ulp of t, below which an event never ends if its function is then
+/// found on the far side: heights decrease with the square of the time between rebounds, and vanish among rounding
+/// errors.
 const HURRIED: f64 = 4.0;
-/// Nor does one that acts so often in a row, each time within that time of the last, if the end is this many such times
-/// away: where a reset leads back a little more than rounding errors do, the time advances, but arrives nowhere.
+/// Number of consecutive occurrences, each within the spacing [`HURRIED`], after which an event may never end: a reset
+/// may lead back by a little more than rounding errors, such that time advances, but not noticeably.
 const MOST_HURRIED: usize = 1000;
+/// Number of such spacings before the end of the integration, above which the event is reported to accumulate.
 const TOO_MANY: f64 = 1e7;
 
-/// What is known of the events where the last step ended.
+/// Events at the end of the last step.
 #[derive(Clone)]
 pub(crate) struct Search<'w, 'e, T, const N: usize> {
     events: &'w [Event<'e, T, N>],
     seen: Vec<Seen<T>>,
-    /// Whether the integration starts here, or anew.
+    /// True at the start of the integration, or after a restart.
     starts: bool,
-    /// The places at which all events are looked at in a step, and the states there.
+    /// Positions in a step at which all events are evaluated, with the states there.
     states: Vec<(T, SVector<T, N>)>,
-    /// The places at which one event is looked at, and its values there.
+    /// Positions at which one event is evaluated, with its values there.
     scan: Scan<T>,
-    /// The events of which zeros may have been missed in the last step.
+    /// Events whose zeros may have been missed in the last step.
     missed: Vec<usize>,
 }
 
-/// What is known of an event.
+/// State of an event.
 #[derive(Clone, Copy)]
 struct Seen<T> {
     side: Side<T>,
     value: T,
-    /// Its largest size in the step before.
+    /// Largest magnitude in the last step.
     largest: T,
-    /// And in all steps.
+    /// Largest magnitude in all steps.
     size: T,
-    /// When it acted last, and how often in a row soon after the time before.
+    /// Time of the last occurrence that acted.
     acted: Option<T>,
+    /// Number of consecutive occurrences, each shortly after the one before.
     hurried: usize,
 }
 
-/// Something found within a step.
+/// A result of the search within a step.
 #[derive(Clone, Copy)]
 pub(crate) struct Found<T> {
-    /// Which event.
+    /// Index of the event.
     pub(super) index: usize,
-    /// In fractions of the step.
+    /// Position in fractions of the step.
     pub(super) theta: T,
     pub(super) what: What,
 }
 
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum What {
-    /// The function passes zero.
+    /// The event function passes zero.
     Passage(Passage),
-    /// It is not a number.
+    /// The event function is not finite.
     Undefined,
-    /// It passes zero again and again.
+    /// The event function passes zero again and again.
     Accumulation,
 }
 
 impl<T: Float> Found<T> {
-    /// The event, or the error that it is.
+    /// The occurrence of the event, or the error if there is one.
     pub(super) fn occurrence<const N: usize>(&self, dense: &Dense<'_, T, N>) -> Result<Occurrence<T, N>, Reason> {
         let (index, t) = (self.index, dense.time(self.theta));
         match self.what {
@@ -88,7 +91,7 @@ fn not_finite<T: Float>(event: usize, t: T) -> Reason {
     Reason::EventNotFinite { event, t }
 }
 
-/// The time between two events that are too near to each other, where `scale` is that of times.
+/// Spacing below which two events are too close together, where `scale` is the size of times.
 fn hurried<T: Float>(scale: T) -> T {
     T::from_f64(HURRIED) * T::EPSILON.sqrt() * scale
 }
@@ -122,8 +125,8 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         })
     }
 
-    /// Goes on from the state `x` at `t` towards `t1`; `fired` are the events that were noted there, with their values
-    /// before; `scale` is that of times.
+    /// Restarts from the state `x` at `t` towards `t1`. `fired` holds the events that occurred there, with their values
+    /// before; `scale` is the size of times.
     pub(super) fn restart(
         &mut self,
         (t, t1, scale): (T, T, T),
@@ -142,7 +145,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
                 if self.events[index].changes() && seen.hurried >= MOST_HURRIED && soon.is_some_and(arrives_nowhere) {
                     return Err(Reason::EventsAccumulate { event: index });
                 }
-                // Rounding errors may have left it on either side, but a jump did not.
+                // rounding errors may have left it on either side, but a jump did not
                 let noise = (before.abs() + before.abs()).min(T::EPSILON.sqrt() * seen.largest);
                 if seen.value.abs() <= noise {
                     let far = match found.what {
@@ -161,7 +164,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         Ok(())
     }
 
-    /// An event that acts again and again within the resolution of time would never let it go on.
+    /// Rejects an event that acts repeatedly within the resolution of time: the integration would never continue.
     pub(super) fn check_progress(&self, index: usize, t: T, near: T) -> Result<(), Reason> {
         match self.seen[index].acted {
             Some(acted) if (t - acted).abs() <= near => Err(Reason::EventsAccumulate { event: index }),
@@ -169,8 +172,8 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         }
     }
 
-    /// Whether the step ends at an event. At one that only restarts, it does not where the last time was so near that
-    /// rounding errors may have brought the event back.
+    /// True if the step ends at an event. It does not end at an event that only restarts, if its last occurrence was so
+    /// near that rounding errors may have caused this one.
     pub(super) fn acts(&self, found: &Found<T>, dense: &Dense<'_, T, N>) -> bool {
         let (event, t) = (self.event(found), dense.time(found.theta));
         let scale = t.abs().max(dense.step().h.abs());
@@ -178,7 +181,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         event.acts() && (event.changes() || self.seen[found.index].acted.is_none_or(is_new))
     }
 
-    /// The kink that a step comes to before anything else at which it ends, and where in fractions of the step.
+    /// The first kink in a step, in fractions of the step, if no other event ends the step before it.
     pub(super) fn first_kink(&self, dense: &Dense<'_, T, N>) -> Option<(&'w Event<'e, T, N>, T)> {
         let mut ahead = self.clone();
         let found = ahead.look(dense);
@@ -187,12 +190,12 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         is_kink.then(|| (&self.events[first.index], first.theta))
     }
 
-    /// The event that was found.
+    /// The event of a result.
     pub(super) fn event(&self, found: &Found<T>) -> &Event<'e, T, N> {
         &self.events[found.index]
     }
 
-    /// All that is found in a step, in the order of time.
+    /// Searches a step for all events, in the order of time.
     pub(super) fn look(&mut self, dense: &Dense<'_, T, N>) -> Vec<Found<T>> {
         let mut found = Vec::new();
         let at = |theta| (theta, dense.at_fraction(theta));
@@ -203,18 +206,18 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
             self.look_at(index, dense, |theta, what| found.push(Found { index, theta, what }));
         }
         self.starts = false;
-        // Finite, so there is an order; the sort keeps simultaneous events in theirs.
+        // the positions are finite, hence ordered; the stable sort keeps the order of simultaneous events
         found.sort_by(|a, b| a.theta.to_f64().total_cmp(&b.theta.to_f64()));
         found
     }
 
-    /// The parts of a step, up to the time `to`, in which more may have occurred than was found.
+    /// Events that may have occurred unnoticed in a step, up to the time `to`.
     pub(super) fn missed(&self, dense: &Dense<'_, T, N>, to: T) -> impl Iterator<Item = Missed<T>> {
         let from = dense.step().t0;
         self.missed.iter().map(move |&index| Missed { index, from, to })
     }
 
-    /// Looks for one event, and passes what is found, and where in fractions of the step, to `report`.
+    /// Searches for one event, and passes each result and its position, in fractions of the step, to `report`.
     fn look_at(&mut self, index: usize, dense: &Dense<'_, T, N>, mut report: impl FnMut(T, What)) {
         let event = &self.events[index];
         let (function, direction) = (&event.function, &event.direction);
@@ -239,7 +242,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
             self.missed.push(index);
         }
         seen.largest = seen.value.abs();
-        // The two places before.
+        // the last two samples
         let mut earlier: Option<(T, T)> = None;
         let mut last = (T::default(), seen.value);
         for &here in self.scan.samples() {

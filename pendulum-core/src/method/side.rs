@@ -1,49 +1,49 @@
-//! On which side of zero a function is, as it is seen in one place after the other.
+//! Side of zero on which a function lies, along its samples.
 
 use crate::event::Direction;
 use crate::real::Float;
 
-/// On which side of zero the function of an event was seen last.
+/// Side of zero on which an event function was sampled last.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Side<T> {
-    /// At zero where the integration starts: an event, if it leaves in the right direction.
+    /// At zero at the start of the integration: an event, if the function leaves zero in its direction.
     AtStart,
-    /// At zero, at an event that was noted: the side is that on which it is seen next, more than `noise` away.
+    /// At zero, after an event: the side is determined by the next sample more than `noise` away.
     Leaving {
         noise: T,
-        /// The side on which it must not be seen then: it was there twice within no time.
+        /// Side that the next sample must not lie on, since it was there twice within no time.
         far: Option<Passage>,
     },
     Below,
     Above,
 }
 
-/// How a function passes zero.
+/// Direction in which a function passes zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Passage {
     Rising,
     Falling,
-    /// It starts at zero and stays there.
+    /// The function starts at zero and stays there.
     Resting,
 }
 
-/// What happened between two places.
+/// Change between two samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Change {
-    /// Nothing that counts: it is at zero, or left it after an event.
+    /// No event: the function is at zero, or left it after an event.
     None,
-    /// It is on the side on which it was; it may have touched zero in between.
+    /// The function stays on its side, but may have touched zero in between.
     SameSide,
-    /// It left zero, where the integration starts.
+    /// The function left zero, at the start of the integration.
     Left(Passage),
-    /// It passed zero, or reached it.
+    /// The function passed zero, or reached it.
     Passed(Passage),
-    /// It is on the far side after two events within no time, and will pass zero again and again.
+    /// The function lies on the far side after two events within no time, and will pass zero again and again.
     Accumulated,
 }
 
 impl<T: Float> Side<T> {
-    /// The side of a value; zero is [`Leaving`](Self::Leaving) without noise.
+    /// Side of a value; zero is [`Leaving`](Self::Leaving) without noise.
     pub(super) fn of(value: T) -> Self {
         if value > T::default() {
             Self::Above
@@ -62,12 +62,12 @@ impl<T: Float> Side<T> {
         }
     }
 
-    /// The side after a finite value is seen, and what happened since the last one.
+    /// Returns the side after a finite sample, and the change since the last one.
     pub(super) fn advance(self, value: T) -> (Self, Change) {
         let side = Self::of(value);
         let change = match self {
             Self::AtStart if value == T::default() => return (self, Change::None),
-            // It came, as it were, from the other side.
+            // counts as if it came from the other side
             Self::AtStart => Change::Left(side.reached()),
             Self::Leaving { noise, .. } if value.abs() <= noise => return (self, Change::None),
             Self::Leaving { far, .. } if far == Some(side.reached()) => Change::Accumulated,
@@ -98,7 +98,7 @@ impl<T: Float> Side<T> {
 }
 
 impl Passage {
-    /// Whether it is an event in this direction.
+    /// True if it is an event in this direction.
     pub(super) fn counts(self, direction: Direction) -> bool {
         match self {
             Self::Resting => direction == Direction::Either,
@@ -111,7 +111,7 @@ impl Passage {
 mod tests {
     use super::{Change, Passage, Side};
 
-    /// The changes along a row of values.
+    /// Changes along a row of values.
     fn changes(mut side: Side<f64>, values: &[f64]) -> Vec<Change> {
         let step = |&value| {
             let change;

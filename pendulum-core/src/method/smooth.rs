@@ -14,12 +14,12 @@ use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::system::System;
 
-/// How long the steps are.
+/// Choice of the step lengths.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Steps<T> {
     /// From one time of a grid to the next.
     Equal(Grid<T>),
-    /// As long as the tolerance allows.
+    /// Adaptive steps within a tolerance.
     Controlled { control: StepControl<T>, pace: Pace<T> },
 }
 
@@ -30,16 +30,16 @@ impl<T: Float> Steps<T> {
     }
 }
 
-/// An integration of equations that stay the same, one accepted step at a time.
+/// An integration of smooth equations, one accepted step at a time.
 #[derive(Clone)]
 pub(super) struct Smooth<C, T, const N: usize> {
     pub(super) scheme: C,
     pub(super) steps: Steps<T>,
-    /// Where it ends.
+    /// End of the span.
     pub(super) t1: T,
-    /// The last accepted step; of no length where there is none.
+    /// Last accepted step; of zero length if there is none.
     pub(super) last: Step<T, N>,
-    /// Where the last attempt arrived.
+    /// State at the end of the last attempt.
     tried: SVector<T, N>,
     pub(super) statistics: Statistics,
 }
@@ -66,14 +66,14 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         self.last.x1
     }
 
-    /// Goes to the time `t` on a grid, where steps are on one.
+    /// Moves the grid, if there is one, to the time `t`.
     pub(super) fn go_to(&mut self, t: T) {
         if let Steps::Equal(grid) = &mut self.steps {
             grid.go_to(t);
         }
     }
 
-    /// Evaluates the point reached: the derivative there.
+    /// Evaluates and returns the derivative at the point reached.
     pub(super) fn begin<S>(&mut self, system: &InMode<'_, S, T>) -> Result<SVector<T, N>, Reason>
     where
         C: Scheme<S, T, N>,
@@ -85,7 +85,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         Ok(slope)
     }
 
-    /// Chooses the first step, from the derivative where it starts.
+    /// Chooses the first step, given the derivative at its start.
     pub(super) fn choose_first_step<S>(&mut self, system: &InMode<'_, S, T>, slope: &SVector<T, N>)
     where
         C: Scheme<S, T, N>,
@@ -179,7 +179,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         }
     }
 
-    /// Tries a step to `t_new`, where it arrives at finite numbers: the mean square of its error.
+    /// Attempts a step to `t_new`, and returns the mean square of its error. Fails if the state is not finite.
     #[inline]
     pub(super) fn attempt<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<T, StepFailure>
     where
@@ -199,7 +199,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         Ok(mean_square)
     }
 
-    /// Makes an attempt the last step.
+    /// Turns the last attempt into the last step.
     #[inline]
     pub(super) fn advance<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<(), StepFailure>
     where
@@ -218,8 +218,8 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
     }
 }
 
-/// [`Scheme::attempt`] as a function of its own, so that the compiler knows that what a step writes is not what the
-/// system reads.
+/// Wraps [`Scheme::attempt`] in a separate function, whose signature proves to the compiler that the state written by a
+/// step does not alias the system.
 #[inline(never)]
 fn attempt<C, S, T, const N: usize>(
     scheme: &mut C,

@@ -1,14 +1,14 @@
-//! Sums over the stages of a step, spelled out for compilers.
+//! Sums over the stages of a step, in a form that compilers unroll and inline.
 
 use nalgebra::SVector;
 
 use crate::real::Real;
 
-/// The right-hand side of a system with no more states than this, two bodies, takes few operations, and most of them
-/// wait for one another.
+/// Number of states, two bodies, up to which a right-hand side takes few operations, most of which wait for one
+/// another.
 pub(crate) const SHORT: usize = 4;
 
-/// `x + change`, the components spelled out; see [`weighted_sum`].
+/// `x + change` in a loop over the components; see [`weighted_sum`].
 #[inline(always)]
 pub(crate) fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVector<T, N>) -> SVector<T, N> {
     let mut sum = *x;
@@ -18,11 +18,11 @@ pub(crate) fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVect
     sum
 }
 
-/// `sum_(i < count) (h weights_i) stages_i`, passing over zero weights.
+/// Computes `sum_(i < count) (h weights_i) stages_i`, skipping zero weights.
 ///
-/// The products `h weights_i` are formed first: once, not for each component, and off the path from a
-/// stage to the next. The components are spelled out, since arithmetic of whole vectors is functions, which compilers
-/// need not inline: in lanes they must.
+/// The products `h weights_i` are formed first: once instead of for each component, and off the critical path between
+/// stages. Loops over the components replace vector arithmetic, whose functions compilers need not inline: in lanes
+/// they must.
 #[inline(always)]
 pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
     h: T,
@@ -46,8 +46,8 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
     SVector::from(sums)
 }
 
-/// `(sum_i weights_i stages_i) factor`, passing over zero weights, over the stages of a step and then over `extra` ones;
-/// for weights that need no order of their own in registers, as those of dense output.
+/// Computes `(sum_i weights_i stages_i) factor`, skipping zero weights, over the stages of a step and then over `extra`
+/// ones; for weights such as those of dense output, which need no particular order in registers.
 #[inline(always)]
 pub(crate) fn combination<T: Real, const N: usize>(
     weights: &[f64],

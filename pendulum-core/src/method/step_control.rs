@@ -1,4 +1,4 @@
-//! The decisions about the steps of one trajectory within a tolerance: how long, whether accepted, and when to give up.
+//! Step-size control of one trajectory: length of steps, acceptance, and failure.
 
 use nalgebra::SVector;
 
@@ -8,43 +8,43 @@ use crate::real::Float;
 use crate::step_size::{PiController, Tolerance};
 use crate::system::System;
 
-/// The settings of an [`Adaptive`](crate::method::Adaptive) method for an integration, with the defaults where none are
-/// given. All lengths are positive.
+/// Settings of an [`Adaptive`](crate::method::Adaptive) method for an integration, with defaults filled in. All lengths
+/// are positive.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct StepControl<T> {
-    /// The first step, where it is given.
+    /// First step, if given.
     pub h0: Option<T>,
-    /// The shortest.
+    /// Minimum step.
     pub h_min: T,
-    /// The longest.
+    /// Maximum step.
     pub h_max: T,
-    /// The most steps, accepted and rejected.
+    /// Maximum number of steps, accepted and rejected.
     pub max_steps: usize,
-    /// The order of the error estimate.
+    /// Order of the error estimate.
     pub error_order: usize,
-    /// What errors are measured against.
+    /// Tolerance of the errors.
     pub tolerance: Tolerance<T>,
 }
 
-/// What one trajectory has learnt on its way.
+/// Step-size state of one trajectory.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pace<T> {
-    /// The length of the next step.
+    /// Length of the next step.
     pub(crate) h: T,
     pub(crate) controller: PiController,
 }
 
-/// The least step in ulps of the time.
+/// Minimum step, in ulps of the time.
 const LEAST_ULPS: f64 = 4.0;
-/// The last step may be longer than planned by this factor.
+/// Factor by which the last step may be longer than planned.
 const STRETCH: f64 = 1.01;
-/// The most by which a proposed step may be longer than the last one. No longer than the way since a jump of the
-/// right-hand side, it does not pass two, and where it ends the derivative shows that it passed one.
+/// Maximum growth of a proposed step over the last one. A step no longer than the time since the last jump of the
+/// right-hand side passes at most one jump, which the derivative at its end then reveals.
 const GROW_PROPOSED: f64 = 2.0;
 
 impl<T> Pace<T> {
-    /// That of steps of a given length.
+    /// Pace of steps of a given length.
     #[cfg(feature = "std")]
     pub(crate) fn of_length(h: T) -> Self {
         Self {
@@ -53,7 +53,7 @@ impl<T> Pace<T> {
         }
     }
 
-    /// Goes on with an error estimate of another order.
+    /// Continues with an error estimate of another order.
     #[inline(always)]
     pub(crate) fn set_order(&mut self, order: usize) {
         self.controller.set_order(order);
@@ -61,7 +61,7 @@ impl<T> Pace<T> {
 }
 
 impl<T: Float> StepControl<T> {
-    /// The pace at the start: the longest step, until a first one is [found](Self::find_first_step) or proposed.
+    /// Initial pace: the longest step, until a first one is [chosen](Self::first_step) or proposed.
     pub(crate) fn start(&self) -> Pace<T> {
         Pace {
             h: self.h0.unwrap_or(self.h_max),
@@ -69,7 +69,7 @@ impl<T: Float> StepControl<T> {
         }
     }
 
-    /// The least step at the time `t`: the setting, but no less than the time resolves.
+    /// Minimum step at the time `t`: the setting, or the resolution of the time if that is larger.
     #[inline(always)]
     pub(crate) fn least(&self, t: T) -> T {
         self.h_min
@@ -77,7 +77,7 @@ impl<T: Float> StepControl<T> {
             .max(T::MIN_POSITIVE)
     }
 
-    /// A first step on the way to `t1`, unless it is given, from the initial point and the derivative there, by one
+    /// Chooses a first step towards `t1`, unless it is given, from the initial point and its derivative, with one
     /// evaluation of the right-hand side.
     pub(crate) fn first_step<S, const N: usize>(
         &self,
@@ -97,8 +97,8 @@ impl<T: Float> StepControl<T> {
         Some(self.tolerance.first_step(system, start, bounds))
     }
 
-    /// Plans the step from `t` on the way to `t1`, after this many `steps`: the time at its end. `h` is the length that
-    /// followed from the last step, and becomes the one to go on with.
+    /// Plans the step from `t` towards `t1`, after this many `steps`, and returns the time at its end. `h` is the
+    /// length suggested by the last step, and is updated.
     ///
     /// # Errors
     /// The reason not to take a step.
@@ -118,10 +118,10 @@ impl<T: Float> StepControl<T> {
         Ok(planned.end)
     }
 
-    /// The step from `t` on the way to `t1`. Without branches, so that lanes decide together.
+    /// Plans the step from `t` towards `t1`. Without branches, so that it vectorizes over lanes.
     ///
-    /// Its length is what followed from the last step, or what the method proposes if that is less. There is no tiny
-    /// last step: this one is stretched a little to the end, or what remains is shared between two.
+    /// Its length is the one suggested by the last step, or the proposal of the method if that is shorter. To avoid a
+    /// tiny last step, this one is stretched a little to the end, or the remaining time is split into two steps.
     #[inline(always)]
     pub(crate) fn planned(&self, h: T, (t, t1): (T, T), steps: usize, proposed: Option<T>) -> Planned<T> {
         let (least, remaining) = (self.least(t), (t1 - t).abs());
@@ -137,11 +137,11 @@ impl<T: Float> StepControl<T> {
         Planned { h, end, is_refused }
     }
 
-    /// Whether the step from `t` to `t_new` is accepted, from the mean square of its error; and how long the next
-    /// attempt is.
+    /// Decides from the mean square of its error if the step from `t` to `t_new` is accepted, and chooses the length of
+    /// the next attempt.
     ///
     /// # Errors
-    /// If the next attempt would be shorter than the least step: the reason to give up.
+    /// The reason to stop, if the next attempt would be shorter than the minimum step.
     #[inline(always)]
     pub(crate) fn judge(
         &self,
@@ -159,8 +159,8 @@ impl<T: Float> StepControl<T> {
         Ok(judged.is_accepted)
     }
 
-    /// As [`judge`](Self::judge), from a mean square that is NaN where the attempt arrived nowhere. Without branches, so
-    /// that lanes decide together.
+    /// Like [`judge`](Self::judge), but takes a mean square that is NaN for a failed attempt. Without branches, so that
+    /// it vectorizes over lanes.
     #[inline(always)]
     pub(crate) fn judged(
         &self,
@@ -184,7 +184,7 @@ impl<T: Float> StepControl<T> {
         }
     }
 
-    /// The reason to give up after an attempt from `t` to `t_new`, since the next one would be as short as `h`.
+    /// Reason to stop after an attempt from `t` to `t_new`, if the next one would be as short as `h`.
     #[cold]
     pub(crate) fn hopeless(&self, outcome: Result<T, StepFailure>, (t, t_new): (T, T), h: T) -> Reason {
         match outcome {
@@ -194,28 +194,28 @@ impl<T: Float> StepControl<T> {
     }
 }
 
-/// A step to be tried.
+/// A planned step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Planned<T> {
-    /// Its length, but for the last ones.
+    /// Length for the step-size control, before adjustments near the end of the span.
     pub(crate) h: T,
-    /// The time at its end.
+    /// Time at the end of the step.
     pub(crate) end: T,
-    /// Whether there must be no further step.
+    /// True if no further step may be taken.
     pub(crate) is_refused: bool,
 }
 
-/// What is made of an attempt.
+/// Decision about an attempt.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Judged<T> {
     pub(crate) is_accepted: bool,
-    /// The length of the next attempt.
+    /// Length of the next attempt.
     pub(crate) h: T,
-    /// Whether that is too short.
+    /// True if the next attempt would be too short.
     pub(crate) is_hopeless: bool,
 }
 
-/// Whether an error with this mean square in units of the tolerance is within it; NaN is not.
+/// True if an error with this mean square, in units of the tolerance, is within it; false for NaN.
 #[inline(always)]
 pub(crate) fn is_within_tolerance<T: Float>(mean_square: T) -> bool {
     mean_square <= T::from_f64(1.0)
@@ -269,7 +269,7 @@ mod tests {
             (first(given, 2.0), given.start().h, CONTROL.start().h),
             (None, 0.1, 100.0)
         );
-        // By Hairer's formula: d1 = 1 and forward d2 = 1, backward |999 + 1.01| / 0.01.
+        // Hairer's formula: d1 = 1 and forward d2 = 1, backward |999 + 1.01| / 0.01
         let near = |found: Option<f64>, expected: f64| found.is_some_and(|h| (h / expected - 1.0).abs() < 1e-12);
         assert!(near(first(CONTROL, 2.0), 0.01_f64.powf(0.2)));
         assert!(
@@ -351,7 +351,7 @@ mod tests {
         assert_eq!(plan(Some(0.25), 0.25), Ok((0.5, 3.25)));
         let mut h = 0.25;
         assert_eq!(control.plan(&mut h, (3.0, 8.0), 0, None), Ok(3.5));
-        // neither after the most steps
+        // nor after the maximum number of steps
         let mut h = 1.0;
         let too_many = Err(Reason::TooManySteps { max_steps: 1000 });
         assert_eq!(control.plan(&mut h, (3.0, 8.0), 1000, None), too_many);
@@ -362,13 +362,13 @@ mod tests {
     fn an_attempt_is_hopeless_if_the_next_would_be_too_short() {
         let control = StepControl { h_min: 0.5, ..CONTROL };
         let judge = |t_new: f64, outcome| control.judge(&mut control.start(), (3.0, t_new), outcome, false);
-        // a fifth of the length after a large error, a quarter after none
+        // a large error shortens the next attempt to a fifth, a failed one to a quarter
         assert_eq!(judge(5.5, Ok(1e9)), Ok(false));
         assert_eq!(judge(0.5, Ok(1e9)), Ok(false));
         assert_eq!(judge(5.25, Ok(1e9)), Err(Reason::StepUnderflow { h: 0.45, least: 0.5 }));
         assert_eq!(judge(5.0, Err(Stalled.into())), Ok(false));
         assert_eq!(judge(4.0, Err(Stalled.into())), Err(Reason::NoConvergence { h: 1.0 }));
-        // An accepted one may be short, and the next is no longer than the longest.
+        // an accepted step may be short, and the next one is at most the maximum
         assert_eq!(judge(3.125, Ok(1.0)), Ok(true));
         let mut pace = control.start();
         assert_eq!(

@@ -1,4 +1,4 @@
-//! The engine of all methods: stepping without a record, and without a heap.
+//! The engine of all methods: steps without a record and without heap allocation.
 
 #[cfg(feature = "std")]
 mod kink;
@@ -20,10 +20,10 @@ use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::system::System;
 
-/// An integration in progress, one accepted step at a time, without a heap.
+/// An integration in progress, one accepted step at a time, without heap allocation.
 ///
-/// Made by [`Method::stepper`](crate::Method::stepper); `C` is the scheme of the method. After an error it stays at the
-/// last good point.
+/// Created by [`Method::stepper`](crate::Method::stepper); `C` is the scheme of the method. After an error it stays at
+/// the last good point.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -53,7 +53,7 @@ pub(crate) struct Progress<T, const N: usize> {
     pub(crate) t: T,
     pub(crate) x: SVector<T, N>,
     pub(crate) pace: Pace<T>,
-    /// The steps so far, rejected ones included.
+    /// Number of steps so far, including rejected ones.
     pub(crate) steps: usize,
     pub(crate) modes: Modes<T, N>,
 }
@@ -64,7 +64,7 @@ where
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    /// A stepper at its start.
+    /// Creates a stepper at its start.
     pub(super) fn new(
         system: &'s S,
         scheme: C,
@@ -92,14 +92,14 @@ where
         Ok(stepper)
     }
 
-    /// The time reached.
+    /// Time reached.
     #[must_use]
     #[inline]
     pub fn t(&self) -> T {
         self.smooth.last.t1
     }
 
-    /// The length of the step that is tried next, without its sign.
+    /// Length of the next attempt, without its sign.
     #[must_use]
     pub fn h(&self) -> T {
         match &self.smooth.steps {
@@ -108,50 +108,50 @@ where
         }
     }
 
-    /// The state reached.
+    /// State reached.
     #[must_use]
     #[inline]
     pub fn x(&self) -> SVector<T, N> {
         self.smooth.last.x1
     }
 
-    /// The mode of a [hybrid](crate::hybrid) system, and the time from which on it holds; `None` for other systems.
+    /// Mode of a [hybrid](crate::hybrid) system, and the time at which it began; `None` for other systems.
     ///
-    /// Where a mode ends, the last step does; the next one starts in another mode, and after an impact in another
+    /// The last step ends where a mode ends. The next one starts in another mode, and after an impact from another
     /// state.
     #[must_use]
     pub fn mode(&self) -> Option<(T, Mode)> {
         self.system.hybrid().map(|_| (self.modes.from, self.modes.mode))
     }
 
-    /// The impulses along the constraints of a [hybrid](crate::hybrid) system with which its mode began, in N s or
-    /// N m s; `None` where it began without an impact, and for other systems.
+    /// Impulses along the constraints of a [hybrid](crate::hybrid) system at the beginning of its mode, in N s or N m
+    /// s; `None` if it began without an impact, and for other systems.
     #[must_use]
     pub fn impulses(&self) -> Option<[T; MAX_CONSTRAINTS]> {
         let impulses = self.system.hybrid().map(|_| self.modes.impulses);
         impulses.filter(|impulses| impulses.iter().any(|&impulse| impulse != T::default()))
     }
 
-    /// The impacts with which the mode of a [hybrid](crate::hybrid) system began, if their order decided how it goes on
-    /// and could not be resolved. [`Statistics::ambiguities`] counts all so far.
+    /// Impacts at the beginning of the mode of a [hybrid](crate::hybrid) system, if their order affects the motion
+    /// afterwards but could not be resolved. [`Statistics::ambiguities`] counts them.
     #[must_use]
     pub fn ambiguity(&self) -> Option<Ambiguity<T>> {
         self.modes.ambiguity
     }
 
-    /// The work so far.
+    /// Work so far.
     #[must_use]
     #[inline]
     pub fn statistics(&self) -> Statistics {
         self.smooth.statistics
     }
 
-    /// Takes one step: the step, or `None` if the end is reached.
+    /// Takes one step and returns it, or `None` if the end is reached.
     ///
-    /// The last step ends at the end of the span exactly.
+    /// The last step ends exactly at the end of the span.
     ///
     /// # Errors
-    /// [`Reason::NonFinite`] and, from implicit methods, [`Reason::NoConvergence`]; where the method chooses its steps,
+    /// [`Reason::NonFinite`] and, from implicit methods, [`Reason::NoConvergence`]; if the method chooses its steps,
     /// [`Reason::StepUnderflow`] and [`Reason::TooManySteps`].
     #[inline]
     pub fn step(&mut self) -> Result<Option<Step<T, N>>, Reason> {
@@ -167,14 +167,14 @@ where
         Ok(Some(self.smooth.last))
     }
 
-    /// The states within the last step, by the dense output of the method. Some methods evaluate the right-hand side a
-    /// few more times for it. Before the first step, and after a failed one, it is the point reached.
+    /// Dense output of the last step. Some methods evaluate the right-hand side a few more times for it. Before the
+    /// first step, and after a failed one, it is the point reached.
     pub fn dense(&mut self) -> Dense<'_, T, N> {
         if self.smooth.last.t0 == self.smooth.last.t1 {
             return Dense::new(self.smooth.last, &[]);
         }
         if self.system.hybrid().is_some() {
-            // the search for the end of the mode has found it
+            // the search for the end of the mode has computed the coefficients
             return Dense::cut_off(self.smooth.last, self.smooth.scheme.coefficients(), self.modes.cut);
         }
         let system = InMode::new(self.system, &self.modes.hold);
@@ -188,18 +188,19 @@ where
     /// Integrates to the end, and returns the state there.
     ///
     /// # Errors
-    /// As [`step`](Self::step).
+    /// Errors of [`step`](Self::step).
     #[inline]
     pub fn run(&mut self) -> Result<SVector<T, N>, Reason> {
         while self.step()?.is_some() {}
         Ok(self.x())
     }
 
-    /// Continues from the state `x` at the time `t`: a reset, or another try.
+    /// Continues from the state `x` at the time `t`, after a reset or for another try.
     ///
     /// # Errors
     /// [`Reason::InvalidInput`] if `t` does not lie between the start of the last step and the end of the span, or if
-    /// the state is not finite; [`Reason::NonFinite`] if its derivative is not. The stepper then stays where it was.
+    /// the state is not finite; [`Reason::NonFinite`] if its derivative is not finite. The stepper then remains
+    /// unchanged.
     pub fn restart(&mut self, t: T, x: SVector<T, N>) -> Result<(), Reason> {
         let (from, to) = (
             self.smooth.last.t0.min(self.smooth.t1),
@@ -226,7 +227,7 @@ where
             return Ok(());
         }
         self.begin().map(drop).inspect_err(|_| {
-            // The scheme went to the new point, and its last step is lost.
+            // the scheme moved to the new point, and its last step is lost
             self.smooth.last = Step::at_rest(before.0, before.1);
             (self.smooth.steps, self.modes) = (steps, modes);
             let system = InMode::new(self.system, &self.modes.hold);
@@ -236,19 +237,19 @@ where
         })
     }
 
-    /// What moves.
+    /// The system.
     #[cfg(feature = "std")]
     pub(super) fn system(&self) -> &'s S {
         self.system
     }
 
-    /// Evaluates the point reached: the derivative there.
+    /// Evaluates and returns the derivative at the point reached.
     pub(super) fn begin(&mut self) -> Result<SVector<T, N>, Reason> {
         self.smooth.begin(&InMode::new(self.system, &self.modes.hold))
     }
 }
 
-/// For those who set a trajectory aside, and go on with it later.
+/// Suspension of a trajectory, for engines that resume it later.
 #[cfg(feature = "std")]
 impl<'s, C, S, T, const N: usize> Stepper<'s, C, S, T, N>
 where
@@ -256,7 +257,7 @@ where
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    /// A stepper within a tolerance that goes on where another one was.
+    /// Creates a stepper within a tolerance that continues the trajectory of another one.
     pub(crate) fn resume(
         system: &'s S,
         scheme: C,
@@ -277,7 +278,7 @@ where
         Ok(stepper)
     }
 
-    /// Where it is, between two steps; only of one within a tolerance.
+    /// Progress between two steps; `None` for steps of fixed length.
     pub(crate) fn progress(&self) -> Option<Progress<T, N>> {
         let Steps::Controlled { pace, .. } = self.smooth.steps else {
             return None;
@@ -291,14 +292,14 @@ where
         })
     }
 
-    /// Whether nothing is held, and nothing of the mode is left to find out: see [`Watch::is_settled`].
+    /// True if nothing is held and all witnesses of the mode have been positive: see `ModeWatch::is_settled`.
     pub(crate) fn is_settled(&self) -> bool {
         let Modes { mode, hold, watch, .. } = &self.modes;
         let hybrid = self.system.hybrid().filter(|_| hold.held == 0);
         hybrid.is_some_and(|hybrid| watch.is_settled(&hybrid.laws(), mode))
     }
 
-    /// Takes one step, and goes to the next mode at once where one ends before the end is reached.
+    /// Takes one step, and switches the mode at once if it ends before the end of the span.
     pub(crate) fn step_to_a_mode(&mut self) -> Result<(), Reason> {
         self.step()?;
         if self.t() != self.smooth.t1 && !self.modes.fired.is_empty() {
@@ -308,14 +309,14 @@ where
     }
 }
 
-/// For those who record the steps.
+/// Access for engines that record the steps.
 #[cfg(feature = "std")]
 impl<C, S, T, const N: usize> Stepper<'_, C, S, T, N>
 where
     S: ?Sized,
     T: Float,
 {
-    /// Whether all points can be kept. Methods that choose their steps have a limit of their own.
+    /// Checks that the number of points fits into a solution. Methods that choose their steps have their own limit.
     pub(super) fn check_to_keep(&self) -> Result<(), Reason> {
         match &self.smooth.steps {
             Steps::Equal(grid) => grid.check_to_keep(),
@@ -323,12 +324,12 @@ where
         }
     }
 
-    /// Where it ends.
+    /// End of the span.
     pub(super) fn t1(&self) -> T {
         self.smooth.t1
     }
 
-    /// The scheme, for code that knows which one it is.
+    /// The scheme, for code specific to it.
     pub(crate) fn scheme_mut(&mut self) -> &mut C {
         &mut self.smooth.scheme
     }

@@ -1,4 +1,4 @@
-//! Explicit Runge-Kutta methods that carry tangents along: the variational equations, in the same steps.
+//! Explicit Runge-Kutta methods that integrate tangents by the variational equations, in the same steps.
 
 use nalgebra::SVector;
 
@@ -23,8 +23,8 @@ pub(crate) use in_lanes::{Carried, CarriedStages, Carry};
 
 /// The explicit method of the tableau `B`, with `K` tangents `v' = J(t, x) v`.
 ///
-/// A step of them is the derivative of the step of the state: the same tableau, with the Jacobian at each of its
-/// stages. Their errors are kept within the tolerance too, relative to the length of each.
+/// A step of the tangents is the derivative of the step of the state: the same tableau, with the Jacobian at each of
+/// its stages. Their errors are kept within the tolerance too, relative to the length of each tangent.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tangent<B, const STAGES: usize, const K: usize>(Explicit<B, STAGES>);
 
@@ -48,18 +48,18 @@ where
 
 impl<B: Estimates, const STAGES: usize, const K: usize> Estimates for Tangent<B, STAGES, K> {}
 
-/// A state and its tangents on their way.
+/// A state and its tangents.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bundle<B, T, const STAGES: usize, const K: usize, const N: usize> {
     state: ExplicitStages<B, T, STAGES, N>,
     tolerance: Option<Tolerance<T>>,
-    /// Where the last accepted step ended; at first the unit vectors of the first `K` components.
+    /// Tangents at the end of the last accepted step; at first the unit vectors of the first `K` components.
     pub(crate) tangents: [SVector<T, N>; K],
-    /// Where it started.
+    /// Tangents at its start.
     before: [SVector<T, N>; K],
-    /// Where the last attempt ended.
+    /// Tangents at the end of the last attempt.
     tried: [SVector<T, N>; K],
-    /// The derivative of each tangent at each stage.
+    /// Derivative of each tangent at each stage.
     rates: [[SVector<T, N>; STAGES]; K],
 }
 
@@ -84,7 +84,8 @@ where
         }
     }
 
-    /// Tries the step of the tangents, the stages of the state being known: the largest mean square of their errors.
+    /// Attempts the step of the tangents, given the stages of the state, and returns the largest mean square of their
+    /// errors.
     #[inline(always)]
     fn attempt_tangents<S>(&mut self, system: &S, (t, x): (T, &SVector<T, N>), h: T) -> T
     where
@@ -92,7 +93,7 @@ where
     {
         let tableau = const { &B::TABLEAU };
         let weights = const { &B::TABLEAU.error_weights() };
-        // The last stage has no weight but in the estimate.
+        // the last stage has a weight only in the error estimate
         let uses_last = self.tolerance.is_some() && const { B::TABLEAU.error_uses_last_stage() };
         let count = if uses_last { STAGES } else { STAGES - 1 };
         for (i, row) in tableau.a.iter().enumerate().take(count) {
@@ -116,7 +117,7 @@ where
     }
 }
 
-/// The larger of two numbers; the first where the second is not a number.
+/// The larger of two numbers; the first if the second is NaN.
 #[inline(always)]
 fn larger<T: Lanes>(a: T, b: T) -> T {
     T::from_fn(|lane| a.lane(lane).max(b.lane(lane)))
@@ -126,7 +127,7 @@ impl<B, T, const STAGES: usize, const K: usize, const N: usize> Bundle<B, T, STA
 where
     T: Float,
 {
-    /// Takes off the tangents what the mode of a hybrid system holds.
+    /// Removes the components of tangents that the mode of a hybrid system holds.
     fn hold<S>(&mut self, system: &InMode<'_, S, T>, at: (T, &SVector<T, N>))
     where
         S: Jacobian<T, N> + ?Sized,
@@ -165,7 +166,7 @@ where
         let mean_square = self.state.attempt(system, (t, x), (t_new, x_new), work)?;
         let of_tangents = self.attempt_tangents(system, (t, x), t_new - t);
         work.jacobians += STAGES - 1;
-        // A tangent that is not finite fails the step: the maximum ignores NaN.
+        // a tangent that is not finite fails the step: the maximum ignores NaN
         let is_finite = self.tried.iter().all(|tangent| NonFinite::check(tangent).is_ok());
         if !is_finite {
             return Err(Stalled);

@@ -16,16 +16,16 @@ use crate::statistics::Statistics;
 use crate::step_size::{Estimates, Tolerance, exp2, log2};
 use crate::taylor::{MAX_ORDER, TaylorSeries};
 
-/// The Taylor method of an order that follows from the tolerance; see [`Adaptive`] for its settings.
+/// The Taylor method, with an order determined by the tolerance; see [`Adaptive`] for its settings.
 ///
-/// Each step evaluates the power series of the motion once, and is as long as keeps the last terms below the tolerance:
+/// Each step evaluates the power series of the motion once. It is as long as keeps the last terms below the tolerance:
 /// À. Jorba and M. Zou, "A software package for the numerical integration of ODEs by means of high-order Taylor
 /// methods", Experimental Mathematics 14 (2005) 99-117. A step is rejected if the derivative at its end differs from
-/// that of the series, as where the step would pass a pole that the terms do not reveal. The series is the dense
-/// output. The order is `-ln(tolerance) / 2 + 5`, or what [`order`](Taylor::order) sets.
+/// the derivative of the series, for example across a pole that the terms do not reveal. The series is the dense
+/// output. The order is `-ln(tolerance) / 2 + 5`, unless [`order`](Taylor::order) sets it.
 ///
-/// A series knows nothing of the jumps of `signum` or of a law in time, and only the derivative at the end of a step
-/// shows one: where there are any, set [`h0`](Adaptive::h0) no longer than the time to the first, and
+/// A series does not contain the jumps of `signum` or of a law in time; only the derivative at the end of a step
+/// reveals them. If there are jumps, set [`h0`](Adaptive::h0) no longer than the time to the first, and
 /// [`h_max`](Adaptive::h_max) no longer than the shortest time between two.
 ///
 /// ```
@@ -48,33 +48,33 @@ use crate::taylor::{MAX_ORDER, TaylorSeries};
 /// ```
 pub type Taylor = Adaptive<PowerSeries>;
 
-/// The kind of method that [`Taylor`] is.
+/// Kind of method of [`Taylor`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerSeries {
     pub(crate) order: Option<usize>,
 }
 
-/// The order without a tolerance.
+/// Order without a tolerance.
 const DEFAULT_ORDER: usize = 20;
 
 impl Taylor {
-    /// The order of the series, from 4 to [`MAX_ORDER`], in place of the one that follows from the tolerance.
+    /// Sets the order of the series, from 4 to [`MAX_ORDER`]. Default: determined by the tolerance.
     #[must_use]
     pub fn order(mut self, order: usize) -> Self {
         self.family.order = Some(order);
         self
     }
 
-    /// The operations that one try of a step takes at most, in a system of `n` state components whose power series of
-    /// this `order` takes `series`, from the state on. A derivative that differs from that of the series takes another
-    /// try.
+    /// Upper bound of the operations of one attempt of a step, in a system of `n` state components whose power series
+    /// of this `order`, from the state on, takes `series`. A derivative at the end that differs from the series takes
+    /// another attempt.
     ///
-    /// Of a generated model most of `series` is [`FunctionCost::series`](crate::FunctionCost::series). Comparisons and
-    /// moves of numbers come on top. The error and the choice of the step are included, dense output is not.
+    /// For a generated model most of `series` is [`FunctionCost::series`](crate::FunctionCost::series). Comparisons and
+    /// moves of numbers are extra. The error and the choice of the step are included, dense output is not.
     #[must_use]
     pub const fn operations(series: Operations, order: usize, n: usize) -> Operations {
         let sizes = Operations::new(n * (1 + TERMS), n * (1 + TERMS) + TERMS, n, 0, n * (1 + TERMS), n + 26);
-        // `length`, of which logarithm and power are `log2` and `exp2`
+        // `length`, whose logarithm and power are `log2` and `exp2`
         let length = Operations::new(12 * TERMS + 10, 5 * TERMS + 5, TERMS + 1, 0, 0, 60);
         let terms = order * n;
         let polynomial = Operations::new(terms + 2 * n, terms + 2 * n + 1, 0, 0, 0, order + 5);
@@ -90,7 +90,7 @@ impl Taylor {
 }
 
 impl PowerSeries {
-    /// The order of the series: what is set, or what the tolerance asks for.
+    /// Order of the series: as set, or determined by the tolerance.
     pub(crate) fn order_within<T: Float>(&self, tolerance: Option<Tolerance<T>>) -> Result<usize, Reason> {
         let order = match (self.order, &tolerance) {
             (Some(order), _) => order,
@@ -129,32 +129,32 @@ where
 
 impl Estimates for PowerSeries {}
 
-/// The order that meets a tolerance with the least work. For operations that grow with the square of the order it would
-/// be `-ln(tolerance) / 2 + 1` (Jorba and Zou, 3.1); here part of the work is the same for each order, so that some
-/// more are better.
+/// Order that meets a tolerance with the least work. It would be `-ln(tolerance) / 2 + 1` if operations grew with the
+/// square of the order (Jorba and Zou, 3.1). Here part of the work is independent of the order, which favours a
+/// slightly higher one.
 fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
     let error = tolerance.rtol.max(tolerance.atol).to_f64().min(1.0);
     let order = libm::ceil(-0.5 * libm::log(error) + 5.0) as usize;
     order.clamp(TERMS, MAX_ORDER)
 }
 
-/// How many of the last terms determine the length of a step. Symmetric motions, such as those from rest, may have only
-/// every fourth.
+/// Number of last terms that determine the length of a step. Symmetric motions, such as those from rest, may have only
+/// every fourth term.
 const TERMS: usize = 4;
-/// The last term of a series is this many powers of two below the tolerance: so is about the sum of all that are left
-/// out.
+/// Distance of the last term of a series below the tolerance, in powers of two. The sum of all omitted terms is about
+/// as small.
 const SAFETY: f64 = 4.0;
 
-/// How many bits of the state the tolerance asks for.
+/// Number of bits of the state within the tolerance.
 fn bits<T: Float>(tolerance: &Tolerance<T>) -> f64 {
     -log2(tolerance.rtol.max(tolerance.atol).to_f64())
 }
 
-/// The length of a step whose last terms are well within a tolerance of `bits`, from the sizes of their
-/// coefficients in units of it: 0 where these are beyond all numbers, as close to a pole.
+/// Length of a step whose last terms are well within a tolerance of `bits`, from the sizes of their coefficients in
+/// units of the state's tolerance. It is 0 if the sizes overflow, as near a pole.
 ///
-/// Each of them gives a radius of convergence, as if the terms were the powers of one number from the state on; the
-/// least counts.
+/// Each term gives a radius of convergence, as if the terms were a geometric series from the state on. The smallest
+/// radius counts.
 #[inline(always)]
 fn length<T: Float>(order: usize, bits: f64, sizes: [T; TERMS]) -> T {
     let sizes = sizes.map(T::to_f64);
@@ -168,14 +168,15 @@ fn length<T: Float>(order: usize, bits: f64, sizes: [T; TERMS]) -> T {
     T::from_f64(exp2(radius - (bits + SAFETY) / order as f64))
 }
 
-/// The last terms of a series, the last one first.
+/// Last terms of a series, the last one first.
 #[inline(always)]
 fn last_terms<R, const N: usize>(x: &[SVector<R, N>]) -> [&SVector<R, N>; TERMS] {
     core::array::from_fn(|n| &x[x.len() - 1 - n])
 }
 
-/// The error of a step of length `h` along the series `x`, from the derivative where it arrives: that of the series
-/// differs from it by the terms left out, which are integrals of this difference over a growing power of the time.
+/// Error of a step of length `h` along the series `x`. The derivative of the series at its end differs from the `slope`
+/// there by the omitted terms; as these grow with a power of the time, their integral is the difference times
+/// `h / (order + 1)`.
 #[inline(always)]
 fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R, N>) -> SVector<R, N> {
     let square = h * h;
@@ -196,7 +197,7 @@ fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R,
     error
 }
 
-/// A series, as code that may use wider registers: its loops over products have the numbers side by side.
+/// Computation of a series, compiled for wide registers: its loops over products have contiguous operands.
 struct Recurrences<'a, S: ?Sized, W, T, const N: usize> {
     system: &'a S,
     t: T,
@@ -217,17 +218,17 @@ where
     }
 }
 
-/// The power series of a step.
+/// Power series of a step.
 #[derive(Clone, Debug)]
 pub struct TaylorStages<W, T, const N: usize> {
-    /// The tolerance, and how many bits it asks for.
+    /// Tolerance, and its number of bits.
     tolerance: Option<(Tolerance<T>, f64)>,
     order: usize,
     isa: Isa,
-    /// The series of the point reached, and beside it that of the point where the last step started, or where a step
-    /// was tried to.
+    /// Index of the series at the point reached. The other one belongs to the start of the last step, or to the end of
+    /// the last attempt.
     current: usize,
-    /// Which of the two the step that was tried last started from.
+    /// Index of the series at the start of the last attempt.
     from: usize,
     x: [[SVector<T, N>; MAX_ORDER + 1]; 2],
     /// The dense output.
@@ -250,7 +251,7 @@ impl<W, T: Lanes<Scalar: LaneElement>, const N: usize> TaylorStages<W, T, N> {
             x: series,
             work: &mut self.work,
         };
-        // Lanes are in registers of their own.
+        // lanes already occupy registers
         if const { T::LANES == 1 } {
             self.isa.run(recurrences);
         } else {

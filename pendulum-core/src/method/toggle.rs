@@ -1,4 +1,5 @@
-//! Toggles of closed loops, where they are flat and other assemblies begin: no step ends near one, or beyond.
+//! Toggles: singularities of closed loops, where a loop is flat and assemblies branch. No step ends near a toggle, or
+//! beyond one.
 
 use nalgebra::SVector;
 
@@ -8,19 +9,23 @@ use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::system::System;
 
-/// No step ends where a margin is less.
+/// Minimum margin at the end of a step.
 const LEAST: f64 = 1e-3;
-/// Both ends of a step are looked at where a margin is less at the end,
+/// Margin at the end of a step below which both of its ends are checked.
 const NEAR: f64 = 0.25;
-/// or by its rate was zero within so many steps before. By that at the start it must not be zero within so many.
+/// Number of steps over which a margin is extrapolated at its rate. If it reaches zero back from the end of a step,
+/// both ends are checked; if it does so forward from the start, the step is rejected.
 const REACH: f64 = 2.0;
-/// So are places within, so many, where a margin is the sine of an angle that turns by more, in rad.
+/// Angle, in rad, whose sine is the margin. If it turns further than this within a step, the ends of [`PLACES`] parts
+/// of the step are checked.
 const TURN: f64 = 0.75;
+/// Number of equal parts of a long step, whose ends are checked for a toggle.
 const PLACES: usize = 16;
-/// A margin may be zero on the way where its square falls below this part of the larger one at the ends.
+/// Minimum of a squared margin on the way, relative to the larger one at the ends, below which it may be zero.
 const LOW: f64 = 0.1;
 
-/// Puts the end of a step onto the constraints of its system; not a number where a loop comes to its toggle on the way.
+/// Projects the end of a step onto the constraints of its system. The end becomes NaN if a loop reaches its toggle on
+/// the way.
 #[inline(always)]
 pub(super) fn end_step<S, T, const N: usize>(
     system: &S,
@@ -34,7 +39,7 @@ pub(super) fn end_step<S, T, const N: usize>(
     stop_at_toggles(system, start, (t_new, x_new));
 }
 
-/// Makes the end of a step not a number where a loop comes to its toggle on the way.
+/// Sets the end of a step to NaN if a loop reaches its toggle on the way.
 #[inline(always)]
 pub(super) fn stop_at_toggles<S, T, const N: usize>(
     system: &S,
@@ -53,7 +58,8 @@ pub(super) fn stop_at_toggles<S, T, const N: usize>(
     }
 }
 
-/// The toggle that is behind the reason for which equations end within a step from `(t, x)`, if there is one.
+/// Replaces the reason for which equations fail within a step from `(t, x)` by the toggle that causes it, if there is
+/// one.
 #[cold]
 pub(crate) fn behind<S, T, const N: usize>(reason: Reason, system: &S, t: T, x: &SVector<T, N>) -> Reason
 where
@@ -83,16 +89,16 @@ where
     found
 }
 
-/// Whether steps of this length from the time `t` creep to where the equations end, and may never move the state there.
+/// True if steps of this length from the time `t` stagnate before the end of the domain of the equations.
 #[cold]
 pub(crate) fn creeps<T: Float>(h: T, t: T) -> bool {
     h < T::EPSILON.sqrt() * t.abs()
 }
 
-/// Gives up after an attempt from `t` to `t_new` that failed.
+/// Reports a failed attempt from `t` to `t_new`.
 ///
 /// # Errors
-/// The toggle that is behind it, if there is one.
+/// The toggle that causes the failure, if there is one.
 #[cold]
 pub(crate) fn reached<S, T, const N: usize>(
     failure: StepFailure,
@@ -110,7 +116,7 @@ where
     }
 }
 
-/// The way from the start of a step to its end.
+/// Path from the start of a step to its end.
 struct Way<'a, S: ?Sized, T, const N: usize> {
     system: &'a S,
     start: (T, &'a SVector<T, N>),
@@ -118,7 +124,7 @@ struct Way<'a, S: ?Sized, T, const N: usize> {
 }
 
 impl<S: System<T, N> + ?Sized, T: Lanes, const N: usize> Way<'_, S, T, N> {
-    /// The lanes in which a loop comes to its toggle.
+    /// Lanes in which a loop reaches its toggle.
     #[inline(always)]
     fn stopped(&self) -> u64 {
         let ((t0, _), (t, x)) = (self.start, self.end);
@@ -129,18 +135,18 @@ impl<S: System<T, N> + ?Sized, T: Lanes, const N: usize> Way<'_, S, T, N> {
             let reached = margin - T::from_f64(REACH) * change;
             let least = (near - reached).select(near, reached);
             let turn = room_to_turn(margin, change);
-            // not a number where one of them is negative
+            // NaN if one of them is negative
             roots += (least - turn).select(least, turn).sqrt();
         });
         if roots.all_finite() {
             return 0;
         }
-        // a lane must not depend on the others, so each of them answers for itself
+        // lanes must be independent, so each of them is checked by its own values
         let in_doubt = lanes::<T>(|lane| !roots.lane(lane).is_finite());
         in_doubt & self.stopped_in_doubt()
     }
 
-    /// Checks both ends of the step, and the way between them, in every lane.
+    /// Checks both ends of the step, and the path between them, in every lane.
     #[cold]
     fn stopped_in_doubt(&self) -> u64 {
         let [start, end] = [self.start, self.end].map(|(t, x)| (t, *x));
@@ -157,7 +163,7 @@ impl<S: System<T, N> + ?Sized, T: Lanes, const N: usize> Way<'_, S, T, N> {
         stopped
     }
 
-    /// The lanes in which a loop comes to its toggle in a step that is too long to tell from its ends.
+    /// Lanes in which a loop reaches its toggle, in a step too long to be judged by its ends.
     #[cold]
     fn stopped_between(&self, n: usize) -> u64 {
         let part = T::from_f64(1.0 / PLACES as f64);
@@ -179,7 +185,8 @@ impl<S: System<T, N> + ?Sized, T: Lanes, const N: usize> Way<'_, S, T, N> {
         stopped
     }
 
-    /// A part of the way back: coordinates by Hermite's cubic, for they may turn on the way.
+    /// State at a fraction `back` of the path from its end. Coordinates follow Hermite's cubic, since they may turn on
+    /// the way.
     fn at(&self, back: T) -> (T, SVector<T, N>) {
         let ((t0, x0), (t1, x1)) = (self.start, self.end);
         let (h, ahead) = (t1 - t0, T::from_f64(1.0) - back);
@@ -197,7 +204,7 @@ impl<S: System<T, N> + ?Sized, T: Lanes, const N: usize> Way<'_, S, T, N> {
         (t1 - h * back, x)
     }
 
-    /// The margin of a loop, and how much it would change within a step at its rate.
+    /// Margin of a loop, and its change within a step at its rate.
     fn margin(&self, number: usize, (t, x): &(T, SVector<T, N>)) -> Option<[T; 2]> {
         let h = self.end.0 - self.start.0;
         let (mut found, mut n) = (None, 0);
@@ -211,31 +218,32 @@ impl<S: System<T, N> + ?Sized, T: Lanes, const N: usize> Way<'_, S, T, N> {
     }
 }
 
-/// What is left of the angle by which a loop may turn, of which its margin is the sine: negative where there is nothing.
+/// Remaining angle, squared, by which a loop may turn before [`TURN`]; negative if there is none left. The margin is
+/// the sine of the angle.
 #[inline(always)]
 fn room_to_turn<T: Real>(margin: T, change: T) -> T {
     T::from_f64(TURN * TURN) * (T::from_f64(1.0) - margin * margin) - change * change
 }
 
-/// Whether a loop turns by more than its margins at the ends of a step tell.
+/// True if a loop turns too far for its margins at the ends of a step to be sufficient.
 fn turns<T: Lanes>([margin, change]: [T; 2], lane: usize) -> bool {
     room_to_turn(margin.lane(lane), change.lane(lane)) < T::Scalar::default()
 }
 
-/// Whether a loop is too near to its toggle; also where it has no margin.
+/// True if a loop is too close to its toggle, or has no margin.
 fn is_flat<T: Lanes>([margin, _]: [T; 2], lane: usize) -> bool {
     let margin = margin.lane(lane);
     margin < T::Scalar::from_f64(LEAST) || !margin.is_finite()
 }
 
-/// Whether a margin falls so fast where a step starts that it would be zero behind it, and so near there that the methods
-/// cannot follow it.
+/// True if a margin falls so fast at the start of a step that it would reach zero soon after it, too close for the
+/// methods to follow.
 fn reaches<T: Lanes>([margin, change]: [T; 2], lane: usize) -> bool {
     let [margin, change] = [margin, change].map(|x| x.lane(lane).to_f64());
     margin + REACH * change < 0.0
 }
 
-/// Whether a margin may be zero on a way with these ends: its square, which is smooth there, is taken for a cubic.
+/// True if a margin may reach zero between these ends. Its square, which is smooth there, is approximated by a cubic.
 fn may_pass<T: Lanes>(ends: [[T; 2]; 2], lane: usize) -> bool {
     let ends = ends.map(|end| end.map(|x| x.lane(lane).to_f64()));
     let [(square0, slope0), (square1, slope1)] = ends.map(|[margin, change]| (margin * margin, 2.0 * margin * change));
@@ -247,7 +255,7 @@ fn may_pass<T: Lanes>(ends: [[T; 2]; 2], lane: usize) -> bool {
     is_within && square0 + lowest * (slope0 + lowest * (b + lowest * a)) < LOW * square0.max(square1)
 }
 
-/// The lanes for which something holds.
+/// Bit set of the lanes for which a condition holds.
 #[inline(always)]
 fn lanes<T: Lanes>(holds: impl Fn(usize) -> bool) -> u64 {
     (0..T::LANES).fold(0, |set, lane| set | u64::from(holds(lane)) << lane)

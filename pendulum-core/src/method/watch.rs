@@ -1,4 +1,4 @@
-//! Following a trajectory to its end: events act, and an observer sees the way.
+//! Integration of a trajectory to its end, with events and an observer.
 
 use nalgebra::SVector;
 
@@ -15,10 +15,10 @@ use crate::solution::{Observer, Solution};
 use crate::step_size::Tolerance;
 use crate::system::System;
 
-/// Events within this many ulps of the time are simultaneous, and one that acts twice within them never ends.
+/// Spacing within which events are simultaneous, in ulps of t. An event that acts twice within it never ends.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 
-/// The end of a trajectory before its time, at the last point that its observer saw.
+/// Premature end of a trajectory, at the last point that its observer received.
 pub struct Early<T, const N: usize> {
     pub(crate) reason: Reason,
     pub(crate) t: T,
@@ -26,13 +26,13 @@ pub struct Early<T, const N: usize> {
 }
 
 impl<T: Float, const N: usize> Early<T, N> {
-    /// Makes an error of a reason, at a point.
+    /// Attaches a point to a reason.
     pub(crate) fn at((t, x): (T, SVector<T, N>)) -> impl Fn(Reason) -> Self {
         move |reason| Self { reason, t, x }
     }
 }
 
-/// Goes on to the end from the state `x0`, with events if there are any, and keeps the trajectory.
+/// Integrates to the end from the state `x0`, with events if there are any, and stores the trajectory.
 pub(super) fn collect<C, S, T, const N: usize>(
     mut stepper: Stepper<'_, C, S, T, N>,
     x0: SVector<T, N>,
@@ -57,7 +57,7 @@ where
     }
 }
 
-/// The state from which a stepper starts that was asked to start from `x0`: before an impact that there may be.
+/// Actual initial state of a stepper for the given `x0`: the state before an impact at the start, if there is one.
 fn from<C, S, T, const N: usize>(stepper: &Stepper<'_, C, S, T, N>, x0: SVector<T, N>) -> SVector<T, N>
 where
     C: Scheme<S, T, N>,
@@ -67,8 +67,8 @@ where
     if stepper.impulses().is_some() { x0 } else { stepper.x() }
 }
 
-/// Goes on to the end, where `observer` sees the way: the state there, which is that of a terminal event if there was
-/// one. The stepper was asked to start from `x0`.
+/// Integrates to the end, and passes the trajectory to `observer`. Returns the final state, which is the one of a
+/// terminal event if one occurred. The stepper was created with the initial state `x0`.
 pub(crate) fn follow<C, S, T, const N: usize>(
     stepper: &mut Stepper<'_, C, S, T, N>,
     x0: SVector<T, N>,
@@ -124,8 +124,8 @@ where
     }
 }
 
-/// Looks for events in a step, which an observer then sees, up to where one acts: what there is to do then. `place` puts
-/// the state that a reset returns onto the constraints of the system.
+/// Searches a step for events, and passes it to an observer up to the first event that acts. Returns the consequences
+/// of that event. `place` projects the state that a reset returns onto the constraints of the system.
 pub(crate) fn see<T: Float, const N: usize>(
     search: &mut Search<'_, '_, T, N>,
     dense: &Dense<'_, T, N>,
@@ -161,7 +161,7 @@ pub(crate) fn see<T: Float, const N: usize>(
     Ok(Some(stop))
 }
 
-/// Shows the part of a step up to the fraction `theta`, by a polynomial of its own.
+/// Passes the part of a step up to the fraction `theta` to the observer, with its own polynomial.
 fn observe<T: Float, const N: usize>(dense: &Dense<'_, T, N>, theta: T, observer: &mut impl Observer<T, N>) {
     let step = dense.step();
     if theta == T::from_f64(1.0) && !dense.is_cut_off() {
@@ -175,14 +175,14 @@ fn observe<T: Float, const N: usize>(dense: &Dense<'_, T, N>, theta: T, observer
     }
 }
 
-/// Where a trajectory has arrived.
+/// Point reached by a trajectory.
 struct Reached<T, const N: usize> {
     x: SVector<T, N>,
     mode: Option<(T, Mode)>,
 }
 
 impl<T: Float, const N: usize> Reached<T, N> {
-    /// At the start of a stepper, which was asked to start from the state `x`.
+    /// Start of a stepper that was created with the state `x`.
     fn start<C, S>(stepper: &Stepper<'_, C, S, T, N>, x: SVector<T, N>, observer: &mut impl Observer<T, N>) -> Self
     where
         C: Scheme<S, T, N>,
@@ -193,7 +193,7 @@ impl<T: Float, const N: usize> Reached<T, N> {
         reached
     }
 
-    /// Goes on to the end of a step; tells whether it started in another mode or from another state.
+    /// Advances to the end of a step. Returns true if the step started in another mode or from another state.
     fn changes<C, S>(
         &mut self,
         stepper: &Stepper<'_, C, S, T, N>,
@@ -209,8 +209,8 @@ impl<T: Float, const N: usize> Reached<T, N> {
         changes
     }
 
-    /// Shows the mode of a stepper from a point on, the state there and the impact, where these are new; tells whether
-    /// they were.
+    /// Reports the mode of a stepper from a point on, the state there and the impact, as far as they are new. Returns
+    /// true if they are.
     fn enter<C, S>(
         &mut self,
         stepper: &Stepper<'_, C, S, T, N>,
@@ -252,14 +252,14 @@ impl<T: Float, const N: usize> Reached<T, N> {
 
 /// A point within a step at which events act, one after the other.
 pub(crate) struct Stop<T, const N: usize> {
-    /// In fractions of the step.
+    /// Position in fractions of the step.
     theta: T,
     t: T,
-    /// The state after the events that have acted.
+    /// State after the events that have acted so far.
     pub(crate) x: SVector<T, N>,
-    /// The size of times, to which their resolution is relative.
+    /// Size of times, relative to which their resolution is measured.
     scale: T,
-    /// The events here, with the values of their functions before them.
+    /// Events here, with the values of their functions before them.
     fired: Vec<(Found<T>, T)>,
     is_the_end: bool,
 }
@@ -285,7 +285,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
         (t - self.t).abs() <= self.resolution()
     }
 
-    /// Notes an event and lets it act: it sees what those before it did.
+    /// Records an event and applies it to the state that the events before it left.
     fn act(
         &mut self,
         found: Found<T>,

@@ -1,23 +1,23 @@
-//! Zeros and extrema of functions of one variable, and where they are looked for.
+//! Zeros and extrema of functions of one variable, and the positions at which they are sampled.
 
 use crate::real::Float;
 
-/// Where functions are looked at in each step, in fractions of it; the start is known from the step before.
-/// Those near the ends show which way a function goes there.
+/// Sampling positions in each step, in fractions of it; the value at the start is available from the step before. The
+/// outermost positions show the slope at the ends.
 pub(super) const PLACES: [f64; 10] = [0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.99, 1.0];
-/// After a reset, the first step is looked at from this fraction of it on, in decades: what rebounds may come back at
-/// once.
+/// First of the additional sampling positions after a reset, in fractions of the step; the others follow in decades. A
+/// rebound may return at once.
 const FIRST_PLACE: f64 = 1e-15;
 
-/// A function passes zero once where the error of its cubic is this part of its fall, or less.
+/// Error of the cubic, relative to the fall of a function, up to which the function has a single zero.
 const MOST_ERROR: f64 = 1.0 / 16.0;
-/// How much a function bends between places counts where they are farther apart than this part of the way from the
-/// start of a step.
+/// Width of an interval, relative to its distance from the start of a step, up to which the bend of a function is
+/// neglected.
 const LEAST_WIDTH: f64 = 1.0 / 4096.0;
-/// The most evaluations of a function between two places: one that needs more is noise, or overflows.
+/// Maximum number of evaluations of a function between two positions: one that needs more is noise, or overflows.
 const MOST_EVALUATIONS: usize = 1 << 14;
 
-/// The places of a step; more where the integration starts.
+/// Sampling positions of a step; more at the start of the integration.
 pub(crate) fn places<T: Float>(starts: bool) -> impl Iterator<Item = T> {
     let mut decade = FIRST_PLACE;
     let decades = core::iter::from_fn(move || {
@@ -28,8 +28,8 @@ pub(crate) fn places<T: Float>(starts: bool) -> impl Iterator<Item = T> {
     decades.chain(PLACES).map(T::from_f64)
 }
 
-/// The place where `f` passes zero between `from`, where it is not zero, and `to`, where it is or has the other sign;
-/// each is a place and the value there. It is after the zero, by at most two ulps.
+/// Finds a zero of `f` between `from`, where `f` is nonzero, and `to`, where it is zero or of opposite sign; both are
+/// pairs of a position and a value. The result lies after the zero, by at most two ulps.
 ///
 /// T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without
 /// using derivatives", Adv. Eng. Softw. 28 (1997) 145-149.
@@ -37,22 +37,22 @@ pub(crate) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T 
     root_from(f, from, to, T::from_f64(0.5))
 }
 
-/// [`root`] of a function that is almost a straight line: it is looked for first where the line through the ends has it.
+/// Like [`root`], but for an almost linear function: begins at the root of the line through the ends.
 pub(crate) fn root_of_line<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T {
     let fraction = to.1 / (to.1 - from.1);
     root_from(f, from, to, fraction.max(T::EPSILON).min(T::from_f64(1.0) - T::EPSILON))
 }
 
-/// [`root`], looked for first at a fraction of the way back from `to`.
+/// Like [`root`], but begins at a fraction of the way back from `to`.
 #[inline]
 fn root_from<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T), mut fraction: T) -> T {
     let (zero, one, two) = (T::default(), T::from_f64(1.0), T::from_f64(2.0));
     let (mut a, mut b) = (to, from);
     let is_past = |value: T| (value > zero) != (from.1 > zero) || value == zero;
-    // Bisection alone would end in as many steps as a number has bits; the hybrid takes at most a few times as many.
+    // bisection alone takes as many steps as a number has bits; the hybrid takes at most a few times as many
     for _ in 0..200 {
         let at = |fraction: T| Some(a.0 + fraction * (b.0 - a.0)).filter(|&place| place != a.0 && place != b.0);
-        // Interpolation may be rounded to an end that is not the zero: then halves lead on.
+        // bisect if interpolation rounds to an end that is not the zero
         let Some(place) = at(fraction).or_else(|| at(one / two)) else {
             break;
         };
@@ -68,7 +68,7 @@ fn root_from<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T), mut fractio
         if a.1 == zero {
             break;
         }
-        // What numbers resolve about each end.
+        // resolution of numbers near each end
         let resolution = |end: T| (T::EPSILON * end.abs()).max(T::MIN_POSITIVE) / (b.0 - a.0).abs();
         let (least, most) = (resolution(a.0), one - resolution(b.0));
         if least > T::from_f64(0.5) {
@@ -86,8 +86,8 @@ fn root_from<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T), mut fractio
     if is_past(a.1) { a.0 } else { b.0 }
 }
 
-/// Where a function that has the same sign in three places, nearest to zero in the middle one, touches or passes zero
-/// between them, if it does: a place and the value there.
+/// Finds where a function of the same sign at three positions, closest to zero at the middle one, touches or passes
+/// zero between them. Returns the position and the value there.
 pub(crate) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(T, T)> {
     let [first, middle, last] = places;
     let zero = T::default();
@@ -96,7 +96,7 @@ pub(crate) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
     if !(height(middle) < height(first) && height(middle) <= height(last)) {
         return None;
     }
-    // The parabola through the three shows how deep it may go: a search is for the few that come near.
+    // the parabola through the three estimates the depth: search only those that come close to zero
     let (left, right) = (middle.0 - first.0, last.0 - middle.0);
     let (fall, rise) = (
         (height(first) - height(middle)) / left,
@@ -108,7 +108,7 @@ pub(crate) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
     if depth < T::from_f64(0.25) * height(middle) {
         return None;
     }
-    // The golden section, until it is below zero or too short to be there.
+    // golden-section search, until the value is below zero or the interval too short
     let golden = T::from_f64(0.381_966_011_250_105_1);
     let (mut low, mut best, mut high) = (first.0, middle, last.0);
     while (high - low).abs() > T::EPSILON.sqrt() * (low.abs() + high.abs()) {
@@ -132,12 +132,13 @@ pub(crate) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
     None
 }
 
-/// A place, with the value of a function there and its derivative.
+/// A position, with the value of a function there and its derivative.
 pub(crate) type Known<T> = (T, [T; 2]);
 
-/// How much a function bends that is not seen at three places: how far it is in the middle from the cubic through the
-/// outer two, for the cubics between each two of them, over the squares of their widths. What is less than `noise` may
-/// be rounding errors; places close to the start of a step show how its values and derivatives disagree.
+/// Bend of a function that the values and derivatives at the outer two of three positions do not show. It is the
+/// deviation of the middle value from their cubic, scaled to cubics over each half and divided by the square of the
+/// width of those. Deviations below `noise` may be rounding errors. Positions near the start of a step are skipped:
+/// there deviations show only that values and derivatives are inconsistent.
 pub(crate) fn unseen_bend<T: Float>([first, middle, last]: [Known<T>; 3], noise: T) -> T {
     let width = last.0 - first.0;
     let part = (middle.0 - first.0) / width;
@@ -150,12 +151,11 @@ pub(crate) fn unseen_bend<T: Float>([first, middle, last]: [Known<T>; 3], noise:
     T::from_f64(4.0) * error / (width * width)
 }
 
-/// Where a function that was positive first reaches zero between two places. What is less than `noise` below zero does
-/// not count.
+/// First zero of an initially positive function between two positions. Values within `noise` below zero do not count.
 ///
-/// The function is not farther from the cubic through the places than `bend` times the square of the width, as far as
-/// was seen: so it is positive where the coefficients in the polynomials of Bernstein are, and has one zero where it
-/// falls by far more than that. Halves show what is not certain of the whole, and how much it bends.
+/// The function deviates from the cubic through the ends by at most `bend` times the square of the width, as far as
+/// samples show. So it is positive if its Bernstein coefficients are, and has one zero if it falls by far more than the
+/// deviation. Otherwise the interval is bisected, and `bend` updated.
 pub(crate) fn first_zero<T: Float>(
     f: &impl Fn(T) -> [T; 2],
     ends: (Known<T>, Known<T>),
@@ -166,7 +166,7 @@ pub(crate) fn first_zero<T: Float>(
     search_halves(f, ends, bend, noise, &mut left)
 }
 
-/// [`first_zero`] in as many evaluations as are left.
+/// Like [`first_zero`], with a limited number of evaluations `left`.
 fn search_halves<T: Float>(
     f: &impl Fn(T) -> [T; 2],
     (from, to): (Known<T>, Known<T>),
@@ -192,7 +192,7 @@ fn search_halves<T: Float>(
             let width = width * T::from_f64(part);
             [from.1[0] + width * from.1[1], to.1[0] - width * to.1[1]]
         };
-        // of degree four, to which `error theta^2 (1 - theta)^2 16` belongs
+        // Bernstein coefficients of degree four, including the deviation `error theta^2 (1 - theta)^2 16`
         let ([second, fourth], [left, right]) = (tangents(1.0 / 4.0), tangents(1.0 / 3.0));
         let third = T::from_f64(0.5) * (left + right) - T::from_f64(8.0 / 3.0) * error;
         if is_short || second.min(third).min(fourth) >= -noise {
@@ -213,7 +213,7 @@ fn search_halves<T: Float>(
     search_halves(f, (from, middle), bend, noise, left).or_else(|| search_halves(f, (middle, to), bend, noise, left))
 }
 
-/// The cubic through two places with their derivatives, at a part of the way between them.
+/// Value of the cubic through two positions with their derivatives, at a fraction of the way between them.
 fn cubic<T: Float>((from, to): (Known<T>, Known<T>), part: T) -> T {
     let (rest, width) = (T::from_f64(1.0) - part, to.0 - from.0);
     let (three, two) = (T::from_f64(3.0), T::from_f64(2.0));
@@ -229,7 +229,7 @@ mod tests {
 
     use super::{MOST_EVALUATIONS, dip, first_zero, root, root_of_line, unseen_bend};
 
-    /// The root of `f` between 0 and 1, or between 1 and 0 in reverse, and the places that were looked at.
+    /// Root of `f` between 0 and 1, or between 1 and 0 in reverse, and the evaluated positions.
     fn search(f: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> (f64, Vec<f64>) {
         let places = RefCell::new(Vec::new());
         let watched = |x: f64| {
@@ -246,11 +246,11 @@ mod tests {
         let (x, places) = search(f, (0.0, 1.0));
         assert!(f(x) <= 0.0 && f(x.next_down().next_down()) >= 0.0, "{x:e}");
         assert!(places.len() < 14, "{}", places.len());
-        // backward it is before the zero
+        // backward it lies before the zero
         let (x, places) = search(f, (1.0, 0.0));
         assert!(f(x) >= 0.0 && f(x.next_up().next_up()) <= 0.0, "{x:e}");
         assert!(places.len() < 14, "{}", places.len());
-        // steep, flat, and with a jump
+        // steep, flat, and discontinuous functions
         let (x, _) = search(|x| x.powi(9) - 1e-9, (0.0, 1.0));
         assert!((x - 0.1).abs() < 1e-15);
         let (x, places) = search(|x| if x < 0.3 { -1.0 } else { 1.0 }, (0.0, 1.0));
@@ -260,7 +260,7 @@ mod tests {
 
     #[test]
     fn where_the_inverse_is_a_parabola_the_third_place_is_the_root() {
-        // x = (y + c)^2 - 1: halving first, then interpolation of the inverse, which is exact.
+        // x = (y + c)^2 - 1: bisection first, then interpolation of the inverse, which is exact
         for c in [1.15_f64, 1.2, 1.3, 1.35] {
             for (from, to) in [(0.0, 1.0), (1.0, 0.0)] {
                 let (x, places) = search(|x| (1.0 + x).sqrt() - c, (from, to));
@@ -294,8 +294,8 @@ mod tests {
 
     #[test]
     fn where_interpolation_would_mislead_it_halves() {
-        // By Chandrupatla's criterion, from the ends, the middle and xi = 1/2: interpolation is for phi, the rise from
-        // the end beyond the zero to the middle over that to the other end, between 1 - sqrt(1/2) and sqrt(1/2).
+        // Chandrupatla's criterion for the ends, the middle and xi = 1/2: interpolate if phi lies between 1 - sqrt(1/2)
+        // and sqrt(1/2). phi is the rise from the end beyond the zero to the middle, over the rise to the other end.
         let second = |[first, middle, last]: [f64; 3]| {
             let f = move |x: f64| match x {
                 0.0 => first,
@@ -308,17 +308,17 @@ mod tests {
         };
         for (phi, middle) in [(0.715, 0.43), (0.95, 0.9), (0.7, 0.4), (0.6, 0.2)] {
             let halves = phi > 0.5_f64.sqrt();
-            // from -1 to 1 by way of a middle on either side of zero
+            // from -1 to 1 through a middle on either side of zero
             assert_eq!(second([-1.0, middle, 1.0]) == 0.25, halves, "{middle}");
             assert_eq!(second([-1.0, -middle, 1.0]) == 0.75, halves, "{middle}");
         }
         for (phi, middle) in [(0.28, 0.208), (0.14, 0.054), (0.3, 0.23), (0.4, 0.34)] {
             let halves = phi < 1.0 - 0.5_f64.sqrt();
-            // from -0.1 to 1, and the other way round
+            // from -0.1 to 1, and reversed
             assert_eq!(second([-0.1, middle, 1.0]) == 0.25, halves, "{middle}");
             assert_eq!(second([-1.0, -middle, 0.1]) == 0.75, halves, "{middle}");
         }
-        // The parabola x(y) through (-1, 0), (middle, 1/2), (1, 1) at y = 0, by Lagrange: of the last two terms.
+        // Lagrange's parabola x(y) through (-1, 0), (middle, 1/2), (1, 1) at y = 0: the last two terms
         for middle in [0.41, 0.2, -0.2, -0.41_f64] {
             let expected = -0.5 / (middle * middle - 1.0) + middle / (2.0 * (middle - 1.0));
             let found = second([-1.0, middle, 1.0]);
@@ -356,7 +356,8 @@ mod tests {
                         let is_past = |x: f64| (g(x) > 0.0) != (g(from) > 0.0) || g(x) == 0.0;
                         assert!(is_past(x), "{what}");
                         assert!(!is_past(two_before) || g(two_before) == 0.0 || g(x) == 0.0, "{what}");
-                        // Halving alone takes some 52 from 1 on, and 30 more from 1e-9 on; at most every other one is.
+                        // bisection alone takes some 52 from 1 on, and 30 more from 1e-9 on; at most every other
+                        // evaluation bisects
                         assert!(places.len() <= 170, "{what}");
                         let inside = places.iter().all(|x| (from.min(to)..=from.max(to)).contains(x));
                         assert!(inside, "{what}");
@@ -364,13 +365,13 @@ mod tests {
                 }
             }
         }
-        // A straight line needs the middle, its zero, and the other side of that, whatever the length.
+        // a straight line needs the middle, its zero, and a point beyond the zero, whatever the length
         for (from, to) in [(0.5, 0.5 + 1e-6), (1000.0, 1e6), (0.3, 0.4)] {
             let zero = from + 0.3 * (to - from);
             let (_, places) = search(|x| x - zero, (from, to));
             assert!(places.len() <= 6, "{from} {to}: {places:?}");
         }
-        // A straight line, to a zero that is far nearer to 0 than the ends are.
+        // a straight line, whose zero is far closer to 0 than the ends
         let (x, places) = search(|x| x - 1e-30, (-0.5, 1.0));
         assert!(
             (x / 1e-30 - 1.0).abs() < 1e-15 && places.len() <= 10,
@@ -392,7 +393,7 @@ mod tests {
 
     #[test]
     fn between_places_two_ulps_apart_there_is_one_to_look_at() {
-        // The middle of the first four is the last place before the zero.
+        // the middle of the first four is the last position before the zero
         let from = 1.0 - 2.0 * f64::EPSILON;
         let to = 1.0 + 2.0 * f64::EPSILON;
         let middle = 1.0 + f64::EPSILON;
@@ -406,7 +407,7 @@ mod tests {
         assert_eq!((x, places.len() < 56), (1.0, true), "{places:?}");
         let (x, places) = search(|x| x - 0.5, (0.0, 1.0));
         assert_eq!((x, &places[..]), (0.5, &[0.5][..]));
-        // zero from some place on
+        // zero from some position on
         let (x, places) = search(|x| (x - 0.3).min(0.0), (0.0, 1.0));
         assert_eq!((x, &places[..]), (0.5, &[0.5][..]));
     }
@@ -418,8 +419,8 @@ mod tests {
         assert!(places.len() <= 200);
     }
 
-    /// Exact arithmetic or roundings that all machines share: one interpolation more or less shows in the sum, and so does
-    /// one that comes too close to an end to be distinguished from it.
+    /// Uses exact arithmetic or roundings common to all machines. The sum reveals one interpolation more or less, and
+    /// an interpolation too close to an end to be distinguished from it.
     #[test]
     fn where_a_slope_changes_the_evaluations_are_counted() {
         let mut sum = 0;
@@ -438,7 +439,7 @@ mod tests {
         assert_eq!(sum, 495);
     }
 
-    /// What is found of a dip, and the places that were looked at.
+    /// Result of a search for a dip, and the evaluated positions.
     fn look(f: impl Fn(f64) -> f64, at: [f64; 3]) -> (Option<(f64, f64)>, Vec<f64>) {
         let places = RefCell::new(Vec::new());
         let watched = |x: f64| {
@@ -449,7 +450,7 @@ mod tests {
         (found, places.into_inner())
     }
 
-    /// Places of which the middle one is the nearest to 0.57, 0.53 and 0.61, or not.
+    /// Positions whose middle one is, or is not, the closest to 0.57, 0.53 and 0.61.
     const AT: [[f64; 3]; 7] = [
         [0.1, 0.5, 1.0],
         [0.1, 0.6, 1.0],
@@ -477,7 +478,7 @@ mod tests {
                     places.iter().all(|&x| at[0] < x && x < at[2]),
                     "{at:?} {bottom}: {places:?}"
                 );
-                // The golden section: from 2 to 1e-8 in 40 steps.
+                // golden section: from 2 to 1e-8 in 40 steps
                 assert!(places.len() <= 42, "{at:?} {bottom}: {places:?}");
                 if is_lowest && height < 0.0 {
                     let (x, value) = found.expect("a dip");
@@ -495,7 +496,7 @@ mod tests {
 
     #[test]
     fn a_dip_is_searched_where_a_parabola_goes_down_by_a_quarter_of_the_height() {
-        // Below the middle place, which is `apart` from its bottom, it goes down by apart^2.
+        // the parabola goes down by apart^2 below the middle position, which is `apart` from its bottom
         for at in AT {
             for apart in [0.01, -0.01, 0.1, -0.1_f64] {
                 let bottom = at[1] + apart;
@@ -510,16 +511,16 @@ mod tests {
                 }
             }
         }
-        // From 0.9 to 3e-5, which is what tells places near 1000 apart by their squares.
+        // from 0.9 to 3e-5, the distance at which squares distinguish positions near 1000
         let (found, places) = look(|x| (x - 1000.57).powi(2) + 1e-9, [1000.1, 1000.5, 1001.0]);
         assert!(found.is_none() && (20..=24).contains(&places.len()), "{}", places.len());
-        // level, or with the lowest place at an end
+        // level, or with the lowest position at an end
         assert!(look(|_| 1.0, [0.0, 0.5, 1.0]).1.is_empty());
         assert!(look(|x| x.max(0.5), [0.0, 0.5, 1.0]).1.is_empty());
         assert!(look(|x| 2.0 - x, [0.0, 0.5, 1.0]).1.is_empty());
     }
 
-    /// Values of a function at three places, and 1/2 at all others, with the places that were looked at.
+    /// Evaluated positions for given values of a function at three positions, and 1/2 at all others.
     fn look_beside(places: [f64; 3], values: [f64; 3]) -> Vec<f64> {
         let at = |x| places.iter().position(|&place| place == x);
         look(|x| at(x).map_or(0.5, |index| values[index]), places).1
@@ -527,13 +528,13 @@ mod tests {
 
     #[test]
     fn ties_are_settled() {
-        // The parabola through 3/2, 1/2 and 7/2 goes down by 1/8, which is a quarter of 1/2. Of equal parts the left one is
-        // divided, and of equal values the old one is the best: the right part is longer then.
+        // the parabola through 3/2, 1/2 and 7/2 goes down by 1/8, which is a quarter of 1/2; of equal parts the left
+        // one is divided, and of equal values the old one is the best: the right part is longer then
         let golden = 0.381_966_011_250_105_1;
         let values = [1.5, 0.5, 3.5];
         let places = look_beside([0.0, 0.5, 1.0], values);
         assert_eq!(places[..2], [0.5 - golden * 0.5, 0.5 + golden * 0.5]);
-        // The length over the sum of the sizes of the ends is 2^-26 in the first, the root of the precision.
+        // the length over the sum of the sizes of the ends is 2^-26 in the first case, the square root of the precision
         let short = f64::EPSILON.sqrt();
         assert!(look_beside([1.0 - short, 1.0, 1.0 + short], values).is_empty());
         let longer = 2.0 * short;
@@ -547,7 +548,7 @@ mod tests {
         for (at, bottom, expected) in [
             // to the right of the middle, which stays the lowest, then to its left
             ([0.0, 0.4, 1.0], 0.43, [0.4 + golden * 0.6, 0.4 - golden * 0.4]),
-            // to the left, where it is lower, then left of that, in the part that is longer
+            // to the left, where it is lower, then left of that, in the longer part
             (
                 [0.0, 0.6, 1.0],
                 0.38,
@@ -566,7 +567,7 @@ mod tests {
         }
     }
 
-    /// Of many zeros between two places, as far as it is known how much the function bends.
+    /// Given its bend, the first of many zeros of a function is found.
     #[test]
     fn of_many_zeros_the_first_is_found() {
         for (turns, height) in [0.7, 1.0, 3.3, 8.0, 8.1, 50.0, 150.7].into_iter().flat_map(|turns| {
@@ -574,7 +575,7 @@ mod tests {
             heights.map(|height| (turns, height))
         }) {
             for phase in (0..12).map(|n| f64::from(n) * PI / 6.0) {
-                // what falls by eight onto a wave
+                // a wave on a curve that falls by eight
                 let f = |x: f64| {
                     let angle = 2.0 * PI * turns * x + phase;
                     [
@@ -598,7 +599,7 @@ mod tests {
         }
     }
 
-    /// As a method gives that is far beyond its stability, shortly before its numbers overflow.
+    /// A method far beyond its stability limit gives such noise shortly before its numbers overflow.
     #[test]
     fn a_search_among_noise_ends() {
         let count = Cell::new(0);
@@ -627,7 +628,7 @@ mod tests {
             let mut between = |from, to| first_zero(&f, (from, to), &mut bend, 1e-15);
             between(first, middle).or_else(|| between(middle, last))
         };
-        // both sides of a dip are places, and the lowest value is at neither of them
+        // both sides of a dip are sampled, and the lowest value is at neither of them
         for (depth, zero) in [(1e-9, Some(0.7 - 1e-9_f64.sqrt())), (-1e-9, None)] {
             let dip = |x: f64| [(x - 0.7) * (x - 0.7) - depth, 2.0 * (x - 0.7)];
             for first in [None, Some(0.0)] {

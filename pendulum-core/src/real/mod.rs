@@ -1,8 +1,7 @@
-//! The number types that a mechanism and its integration are generic over.
+//! Number types for mechanisms and their integration.
 //!
-//! There are two traits because there are two kinds of code. Generated code only computes: it accepts any [`Real`],
-//! which may be a SIMD vector. An integrator also decides (is this step accurate enough?), so it needs an order: a
-//! [`Float`].
+//! Generated code only computes and accepts any [`Real`], which may be a SIMD vector. An integrator also makes
+//! decisions, such as accepting a step, so it needs an order: a [`Float`].
 
 pub mod lanes;
 
@@ -11,17 +10,18 @@ mod sincos;
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// The number type of generated code: `f64`, `f32` or [lanes](lanes::Lanes) of these.
+/// Number type of generated code: `f64`, `f32` or [lanes](lanes::Lanes) of these.
 ///
-/// It has no comparisons, since a vector of lanes has no single answer to `a < b`. `Default` is zero.
+/// It has no comparisons, since `a < b` may differ between lanes. `Default` is zero.
 ///
-/// The methods are named after the inherent ones of `f64`, which take precedence where both apply. Results agree except
-/// for [`signum`](Real::signum), which is 0 at 0, and for the last bits of the other functions but `sqrt` and `abs`.
+/// The methods are named after the inherent ones of `f64`, which take precedence where both apply. Results agree up to
+/// the last bits. The exceptions are [`signum`](Real::signum), which is 0 at 0, and `sqrt` and `abs`, which agree
+/// exactly.
 ///
-/// For `f64` and `f32`, and lanes of these, all results have the same bits on every machine, in every build:
-/// [`sin_cos`](Real::sin_cos) is our own, `tan`, `exp`, `ln`, `tanh`, `atan2` and `powf` are those of the crate
-/// [libm](https://docs.rs/libm) in place of the platform's, and IEEE 754 defines the rest. The inherent methods of `f64`
-/// promise no such thing.
+/// For `f64` and `f32`, and lanes of these, all results are bit-identical on every machine and in every build.
+/// [`sin_cos`](Real::sin_cos) is implemented here; `tan`, `exp`, `ln`, `tanh`, `atan2` and `powf` come from the crate
+/// [libm](https://docs.rs/libm) instead of the platform; IEEE 754 defines the rest. The inherent methods of `f64` do
+/// not guarantee this.
 pub trait Real:
     nalgebra::Scalar
     + Copy
@@ -36,19 +36,19 @@ pub trait Real:
     + MulAssign
     + DivAssign
 {
-    /// How many numbers stand side by side: 1, but in a vector of [lanes](lanes::Lanes).
+    /// Number of lanes; 1 unless the type is a vector of [lanes](lanes::Lanes).
     const LANES: usize = 1;
 
-    /// The number nearest to `v`.
+    /// Converts `v` to the nearest number of the type.
     fn from_f64(v: f64) -> Self;
 
-    /// Sine and cosine of an angle in radians; NaN if it is not finite.
+    /// Sine and cosine of an angle in radians; NaN if the angle is not finite.
     ///
-    /// For `f64` and `f32`, and lanes of these, the errors are below 1 ulp, and the bits are the same on every machine.
-    /// Beyond 1e5 rad in `f64` and 6400 rad in `f32` they take longer.
+    /// For `f64` and `f32`, and lanes of these, errors are below 1 ulp and results are bit-identical on every machine.
+    /// Angles beyond 1e5 rad in `f64` and 6400 rad in `f32` take longer.
     fn sin_cos(self) -> (Self, Self);
 
-    /// Sines and cosines of two angles, equal to [`sin_cos`](Self::sin_cos) of each. Scalars compute them together in
+    /// Sines and cosines of two angles, bit-identical to [`sin_cos`](Self::sin_cos) of each. Scalars compute both in
     /// one vector register.
     #[inline(always)]
     fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
@@ -73,43 +73,43 @@ pub trait Real:
     /// Absolute value.
     fn abs(self) -> Self;
 
-    /// Sign: -1, 0 or 1; zero (of either sign) and NaN are returned unchanged.
+    /// Sign: -1, 0 or 1. Zero (of either sign) and NaN are returned unchanged.
     ///
-    /// It differs from `f64::signum` because a friction law such as `-mu * signum(qd)` must vanish at rest.
+    /// Unlike `f64::signum` it is zero at zero, because a friction law such as `-mu * signum(qd)` must vanish at rest.
     fn signum(self) -> Self;
 
-    /// The larger of two numbers; `self` if they are equal, or if it is NaN.
+    /// Maximum of two numbers; `self` if they are equal, or if `self` is NaN.
     ///
-    /// It differs from `f64::max`, which would hide a NaN.
+    /// Unlike `f64::max` it propagates a NaN in `self`.
     fn at_least(self, low: Self) -> Self;
 
-    /// The smaller of two numbers; `self` if they are equal, or if it is NaN.
+    /// Minimum of two numbers; `self` if they are equal, or if `self` is NaN.
     fn at_most(self, high: Self) -> Self;
 
-    /// The angle of the point `(x, self)`, in radians in (-pi, pi].
+    /// Polar angle of the point `(x, self)`, in radians in (-pi, pi].
     fn atan2(self, x: Self) -> Self;
 
-    /// `self` to the power of `exponent`; NaN for a negative number and an exponent that is not an integer.
+    /// `self` to the power of `exponent`; NaN for a negative number with a non-integer exponent.
     fn powf(self, exponent: Self) -> Self;
 }
 
-/// A [`Real`] with an order: what the integrators step on. It is a single lane.
+/// A [`Real`] with an order, for the integrators. It has a single lane.
 pub trait Float: lanes::Lanes<Scalar = Self> + PartialOrd {
-    /// The distance from 1 to the next larger number.
+    /// Distance from 1 to the next larger number.
     const EPSILON: Self;
 
-    /// The smallest positive normal number.
+    /// Smallest positive normal number.
     const MIN_POSITIVE: Self;
 
-    /// The number as `f64`, for messages and for step-size control.
+    /// Converts to `f64`, for messages and for step size control.
     fn to_f64(self) -> f64;
 
-    /// Whether the number is neither infinite nor NaN.
+    /// True if the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
-    /// The larger of two numbers; if one is NaN, the other.
+    /// Maximum of two numbers; if one is NaN, the other.
     fn max(self, other: Self) -> Self;
 
-    /// The smaller of two numbers; if one is NaN, the other.
+    /// Minimum of two numbers; if one is NaN, the other.
     fn min(self, other: Self) -> Self;
 }

@@ -1,9 +1,9 @@
-//! `Real` and `Float` for the floating-point types of the language.
+//! `Real` and `Float` for the primitive floating-point types.
 
 use super::lanes::{Lanes, Pack, Pair, Register, Two32, Two64};
 use super::{Float, Real, sincos};
 
-/// A method, by a function.
+/// Implements a method by a function.
 macro_rules! forward {
     ($function:path, $method:ident($($argument:ident: $kind:ty),*) -> $output:ty) => {
         #[inline]
@@ -60,13 +60,14 @@ macro_rules! scalar {
                 if self > high { high } else { self }
             }
 
-            // An instruction, where there is one; the bits are the same, since roots are rounded correctly.
+            // Compiles to one instruction where available. IEEE 754 rounds square roots correctly, so both versions are
+            // bit-identical.
             #[cfg(feature = "std")]
             forward!($float::sqrt, sqrt() -> Self);
             #[cfg(not(feature = "std"))]
             forward!(libm::$sqrt, sqrt() -> Self);
 
-            // Not the functions of the platform, whose last bits differ from one to the other.
+            // Functions of the platform differ in their last bits between platforms.
             forward!(libm::$tan, tan() -> Self);
             forward!(libm::$exp, exp() -> Self);
             forward!(libm::$ln, ln() -> Self);
@@ -77,7 +78,7 @@ macro_rules! scalar {
             forward!($float::abs, abs() -> Self);
         }
 
-        /// One lane.
+        /// A single lane.
         impl Lanes for $float {
             type Scalar = Self;
             type Double = Pack<Pair<Self>>;

@@ -1,44 +1,44 @@
 //! Sine and cosine: one kernel for both precisions, for scalars and for lanes.
 //!
-//! It uses only additions, multiplications and bit operations, which IEEE 754 defines to the last bit, and no fused
-//! operations. So the result is the same on every machine, and in lanes the same bits as for a scalar.
+//! The kernel uses only additions, multiplications and bit operations, without fused operations. IEEE 754 defines these
+//! to the last bit, so results are identical on every machine, and in lanes and scalars.
 //!
-//! The angle is reduced to `[-pi/4, pi/4]` by a multiple of `pi/2` in parts (W. J. Cody, W. Waite, "Software Manual for
-//! the Elementary Functions", 1980), and the rounding error of the reduced angle is carried along. The polynomials
-//! minimise the largest relative error of sine and cosine on this interval (Remez's algorithm); their coefficients are
-//! rounded one after the other, each time with the higher ones fitted anew.
+//! The angle is reduced to `[-pi/4, pi/4]` by subtracting a multiple of `pi/2` in parts (W. J. Cody, W. Waite,
+//! "Software Manual for the Elementary Functions", 1980). The rounding error of the reduced angle is carried along. The
+//! polynomials minimise the largest relative error of sine and cosine on this interval (Remez algorithm). Their
+//! coefficients are rounded one at a time, highest power last, refitting the rest each time.
 
 use super::lanes::Register;
 use super::{Float, Real};
 
-/// A precision of the kernel: its range, and its constants.
+/// Range and constants of the kernel in one precision.
 pub trait Precision: Float + Register<Scalar = Self> {
-    /// The largest angle that the kernel reduces: up to here the quotient's products with all but the last part of pi/2
-    /// are exact.
+    /// Largest angle that the kernel reduces: up to this limit the products of the quotient with all but the last part
+    /// of pi/2 are exact.
     const LIMIT: Self;
 
     /// pi/2 as a sum. Subtracting multiples of the first parts from the angle is exact; the rounding error of the last
     /// two is carried along.
     const HALF_PI: (&'static [Self], [Self; 2]);
 
-    /// 1.5 times the power of 2 from which on numbers have no fraction: adding it to the quotient rounds that to an
-    /// integer, in the lowest bits.
+    /// 1.5 times the smallest power of 2 above which all numbers are integers. Adding it to the quotient rounds the
+    /// quotient to an integer, in the lowest bits.
     const SHIFT: Self;
 
-    /// `(x - sin x) / x^3` by ascending powers of `x^2`.
+    /// `(x - sin x) / x^3` in ascending powers of `x^2`.
     const SIN: &'static [Self];
 
-    /// `(cos x - 1 + x^2 / 2) / x^4` by ascending powers of `x^2`.
+    /// `(cos x - 1 + x^2 / 2) / x^4` in ascending powers of `x^2`.
     const COS: &'static [Self];
 
     /// Sine and cosine of an angle beyond [`LIMIT`](Self::LIMIT).
     fn far(self) -> (Self, Self);
 }
 
-/// Quotients of 16 bits, polynomials to 2^-56.
+/// Quotients have 16 bits; polynomial errors are below 2^-56.
 impl Precision for f64 {
     const LIMIT: Self = 1e5;
-    /// Of 37, 37 and 53 bits.
+    /// Parts of 37, 37 and 53 bits.
     const HALF_PI: (&'static [Self], [Self; 2]) = (
         &[1.570_796_326_792_333_3],
         [2.563_344_151_583_955_8e-12, 1.056_299_906_698_742_8e-23],
@@ -67,10 +67,10 @@ impl Precision for f64 {
     }
 }
 
-/// Quotients of 12 bits, polynomials to 2^-27.
+/// Quotients have 12 bits; polynomial errors are below 2^-27.
 impl Precision for f32 {
     const LIMIT: Self = 6400.0;
-    /// Of 12 bits; rounded to 2^-24, so that differences from the angle remain exact; of 9 and of 24 bits.
+    /// Parts of 12 bits; rounded to 2^-24, so that differences from the angle remain exact; of 9 bits; of 24 bits.
     const HALF_PI: (&'static [Self], [Self; 2]) = (&[1.570_800_8, -4.470_348_4e-6], [1.589_069_1e-8, 2.563_344e-12]);
     const SHIFT: Self = 12_582_912.0;
     const SIN: &'static [Self] = &[0.166_666_54, -0.008_332_106, 0.000_195_078_83];
@@ -92,7 +92,7 @@ pub(crate) fn sin_cos<R: Register>(x: R) -> (R, R) {
     near(x)
 }
 
-/// Sines and cosines of two angles together, in a register of two lanes or more: the same bits as one by one.
+/// Sines and cosines of two angles in a register of at least two lanes, bit-identical to separate calls.
 #[inline(always)]
 pub(crate) fn sin_cos_pair<R: Register>(angles: [R::Scalar; 2]) -> [(R::Scalar, R::Scalar); 2] {
     let (sin, cos) = sin_cos(R::from_fn(&mut |i| angles[i % 2]));
@@ -120,13 +120,13 @@ fn near<R: Register>(x: R) -> (R, R) {
     let z2 = z * z;
     let half_z = z * constant::<R>(0.5);
     let base = one - half_z;
-    // A difference, so that the sine of -0.0 is -0.0.
+    // Written as a difference so that the sine of -0.0 is -0.0.
     let sin = r - (r * (z * polynomial(R::Scalar::SIN, z, z2)) + excess * base);
     let cos = base + (((one - base) - half_z) + (z2 * polynomial(R::Scalar::COS, z, z2) + r * excess));
     shifted.turn(sin, cos)
 }
 
-/// A polynomial in `z`, by Estrin's scheme: a chain of half the length, and beside it the pairs of terms.
+/// Evaluates a polynomial in `z` by Estrin's scheme, which halves the length of the dependency chain.
 #[inline(always)]
 fn polynomial<R: Register>(c: &[R::Scalar], z: R, z2: R) -> R {
     let mut i = (c.len() - 1) / 2 * 2;
@@ -138,7 +138,7 @@ fn polynomial<R: Register>(c: &[R::Scalar], z: R, z2: R) -> R {
     sum
 }
 
-/// The term `i`, and the next if there is one. Not a closure, which the compiler does not promise to inline.
+/// Term `i`, plus term `i + 1` if it exists. The compiler need not inline closures, so this is a function.
 #[inline(always)]
 fn pair<R: Register>(c: &[R::Scalar], i: usize, z: R) -> R {
     if i + 1 < c.len() {
@@ -153,7 +153,7 @@ fn constant<R: Register>(v: f64) -> R {
     R::splat(R::Scalar::from_f64(v))
 }
 
-/// Sine and cosine of each lane alone: those within the range of the kernel must keep their bits.
+/// Sine and cosine of each lane separately. Lanes within the range of the kernel keep its bits.
 #[inline(always)]
 fn one_by_one<R: Register>(x: R) -> (R, R) {
     #[cold]
@@ -170,7 +170,7 @@ fn one_by_one<R: Register>(x: R) -> (R, R) {
         *x_sin = R::from_fn(&mut |i| alone(x.lane(i)).0);
         *cos = R::from_fn(&mut |i| alone(x.lane(i)).1);
     }
-    // Copies, which the call needs in memory, so that `x` itself can stay in a register.
+    // The call passes copies through memory, so that `x` itself can stay in a register.
     let (mut sin, mut cos) = (x, x);
     replace(&mut sin, &mut cos);
     (sin, cos)

@@ -1,25 +1,25 @@
-//! Components that are so small that the absolute tolerance hides them.
+//! Detection of components too small for the absolute tolerance.
 
 use std::fmt;
 
 use super::Solution;
 use crate::real::Float;
 
-/// An absolute tolerance above this part of the largest size of a component is coarse: three digits in a step,
+/// Largest acceptable ratio of `atol` to the size of a component, per step: three digits.
 const COARSE: f64 = 1e-3;
-/// unless the relative tolerance asks for no more than this many times better.
+/// Least ratio of `atol` to the error allowed by `rtol` for a component to be reported.
 const FAR_FROM_ASKED: f64 = 100.0;
-/// Components below this part of the largest one are what rounding errors leave of zero.
+/// Relative size, compared with the largest component, below which a component counts as rounding error of zero.
 const ROUNDING: f64 = 1e-12;
 
-/// A component of the state that moved, and was never larger than the absolute tolerance by enough to be accurate.
+/// A component of the state that moves, but is too small for the absolute tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BelowTolerance<T = f64> {
-    /// Its index in the state.
+    /// Index in the state.
     pub component: usize,
-    /// Its largest size.
+    /// Largest magnitude.
     pub largest: T,
-    /// The absolute tolerance that would suit it: the relative tolerance times its largest size.
+    /// Suitable absolute tolerance: the relative tolerance times the largest magnitude.
     pub atol: T,
 }
 
@@ -28,20 +28,20 @@ impl<T: Float> fmt::Display for BelowTolerance<T> {
         let (n, largest, atol) = (self.component, self.largest.to_f64(), self.atol.to_f64());
         write!(
             f,
-            "x[{n}] is {largest:e} at most, and the absolute tolerance leaves it less than three digits; set `atol({atol:.0e})`, \
-             or choose units in which it is larger"
+            "x[{n}] is {largest:e} at most, and the absolute tolerance leaves it less than three digits; \
+             set `atol({atol:.0e})`, or choose units in which it is larger"
         )
     }
 }
 
 impl<T: Float, const N: usize> Solution<T, N> {
-    /// The components that are inaccurate because they are small: during the whole motion the error that `atol` allows
-    /// in a step was more than a thousandth of their largest size, and more than 100 times what `rtol` allows of it.
-    /// Empty where all is well, and for steps of given length.
+    /// Components that are inaccurate because they are too small for `atol`. During the whole motion, the error per
+    /// step that `atol` allows exceeds a thousandth of their largest magnitude, and 100 times the error that `rtol`
+    /// allows. Empty if there are none, and for fixed steps.
     ///
-    /// A component is listed if it moves, and either does not start at zero or is beside components all of which are
-    /// that small or at rest. What starts at zero beside larger motions and stays small is a disturbance by those,
-    /// for which absolute accuracy is meant; so is what is less than 1e-12 of the largest component.
+    /// A component is listed if it moves, and either starts away from zero or all moving components are too small. A
+    /// component that starts at zero beside larger motions and stays small is a perturbation caused by them; `atol` is
+    /// meant for it. The same applies to components below 1e-12 of the largest one.
     ///
     /// ```
     /// use pendulum_core::prelude::*;

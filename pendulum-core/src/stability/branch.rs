@@ -1,8 +1,8 @@
-//! What continuation gives: branches of solutions, and what happens on them.
+//! Results of continuation: branches of solutions and their bifurcations.
 
 use super::StabilityError;
 
-/// Solutions along a parameter, with the places where their number or their stability changes.
+/// Solutions along a parameter, and the bifurcations between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch<P> {
     pub(super) points: Vec<BranchPoint<P>>,
@@ -13,87 +13,88 @@ pub struct Branch<P> {
 /// A solution on a branch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BranchPoint<P> {
-    /// The parameter.
+    /// Value of the parameter.
     pub parameter: f64,
-    /// The solution there.
+    /// Solution at this parameter.
     pub solution: P,
 }
 
-/// A place on a branch where the number of solutions or their stability changes.
+/// A point on a branch where the number of solutions or their stability changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bifurcation<P> {
-    /// What happens.
+    /// Kind of the bifurcation.
     pub kind: BifurcationKind,
-    /// The parameter at which it does.
+    /// Value of the parameter at the bifurcation.
     pub parameter: f64,
-    /// The largest error of the parameter: by errors of the integration or of rounding, and by the last change of its
-    /// search. Infinite where the search failed, or errors could not be measured.
+    /// Error bound of the parameter, from integration and rounding errors and from the last correction of the root
+    /// search. Infinite if the search failed or the errors could not be measured.
     pub uncertainty: f64,
-    /// The solution there.
+    /// Solution at the bifurcation.
     pub solution: P,
-    /// It lies behind the point of this index, and before the next.
+    /// Index of the last point of the branch before the bifurcation.
     pub behind: usize,
 }
 
-/// What happens at a bifurcation.
+/// Kinds of bifurcations.
 ///
 /// Yu. A. Kuznetsov, "Elements of Applied Bifurcation Theory", 4th ed. (2023), chapters 3 to 5.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BifurcationKind {
-    /// The branch turns back: two solutions meet and vanish.
+    /// The branch turns back: two solutions collide and vanish (fold, or saddle-node).
     Fold,
-    /// Another branch crosses, at a pitchfork or a transcritical bifurcation; it is followed from a start beside this
-    /// one.
+    /// Another branch crosses, at a pitchfork or a transcritical bifurcation. To follow it, start the continuation from
+    /// a solution beside this branch.
     Crossing,
-    /// An equilibrium begins to flutter, or ceases to: a pair of eigenvalues passes the imaginary axis, and a periodic
-    /// orbit is born.
+    /// A pair of eigenvalues of an equilibrium crosses the imaginary axis: flutter begins or ends, and a periodic orbit
+    /// branches off.
     Hopf {
-        /// The frequency of the pair, in rad/s.
+        /// Imaginary part of the pair, in rad/s.
         angular_frequency: f64,
     },
-    /// A multiplier of a periodic orbit passes -1: an orbit of twice its period is born.
+    /// A multiplier of a periodic orbit crosses -1: an orbit of twice the period branches off.
     PeriodDoubling,
-    /// A pair of multipliers of a periodic orbit passes the unit circle (Neimark and Sacker): motion on a torus is
-    /// born.
+    /// A pair of multipliers of a periodic orbit crosses the unit circle (Neimark-Sacker): an invariant torus branches
+    /// off.
     Torus {
-        /// The angle of the pair, in rad a period.
+        /// Argument of the pair, in rad per period.
         angle: f64,
     },
-    /// The stability changes in a way that no test identifies: see the eigenvalues or multipliers of the solution.
+    /// The stability changes, but no test function identifies the bifurcation: see the eigenvalues or multipliers of
+    /// the solution.
     Unnamed,
 }
 
-/// Why a branch ends.
+/// Reason for the end of a branch.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BranchEnd {
-    /// The parameter comes to an end of its span.
+    /// The parameter reached an end of its span.
     Span,
-    /// The branch comes back to where it began, full turns not counted; the first point is the last.
+    /// The branch is closed, up to full turns; the first point equals the last.
     Closed,
-    /// There are as many points as were allowed.
+    /// The maximum number of points was reached.
     Points,
-    /// The shortest step failed, for this reason: at a periodic orbit that shrinks to an equilibrium, or where the
-    /// equations come to an end.
+    /// The step failed at its minimum size, with this error: for example at a periodic orbit that shrinks to an
+    /// equilibrium, or at the limit of the domain of the equations.
     Failed(StabilityError),
 }
 
 impl<P> Branch<P> {
-    /// The points in the order of the branch. That where the search began is among them; from there the parameter rises
-    /// toward the last, until the branch turns.
+    /// Points in the order of the branch, including the start of the continuation. From the start, the parameter
+    /// increases toward the last point until the branch turns.
     #[must_use]
     pub fn points(&self) -> &[BranchPoint<P>] {
         &self.points
     }
 
-    /// The bifurcations in the order of the branch.
+    /// Bifurcations in the order of the branch.
     #[must_use]
     pub fn bifurcations(&self) -> &[Bifurcation<P>] {
         &self.bifurcations
     }
 
-    /// Why the branch ends at its first point, and at its last.
+    /// Reasons for the ends of the branch, at its first and last point.
     #[must_use]
     pub fn ends(&self) -> [BranchEnd; 2] {
         self.ends.clone()

@@ -14,30 +14,36 @@ use crate::error::{ParameterError, Reason};
 use crate::method::require;
 use crate::system::{IntoState, Jacobian};
 
-/// The continuation of equilibria, or of periodic orbits, in a parameter: a plain value with settings.
+/// Continuation of equilibria or periodic orbits in a parameter: a plain value with settings.
 ///
-/// A family of systems is given by a function that builds the one for a value of the parameter. From a solution at one
-/// value the branch through it is followed both ways, over the span of the parameter and around folds: each point is
-/// found by Newton's method across the direction of the branch from the one before (pseudo-arclength). Steps are
-/// shortened where that takes long or the branch bends. The unknowns are the state over its [sizes](Self::length), the
-/// parameter over the length of its span, and for orbits of free period that over the period at the start; steps are
-/// measured in these.
+/// A family of systems is a function that builds the member for a value of the parameter. From a solution at one value,
+/// the branch is followed in both directions, over the span of the parameter and around folds. Each new point is
+/// computed by Newton's method in a plane normal to the direction of the branch (pseudo-arclength). Steps are shortened
+/// if Newton's method needs many iterations or the branch bends. The unknowns are the state divided by its
+/// [sizes](Self::length), the parameter divided by its span, and for orbits of free period the period divided by the
+/// initial one. Step sizes are measured in these units.
 ///
-/// Bifurcations between points are found by what changes its sign, and located on the branch. At a fold that is the
-/// direction of the parameter; where branches cross, the determinant of the equations; at a period doubling that of the
-/// monodromy matrix plus 1; at the others the growth of a pair of small motions. The number of motions that grow
-/// changes by one at the first three and by two at the others, so a pair that damping holds within the unit circle is
-/// no torus, however weak it is; a change that is certain, and that none of them explains, is
-/// [`BifurcationKind::Unnamed`](super::BifurcationKind::Unnamed). Of two within one step, one or both may go unseen.
-/// Where nothing brakes, growth counts from the uncertainty of the eigenvalues on.
+/// Bifurcations between points are detected by a sign change of a test function and then located on the branch. The
+/// test functions are:
 ///
-/// The stated uncertainty of a bifurcation of orbits is twice what a tolerance smaller by a factor of 100 changes
-/// (1e-14 at least), with rounding errors and the last change of the search.
+/// - folds: the parameter component of the tangent;
+/// - crossing branches: the determinant of the equations;
+/// - period doublings: the determinant of the monodromy matrix plus the identity;
+/// - Hopf and torus bifurcations: the growth rate of a pair of eigenvalues or multipliers.
 ///
-/// Derivatives by the state come from the generated Jacobian, and those by the parameter are central differences: over
-/// 6e-6 of the span to either side of the right-hand side, right to about 10 digits, and for orbits over the cube root
-/// of the tolerance, right to about two thirds of its digits. They guide the search and tell the direction of the
-/// branch; the solutions themselves are not affected.
+/// The number of growing modes must change by one at the first three, and by two at the last. A pair inside the unit
+/// circle is therefore no torus bifurcation, however weak its damping. A significant change that no test function
+/// explains is reported as [`BifurcationKind::Unnamed`](super::BifurcationKind::Unnamed). Of two bifurcations within
+/// one step, one or both may be missed. In conservative systems a mode counts as growing only beyond the uncertainty of
+/// its eigenvalue.
+///
+/// The uncertainty of a bifurcation of orbits is twice the change caused by a tolerance smaller by a factor of 100 (but
+/// at least 1e-14), plus rounding errors and the last correction of the root search.
+///
+/// Derivatives with respect to the state come from the generated Jacobian. Derivatives with respect to the parameter
+/// are central differences. For equilibria their half-width is 6e-6 of the span, accurate to about 10 digits. For
+/// orbits it is the cube root of the tolerance, accurate to about two thirds of its digits. These derivatives guide the
+/// search and give the direction of the branch; the solutions themselves are not affected.
 ///
 /// H. B. Keller, in P. H. Rabinowitz (ed.), "Applications of Bifurcation Theory" (1977) 359; Yu. A. Kuznetsov,
 /// "Elements of Applied Bifurcation Theory", 4th ed. (2023), ch. 10; R. Seydel, "Practical Bifurcation and Stability
@@ -52,7 +58,9 @@ use crate::system::{IntoState, Jacobian};
 ///     pub Held {
 ///         params { torque: N m }
 ///         gravity: [0, -9.81, 0],
-///         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: 0.1, torque: torque }
+///         body bob on ground {
+///             mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: 0.1, torque: torque,
+///         }
 ///     }
 /// }
 ///
@@ -79,8 +87,8 @@ impl<F, S> Continuation<F>
 where
     F: Fn(f64) -> Result<S, ParameterError>,
 {
-    /// The continuation of the systems that `family` builds, over the span of its parameter from `from` to the larger
-    /// `to`. Newton's method may try values somewhat beyond, and takes shorter steps if there are no members.
+    /// Continuation of the systems built by `family`, over the span of the parameter from `from` to the larger `to`.
+    /// Newton's method may evaluate `family` somewhat outside the span; if it fails there, the step is shortened.
     #[must_use]
     pub fn new(family: F, from: f64, to: f64) -> Self {
         Self {
@@ -93,42 +101,44 @@ where
         }
     }
 
-    /// The size of lengths in the scene, in m. Default: 1.
+    /// Sets the characteristic length of the scene, in m. Default: 1.
     ///
-    /// Steps measure lengths in it, and angles in radians; rates in these per second for equilibria, and per `period /
-    /// 2 pi` of the first orbit for orbits. Without a layout all components have the size 1.
+    /// Steps measure lengths in this unit and angles in radians. The time unit of rates is 1 s for equilibria, and
+    /// `period / 2 pi` of the first orbit for orbits. Without a layout all components have the size 1.
     #[must_use]
     pub fn length(mut self, length: f64) -> Self {
         self.length = length;
         self
     }
 
-    /// The longest step: 0.05 goes through the span in 20 steps, where the state changes little. Default: 0.05.
+    /// Sets the largest step size. If the state changes little, a step of 0.05 covers the span in 20 steps. Default:
+    /// 0.05.
     #[must_use]
     pub fn step(mut self, step: f64) -> Self {
         self.step = step;
         self
     }
 
-    /// The points that a branch may have to either side of its start. Default: 1000.
+    /// Sets the maximum number of points on each side of the start. Default: 1000.
     #[must_use]
     pub fn points(mut self, points: usize) -> Self {
         self.points = points;
         self
     }
 
-    /// The tolerance of the integration for periodic orbits. Default: 1e-10.
+    /// Sets the tolerance of the integration for periodic orbits. Default: 1e-10.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// The branch of the equilibrium near `x0` at the parameter `p0`.
+    /// Computes the branch through the equilibrium near `x0` at the parameter `p0`.
     ///
     /// # Errors
-    /// [`StabilityError::Integration`] if a setting makes no sense, [`StabilityError::Build`] if the family has no
-    /// member at the parameter, and those of [`equilibrium`]. What goes wrong later ends the branch, which tells it.
+    /// [`StabilityError::Integration`] if a setting is invalid, [`StabilityError::Build`] if the family has no member
+    /// at `p0`, and the errors of [`equilibrium`]. Later errors end the branch and are stored in it as
+    /// [`BranchEnd::Failed`](super::BranchEnd::Failed).
     pub fn equilibria<const N: usize>(
         &self,
         x0: impl IntoState<f64, N>,
@@ -149,14 +159,14 @@ where
         self.tracer(&curve).branch(unknowns)
     }
 
-    /// The branch of the periodic orbit near the state `x0` with a period near the guess, at the parameter `p0`, of
-    /// systems in which the time does not occur; the period changes along it.
+    /// Computes the branch through the periodic orbit near the state `x0` with a period near `period`, at the parameter
+    /// `p0`. The systems must be autonomous; the period varies along the branch.
     ///
-    /// Orbits must not come in families at one parameter, as those of conservative systems do. Where they shrink to an
-    /// equilibrium the branch ends with [`StabilityError::AtRest`]: at a Hopf bifurcation.
+    /// Orbits must be isolated at each parameter, unlike those of conservative systems. A branch of orbits that shrink
+    /// to an equilibrium, at a Hopf bifurcation, ends with [`StabilityError::AtRest`].
     ///
     /// # Errors
-    /// As [`equilibria`](Self::equilibria), and those of [`Shooting::autonomous`].
+    /// Errors of [`equilibria`](Self::equilibria) and of [`Shooting::autonomous`].
     pub fn autonomous_orbits<const N: usize>(
         &self,
         x0: impl IntoState<f64, N>,
@@ -176,11 +186,11 @@ where
         self.tracer(&curve).branch(unknowns)
     }
 
-    /// The branch of the periodic orbits that begin at a Hopf bifurcation, of systems in which the time does not occur.
-    /// The end at the bifurcation is [`BranchEnd::Failed`](super::BranchEnd::Failed) with [`StabilityError::AtRest`].
+    /// Computes the branch of periodic orbits that starts at a Hopf bifurcation of an autonomous system. Its end at the
+    /// bifurcation is [`BranchEnd::Failed`](super::BranchEnd::Failed) with [`StabilityError::AtRest`].
     ///
-    /// The first orbit is sought where the small motion that begins there has grown to 0.01 of the sizes in which steps
-    /// are measured, or to a fraction of that, whatever the parameter is.
+    /// The first orbit is computed with a fixed amplitude of the critical mode and a free parameter. The amplitude is
+    /// 0.01 of the sizes that define step lengths, and is reduced if this fails.
     ///
     /// ```
     /// use nalgebra::SMatrix;
@@ -207,8 +217,8 @@ where
     /// ```
     ///
     /// # Errors
-    /// [`StabilityError::Integration`] if the bifurcation is of another kind or outside the span, or if a setting makes
-    /// no sense, [`StabilityError::Build`] if the family has no member there, and that of the last attempt if no orbit
+    /// [`StabilityError::Integration`] if the bifurcation is of another kind or outside of the span, or if a setting is
+    /// invalid; [`StabilityError::Build`] if the family has no member there; the error of the last attempt if no orbit
     /// is found.
     pub fn cycles<const N: usize>(
         &self,
@@ -251,12 +261,12 @@ where
         }
     }
 
-    /// The branch of the periodic motion near the state `x0` at the time 0 and at the parameter `p0`, of systems that
-    /// are driven; `period` is that of the motion, in s, for each value of the parameter: that of the drive or a
-    /// multiple of it.
+    /// Computes the branch through the periodic motion near the state `x0` at the time 0 and at the parameter `p0`, for
+    /// driven systems. `period` returns the period of the motion in s for each value of the parameter: the period of
+    /// the drive or a multiple of it.
     ///
     /// # Errors
-    /// As [`equilibria`](Self::equilibria), and those of [`Shooting::forced`].
+    /// Errors of [`equilibria`](Self::equilibria) and of [`Shooting::forced`].
     pub fn forced_orbits<const N: usize>(
         &self,
         x0: impl IntoState<f64, N>,
@@ -283,7 +293,7 @@ where
         }
     }
 
-    /// The curve of orbits, of which the first has the period `first`.
+    /// Curve of orbits, scaled by the period `first` of the first one.
     fn orbits<'c, P, const N: usize>(&'c self, system: &S, period: Period<&'c P>, first: f64) -> OrbitCurve<'c, F, P, N>
     where
         S: Jacobian<f64, N>,
@@ -308,7 +318,7 @@ where
         }
     }
 
-    /// The point of a curve: the state, the period if it is free, and the parameter.
+    /// Point of a curve: the state, the period if it is free, and the parameter.
     fn unknowns<const N: usize>(&self, x: &SVector<f64, N>, period: Option<f64>, parameter: f64) -> DVector<f64> {
         let parameter = parameter / (self.span.1 - self.span.0);
         let unknowns = x.iter().copied().chain(period).chain([parameter]);

@@ -1,91 +1,91 @@
-//! Curves of solutions: one equation fewer than there are unknowns.
+//! Curves of solutions: equations with one more unknown than equations.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::StabilityError;
 use super::least_squares::shortest_step;
 
-/// Equations whose solutions form a curve. The last of the unknowns is the parameter, and all are scaled to have the
-/// size of 1.
+/// Equations whose solutions form a curve. The last unknown is the parameter; all unknowns are scaled to the size 1.
 pub(super) trait Curve<const N: usize> {
-    /// What a point of the curve stands for.
+    /// Solution represented by a point of the curve.
     type Solution: Clone;
 
-    /// The equations at a point, and their derivatives.
+    /// Evaluates the equations and their derivatives at a point.
     fn linearize(&self, u: &DVector<f64>) -> Result<Linear, StabilityError>;
 
-    /// The solution at a point of the curve.
+    /// Solution at a point of the curve.
     fn solution(&self, u: &DVector<f64>) -> Result<Self::Solution, StabilityError>;
 
-    /// The rates or multipliers at which small motions about a solution grow, by falling growth.
+    /// Growth of the modes of a solution (eigenvalues or multipliers), in descending order.
     fn growths(&self, solution: &Self::Solution) -> Vec<Growth>;
 
-    /// The bifurcation where a pair of these passes the limit of stability.
+    /// Bifurcation at which a pair of eigenvalues or multipliers crosses the stability limit.
     fn of_pair(&self, growth: &Growth) -> super::BifurcationKind;
 
-    /// The real eigenvalue or multiplier at the limit of stability where solutions meet.
+    /// Real eigenvalue or multiplier at a fold or crossing.
     const REAL_LIMIT: f64;
 
-    /// Zero where a multiplier is -1; for orbits.
+    /// Test function for a multiplier of -1; only for orbits.
     fn doubling(&self, solution: &Self::Solution) -> Option<Test>;
 
-    /// A copy with smaller errors, to measure those of this one; none where only rounding makes any.
+    /// A copy with smaller errors, to estimate the errors of this curve. `None` if only rounding errors remain.
     fn finer(&self) -> Option<Self>
     where
         Self: Sized;
 
-    /// The part of its span to either side over which central differences by the parameter are taken; its square is
-    /// their error.
+    /// Half-width of central differences with respect to the parameter, as a fraction of the span. Their error is its
+    /// square.
     fn reach(&self) -> f64;
 
-    /// Whether the curve may go on from one point to another close by.
+    /// Checks that two nearby points may be joined.
     fn joins(&self, from: &DVector<f64>, to: &DVector<f64>) -> Result<(), StabilityError>;
 
-    /// The difference of two points without full turns.
+    /// Difference of two points, modulo full turns.
     fn apart(&self, from: &DVector<f64>, to: &DVector<f64>) -> DVector<f64>;
 
-    /// Singular values below so much of the largest are zero, and steps below its root leave errors below it.
+    /// Relative size below which singular values count as zero. A step below its square root leaves errors below it.
     fn noise(&self) -> f64;
 }
 
 /// Equations and their derivatives at a point.
 pub(super) struct Linear {
     pub(super) residual: DVector<f64>,
-    /// One row for each equation, one column for each unknown: one more.
+    /// Derivative matrix: one row per equation and one column per unknown, so one more column than rows.
     pub(super) derivative: DMatrix<f64>,
-    /// A residual that errors of the evaluation may make.
+    /// Residual attributable to evaluation errors.
     pub(super) resolution: f64,
 }
 
-/// How a small motion about a solution grows.
+/// Growth of a mode of a solution.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Growth {
-    /// How far beyond the limit of stability; negative for motions that decay.
+    /// Distance beyond the stability limit; negative for modes that decay.
     pub(super) excess: f64,
     pub(super) uncertainty: f64,
-    /// The part of it that is due to rounding.
+    /// Part of `uncertainty` due to rounding.
     pub(super) rounding: f64,
-    /// The eigenvalue or multiplier.
+    /// Eigenvalue or multiplier.
     pub(super) value: Complex<f64>,
 }
 
 impl Growth {
-    /// True if it is beyond the limit, or within, by more than its uncertainty.
+    /// True if `excess` differs from zero by more than its uncertainty.
     pub(super) fn is_certain(&self) -> bool {
         self.excess.abs() > self.uncertainty
     }
 }
 
-/// A number that passes zero at a bifurcation.
+/// A test function: it changes sign at a bifurcation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Test {
     pub(super) value: f64,
-    /// The size of rounding errors of the value.
+    /// Size of rounding errors of `value`.
     pub(super) noise: f64,
 }
 
 impl Test {
-    /// The least singular value of a matrix with the sign of its determinant; `noise` is that of the matrix.
+    /// Smallest singular value of a matrix, with the sign of its determinant. `noise` is the rounding error of the
+    /// matrix.
     pub(super) fn singular(matrix: DMatrix<f64>, noise: f64) -> Self {
         let sign = matrix.determinant().signum();
         let value = sign * matrix.singular_values().min();
@@ -101,47 +101,48 @@ impl Test {
     }
 }
 
-/// A point of a curve with all that is known there.
+/// A point of a curve with its tangent, test functions and solution.
 #[derive(Clone, Debug)]
 pub(super) struct CurvePoint<P> {
     pub(super) u: DVector<f64>,
-    /// The direction of the curve, of length 1.
+    /// Direction of the curve, of length 1.
     pub(super) tangent: DVector<f64>,
-    /// Of the derivatives with the tangent as a last row, which are singular where curves cross, and not at a fold (H.
-    /// B. Keller, in P. H. Rabinowitz (ed.), "Applications of Bifurcation Theory" (1977) 359).
+    /// Test function of the derivatives with the tangent as last row. This matrix is singular where curves cross, but
+    /// not at a fold (H. B. Keller, in P. H. Rabinowitz (ed.), "Applications of Bifurcation Theory" (1977) 359).
     pub(super) crossing: Test,
-    /// Of the derivatives by all but the parameter: singular at folds, and where curves cross on that which does not
-    /// turn back.
+    /// Test function of the derivatives without the parameter column. This matrix is singular at folds, and at a
+    /// crossing on the curve without a turning point.
     pub(super) turning: Test,
     pub(super) doubling: Option<Test>,
-    /// How far rounding errors of the equations may move the parameter.
+    /// Error of the parameter due to rounding errors of the equations.
     pub(super) blur: f64,
     pub(super) growths: Vec<Growth>,
     pub(super) solution: P,
-    /// The steps of Newton's method that it took.
+    /// Number of Newton iterations.
     pub(super) iterations: usize,
 }
 
 impl<P> CurvePoint<P> {
-    /// The curve in the other direction.
+    /// Reverses the direction of the curve.
     pub(super) fn reverse(mut self) -> Self {
         self.tangent.neg_mut();
         self.crossing.value = -self.crossing.value;
         self
     }
 
-    /// How the parameter grows along the curve.
+    /// Derivative of the scaled parameter with respect to arclength.
     pub(super) fn slope(&self) -> f64 {
         self.tangent[self.tangent.len() - 1]
     }
 
-    /// The parameter, scaled.
+    /// Scaled parameter.
     pub(super) fn parameter(&self) -> f64 {
         self.u[self.u.len() - 1]
     }
 }
 
-/// The point of the curve, near `guess`, in the plane `normal . u = target`; `before` is the tangent there or close by.
+/// Computes the point of the curve near `guess` in the plane `normal . u = target`. `before` is a tangent at a nearby
+/// point.
 pub(super) fn correct<C: Curve<N>, const N: usize>(
     curve: &C,
     guess: DVector<f64>,
@@ -159,7 +160,7 @@ pub(super) fn correct<C: Curve<N>, const N: usize>(
         let mut residual = linear.residual.clone();
         residual = residual.push(normal.dot(&u) - target);
         let step = shortest_step(bordered(&linear.derivative, normal), &residual, curve.noise())?;
-        // The error that a step leaves is of the order of its square.
+        // The convergence is quadratic: the error after a step is of the order of its square.
         settled = step.norm() <= 0.01 * curve.noise().sqrt() * (1.0 + u.norm());
         u += step;
         linear = curve.linearize(&u)?;
@@ -187,7 +188,7 @@ pub(super) fn correct<C: Curve<N>, const N: usize>(
     })
 }
 
-/// The direction of the curve through `u`, on which the parameter does not fall: the null vector of the derivatives.
+/// Direction of the curve through `u` along which the parameter does not decrease: the null vector of the derivatives.
 pub(super) fn first_tangent<C: Curve<N>, const N: usize>(
     curve: &C,
     u: &DVector<f64>,
@@ -196,7 +197,7 @@ pub(super) fn first_tangent<C: Curve<N>, const N: usize>(
     if derivative.iter().any(|entry| !entry.is_finite()) {
         return Err(StabilityError::NotFinite);
     }
-    // Square, for all of the vectors; they belong to falling singular values.
+    // A square matrix yields all right singular vectors, in descending order of singular values.
     let rows = derivative.nrows();
     let svd = derivative.insert_row(rows, 0.0).svd(false, true);
     let Some(right) = svd.v_t else {
@@ -206,7 +207,7 @@ pub(super) fn first_tangent<C: Curve<N>, const N: usize>(
     Ok(if null[rows] < 0.0 { -null } else { null })
 }
 
-/// The direction of the curve, on the side of `before`.
+/// Direction of the curve, oriented like `before`.
 fn tangent<C: Curve<N>, const N: usize>(
     curve: &C,
     linear: &Linear,
@@ -220,7 +221,7 @@ fn tangent<C: Curve<N>, const N: usize>(
     Ok(tangent / length)
 }
 
-/// How far the parameter moves along the curve by a residual: what the equations alone do, without the tangent's row.
+/// Shift of the parameter along the curve caused by a residual of the equations, without the tangent row.
 fn blur(bordered: &DMatrix<f64>, residual: f64) -> f64 {
     let last = bordered.nrows() - 1;
     let mut parameter = DVector::zeros(last + 1);
@@ -244,5 +245,5 @@ fn no_convergence(linear: &Linear) -> StabilityError {
 }
 
 const ITERATIONS: usize = 8;
-/// Rounding errors of the equations, in parts of the size of their derivatives.
+/// Relative rounding error of the equations, in units of the norm of their derivatives.
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;

@@ -1,11 +1,11 @@
-//! The directions in which a state can move, where its positions outnumber its rates.
+//! Admissible directions of a state with more positions than rates.
 
 use nalgebra::{DMatrix, SMatrix};
 
 use crate::system::System;
 
-/// The number of directions in which a state can move: as many as it has components, or two for each rate where its positions outnumber
-/// its rates.
+/// Number of admissible directions of a state: the number of components, or twice the number of rates if there are more
+/// positions than rates.
 pub(super) fn dimension<const N: usize>(system: &(impl System<f64, N> + ?Sized)) -> usize {
     match system.layout() {
         Some(layout) if 2 * layout.positions() > N => 2 * (N - layout.positions()),
@@ -13,10 +13,11 @@ pub(super) fn dimension<const N: usize>(system: &(impl System<f64, N> + ?Sized))
     }
 }
 
-/// The directions in which a state can move, as orthonormal columns: first those of its positions, `q' = K(q) v`, then those of its rates.
-/// None where positions do not outnumber rates, so that it can move in all directions.
+/// Admissible directions of a state as orthonormal columns: first directions of the positions, `q' = K(q) v`, then
+/// directions of the rates. `None` if all directions are admissible, since there are no more positions than rates.
 ///
-/// Quaternions move along the unit sphere, and what follows from closed loops moves with the rest. `K` stands in the Jacobian.
+/// Quaternions stay on the unit sphere, and dependent coordinates of closed loops follow the independent ones. `K` is a
+/// block of the Jacobian.
 pub(super) fn directions<const N: usize>(
     system: &(impl System<f64, N> + ?Sized),
     jacobian: &SMatrix<f64, N, N>,

@@ -1,4 +1,4 @@
-//! The search for all states of rest.
+//! Search for all equilibria.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Deref;
@@ -10,14 +10,14 @@ use super::{Equilibrium, StabilityError};
 use crate::layout::{Slot, SlotKind, StateLayout};
 use crate::system::{Jacobian, System};
 
-/// The turns, or lengths of the scene, from the seeds within which the search goes on where nothing is periodic.
+/// Range of the search from the seeds in a non-periodic coordinate, in turns or characteristic lengths.
 const FAR: f64 = 8.0;
-/// The most coordinates that are moved in all combinations.
+/// Maximum number of coordinates that are shifted in all combinations.
 const FEW: usize = 3;
-/// The number of equilibria after which only periodic angles are turned.
+/// Number of equilibria beyond which only periodic angles are shifted.
 const MOST: usize = 200;
 
-/// Equilibria that were found, as a slice, and what was not searched.
+/// Equilibria as a slice, and the coordinates that were not fully searched.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibria<const N: usize> {
     found: Vec<Equilibrium<N>>,
@@ -25,12 +25,13 @@ pub struct Equilibria<const N: usize> {
 }
 
 impl<const N: usize> Equilibria<N> {
-    /// The coordinates whose range was not searched to its end: there may be equilibria beyond.
+    /// Coordinates whose range was not fully searched: there may be further equilibria.
     ///
-    /// Such are lengths, which know no turns; angles that are not periodic and had equilibria up to 8 turns away from
-    /// the seeds, as on a screw, or that are moved one at a time since there are more than three coordinates; and
-    /// orientations. Where equilibria are not isolated all are listed but periodic angles: the search ends after 200.
-    /// Without a layout the list is empty, and nothing was searched but from the seeds.
+    /// These are lengths, since they are unbounded; orientations; and some angles that are not periodic. Such an angle
+    /// is listed if equilibria reach 8 turns from the seeds, as on a screw, or if it is shifted separately because
+    /// there are more than three coordinates. If equilibria are not isolated, all coordinates except periodic angles
+    /// are listed: the search ends after 200 equilibria. Without a layout the list is empty, and only the seeds
+    /// themselves were tried.
     #[must_use]
     pub fn unsearched(&self) -> &[String] {
         &self.unsearched
@@ -63,21 +64,23 @@ impl<'a, const N: usize> IntoIterator for &'a Equilibria<N> {
     }
 }
 
-/// The equilibria that are found from `seeds`, and from points beside those.
+/// Finds equilibria from `seeds` and from shifted copies of each result.
 ///
-/// From each new one the search goes on with each angle turned: by half a turn where the [layout](System::layout) calls
-/// it [periodic](crate::Slot::periodic), and by a quarter and a half either way where it is not, as under a spring.
-/// Lengths are moved by their size either way. At most three coordinates, of which one is not periodic, are moved in
-/// all combinations, more of them one at a time. Cyclic ones and orientations stay. Of a planar chain that hangs on
-/// revolute joints, without springs, these are all: each of its links hangs or stands, in relative or in absolute
-/// angles. Of small scenes with springs nothing proves that they are; [`Equilibria::unsearched`] tells in which
-/// coordinates there may be more.
+/// The search continues from each new equilibrium with every angle shifted: by half a turn if the
+/// [layout](System::layout) marks it as [periodic](crate::Slot::periodic), otherwise by a quarter and a half turn in
+/// both directions, for example under a torsion spring. Lengths are shifted by their size in both directions. Up to
+/// three coordinates, if at least one of them is not periodic, are shifted in all combinations; otherwise coordinates
+/// are shifted one at a time. Cyclic coordinates and orientations are not shifted.
 ///
-/// Periodic angles are returned in (-pi, pi]; equilibria that differ by full turns of these are the same. Seeds that
-/// lead nowhere are passed over.
+/// For a planar chain on revolute joints without springs the result is complete: each link hangs or stands, in relative
+/// or absolute angles. For small scenes with springs completeness is not proven; [`Equilibria::unsearched`] lists the
+/// coordinates with an incomplete search.
+///
+/// Periodic angles are returned in (-pi, pi]; equilibria that differ by full turns of these are the same. Seeds without
+/// convergence are skipped.
 ///
 /// # Errors
-/// [`StabilityError::TimeDependent`] if the layout says that time may occur.
+/// [`StabilityError::TimeDependent`] if the right-hand side may depend on time according to the layout.
 pub fn equilibria<S, const N: usize>(
     system: &S,
     seeds: impl IntoIterator<Item = SVector<f64, N>>,
@@ -87,7 +90,7 @@ where
 {
     require_autonomous(system)?;
     let angles = angles(system);
-    // the last are the next
+    // the seeds form a stack
     let mut seeds: Vec<_> = seeds.into_iter().collect();
     seeds.reverse();
     let mut beside = Beside::new(system, &seeds);
@@ -115,14 +118,14 @@ where
     })
 }
 
-/// Where to search beside equilibria.
+/// Source of new seeds next to known equilibria.
 struct Beside<'a, const N: usize> {
     slots: Vec<&'a Slot<'a>>,
-    /// Where the search began.
+    /// Initial seeds.
     from: Vec<SVector<f64, N>>,
-    /// The largest length of the first equilibrium, or 1 m.
+    /// Largest length coordinate of the first equilibrium, or 1 m.
     length: Option<f64>,
-    /// The number of equilibria so far.
+    /// Number of equilibria found.
     found: usize,
     unsearched: Vec<&'a str>,
 }
@@ -130,7 +133,7 @@ struct Beside<'a, const N: usize> {
 impl<'a, const N: usize> Beside<'a, N> {
     fn new(system: &'a (impl System<f64, N> + ?Sized), seeds: &[SVector<f64, N>]) -> Self {
         let slots = system.layout().map_or(&[][..], |layout| layout.slots).iter();
-        // what follows from closed loops moves with the rest
+        // dependent coordinates of closed loops are determined by the others
         let slots = slots.filter(|slot| !slot.cyclic && !slot.rates.is_empty());
         let (balls, slots): (Vec<_>, Vec<_>) = slots.partition(|slot| slot.kind == SlotKind::Quaternion);
         Self {
@@ -142,7 +145,7 @@ impl<'a, const N: usize> Beside<'a, N> {
         }
     }
 
-    /// Adds what lies beside a new equilibrium.
+    /// Adds seeds next to a new equilibrium.
     fn add(&mut self, x: &SVector<f64, N>, seeds: &mut Vec<SVector<f64, N>>) {
         let lengths = self.slots.iter().filter(|slot| slot.kind == SlotKind::Length);
         let largest = lengths.fold(0.0_f64, |largest, slot| largest.max(x[slot.positions.start].abs()));
@@ -150,7 +153,7 @@ impl<'a, const N: usize> Beside<'a, N> {
         self.found += 1;
         let returns = self.slots.iter().all(|slot| slot.periodic);
         let is_alone = returns || self.slots.len() > FEW;
-        // as where they are not isolated
+        // indicates equilibria that are not isolated
         let are_many = self.found > MOST;
         let mut moves: Vec<(usize, &[f64])> = Vec::new();
         let by_length = [length, -length];
@@ -183,12 +186,12 @@ impl<'a, const N: usize> Beside<'a, N> {
                 }
             }
         }
-        // the first coordinate comes first
+        // search the first coordinate first
         seeds[before..].reverse();
     }
 }
 
-/// Whether two states are one, but for full turns and the signs of quaternions.
+/// Checks that two states are equal up to full turns and the signs of quaternions.
 fn is_same<const N: usize>(
     system: &(impl System<f64, N> + ?Sized),
     angles: &[usize],
@@ -200,7 +203,7 @@ fn is_same<const N: usize>(
         apart[angle] = within_a_turn(apart[angle]);
     }
     for places in system.layout().into_iter().flat_map(StateLayout::quaternions) {
-        // the opposite quaternion is the same orientation
+        // opposite quaternions represent the same orientation
         if places.clone().map(|n| other[n] * x[n]).sum::<f64>() < 0.0 {
             places.for_each(|n| apart[n] = other[n] + x[n]);
         }

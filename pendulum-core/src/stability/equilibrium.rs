@@ -1,4 +1,4 @@
-//! States of rest, and whether they last.
+//! Equilibria and their stability.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,30 +13,32 @@ use crate::layout::StateLayout;
 use crate::method::check_loops;
 use crate::system::{IntoState, Jacobian, System, close};
 
-/// A state at which the right-hand side vanishes, with the small motions about it: `d(x - x0)/dt = jacobian (x - x0)`.
+/// A state at which the right-hand side vanishes, with the linearisation about it: `d(x - x0)/dt = jacobian (x - x0)`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium<const N: usize> {
-    /// The state.
+    /// State.
     pub x: SVector<f64, N>,
-    /// The generated Jacobian there: the linearisation.
+    /// Generated Jacobian at the state: the linearisation.
     pub jacobian: SMatrix<f64, N, N>,
-    /// Its eigenvalues and modes.
+    /// Eigenvalues and modes of the Jacobian.
     pub spectrum: Spectrum<N>,
 }
 
-/// What the linearisation tells of an equilibrium (Lyapunov's indirect method; H. K. Khalil, "Nonlinear Systems", 3rd ed. (2002), 4.3).
+/// Stability of an equilibrium according to its linearisation (Lyapunov's indirect method; H. K. Khalil, "Nonlinear
+/// Systems", 3rd ed. (2002), 4.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stability {
-    /// All small motions decay.
+    /// All modes decay.
     AsymptoticallyStable,
-    /// Some small motion grows.
+    /// At least one mode grows.
     Unstable,
-    /// No small motion grows to first order, and some do not decay: the linearisation does not decide. Such is all that swings without friction.
+    /// No mode grows to first order, and some do not decay: the linearisation is inconclusive. This includes all
+    /// oscillations without friction.
     Undecided,
 }
 
 impl Stability {
-    /// What the growths of small motions tell, each given with its uncertainty.
+    /// Stability according to growth rates, each given with its uncertainty.
     pub(super) fn of(growths: impl Iterator<Item = (f64, f64)> + Clone) -> Self {
         if growths.clone().any(|(growth, uncertainty)| growth > uncertainty) {
             Self::Unstable
@@ -49,7 +51,7 @@ impl Stability {
 }
 
 impl<const N: usize> Equilibrium<N> {
-    /// The linearisation at a state that is known to be one of rest.
+    /// Linearises about a state known to be an equilibrium.
     pub(super) fn at<S>(system: &S, x: SVector<f64, N>) -> Result<Self, StabilityError>
     where
         S: Jacobian<f64, N> + ?Sized,
@@ -62,7 +64,7 @@ impl<const N: usize> Equilibrium<N> {
         Ok(Self { x, jacobian, spectrum })
     }
 
-    /// What the eigenvalues tell, as far as rounding errors allow.
+    /// Stability according to the eigenvalues, within rounding errors.
     #[must_use]
     pub fn stability(&self) -> Stability {
         let modes = self.spectrum.modes().iter();
@@ -70,21 +72,27 @@ impl<const N: usize> Equilibrium<N> {
     }
 }
 
-/// The equilibrium that is found from `seed`, by Newton's method.
+/// Finds an equilibrium from `seed` by Newton's method.
 ///
-/// The system must not depend on time; where its [layout](System::layout) does not say, it is evaluated at the time 0. Each step goes down the size of the right-hand side: it is halved until
-/// it does, and no longer than 1, or a tenth of the state, so that it does not leap over what is near (J. Nocedal, S. J. Wright, "Numerical
-/// Optimization", 2nd ed. (2006), 11.2). Where that leads into a valley without a zero, the motion itself is followed with implicit Euler steps,
-/// which brake it, until it hangs (C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508). Where equilibria are
-/// not isolated, as for a cart on a level track, it is one nearby. Of a [hybrid](crate::hybrid) system it is that without
-/// dry friction and contacts; [`resting`](super::resting) tells where these hold it. Where positions outnumber rates, as
-/// those of quaternions and of loops that are closed by [`System::project`] do, the search and the modes keep to the
-/// directions in which a state can move.
+/// The system must not depend on time. If its [layout](System::layout) does not specify this, it is evaluated at the
+/// time 0. Each Newton step is halved until the norm of the right-hand side decreases, and limited to a length of 1 or
+/// a tenth of the state, so that nearby solutions are not skipped (J. Nocedal, S. J. Wright, "Numerical Optimization",
+/// 2nd ed. (2006), 11.2).
+///
+/// If this ends in a local minimum, the motion is followed with implicit Euler steps, which damp it, until it comes to
+/// rest (C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508). If equilibria are not isolated, as for a cart
+/// on a level track, a nearby one is returned.
+///
+/// For a [hybrid](crate::hybrid) system the result is the equilibrium without dry friction and contacts;
+/// [`resting`](super::resting) finds states that these hold at rest. If there are more positions than rates, as with
+/// quaternions and loops closed by [`System::project`], the search and the modes are restricted to admissible
+/// directions.
 ///
 /// # Errors
-/// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::NotFinite`] where the
-/// right-hand side is not finite, [`Reason::CannotClose`] or [`Reason::Open`] in [`StabilityError::Integration`] where
-/// a loop does not close at the seed, and [`StabilityError::NoConvergence`] if no zero of it is found.
+/// [`StabilityError::TimeDependent`] if the right-hand side may depend on time according to the layout.
+/// [`StabilityError::NotFinite`] if the right-hand side is not finite. [`Reason::CannotClose`] or [`Reason::Open`] in
+/// [`StabilityError::Integration`] if a loop does not close at the seed. [`StabilityError::NoConvergence`] if no zero
+/// of the right-hand side is found.
 pub fn equilibrium<S, const N: usize>(
     system: &S,
     seed: impl IntoState<f64, N>,
@@ -99,7 +107,7 @@ where
     Equilibrium::at(system, settle(system, seed)?)
 }
 
-/// Where the search from `x` comes to rest.
+/// Finds an equilibrium from `x`, without dry friction and contacts.
 pub(super) fn settle<S, const N: usize>(system: &S, x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,
@@ -118,7 +126,7 @@ where
     found.map_err(|(_, error)| error)
 }
 
-/// Where the search from `x` comes to rest, or how far it came.
+/// Finds an equilibrium from `x`. An error includes the last iterate.
 pub(super) fn come_to_rest<S, const N: usize>(
     system: &S,
     x: SVector<f64, N>,
@@ -135,7 +143,7 @@ where
     }
 }
 
-/// The size of a right-hand side that rounding errors leave where it is zero.
+/// Norm of a right-hand side that rounding errors leave at a zero.
 pub(super) fn resolution<const N: usize>(jacobian: &SMatrix<f64, N, N>, x: &SVector<f64, N>) -> f64 {
     100.0 * f64::EPSILON * jacobian.norm() * (1.0 + x.norm())
 }
@@ -149,7 +157,7 @@ where
         let step = within_reach(newton_step(system, &jacobian, &jacobian, &rhs)?, &x);
         let settled = step.norm() <= SETTLED * (1.0 + x.norm());
         let Some(next) = descend(system, &x, &step, rhs.norm()) else {
-            // Rounding errors are all that is left, or a valley.
+            // Either only rounding errors are left, or this is a local minimum.
             break;
         };
         x = next;
@@ -167,7 +175,7 @@ where
     Ok(x)
 }
 
-/// Where implicit Euler steps lead, each of one iteration. They grow as the motion comes to rest.
+/// Integrates with implicit Euler steps of one Newton iteration each. Their size grows as the motion comes to rest.
 pub(super) fn brake<S, const N: usize>(system: &S, mut x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,
@@ -188,17 +196,17 @@ where
     Ok(x)
 }
 
-/// The step, shortened to what is near `x`.
+/// Limits a step so that it stays near `x`.
 fn within_reach<const N: usize>(step: SVector<f64, N>, x: &SVector<f64, N>) -> SVector<f64, N> {
     step.cap_magnitude(f64::max(1.0, 0.1 * x.norm()))
 }
 
 pub(super) const ITERATIONS: usize = 100;
-/// A step so short, in parts of the state, is the last.
+/// Relative step length of the last iteration, in units of the state.
 const SETTLED: f64 = 1e-12;
-/// Equilibria so close are the same.
+/// Relative distance below which equilibria are identical.
 pub(super) const SAME: f64 = 1e-6;
-/// Singular values below so much of the largest are zero.
+/// Ratio to the largest singular value below which singular values count as zero.
 const SINGULAR: f64 = 1e-12;
 
 fn evaluate<S, const N: usize>(
@@ -216,7 +224,7 @@ where
     }
 }
 
-/// The shortest `step` with the least `|rhs + matrix step|`, both as far as a state with this `jacobian` can move.
+/// Shortest `step` that minimises `|rhs + matrix step|`, both restricted to admissible directions for this `jacobian`.
 fn newton_step<const N: usize>(
     system: &(impl System<f64, N> + ?Sized),
     matrix: &SMatrix<f64, N, N>,
@@ -235,7 +243,7 @@ fn newton_step<const N: usize>(
     Ok(SVector::from_column_slice(step.as_slice()))
 }
 
-/// Where the right-hand side is smaller than `size`, along the step.
+/// Line search along the step for a right-hand side smaller than `size`.
 fn descend<S, const N: usize>(
     system: &S,
     x: &SVector<f64, N>,
@@ -257,12 +265,12 @@ where
     None
 }
 
-/// The components of the state that are angles with the period 2 pi.
+/// Components of the state that are angles with the period 2 pi.
 pub(super) fn angles<const N: usize>(system: &(impl System<f64, N> + ?Sized)) -> Vec<usize> {
     system.layout().into_iter().flat_map(StateLayout::angles).collect()
 }
 
-/// Refuses a system in which time may occur, as far as that is known.
+/// Rejects a system known to depend on time.
 pub(super) fn require_autonomous<const N: usize>(
     system: &(impl System<f64, N> + ?Sized),
 ) -> Result<(), StabilityError> {
@@ -272,7 +280,7 @@ pub(super) fn require_autonomous<const N: usize>(
     }
 }
 
-/// Refuses a system whose positions outnumber its rates.
+/// Rejects a system with more positions than rates.
 pub(super) fn require_as_many_rates<const N: usize>(
     system: &(impl System<f64, N> + ?Sized),
 ) -> Result<(), StabilityError> {
@@ -282,7 +290,7 @@ pub(super) fn require_as_many_rates<const N: usize>(
     Ok(())
 }
 
-/// The angle in (-pi, pi]; just above -pi counts as pi.
+/// Reduces an angle to (-pi, pi]; values just above -pi become pi.
 pub(super) fn within_a_turn(angle: f64) -> f64 {
     let turned = angle - TAU * (angle / TAU).round();
     if turned < -PI + SAME { turned + TAU } else { turned }

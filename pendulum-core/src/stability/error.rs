@@ -1,4 +1,4 @@
-//! What an analysis of stability may end in.
+//! Errors of stability analyses.
 
 use std::error::Error;
 use std::fmt;
@@ -7,29 +7,29 @@ use crate::error::{ParameterError, Reason, debug_as_display};
 
 debug_as_display! { [] StabilityError; }
 
-/// Why an analysis has no result.
+/// Reason why an analysis has no result.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum StabilityError {
-    /// An integration ended before its time, or a setting makes no sense.
+    /// An integration stopped early, or a setting is invalid.
     Integration(Reason),
-    /// An entry of a matrix, or of the right-hand side, is infinite or not a number.
+    /// An entry of a matrix or of the right-hand side is infinite or NaN.
     NotFinite,
     /// The iteration did not converge.
     NoConvergence {
-        /// The iterations that were allowed.
+        /// Maximum number of iterations.
         iterations: usize,
-        /// What was left of the equations at the best point, as the largest component.
+        /// Largest component of the residual at the best point.
         residual: f64,
     },
-    /// An analysis of systems that do not depend on time was asked of one that does.
+    /// The analysis requires an autonomous system, but the right-hand side depends on time.
     TimeDependent,
-    /// An analysis was asked of a system whose positions outnumber its rates, as those of quaternions and of some closed
-    /// loops do, that does not keep to the directions in which such a state can move.
+    /// The system has more positions than rates, as with quaternions and some closed loops, and the analysis is not
+    /// restricted to admissible directions.
     MorePositions,
-    /// What was to be a periodic orbit is, or shrank to, a state of rest, which is periodic with any period.
+    /// The periodic orbit is, or shrank to, an equilibrium, which is periodic with any period.
     AtRest,
-    /// A family of systems has no member at the parameter asked for.
+    /// A family of systems has no member at the requested parameter.
     Build(ParameterError),
 }
 
@@ -39,25 +39,29 @@ impl fmt::Display for StabilityError {
             Self::Integration(reason) => reason.fmt(f),
             Self::NotFinite => write!(
                 f,
-                "the right-hand side or a matrix is not finite; check the parameters and the state, and look for a singularity there"
+                "the right-hand side or a matrix is not finite; check the parameters and the state, \
+                 and look for a singularity there"
             ),
             Self::NoConvergence { iterations, residual } => write!(
                 f,
-                "{iterations} iterations left a residual of {residual:.3e}; start closer to the solution, or look whether there is one"
+                "{iterations} iterations left a residual of {residual:.3e}; start closer to the solution, \
+                 or look whether there is one"
             ),
             Self::TimeDependent => write!(
                 f,
-                "the right-hand side depends on time, so the system has neither equilibria nor orbits of a period of their own; \
-                 search for motions with the period of the drive by `Shooting::forced`"
+                "the right-hand side depends on time, so the system has neither equilibria nor orbits of a period \
+                 of their own; search for motions with the period of the drive by `Shooting::forced`"
             ),
             Self::MorePositions => write!(
                 f,
-                "periodic orbits and families of systems with quaternions, or with coordinates in the state that follow from closed loops, \
-                 are not supported: write three turns in a row in place of a ball, or let coordinates depend so that loops are triangles"
+                "periodic orbits and families of systems with quaternions, or with coordinates in the state that \
+                 follow from closed loops, are not supported: write three turns in a row in place of a ball, or let \
+                 coordinates depend so that loops are triangles"
             ),
             Self::AtRest => write!(
                 f,
-                "the orbit shrank to a state of rest; start farther from it, or with a period closer to that of the orbit"
+                "the orbit shrank to a state of rest; start farther from it, \
+                 or with a period closer to that of the orbit"
             ),
             Self::Build(error) => error.fmt(f),
         }

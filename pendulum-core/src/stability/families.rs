@@ -11,7 +11,7 @@ use crate::error::ParameterError;
 use crate::layout::SlotKind;
 use crate::system::{Jacobian, System};
 
-/// A family of systems, one for each value of a parameter in a span.
+/// A family of systems: one for each value of a parameter in a span.
 pub(super) struct Family<'f, F> {
     pub(super) member: &'f F,
     pub(super) span: (f64, f64),
@@ -25,15 +25,15 @@ where
         self.span.1 - self.span.0
     }
 
-    /// The parameter, from that over the length of the span; at the ends of the span without rounding errors.
+    /// Converts the scaled parameter back, exactly at the ends of the span.
     fn parameter(&self, scaled: f64) -> f64 {
         let parameter = scaled * self.unit();
         let is_at = |end: &f64| (parameter - end).abs() <= 1e-12 * self.unit();
         [self.span.0, self.span.1].into_iter().find(is_at).unwrap_or(parameter)
     }
 
-    /// The derivative of `f` by the scaled parameter: a central difference over the part `reach` of the span to either
-    /// side, one-sided at its ends.
+    /// Derivative of `f` with respect to the scaled parameter: a central difference of half-width `reach` (as a
+    /// fraction of the span), one-sided at the ends of the span.
     fn slope<const N: usize>(
         &self,
         parameter: f64,
@@ -48,7 +48,7 @@ where
     }
 }
 
-/// Equilibria. The unknowns are the state and the parameter.
+/// Curve of equilibria. The unknowns are the state and the parameter.
 pub(super) struct EquilibriumCurve<'f, F, const N: usize> {
     pub(super) family: Family<'f, F>,
     pub(super) angles: Vec<usize>,
@@ -126,12 +126,13 @@ where
     }
 }
 
-/// Errors are seen by a tolerance smaller by this factor.
+/// Ratio of tolerances for the error estimate.
 const FINER: f64 = 1e-2;
-/// Below this tolerance rounding errors are all there is.
+/// Tolerance below which only rounding errors remain.
 const LEAST_TOLERANCE: f64 = 1e-14;
 
-/// Periodic orbits. The unknowns are the state, the period over that at the start if it is free, and the parameter.
+/// Curve of periodic orbits. The unknowns are the state, the ratio of the period to the initial one if the period is
+/// free, and the parameter.
 pub(super) struct OrbitCurve<'f, F, P, const N: usize> {
     pub(super) family: Family<'f, F>,
     pub(super) period: Period<&'f P>,
@@ -140,12 +141,12 @@ pub(super) struct OrbitCurve<'f, F, P, const N: usize> {
     pub(super) sizes: Scales<N>,
 }
 
-/// The period of the orbits of a family.
+/// Period of the orbits of a family.
 #[derive(Clone, Copy)]
 pub(super) enum Period<P> {
-    /// Sought, and measured in this unit.
+    /// Unknown, in units of the given value.
     Free(f64),
-    /// A function of the parameter.
+    /// Given as a function of the parameter.
     Given(P),
 }
 
@@ -195,7 +196,7 @@ where
             derivative
                 .column_mut(N)
                 .copy_from(&(self.sizes.scaled(&lap.velocity) * unit));
-            // The phase: no step goes along the orbit.
+            // Phase condition: steps are normal to the orbit.
             let along = self
                 .sizes
                 .scaled(&direction(&system, &x, period, self.tolerance)?)
@@ -264,7 +265,7 @@ where
         libm::cbrt(self.tolerance)
     }
 
-    /// Beyond an equilibrium to which orbits shrink they are the same once more, half a period later.
+    /// Beyond an equilibrium to which orbits shrink, the same orbits repeat, shifted by half a period.
     fn joins(&self, from: &DVector<f64>, to: &DVector<f64>) -> Result<(), StabilityError> {
         if !self.is_free() {
             return Ok(());
@@ -294,13 +295,13 @@ where
     }
 }
 
-/// The sizes of the components of a state, in which steps along a branch are measured.
+/// Sizes of the components of a state, the units of steps along a branch.
 #[derive(Clone, Copy)]
 pub(super) struct Scales<const N: usize>(SVector<f64, N>);
 
 impl<const N: usize> Scales<N> {
-    /// Those of a scene with lengths of the size given: angles have the size 1 rad, and rates as much in a time; 1
-    /// without a layout.
+    /// Sizes for a scene with the characteristic length `length`. Angles have the size 1 rad, and rates are divided by
+    /// `time`. All sizes are 1 without a layout.
     pub(super) fn of(system: &(impl System<f64, N> + ?Sized), length: f64, time: f64) -> Self {
         let mut sizes = SVector::from([1.0; N]);
         for slot in system.layout().map_or(&[][..], |layout| layout.slots) {
@@ -311,7 +312,7 @@ impl<const N: usize> Scales<N> {
         Self(sizes)
     }
 
-    /// The state at a point of a curve.
+    /// State at a point of a curve.
     pub(super) fn state(&self, u: &DVector<f64>) -> SVector<f64, N> {
         SVector::from_fn(|i, _| u[i] * self.0[i])
     }

@@ -1,4 +1,4 @@
-//! Hybrid systems without their friction.
+//! Hybrid systems without friction.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -9,10 +9,10 @@ use crate::hybrid::{
 use crate::layout::StateLayout;
 use crate::system::{Jacobian, System};
 
-/// A hybrid system without its friction, which is zero at rest and jumps beside it, some constraints held at limits.
+/// A hybrid system without friction, which is discontinuous at rest, and with some constraints held at limits.
 ///
-/// Where the right-hand side of the mode does not change with the distance from a limit, a spring of stiffness 1 pulls
-/// back to it, so that this is zero only at rest on the limits.
+/// If the right-hand side of the mode does not depend on the distance from a limit, a spring of stiffness 1 pulls back
+/// to the limit. The result then vanishes only at rest on the limits.
 pub(super) struct Frictionless<'a, const N: usize> {
     system: &'a dyn HybridJacobian<f64, N>,
     layout: Option<StateLayout<'a>>,
@@ -21,7 +21,7 @@ pub(super) struct Frictionless<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Frictionless<'a, N> {
-    /// With nothing held; `layout` is that of the system.
+    /// Without held constraints; `layout` is the layout of the system.
     pub(super) fn new(system: &'a dyn HybridJacobian<f64, N>, layout: Option<StateLayout<'a>>) -> Self {
         let (mode, hold) = (Mode::default(), Hold::default());
         Self {
@@ -32,7 +32,7 @@ impl<'a, const N: usize> Frictionless<'a, N> {
         }
     }
 
-    /// With what touches a limit in a mode held there, about the state `x`.
+    /// Holds all constraints that touch a limit in `mode`, about the state `x`.
     pub(super) fn at_limits(self, mode: Mode, x: &SVector<f64, N>) -> Self {
         let system = self.system;
         let held = set_of((0..MAX_CONSTRAINTS).filter(|&n| mode.0[n].touches()));
@@ -42,7 +42,7 @@ impl<'a, const N: usize> Frictionless<'a, N> {
         Self { mode, hold, ..self }
     }
 
-    /// A state of rest to the last bit: without rates, and on the limits.
+    /// Projects to an exact state of rest: zero rates, exactly on the limits.
     pub(super) fn place(&self, mut x: SVector<f64, N>) -> SVector<f64, N> {
         (N / 2..N).for_each(|n| x[n] = 0.0);
         project(self.system, &self.hold, &self.mode.0, 0.0, &mut x);
@@ -50,7 +50,7 @@ impl<'a, const N: usize> Frictionless<'a, N> {
         x
     }
 
-    /// The constraint that is farthest beyond a limit, and what it is there.
+    /// Constraint farthest beyond a limit, and the status of that limit.
     pub(super) fn beyond(&self, x: &SVector<f64, N>) -> Option<(usize, Status)> {
         let (laws, measures) = (self.system.laws(), self.system.measures(0.0, x));
         let beyond = (0..MAX_CONSTRAINTS)
@@ -65,8 +65,8 @@ impl<'a, const N: usize> Frictionless<'a, N> {
         farthest.map(|(_, n, status)| (n, status))
     }
 
-    /// The constraint that is pulled most to its limit where it is held, by more than what gives an acceleration of
-    /// `slack`.
+    /// Held constraint with the largest tensile force at its limit, which a stop or wall cannot exert. Only forces that
+    /// cause an acceleration above `slack` count.
     pub(super) fn pulled(&self, x: &SVector<f64, N>, slack: f64) -> Option<usize> {
         let (forces, response) = (
             forces(self.system, &self.hold, 0.0, x),
@@ -81,7 +81,7 @@ impl<'a, const N: usize> Frictionless<'a, N> {
         most.filter(|&(pull, _)| pull > slack).map(|(_, n)| n)
     }
 
-    /// For each constraint that is held by a force, how far it is from its limit, and what a force along it does.
+    /// Iterates over the constraints held by a force: the distance from the limit, and the response to a unit force.
     fn apart(&self, x: &SVector<f64, N>) -> impl Iterator<Item = (usize, f64, SVector<f64, N>)> {
         let (laws, mode, solved) = (self.system.laws(), self.mode, self.hold.solved);
         let at = (solved != 0).then(|| {
@@ -115,7 +115,7 @@ impl<const N: usize> Jacobian<f64, N> for Frictionless<'_, N> {
         self.rhs_and_jacobian(t, x).1
     }
 
-    /// How a column changes is left out: it makes no difference on the limit.
+    /// The derivative of the response columns is omitted: its factor is zero on the limit.
     fn rhs_and_jacobian(&self, t: f64, x: &SVector<f64, N>) -> (SVector<f64, N>, SMatrix<f64, N, N>) {
         let (mut rates, mut jacobian) = hybrid::rhs_and_jacobian(self.system, &self.hold, t, x);
         for (n, apart, column) in self.apart(x) {

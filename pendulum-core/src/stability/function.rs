@@ -1,4 +1,4 @@
-//! What a step of a method makes of a mode.
+//! Stability functions of methods.
 
 use nalgebra::Complex;
 
@@ -6,16 +6,18 @@ use crate::linear::{self, Lu};
 use crate::method::{Adaptive, Explicit, Fixed, Gauss, PowerSeries, RadauIIA, Rosenbrock};
 use crate::tableau::{GaussLegendre, HasTableau, RosenbrockMethod, Tableau, radau_iia5};
 
-/// A method with a stability function: a step of length `h` multiplies a solution of `x' = lambda x` by `R(h lambda)`.
+/// A method with a stability function: a step of size `h` multiplies a solution of `x' = lambda x` by `R(h lambda)`.
 ///
-/// `R(z)` stands in for `exp(z)`, which it approximates to the order of the method. On a linear system, and so on small motions about an
-/// equilibrium, a step multiplies each mode by the `R` of `h` times its eigenvalue: modes with `|R| > 1` grow, whatever the motion does. That
-/// holds for all methods here, as well for those that step in canonical variables, since a change of variables leaves eigenvalues as they are.
+/// `R(z)` approximates `exp(z)` to the order of the method. On a linear system, and therefore on small motions about an
+/// equilibrium, a step multiplies each mode by `R` of `h` times its eigenvalue: modes with `|R| > 1` grow even if the
+/// motion decays. This holds for all methods here, including those that step in canonical variables, since a change of
+/// variables preserves eigenvalues.
 ///
-/// `R` is evaluated from the coefficients that the steps use: a polynomial for explicit methods, for implicit ones a rational function. E. Hairer,
-/// G. Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.2 (explicit), IV.3 (implicit), IV.7 (Rosenbrock).
+/// `R` is evaluated from the coefficients of the method: a polynomial for explicit methods, a rational function for
+/// implicit ones. E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.2 (explicit),
+/// IV.3 (implicit), IV.7 (Rosenbrock).
 ///
-/// [`Auto`](crate::Auto) has none: which of its methods takes a step depends on the steps before.
+/// [`Auto`](crate::Auto) has none, since the method of a step depends on the steps before.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -27,12 +29,13 @@ use crate::tableau::{GaussLegendre, HasTableau, RosenbrockMethod, Tableau, radau
 /// assert!(Radau5::new().stability_at_infinity() < 1e-15);
 /// ```
 pub trait StabilityFunction {
-    /// `R(z)`; not finite at a pole, and not a number where the settings of the method make no sense.
+    /// Evaluates `R(z)`; not finite at a pole, and NaN if the settings of the method are invalid.
     fn stability_function(&self, z: Complex<f64>) -> Complex<f64>;
 
-    /// The limit of `|R(z)|` far away from 0: what is left, after a step, of a mode that decays within far less.
+    /// Limit of `|R(z)|` for large `|z|`: the amplification per step of modes that decay much faster than the step.
     ///
-    /// Stiff components vanish at once where it is 0, keep ringing where it is 1, and explicit methods make them grow beyond all bounds.
+    /// Stiff components vanish at once if it is 0 and persist as oscillations if it is 1. For explicit methods it is
+    /// infinite, and stiff components grow without bound.
     fn stability_at_infinity(&self) -> f64;
 }
 
@@ -148,7 +151,7 @@ impl<F: StabilityFunction> StabilityFunction for Adaptive<F> {
     }
 }
 
-/// The exponential series up to the order, that of steps of a given length.
+/// Exponential series up to the order for fixed steps.
 impl StabilityFunction for Fixed<PowerSeries> {
     fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
         let order = self.family.order_within::<f64>(None);
@@ -160,7 +163,7 @@ impl StabilityFunction for Fixed<PowerSeries> {
     }
 }
 
-/// The exponential series up to the order, which follows from the tolerance in `f64`.
+/// Exponential series up to the order that follows from the tolerance in `f64`.
 impl StabilityFunction for Adaptive<PowerSeries> {
     fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
         let tolerance = self.tolerance::<f64>();

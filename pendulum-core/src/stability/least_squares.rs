@@ -1,10 +1,11 @@
-//! Linear equations that may have too few or too many solutions.
+//! Least-squares solution of linear equations that may be over- or underdetermined.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::StabilityError;
 
-/// The shortest `step` with the least `|residual + matrix step|`. Singular values below the part `least` of the largest count as zero.
+/// Shortest `step` that minimises `|residual + matrix step|`. Singular values below `least` times the largest count as
+/// zero.
 ///
 /// G. H. Golub, C. F. Van Loan, "Matrix Computations", 4th ed. (2013), 5.5.
 pub(super) fn shortest_step(

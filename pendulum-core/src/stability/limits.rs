@@ -1,40 +1,46 @@
-//! How long a step of a method may be before modes grow that do not.
+//! Step size limits of stability.
 
 use nalgebra::{Complex, SMatrix};
 
 use super::{Spectrum, StabilityError, StabilityFunction};
 
-/// The interval of stability on the negative real axis: how far from 0 `|R|` first exceeds 1. Infinite for A-stable methods.
+/// Stability interval on the negative real axis: the distance from 0 at which `|R|` first exceeds 1. Infinite for
+/// A-stable methods.
 ///
-/// Modes that creep back, as those of strong friction do, want `h |lambda|` below this. For what counts as 1 see [`imaginary_limit`].
+/// Overdamped modes, for example with strong friction, require `h |lambda|` below this limit. For the tolerance on
+/// `|R|` see [`imaginary_limit`].
 #[must_use]
 pub fn real_limit<M: StabilityFunction + ?Sized>(method: &M) -> f64 {
     limit_along(method, Complex::new(-1.0, 0.0))
 }
 
-/// The interval of stability on the imaginary axis: how far from 0 `|R|` first exceeds 1. Infinite for A-stable methods.
+/// Stability interval on the imaginary axis: the distance from 0 at which `|R|` first exceeds 1. Infinite for A-stable
+/// methods.
 ///
-/// Modes that swing without friction want `h |lambda|` below this.
+/// Undamped oscillations require `h |lambda|` below this limit.
 ///
-/// Up to `1 + 1e-9` counts as 1. Only methods of Gauss have exactly 1 close to 0: others have `1 + C y^n`, with the even one of `p + 1` and `p + 2` for
-/// `n`, where `p` is the order of `R`. A positive `C` leaves nothing of the exact interval, as for [`Vern7`](crate::Vern7) and for [`Taylor`](crate::Taylor)
-/// methods of orders such as 17 and 18; yet that is no more than the error of the method, which falls with the step. The bound tells a loss of
-/// stability from it and from rounding errors, and admits growth that takes a billion steps to a factor of e. It moves the limits of `Rk4`, `Rk45`,
-/// `Tsit5` and `Vern9`, which are not empty, by 0.1 % at most. Those of `Taylor`, whose `C` is tiny, are mostly where `|R|` passes the bound.
+/// Values of `|R|` up to `1 + 1e-9` count as 1. Only Gauss methods have exactly 1 near 0. The others have `1 + C y^n`,
+/// where `n` is the even one of `p + 1` and `p + 2`, and `p` is the order of `R`. With a positive `C` the exact
+/// interval is empty, as for [`Vern7`](crate::Vern7) and for [`Taylor`](crate::Taylor) methods of orders such as 17 and
+/// 18. This growth is of the size of the method error and decreases with the step size. The bound separates loss of
+/// stability from this effect and from rounding errors; it admits growth by a factor of e over a billion steps. It
+/// changes the nonempty limits of `Rk4`, `Rk45`, `Tsit5` and `Vern9` by at most 0.1 %. The limits of `Taylor`, whose
+/// `C` is tiny, are mostly the points where `|R|` crosses the bound.
 #[must_use]
 pub fn imaginary_limit<M: StabilityFunction + ?Sized>(method: &M) -> f64 {
     limit_along(method, Complex::new(0.0, 1.0))
 }
 
-/// The longest step with which a method lets no mode of `jacobian` grow that does not grow by itself, in s: all shorter ones are
-/// stable as well. Infinite where the method is stable for all steps, or where there is no such mode.
+/// Largest step size, in s, at which a method amplifies no decaying or neutral mode of `jacobian`. All smaller steps
+/// are stable as well. Infinite if the method is stable for all steps, or if there is no such mode.
 ///
-/// It is the least `r / |lambda|` over the eigenvalues `lambda` of the Jacobian, where `r` is how far `|R|` stays at 1 or below, on the
-/// ray from 0 in the direction of `lambda`; for what counts as 1 see [`imaginary_limit`]. Eigenvalues with positive real parts are passed over: there the
-/// motion itself grows, and the method is right to follow. Those whose real part is no larger than its [uncertainty](super::Eigenmode::uncertainty) count as
-/// imaginary, and those of which both parts are so small as 0, which limits nothing.
+/// The limit is the minimum of `r / |lambda|` over the eigenvalues `lambda` of the Jacobian. Here `r` is the distance
+/// up to which `|R|` stays at most 1 on the ray from 0 in the direction of `lambda`; for the tolerance on `|R|` see
+/// [`imaginary_limit`]. Eigenvalues with positive real parts are skipped: such modes grow in the exact solution as
+/// well. A real part below its [uncertainty](super::Eigenmode::uncertainty) counts as zero. If both parts are that
+/// small, the eigenvalue counts as 0 and sets no limit.
 ///
-/// The limit holds for small motions where the Jacobian is that of an equilibrium; elsewhere it is a good guess over times in which the
+/// The limit is exact for small motions about an equilibrium. Elsewhere it is a good estimate over times in which the
 /// Jacobian hardly changes.
 ///
 /// ```
@@ -59,7 +65,7 @@ pub fn imaginary_limit<M: StabilityFunction + ?Sized>(method: &M) -> f64 {
 /// ```
 ///
 /// # Errors
-/// Those of [`Spectrum::of`].
+/// See [`Spectrum::of`].
 pub fn max_stable_step<M, const N: usize>(method: &M, jacobian: &SMatrix<f64, N, N>) -> Result<f64, StabilityError>
 where
     M: StabilityFunction + ?Sized,
@@ -71,23 +77,23 @@ where
         if (is_neutral && frequency <= mode.uncertainty) || (growth > 0.0 && !is_neutral) {
             continue;
         }
-        // of a pair, the one above: R takes conjugates to conjugates
+        // of a pair, only the one above the real axis, since R commutes with conjugation
         let lambda = Complex::new(if is_neutral { 0.0 } else { growth }, frequency);
         longest = longest.min(limit_along(method, lambda / lambda.norm()) / lambda.norm());
     }
     Ok(longest)
 }
 
-/// By how much `|R|` may exceed 1.
+/// Amount by which `|R|` may exceed 1.
 const NEUTRAL: f64 = 1e-9;
-/// Rays are searched in parts of 1 until there, and from there in parts of what lies behind.
+/// Search increment along a ray: absolute up to a distance of 1, relative beyond.
 const PARTS: f64 = 1.0 / 128.0;
-/// Beyond this, `R` is what it is at infinity.
+/// Distance from 0 beyond which `R` equals its limit at infinity.
 const FAR: f64 = 1e6;
 
-/// How far from 0 in a direction of length 1 `|R|` first exceeds 1.
+/// Distance from 0 in a direction of length 1 at which `|R|` first exceeds 1.
 fn limit_along<M: StabilityFunction + ?Sized>(method: &M, direction: Complex<f64>) -> f64 {
-    // not a number is not stable
+    // NaN counts as unstable
     let is_stable = |far: f64| method.stability_function(direction * far).norm() <= 1.0 + NEUTRAL;
     let mut within = 0.0;
     while within < FAR {

@@ -1,4 +1,4 @@
-//! Lyapunov exponents: at what rate neighbouring trajectories part.
+//! Lyapunov exponents: rates at which neighbouring trajectories diverge.
 
 use nalgebra::SVector;
 
@@ -11,11 +11,12 @@ use crate::error::Reason;
 use crate::method::{Method, require};
 use crate::system::{IntoState, Jacobian, System};
 
-/// The measurement of Lyapunov exponents, a plain value with settings.
+/// Computation of Lyapunov exponents: a plain value with settings.
 ///
-/// Tangents follow the variational equations along a trajectory. After each step they are made orthonormal again, and the logarithms of the lengths
-/// that they had are summed up; their mean growth rates tend to the largest exponents (G. Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn,
-/// Meccanica 15 (1980) 9 and 21). They tend slowly: as `ln(t) / t` in regular motion, and as `1 / sqrt(t)` in chaotic motion.
+/// Tangent vectors follow the variational equations along a trajectory. After each step they are orthonormalised, and
+/// the logarithms of their lengths are accumulated. Their mean growth rates converge to the largest exponents (G.
+/// Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980) 9 and 21). Convergence is slow: as
+/// `ln(t) / t` in regular motion, and as `1 / sqrt(t)` in chaotic motion.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -44,23 +45,23 @@ pub struct Lyapunov {
 /// The largest `K` Lyapunov exponents of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponents<const K: usize, const N: usize> {
-    /// The exponents, in 1/s, falling as far as their uncertainty allows; minus infinity where the trajectory of a
-    /// [hybrid](crate::hybrid) system forgets where it came from, as in sticking.
+    /// Exponents in 1/s, in descending order within their uncertainty. Minus infinity if the trajectory of a
+    /// [hybrid](crate::hybrid) system loses the memory of its initial condition, as in sticking.
     pub values: [f64; K],
-    /// The standard error of each, from the scatter of its means over ten parts of the duration. What is the same in all parts, such as a
-    /// transient that has not ended, does not show in it, and what turns on and on, such as the tangents of a damped mode, whose lengths swing, may
-    /// leave a few times as much.
+    /// Standard error of each exponent, from the scatter of its means over ten parts of the duration. An effect common
+    /// to all parts, such as an unfinished transient, is not included. Persistent oscillations of the tangent lengths,
+    /// as of a damped mode, may cause errors a few times larger.
     pub uncertainty: [f64; K],
-    /// The time at the end.
+    /// Final time.
     pub t: f64,
-    /// The state at the end.
+    /// Final state.
     pub x: SVector<f64, N>,
 }
 
 impl<const K: usize, const N: usize> Exponents<K, N> {
-    /// The horizon of prediction: how long until an error grows from `from` to `to`, `ln(to / from) / values[0]`, in s.
+    /// Prediction horizon: the time in s for an error to grow from `from` to `to`, `ln(to / from) / values[0]`.
     ///
-    /// Infinite where the largest exponent is not positive. Twice as many digits give twice the time, and no more.
+    /// Infinite if the largest exponent is not positive. Twice the number of digits only doubles the horizon.
     #[must_use]
     pub fn horizon(&self, from: f64, to: f64) -> f64 {
         if self.values[0] > 0.0 {
@@ -71,7 +72,7 @@ impl<const K: usize, const N: usize> Exponents<K, N> {
     }
 }
 
-/// The duration is cut in so many parts, whose scatter tells the uncertainty.
+/// Number of parts of the duration for the estimate of the uncertainty.
 const PARTS: usize = 10;
 
 impl Default for Lyapunov {
@@ -81,7 +82,7 @@ impl Default for Lyapunov {
 }
 
 impl Lyapunov {
-    /// The measurement with its default settings.
+    /// Default settings.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -91,32 +92,32 @@ impl Lyapunov {
         }
     }
 
-    /// The relative and absolute tolerance of the trajectory and of its tangents. Default: 1e-8.
+    /// Sets the relative and absolute tolerance of the trajectory and of its tangents. Default: 1e-8.
     #[must_use]
     pub const fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// The time that the motion has to settle, and the tangents to turn to the directions in which they grow, before growth is counted, in s.
-    /// Default: 0.
+    /// Sets the time in s before growth is counted, in which the motion settles and the tangents align with the growing
+    /// directions. Default: 0.
     #[must_use]
     pub const fn transient(mut self, transient: f64) -> Self {
         self.transient = transient;
         self
     }
 
-    /// The time over which growth is counted, in s. Default: 1000.
+    /// Sets the time over which growth is counted, in s. Default: 1000.
     #[must_use]
     pub const fn duration(mut self, duration: f64) -> Self {
         self.duration = duration;
         self
     }
 
-    /// The largest exponent of the trajectory from `x0` at the time 0.
+    /// Computes the largest exponent of the trajectory from `x0` at the time 0.
     ///
     /// # Errors
-    /// As [`exponents`](Self::exponents).
+    /// See [`exponents`](Self::exponents).
     pub fn largest<const N: usize>(
         &self,
         system: &(impl Jacobian<f64, N> + ?Sized),
@@ -125,11 +126,11 @@ impl Lyapunov {
         self.exponents(system, x0)
     }
 
-    /// The `K` largest exponents of the trajectory from `x0` at the time 0; all of them for `K = N`, or where
-    /// positions outnumber rates, as those of quaternions do, for twice the number of rates.
+    /// Computes the `K` largest exponents of the trajectory from `x0` at the time 0. There are `N` exponents, or twice
+    /// the number of rates if there are more positions than rates, as with quaternions.
     ///
     /// # Errors
-    /// [`StabilityError::Integration`] if a setting is out of its range, or if the trajectory comes to an end before its time.
+    /// [`StabilityError::Integration`] if a setting is out of its range, or if the trajectory stops early.
     pub fn exponents<const K: usize, const N: usize>(
         &self,
         system: &(impl Jacobian<f64, N> + ?Sized),
@@ -139,7 +140,7 @@ impl Lyapunov {
         let flow = flow::<K>(self.tolerance).h_max(self.h_max());
         let mut stepper = flow.stepper(system, 0.0, self.end(), x0)?;
         stepper.scheme_mut().tangents = oblique();
-        // what is held from the start holds these as well
+        // constraints held from the start also constrain the tangents
         let (t, x) = (stepper.t(), stepper.x());
         stepper.restart(t, x)?;
         keep_to_directions(system, (t, &x), &mut stepper.scheme_mut().tangents);
@@ -157,7 +158,7 @@ impl Lyapunov {
         self.transient + self.duration
     }
 
-    /// Where all stands still a step might pass over the whole duration.
+    /// Largest step size. At rest, a single step could otherwise cover the whole duration.
     fn h_max(&self) -> f64 {
         self.duration / PARTS as f64
     }
@@ -183,14 +184,14 @@ impl Lyapunov {
     }
 }
 
-/// How much tangents grew in each part of the time.
+/// Accumulated growth of the tangents in each part of the duration.
 #[derive(Clone)]
 struct TangentGrowth<const K: usize> {
-    /// Steps from here on are counted; of those that were, where the first began.
+    /// Start of counting: steps from this time on are counted. Set to the start of the first counted step.
     from: f64,
     end: f64,
     is_counting: bool,
-    /// The logarithms of lengths, summed up.
+    /// Sums of the logarithms of lengths.
     parts: [[f64; K]; PARTS],
     seconds: [f64; PARTS],
 }
@@ -206,7 +207,7 @@ impl<const K: usize> TangentGrowth<K> {
         }
     }
 
-    /// Counts a step from `t` over `h`, if it begins late enough, in the part in which it does.
+    /// Counts a step of size `h` from `t`, if it begins late enough, in the part in which it begins.
     fn count(&mut self, (t, h): (f64, f64), lengths: [f64; K]) {
         if t < self.from {
             return;
@@ -222,7 +223,7 @@ impl<const K: usize> TangentGrowth<K> {
         }
     }
 
-    /// The exponents of a trajectory that ends in the state `x` at `t`.
+    /// Exponents of a trajectory that ends in the state `x` at `t`.
     fn exponents<const N: usize>(&self, t: f64, x: SVector<f64, N>) -> Exponents<K, N> {
         let (values, uncertainty) = self.rates();
         Exponents {
@@ -233,13 +234,13 @@ impl<const K: usize> TangentGrowth<K> {
         }
     }
 
-    /// The rates of growth, and the standard error of each.
+    /// Growth rates with their standard errors.
     fn rates(&self) -> ([f64; K], [f64; K]) {
         let [mut values, mut uncertainty] = [[0.0; K]; 2];
         let total: f64 = self.seconds.iter().sum();
         for k in 0..K {
             values[k] = self.parts.iter().map(|part| part[k]).sum::<f64>() / total;
-            // Parts that a single step passed over have no share in it.
+            // Parts covered by a single longer step have no weight.
             if values[k] == f64::NEG_INFINITY {
                 continue;
             }
@@ -258,8 +259,8 @@ impl<const K: usize> TangentGrowth<K> {
     }
 }
 
-/// Directions that lie along no axis: one that a system keeps, such as the rate of a coordinate that nothing depends on, would never turn to those
-/// that grow.
+/// Initial directions that are not aligned with any axis. An invariant direction, such as the rate of a cyclic
+/// coordinate, would never turn towards the growing ones.
 fn oblique<const K: usize, const N: usize>() -> [SVector<f64, N>; K] {
     let mut vectors =
         std::array::from_fn(|k| SVector::from_fn(|i, _| libm::sin(1.0 + ((i + 1) * (i + 2 * k + 3)) as f64)));
@@ -267,8 +268,8 @@ fn oblique<const K: usize, const N: usize>() -> [SVector<f64, N>; K] {
     vectors
 }
 
-/// Takes off tangents what no motion does, as a change of the length of a quaternion: rounding errors in it would stay where all
-/// else decays.
+/// Removes inadmissible components from tangents, such as a change of the norm of a quaternion. Rounding errors in
+/// these components would persist while all others decay.
 fn keep_to_directions<const K: usize, const N: usize>(
     system: &(impl Jacobian<f64, N> + ?Sized),
     (t, x): (f64, &SVector<f64, N>),
@@ -285,9 +286,9 @@ fn keep_to_directions<const K: usize, const N: usize>(
     }
 }
 
-/// Makes vectors orthonormal, each by what the ones before it leave of it (modified Gram-Schmidt): the lengths that were
-/// left, 0 where these are rounding errors. In place of such a vector comes any that is left over: where the directions
-/// that grow are too few, the next step takes it away again, and where there are more of them later it is one.
+/// Orthonormalises vectors by the modified Gram-Schmidt method. Returns the lengths of the remainders, or 0 for those
+/// of the size of rounding errors. The latter vectors are replaced by arbitrary orthogonal ones: the next step removes
+/// them again if there are too few growing directions, and otherwise they represent a new one.
 fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>; K]) -> [f64; K] {
     let longest = vectors.iter().map(|vector| vector.norm()).fold(1.0, f64::max);
     let mut lengths = [0.0; K];
@@ -308,10 +309,10 @@ fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>
     lengths
 }
 
-/// Shorter vectors than this part of the longest are rounding errors.
+/// Length relative to the longest vector below which a vector counts as rounding error.
 const LEAST: f64 = 1e-12;
 
-/// A unit vector at right angles to the others.
+/// A unit vector orthogonal to the others.
 fn left_over<const N: usize>(done: &[SVector<f64, N>]) -> SVector<f64, N> {
     let without = |axis: usize| {
         let mut rest = SVector::from_fn(|i, _| f64::from(u8::from(i == axis)));
@@ -331,7 +332,7 @@ fn left_over<const N: usize>(done: &[SVector<f64, N>]) -> SVector<f64, N> {
 mod tests {
     use super::{Exponents, PARTS, TangentGrowth};
 
-    /// Steps of a length, at rates of growth that depend on where they begin.
+    /// Counts steps `(t, h)` with growth rates that depend on `t`.
     fn counted(
         from: f64,
         end: f64,
@@ -347,7 +348,8 @@ mod tests {
 
     #[test]
     fn steps_are_counted_in_the_part_in_which_they_begin() {
-        // of 1/2 from 1/4 on: the first that is counted begins at 3.25, and the parts of 4.375 are of 9 and 8 steps
+        // Steps of 1/2 from 1/4 on: the first that is counted begins at 3.25, and the parts of 4.375 s have 9 or 8
+        // steps.
         let steps = (0..200)
             .map(|n| (0.25 + 0.5 * f64::from(n), 0.5))
             .take_while(|&(t, _)| t < 47.0);
@@ -356,13 +358,13 @@ mod tests {
         assert_eq!(growth.seconds, [4.5, 4.5, 4.5, 4.0, 4.5, 4.5, 4.5, 4.0, 4.5, 4.5]);
         let ([value], [uncertainty]) = growth.rates();
         assert!((value + 0.25).abs() < 1e-14 && uncertainty < 1e-14);
-        // one that begins where counting does is counted
+        // a step that begins at the start of counting is counted
         assert_eq!(counted(3.25, 47.0, [(3.25, 1.0)].into_iter(), |_| 0.0).seconds[0], 1.0);
     }
 
     #[test]
     fn the_uncertainty_is_that_of_a_weighted_mean() {
-        // Parts of 1 s with the rates 0 to 9, of which some steps take several: 2 to 4, and 8 to the end.
+        // Parts of 1 s with rates 0 to 9. Two steps cover several parts: 2 to 4, and 8 to the end.
         let steps = [
             (0.0, 1.0),
             (1.0, 1.0),

@@ -1,18 +1,18 @@
-//! How stable a motion is, and how stable a method: two things to be told apart.
+//! Stability of motions and of methods, which are separate questions.
 //!
-//! A motion may lose its stability whatever integrates it; a method may lose it where the motion is stable. Both follow from the generated
-//! Jacobian: of the motion from its [`Spectrum`], of a method from its [`StabilityFunction`] at the eigenvalues times the step, which
-//! [`max_stable_step`] makes a limit of.
+//! A motion may be unstable with any method, and a method may be unstable on a stable motion. Both follow from the
+//! generated Jacobian. The [`Spectrum`] describes the motion. The [`StabilityFunction`], at the eigenvalues times the
+//! step size, describes the method; [`max_stable_step`] derives a limit from it.
 //!
 //! | of motions | |
 //! |---|---|
-//! | [`equilibrium`], [`equilibria`] | states of rest, with the eigenvalues and modes of the small motions about them |
-//! | [`resting`] | where dry friction and contacts let a system rest |
+//! | [`equilibrium`], [`equilibria`] | equilibria, with the eigenvalues and modes of their linearisation |
+//! | [`resting`] | states held at rest by dry friction and contacts |
 //! | [`Shooting`] | periodic orbits, with their Floquet multipliers |
-//! | [`Continuation`] | branches of both in a parameter, with folds, crossings, Hopf and torus bifurcations, and period doublings |
+//! | [`Continuation`] | branches of both in a parameter, and their bifurcations: folds, crossings, Hopf and others |
 //! | [`Lyapunov`] | Lyapunov exponents, of many trajectories in lanes |
 //! | [`section()`] | Poincare sections |
-//! | [`transition`] | the derivative of a state by an earlier one |
+//! | [`transition`] | the state transition matrix of a trajectory |
 //!
 //! ```
 //! use pendulum_core::prelude::*;

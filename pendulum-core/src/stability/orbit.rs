@@ -1,41 +1,42 @@
-//! Periodic orbits, and whether they last.
+//! Periodic orbits and their stability.
 
 use nalgebra::{Complex, SMatrix, SVector};
 
 use super::{Eigenmode, Spectrum, Stability, StabilityError};
 
-/// A motion that repeats itself, with what becomes of small motions about it in one period (Floquet): `monodromy` times
-/// their start.
+/// A periodic orbit with its monodromy matrix, which maps perturbations at the start to perturbations after one period
+/// (Floquet theory).
 ///
 /// G. Floquet, Annales scientifiques de l'Ecole Normale Superieure 12 (1883) 47; P. Hartman, "Ordinary Differential
 /// Equations", 2nd ed. (2002), IV.6.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicOrbit<const N: usize> {
-    /// The state at the time 0.
+    /// State at the time 0.
     pub x: SVector<f64, N>,
-    /// The period, in s.
+    /// Period, in s.
     pub period: f64,
-    /// The full turns that each component makes in a period: 0 but for angles of motions that turn over.
+    /// Full turns of each component in a period; nonzero only for angles of motions that turn over.
     pub turns: [i32; N],
-    /// The derivative of the state after a period with respect to that before.
+    /// Derivative of the state after a period with respect to the state before.
     pub monodromy: SMatrix<f64, N, N>,
-    /// The eigenvalues of the monodromy matrix, the Floquet multipliers, and its eigenvectors, by falling real part.
+    /// Eigenvalues (the Floquet multipliers) and eigenvectors of the monodromy matrix, in descending order of the real
+    /// part.
     pub multipliers: Spectrum<N>,
     nontrivial: Vec<Multiplier>,
     noise: f64,
 }
 
-/// A Floquet multiplier: the factor by which a small motion about a periodic orbit grows in a period.
+/// A Floquet multiplier: the growth factor of a perturbation of a periodic orbit in one period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Multiplier {
-    /// The factor.
+    /// Value of the multiplier.
     pub value: Complex<f64>,
-    /// How far the errors of the integration may have moved it.
+    /// Bound on the change of the multiplier by integration errors.
     pub uncertainty: f64,
 }
 
 impl Multiplier {
-    /// How far it lies outside the unit circle; negative inside.
+    /// Distance outside of the unit circle; negative inside.
     #[must_use]
     pub fn excess(&self) -> f64 {
         self.value.norm() - 1.0
@@ -43,7 +44,7 @@ impl Multiplier {
 }
 
 impl<const N: usize> PeriodicOrbit<N> {
-    /// The orbit through `x`. `along` is the direction of an orbit whose phase is free.
+    /// Orbit through `x`. If its phase is free, `along` is the direction of the motion.
     pub(super) fn new(
         (x, period, turns): (SVector<f64, N>, f64, [i32; N]),
         monodromy: SMatrix<f64, N, N>,
@@ -54,14 +55,14 @@ impl<const N: usize> PeriodicOrbit<N> {
         let mut nontrivial = match along {
             None => weigh(&multipliers, &monodromy, tolerance),
             Some(along) => {
-                // What the monodromy matrix does across the orbit. Along it 0 takes the place of the multiplier 1, and no other changes; if 1
-                // is a double one, that leaves it a simple one, which errors hardly move.
+                // Monodromy matrix projected across the orbit. The multiplier 1 along the orbit becomes 0, and no other
+                // changes. A double multiplier 1 becomes a simple one, which is insensitive to errors.
                 let across = SMatrix::identity() - along * along.transpose() / along.norm_squared();
                 let across = across * monodromy;
                 weigh(&Spectrum::of(&across)?, &monodromy, tolerance)
             }
         };
-        // Pairs stay together: their moduli are the same, and the sort is stable.
+        // Conjugate pairs stay adjacent: their moduli are equal, and the sort is stable.
         nontrivial.sort_by(|a, b| b.value.norm().total_cmp(&a.value.norm()));
         if along.is_some() {
             nontrivial.pop();
@@ -77,24 +78,24 @@ impl<const N: usize> PeriodicOrbit<N> {
         })
     }
 
-    /// The size below which multipliers are noise: what errors of the integration may make of 0. Motions with such
-    /// multipliers have decayed within a period, and nothing more is known about them; a smaller tolerance resolves
-    /// smaller ones, down to rounding errors of the largest.
+    /// Magnitude below which multipliers are noise of the integration. Perturbations with such multipliers decay within
+    /// a period, and no more is known about them. A smaller tolerance resolves smaller multipliers, down to rounding
+    /// errors of the largest.
     #[must_use]
     pub fn noise(&self) -> f64 {
         self.noise
     }
 
-    /// The multipliers that tell of stability, by falling modulus: all of them for a driven system, and `N - 1` where
-    /// the time does not occur. There the multiplier 1 along the orbit, which belongs to a shift in time, is left out.
+    /// Multipliers that determine stability, in descending order of modulus: all of them for a driven system, `N - 1`
+    /// for an autonomous one. The latter excludes the multiplier 1 along the orbit, which belongs to a shift in time.
     #[must_use]
     pub fn nontrivial(&self) -> &[Multiplier] {
         &self.nontrivial
     }
 
-    /// What the nontrivial multipliers tell, as far as the errors of the integration allow: whether small motions about
-    /// the orbit (and about all its shifts in time) decay, grow, or neither. Orbits of conservative systems come in
-    /// families, with a further multiplier 1, and are unstable or undecided.
+    /// Stability according to the nontrivial multipliers, within integration errors: of the orbit together with all its
+    /// shifts in time. Orbits of conservative systems form families with a further multiplier 1, and are unstable or
+    /// undecided.
     #[must_use]
     pub fn stability(&self) -> Stability {
         let multipliers = self.nontrivial.iter();
@@ -102,17 +103,16 @@ impl<const N: usize> PeriodicOrbit<N> {
     }
 }
 
-/// The eigenvalues of a monodromy matrix, or of a part of it, with how far the tolerance of the integration may have
-/// moved them.
+/// Eigenvalues of a monodromy matrix, or of a projection of it, with error bounds for the tolerance of the integration.
 fn weigh<const N: usize>(spectrum: &Spectrum<N>, monodromy: &SMatrix<f64, N, N>, tolerance: f64) -> Vec<Multiplier> {
     let noise = NOISE * tolerance * monodromy.norm();
     let weigh = |mode: &Eigenmode<N>| Multiplier {
         value: mode.eigenvalue,
-        // In proportion to what rounding errors do; a double multiplier moves by the root of the errors.
+        // Proportional to the condition number; a double multiplier changes by the square root of the error.
         uncertainty: (noise * mode.condition).min((noise * monodromy.norm()).sqrt()),
     };
     spectrum.modes().iter().map(weigh).collect()
 }
 
-/// The errors of a period are so many tolerances at most: those of single steps add up.
+/// Bound on the error of a period in units of the tolerance, since the errors of single steps add up.
 pub(super) const NOISE: f64 = 100.0;

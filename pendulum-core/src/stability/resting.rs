@@ -1,4 +1,4 @@
-//! Where dry friction lets a system rest.
+//! States that dry friction holds at rest.
 
 use nalgebra::SVector;
 
@@ -10,26 +10,28 @@ use crate::hybrid::{Hybrid, InMode, MAX_CONSTRAINTS, Mode, Settled, Status, forc
 use crate::method::require;
 use crate::system::{IntoState, Jacobian};
 
-/// A state of rest of a [hybrid](crate::hybrid) system that friction and contacts hold: one of a set, not of a point.
+/// A state of rest of a [hybrid](crate::hybrid) system, held by friction and contacts: one of a set, in general not
+/// isolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resting<const N: usize> {
-    /// The state; its rates are zero.
+    /// State; its rates are zero.
     pub x: SVector<f64, N>,
-    /// What sticks, and what touches.
+    /// Constraints that stick or touch.
     pub mode: Mode,
-    /// The least part of what any friction can take that is left: 1 without load, 0 where it is about to give way.
+    /// Smallest relative reserve of any friction force: 1 without load, 0 at the limit of sticking.
     pub margin: f64,
 }
 
-/// A state of rest near `seed`, which is that itself if friction and contacts hold it, and else one that needs no
-/// friction: an equilibrium without it, and where that lies beyond a stop or a wall, at rest against this.
+/// Finds a state of rest near `seed`: `seed` itself if friction and contacts hold it, otherwise a state that needs no
+/// friction. This is an equilibrium without friction, or at rest against a stop or a wall if the equilibrium lies
+/// beyond it.
 ///
-/// The rates of `seed` do not matter.
+/// The rates of `seed` are ignored.
 ///
 /// # Errors
-/// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::Integration`] if the
-/// seed is beyond a limit, or if the system is not hybrid or has no [`HybridJacobian`](crate::hybrid::HybridJacobian),
-/// and [`StabilityError::NoConvergence`] if no rest is found.
+/// [`StabilityError::TimeDependent`] if the right-hand side may depend on time according to the layout.
+/// [`StabilityError::Integration`] if the seed is beyond a limit, or if the system is not hybrid or has no
+/// [`HybridJacobian`](crate::hybrid::HybridJacobian). [`StabilityError::NoConvergence`] if no state of rest is found.
 pub fn resting<S, const N: usize>(system: &S, seed: impl IntoState<f64, N>) -> Result<Resting<N>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,
@@ -51,7 +53,7 @@ where
         let frictionless = Frictionless::new(hybrid, system.layout()).at_limits(mode, &from);
         let (found, failure) = match come_to_rest(&frictionless, from) {
             Ok(x) => (x, None),
-            // on its way it may have passed a limit
+            // the iteration may have crossed a limit on its way
             Err((x, failure)) => (x, Some(failure)),
         };
         x = frictionless.place(found);
@@ -65,7 +67,7 @@ where
         let slack = resolution(&frictionless.jacobian(0.0, &x), &x);
         let Some(n) = frictionless.pulled(&x, slack) else { break };
         mode.0[n] = Status::Free;
-        // Newton's method might lead beyond the limit again, but the motion does not
+        // Newton's method might cross the limit again; the damped motion does not
         from = brake(&Frictionless::new(hybrid, system.layout()).at_limits(mode, &x), x)?;
     }
     let nothing = StabilityError::NoConvergence {
@@ -76,7 +78,7 @@ where
 }
 
 impl<const N: usize> Resting<N> {
-    /// The state, if the system rests there.
+    /// Returns the state if the system is at rest there.
     fn at<S>(system: &S, x: SVector<f64, N>) -> Result<Option<Self>, StabilityError>
     where
         S: Jacobian<f64, N> + ?Sized,
@@ -84,7 +86,7 @@ impl<const N: usize> Resting<N> {
         let Some(hybrid) = system.hybrid() else { return Ok(None) };
         let Settled { x, mode, hold, .. } = start((hybrid, system.layout()), 0.0, &x)?;
         let (rates, jacobian) = InMode::new(system, &hold).rhs_and_jacobian(0.0, &x);
-        // what nothing holds rests as far as rounding errors show
+        // free coordinates are at rest within rounding errors
         let rests = rates.norm() <= resolution(&jacobian, &x);
         Ok(rests.then(|| Self {
             x,
@@ -93,15 +95,15 @@ impl<const N: usize> Resting<N> {
         }))
     }
 
-    /// The interval of a coordinate over which the system rests, all other coordinates as they are.
+    /// Interval of a coordinate over which the system stays at rest, with all other coordinates fixed.
     ///
-    /// It is looked for up to a distance of `reach` to both sides, in the unit of the coordinate, m or rad: an end is
-    /// infinite where the system still rests as far away as that. Gaps shorter than `reach / 256` may not be seen.
-    /// Where it rests only here, as a joint without friction does, both ends are this place, but for rounding errors.
+    /// The search covers a distance `reach` on both sides, in the unit of the coordinate (m or rad). An end is infinite
+    /// if the system is at rest up to that distance. Gaps shorter than `reach / 256` may be missed. If the system is at
+    /// rest only at this position, as in a joint without friction, both ends equal the position up to rounding errors.
     ///
     /// # Errors
-    /// [`StabilityError::Integration`] if `coordinate` is not that of a coordinate in the state, such as of a rate, or
-    /// if `reach` is not finite and positive.
+    /// [`StabilityError::Integration`] if `coordinate` is not the index of a coordinate in the state (for example, of a
+    /// rate), or if `reach` is not finite and positive.
     pub fn interval<S>(&self, system: &S, coordinate: usize, reach: f64) -> Result<[f64; 2], StabilityError>
     where
         S: Jacobian<f64, N> + ?Sized,
@@ -115,7 +117,7 @@ impl<const N: usize> Resting<N> {
             let rests = |by: f64| {
                 let mut x = self.x;
                 x[coordinate] += direction * by;
-                // beyond a limit is beyond the set
+                // states beyond a limit are rejected
                 Self::at(system, x).ok().flatten().is_some()
             };
             let mut inside = 0.0;
@@ -139,7 +141,7 @@ impl<const N: usize> Resting<N> {
     }
 }
 
-/// The least part of what a friction force can take that is left.
+/// Smallest relative reserve of any friction force.
 fn margin<const N: usize>(system: &dyn Hybrid<f64, N>, mode: &Mode, forces: &[f64; MAX_CONSTRAINTS]) -> f64 {
     let laws = system.laws();
     let stuck = (0..system.constraints().len()).filter(|&n| mode.0[n] == Status::Stuck);
@@ -148,7 +150,7 @@ fn margin<const N: usize>(system: &dyn Hybrid<f64, N>, mode: &Mode, forces: &[f6
         .fold(1.0, f64::min)
 }
 
-/// How often what is held at limits may change in a search.
+/// Maximum number of changes of the constraints held at limits in a search.
 const CHANGES: usize = 4 * MAX_CONSTRAINTS;
-/// The places at which an interval is looked for.
+/// Number of samples in the search for each end of an interval.
 const STEPS: usize = 256;

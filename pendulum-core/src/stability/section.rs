@@ -5,11 +5,13 @@ use crate::event::{Event, Occurrence};
 use crate::method::{Method, follow};
 use crate::system::{IntoState, System};
 
-/// The points at which a trajectory, from the state `x0` at `t0` to `t1`, passes through a surface: its Poincare section.
+/// Computes the Poincare section of a trajectory from the state `x0` at `t0` to `t1`: the points at which it crosses a
+/// surface.
 ///
-/// The surface is where the function of `surface` is zero; let it count one direction only. Each point is found on the dense output of the
-/// method, and has its errors; of the way between them nothing is kept, however long. For a system that is driven with a period,
-/// `Event::new(|t, _x| (PI * t / period).sin())` passes at its multiples.
+/// The surface is the zero set of the function of `surface`, which should count crossings in one direction only. Each
+/// point is computed on the dense output of the method, and has its errors. The trajectory between the points is not
+/// stored. For a system with periodic forcing, `Event::new(|t, _x| (PI * t / period).sin())` has its roots at multiples
+/// of the period.
 ///
 /// H. Poincare, "Les methodes nouvelles de la mecanique celeste" III (1899), ch. 27; M. Henon, Physica D 5 (1982) 412.
 ///
@@ -26,7 +28,7 @@ use crate::system::{IntoState, System};
 /// ```
 ///
 /// # Errors
-/// [`StabilityError::Integration`] if the trajectory comes to an end before its time.
+/// [`StabilityError::Integration`] if the trajectory stops early.
 pub fn section<M, S, const N: usize>(
     method: &M,
     system: &S,

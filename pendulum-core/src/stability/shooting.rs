@@ -14,18 +14,20 @@ use crate::hybrid::rate;
 use crate::method::{Method, require};
 use crate::system::{IntoState, Jacobian};
 
-/// The search for periodic orbits by shooting, a plain value with settings.
+/// Computation of periodic orbits by shooting: a plain value with settings.
 ///
-/// An orbit is where Newton's method finds that the state after a period is the one before. The derivative of the one by the other, the
-/// monodromy matrix, comes from the variational equations with the generated Jacobian, and its eigenvalues tell whether the orbit is
-/// stable. Each step is the shortest that solves the linear equations, halved until the two states are closer: of the many points of an
-/// orbit, and of a family of orbits as conservative systems have, it goes to one nearby.
+/// Newton's method solves for a state that equals itself after one period. The derivative of the final with respect to
+/// the initial state, the monodromy matrix, comes from the variational equations with the generated Jacobian. Its
+/// eigenvalues determine the stability of the orbit. Each step is the shortest solution of the linear equations, halved
+/// until the distance of the two states decreases. Of the many points of an orbit, and of a family of orbits in
+/// conservative systems, the iteration therefore converges to a nearby one.
 ///
-/// Angles may make full turns in a period, which do not count as a distance: those that the [layout](crate::System::layout) of the system calls
-/// [periodic](crate::Slot::periodic). A multiple of the period is a period as well; the search finds that which is closest to the guess.
+/// Angles may make full turns in a period, which do not count as a distance, if the [layout](crate::System::layout)
+/// marks them as [periodic](crate::Slot::periodic). A multiple of the period is a period as well; the search finds the
+/// one closest to the guess.
 ///
-/// H. B. Keller, "Numerical Methods for Two-Point Boundary-Value Problems" (1968); R. Seydel, "Practical Bifurcation and Stability Analysis",
-/// 3rd ed. (2010), ch. 7.
+/// H. B. Keller, "Numerical Methods for Two-Point Boundary-Value Problems" (1968); R. Seydel, "Practical Bifurcation
+/// and Stability Analysis", 3rd ed. (2010), ch. 7.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -64,30 +66,30 @@ impl Default for Shooting {
 }
 
 impl Shooting {
-    /// The search with its default settings.
+    /// Default settings.
     #[must_use]
     pub const fn new() -> Self {
         Self { tolerance: 1e-12 }
     }
 
-    /// The relative and absolute tolerance of the integration. Default: 1e-12.
+    /// Sets the relative and absolute tolerance of the integration. Default: 1e-12.
     ///
-    /// The state returns to itself to about a hundred tolerances times the size of the monodromy matrix.
+    /// The final distance is about a hundred times the tolerance, times the norm of the monodromy matrix.
     #[must_use]
     pub const fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// The periodic orbit near the state `x0` of a system in which the time does not occur; its period, in s, is sought as well.
+    /// Finds the periodic orbit near the state `x0` of an autonomous system, and its period in s. `period` is a guess.
     ///
-    /// The state moves across the orbit only: the phase condition is that each step is at a right angle to the motion.
+    /// Phase condition: steps of the state are orthogonal to the motion.
     ///
     /// # Errors
-    /// [`StabilityError::Integration`] if a setting or the guess of the period makes no sense, or if a trajectory comes to an end;
-    /// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::MorePositions`] if positions outnumber rates,
-    /// [`StabilityError::AtRest`] if the search ends at an equilibrium,
-    /// and [`StabilityError::NoConvergence`] if it finds no orbit.
+    /// [`StabilityError::Integration`] if a setting or the guess of the period is invalid, or if a trajectory stops
+    /// early. [`StabilityError::TimeDependent`] if the right-hand side may depend on time according to the layout.
+    /// [`StabilityError::MorePositions`] if there are more positions than rates. [`StabilityError::AtRest`] if the
+    /// search converges to an equilibrium. [`StabilityError::NoConvergence`] if it finds no orbit.
     pub fn autonomous<const N: usize>(
         &self,
         system: &(impl Jacobian<f64, N> + ?Sized),
@@ -98,12 +100,13 @@ impl Shooting {
         self.search(system, (x0.into_state(), period), true)
     }
 
-    /// The motion near the state `x0` at the time 0 that repeats itself with the period given, in s: of a driven system, that of the drive or a
-    /// multiple of it; of a conservative system, any that it has.
+    /// Finds the motion near the state `x0` at the time 0 with the given period, in s. For a driven system this is the
+    /// period of the drive or a multiple of it; for a conservative system, the period of any of its orbits.
     ///
     /// # Errors
-    /// [`StabilityError::Integration`] if a setting or the period makes no sense, or if a trajectory comes to an end,
-    /// [`StabilityError::MorePositions`] if positions outnumber rates, and [`StabilityError::NoConvergence`] if the search finds no orbit.
+    /// [`StabilityError::Integration`] if a setting or the period is invalid, or if a trajectory stops early.
+    /// [`StabilityError::MorePositions`] if there are more positions than rates. [`StabilityError::NoConvergence`] if
+    /// the search finds no orbit.
     pub fn forced<const N: usize>(
         &self,
         system: &(impl Jacobian<f64, N> + ?Sized),
@@ -134,14 +137,14 @@ impl Shooting {
             });
             let residual = DVector::from_column_slice(lap.gap.as_slice());
             let step = shortest_step(matrix, &residual, NOISE * self.tolerance)?;
-            // The error that a step leaves is of the order of its square.
+            // The convergence is quadratic: the error after a step is of the order of its square.
             let settled = step.norm() <= 0.1 * self.tolerance.sqrt() * (1.0 + x.norm());
             let ahead = |part: f64| {
                 let change = SVector::from_fn(|i, _| part * step[i]);
                 (x + change, if autonomous { period + part * step[N] } else { period })
             };
             let Some(part) = self.descend(system, &ahead, lap.gap.norm(), &angles) else {
-                // Errors of the integration are all that is left, or a valley of the distance.
+                // Either only integration errors are left, or this is a local minimum of the distance.
                 break;
             };
             (x, period) = ahead(part);
@@ -162,7 +165,7 @@ impl Shooting {
         PeriodicOrbit::new((x, period, lap.turns), lap.monodromy, along, self.tolerance)
     }
 
-    /// The part of the step after which the state returns to a point that is closer than `distance`.
+    /// Line search: the fraction of the step after which the distance of the ends is less than `distance`.
     fn descend<S, const N: usize>(
         &self,
         system: &S,
@@ -177,7 +180,7 @@ impl Shooting {
         let mut part = 1.0;
         while part > 1e-6 {
             let (x, period) = ahead(part);
-            // A step to half the period or twice that goes to another orbit, if any.
+            // A step to less than half or more than twice the period would lead to another orbit, if any.
             if (0.5 * whole..=2.0 * whole).contains(&period)
                 && let Ok(end) = after(system, (x, period), self.tolerance)
                 && gap(&x, &end, angles).0.norm() < (1.0 - 1e-4 * part) * distance
@@ -192,12 +195,12 @@ impl Shooting {
 
 /// One period of a motion that may not close.
 pub(super) struct Lap<const N: usize> {
-    /// From its start to its end, full turns taken off.
+    /// Difference from start to end, modulo full turns.
     pub(super) gap: SVector<f64, N>,
     pub(super) turns: [i32; N],
-    /// The derivative of the end by the start.
+    /// Derivative of the final with respect to the initial state.
     pub(super) monodromy: SMatrix<f64, N, N>,
-    /// The rate at its end: the derivative of the end by the period.
+    /// Rate at the end: the derivative of the final state with respect to the period.
     pub(super) velocity: SVector<f64, N>,
 }
 
@@ -223,12 +226,12 @@ impl<const N: usize> Lap<N> {
     }
 }
 
-/// A distance between the ends of a period that errors of the integration, or of rounding, may make.
+/// Distance between the ends of a period attributable to integration and rounding errors.
 pub(super) fn resolution<const N: usize>(monodromy: &SMatrix<f64, N, N>, x: &SVector<f64, N>, tolerance: f64) -> f64 {
     (NOISE * tolerance * monodromy.norm()).max(f64::EPSILON) * (1.0 + x.norm())
 }
 
-/// The way from `start` to `end` without full turns, and these.
+/// Difference from `start` to `end` modulo full turns, and the number of turns.
 fn gap<const N: usize>(
     start: &SVector<f64, N>,
     end: &SVector<f64, N>,
@@ -244,7 +247,7 @@ fn gap<const N: usize>(
     (gap, turns)
 }
 
-/// The state after a period.
+/// State after a period.
 pub(super) fn after<S, const N: usize>(
     system: &S,
     (x, period): (SVector<f64, N>, f64),
@@ -256,7 +259,7 @@ where
     flow::<0>(tolerance).stepper(system, 0.0, period, x)?.run()
 }
 
-/// The motion at `x`, unless it is a state of rest as far as one can tell.
+/// Rate at `x`, or an error if `x` is an equilibrium within the tolerance.
 pub(super) fn direction<S, const N: usize>(
     system: &S,
     x: &SVector<f64, N>,

@@ -5,42 +5,44 @@ use nalgebra::{Complex, DMatrix, DVector, SMatrix, SVector, Schur};
 
 use super::StabilityError;
 
-/// The eigenvalues of a real matrix, each with its eigenvector: of a Jacobian at an equilibrium, or of a monodromy matrix.
+/// Eigenvalues and eigenvectors of a real matrix: a Jacobian at an equilibrium, or a monodromy matrix.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum<const N: usize> {
     modes: Vec<Eigenmode<N>>,
 }
 
-/// An eigenvalue with its eigenvector. Of a linear system `x' = A x` that is a motion, `x(t) = Re(shape exp(eigenvalue t))`.
+/// An eigenvalue with its eigenvector. For a linear system `x' = A x` it represents the motion
+/// `x(t) = Re(shape exp(eigenvalue t))`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eigenmode<const N: usize> {
-    /// The eigenvalue, in 1/s for a Jacobian.
+    /// Eigenvalue, in 1/s for a Jacobian.
     pub eigenvalue: Complex<f64>,
-    /// The eigenvector; its largest component is 1.
+    /// Eigenvector, scaled so that its largest component is 1.
     pub shape: SVector<Complex<f64>, N>,
-    /// How many times small errors of the matrix are magnified in the eigenvalue; infinite where it is double and has one eigenvector.
+    /// Condition number: the amplification of small errors of the matrix in the eigenvalue. Infinite for a defective
+    /// double eigenvalue.
     pub condition: f64,
-    /// How far rounding errors may have moved the eigenvalue: those of the matrix times its condition number, which is large where two
-    /// eigenvalues nearly meet.
+    /// Bound on the change of the eigenvalue by rounding errors: rounding errors of the matrix times the condition
+    /// number, which is large near a double eigenvalue.
     pub uncertainty: f64,
 }
 
 impl<const N: usize> Spectrum<N> {
-    /// The eigenvalues of `matrix`, by the QR algorithm on the balanced matrix, and the eigenvectors, each as the null vector of
-    /// `matrix - eigenvalue I`. Equal eigenvalues have orthogonal vectors if they have as many.
+    /// Computes the eigenvalues of `matrix` by the QR algorithm on the balanced matrix, and each eigenvector as a null
+    /// vector of `matrix - eigenvalue I`. Equal eigenvalues have orthogonal eigenvectors if there are enough of them.
     ///
     /// G. H. Golub, C. F. Van Loan, "Matrix Computations", 4th ed. (2013), 7.2 and 7.5.
     ///
     /// # Errors
-    /// [`StabilityError::NotFinite`] if an entry is not finite, and [`StabilityError::NoConvergence`] if the algorithm does not come to
-    /// its end.
+    /// [`StabilityError::NotFinite`] if an entry is not finite, and [`StabilityError::NoConvergence`] if the algorithm
+    /// does not converge.
     pub fn of(matrix: &SMatrix<f64, N, N>) -> Result<Self, StabilityError> {
         let modes = modes(&DMatrix::from_column_slice(N, N, matrix.as_slice()))?;
         let modes = modes.into_iter().map(|mode| mode.placed(|shape| shape)).collect();
         Ok(Self { modes })
     }
 
-    /// The same of small motions along the columns of `basis`, which are orthonormal and which the matrix does not leave.
+    /// Like [`of`](Self::of), restricted to the invariant subspace spanned by the orthonormal columns of `basis`.
     pub(super) fn along(matrix: &SMatrix<f64, N, N>, basis: &DMatrix<f64>) -> Result<Self, StabilityError> {
         let lifted = basis.map(Complex::from);
         let modes = modes(&(basis.transpose() * (matrix * basis)))?;
@@ -51,40 +53,42 @@ impl<const N: usize> Spectrum<N> {
         Ok(Self { modes })
     }
 
-    /// The modes, by falling real part of their eigenvalues; of a complex pair, that with the positive imaginary part comes first.
+    /// Modes in descending order of the real part of their eigenvalues. In a complex pair, the eigenvalue with positive
+    /// imaginary part comes first.
     #[must_use]
     pub fn modes(&self) -> &[Eigenmode<N>] {
         &self.modes
     }
 
-    /// The eigenvalues in the order of the modes.
+    /// Eigenvalues in the order of the modes.
     pub fn eigenvalues(&self) -> impl ExactSizeIterator<Item = Complex<f64>> {
         self.modes.iter().map(|mode| mode.eigenvalue)
     }
 }
 
 impl<const N: usize> Eigenmode<N> {
-    /// The real part of the eigenvalue, in 1/s for a Jacobian: the mode grows as `exp(growth_rate t)`, or decays where that is negative.
+    /// Real part of the eigenvalue, in 1/s for a Jacobian: the mode grows as `exp(growth_rate t)`, or decays if it is
+    /// negative.
     #[must_use]
     pub fn growth_rate(&self) -> f64 {
         self.eigenvalue.re
     }
 
-    /// The size of the imaginary part, in rad/s for a Jacobian: the frequency at which the mode swings.
+    /// Absolute value of the imaginary part, in rad/s for a Jacobian: the angular frequency of the mode.
     #[must_use]
     pub fn angular_frequency(&self) -> f64 {
         self.eigenvalue.im.abs()
     }
 
-    /// The damping over the critical one, `-Re / |eigenvalue|`: between 0 and 1 the mode swings and decays, at 1 it creeps, and below 0 it
-    /// grows; NaN for the eigenvalue 0.
+    /// Damping ratio `-Re / |eigenvalue|`: between 0 and 1 the mode oscillates and decays, at 1 it decays without
+    /// oscillation, and below 0 it grows. NaN for the eigenvalue 0.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
         -self.eigenvalue.re / self.eigenvalue.norm()
     }
 }
 
-/// An eigenvalue with its eigenvector, whose length is any.
+/// An eigenvalue with an eigenvector of any length.
 #[derive(Clone, Debug)]
 struct Pair {
     eigenvalue: Complex<f64>,
@@ -94,7 +98,7 @@ struct Pair {
 }
 
 impl Pair {
-    /// The mode whose shape is that of the pair at another place.
+    /// Mode with the shape of the pair, mapped by `place`.
     fn placed<const N: usize>(
         self,
         place: impl FnOnce(DVector<Complex<f64>>) -> DVector<Complex<f64>>,
@@ -110,7 +114,7 @@ impl Pair {
     }
 }
 
-/// The modes in their order.
+/// Modes in descending order of the real part.
 fn modes(matrix: &DMatrix<f64>) -> Result<Vec<Pair>, StabilityError> {
     if matrix.iter().any(|entry| !entry.is_finite()) {
         return Err(StabilityError::NotFinite);
@@ -136,8 +140,8 @@ fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, StabilityErro
     let mut balanced = matrix.clone();
     balance_parlett_reinsch(&mut balanced);
     let iterations = 100 * matrix.nrows();
-    // An entry below the diagonal is zero beside its neighbours when it is an ulp of them. Rounding may hold it at some
-    // more, for ever.
+    // A subdiagonal entry counts as zero when it is an ulp of its neighbours. Rounding may prevent convergence to this
+    // level, so a few ulps are accepted in a second attempt.
     let within = |ulps: f64| Schur::try_new(balanced.clone(), ulps * f64::EPSILON, iterations);
     match within(1.0).or_else(|| within(4.0)) {
         Some(schur) => Ok(schur.complex_eigenvalues().iter().copied().collect()),
@@ -148,11 +152,11 @@ fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, StabilityErro
     }
 }
 
-/// The mode of an eigenvalue, beside those that are known.
+/// Mode of an eigenvalue, given the modes already known.
 fn pair(matrix: &DMatrix<f64>, eigenvalue: Complex<f64>, known: &[Pair]) -> Pair {
-    // More than the rounding errors of all steps of the algorithm.
+    // Bound on the rounding errors of all steps of the algorithm.
     let noise = 8.0 * f64::EPSILON * matrix.norm();
-    // Eigenvalues no further apart are equal.
+    // Distance below which eigenvalues count as equal.
     let same = 1e2 * noise;
     let entry = |i: usize, j: usize| {
         let shift = if i == j { eigenvalue } else { Complex::ZERO };
@@ -168,8 +172,8 @@ fn pair(matrix: &DMatrix<f64>, eigenvalue: Complex<f64>, known: &[Pair]) -> Pair
         .map(|mode| mode.shape.normalize())
         .collect();
     let vector = beside(&met, &right).unwrap_or_else(|| right[0].clone());
-    // Rounding makes pairs of equal real eigenvalues, too: of their vectors each pair of orthogonal real ones gives a
-    // vector and its conjugate that are independent. Those of a slow oscillation are such a pair.
+    // Rounding also splits equal real eigenvalues into conjugate pairs. Two orthogonal real eigenvectors then combine
+    // to a complex vector that is independent of its conjugate. A slow oscillation has such vectors anyway.
     let first = real(&vector);
     let second = beside(&[&met[..], std::slice::from_ref(&first)].concat(), &right)
         .filter(|_| (1e-300..=same).contains(&eigenvalue.im));
@@ -181,7 +185,7 @@ fn pair(matrix: &DMatrix<f64>, eigenvalue: Complex<f64>, known: &[Pair]) -> Pair
             .unwrap_or(vector),
         None => vector,
     };
-    // One over the part of the vector that lies in the left null space is the condition number of the eigenvalue.
+    // The norm of the projection onto the left null space is the reciprocal of the condition number.
     let product = left
         .iter()
         .map(|left| left.dotc(&vector).norm_sqr())
@@ -191,12 +195,12 @@ fn pair(matrix: &DMatrix<f64>, eigenvalue: Complex<f64>, known: &[Pair]) -> Pair
         eigenvalue,
         shape: vector,
         condition: 1.0 / product,
-        // A double eigenvalue moves by the root of the errors.
+        // A double eigenvalue changes by the square root of the error.
         uncertainty: (noise / product).min((noise * matrix.norm()).sqrt()),
     }
 }
 
-/// The first direction in the null space of which the vectors that are known leave something, orthogonal to them.
+/// First direction of the null space that is not in the span of `known`, made orthogonal to it.
 fn beside(known: &[DVector<Complex<f64>>], null: &[DVector<Complex<f64>>]) -> Option<DVector<Complex<f64>>> {
     let remainder = |vector: DVector<Complex<f64>>| {
         known.iter().fold(vector, |rest, known| {
@@ -209,7 +213,7 @@ fn beside(known: &[DVector<Complex<f64>>], null: &[DVector<Complex<f64>>]) -> Op
     Some(remainder.normalize())
 }
 
-/// The real part of a vector or its imaginary part, whichever is longer, at length 1.
+/// Real or imaginary part of a vector, whichever is longer, normalised.
 fn real(vector: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
     let parts = [
         vector.map(|component| component.re),
@@ -220,11 +224,10 @@ fn real(vector: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
     longer.normalize().map(Complex::from)
 }
 
-/// An orthonormal basis of the vectors whose adjoints a matrix takes from the left to zero, or to no more than `least`;
-/// at least the one that it takes nearest to it.
+/// Orthonormal basis of the left null space of a matrix, up to singular values of about `least`; at least one vector.
 ///
-/// By a factorisation `Q R` with pivots (Golub and Van Loan, 5.4.2): the rows of `R` that are zero leave these columns
-/// of `Q`. The left singular vectors of nalgebra are good to some per cent only where singular values are equal.
+/// By a pivoted QR factorisation (Golub and Van Loan, 5.4.2): zero rows of `R` select columns of `Q`. The left singular
+/// vectors of nalgebra are accurate only to some per cent for equal singular values.
 fn kernel(matrix: DMatrix<Complex<f64>>, least: f64) -> Vec<DVector<Complex<f64>>> {
     let n = matrix.nrows();
     let factors = matrix.col_piv_qr();

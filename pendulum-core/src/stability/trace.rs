@@ -1,4 +1,4 @@
-//! Following a curve, and finding what happens on it.
+//! Tracing of a curve, and location of its bifurcations.
 
 use std::mem;
 
@@ -8,36 +8,36 @@ use super::branch::{Bifurcation, Branch, BranchEnd, BranchPoint};
 use super::curve::{Curve, CurvePoint, Growth, Test, correct, first_tangent};
 use super::{BifurcationKind, StabilityError};
 
-/// How a curve is followed; lengths and parameters are scaled.
+/// Settings for tracing a curve. Lengths and parameters are scaled.
 pub(super) struct Tracer<'c, C, const N: usize> {
     pub(super) curve: &'c C,
-    /// The span of the parameter.
+    /// Range of the parameter.
     pub(super) span: (f64, f64),
-    /// The longest step.
+    /// Largest step size.
     pub(super) step: f64,
-    /// The points allowed in each direction.
+    /// Maximum number of points in each direction.
     pub(super) points: usize,
-    /// The parameter as it was given, over the scaled one.
+    /// Ratio of the original to the scaled parameter.
     pub(super) unit: f64,
 }
 
-/// Steps are shortened where the curve turns by more, as the cosine of the angle.
+/// Minimum cosine of the angle between successive tangents; larger turns shorten the step.
 const TURN: f64 = 0.95;
-/// The shortest step, in parts of the longest.
+/// Smallest step size relative to the largest.
 const LEAST: f64 = 1e-6;
-/// How far beside the place that is told the next is looked at, in parts of the bracket.
+/// Offset of the next sample from the estimated root, relative to the bracket.
 const MARGIN: f64 = 0.1;
-/// Changes of the scaled parameter below this end the search for a bifurcation.
+/// Change of the scaled parameter below which the search for a bifurcation has converged.
 const LOCATED: f64 = 1e-11;
-/// Changes of stability belong to a bifurcation that is so many places away at most, where they are not certain there.
+/// Maximum distance, in points, between a bifurcation and an uncertain change of stability attributed to it.
 const NEAR: usize = 2;
-/// Errors are larger than they look beside smaller ones.
+/// Safety factor of error estimates that compare with a more accurate result.
 const SAFETY: f64 = 2.0;
-/// A test that passes zero nowhere.
+/// A test function without zero.
 const NEVER: Test = Test { value: 1.0, noise: 0.0 };
 
 impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
-    /// The branch through `u`, both ways.
+    /// Traces the branch through `u` in both directions.
     pub(super) fn branch(&self, u: DVector<f64>) -> Result<Branch<C::Solution>, StabilityError> {
         let tangent = first_tangent(self.curve, &u)?;
         let start = correct(self.curve, u.clone(), (&tangent, tangent.dot(&u)), &tangent)?;
@@ -64,7 +64,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         })
     }
 
-    /// The places after `start`, in the direction of its tangent, and why there are no more.
+    /// Points after `start` in the direction of its tangent, and the reason for the end.
     fn walk(&self, start: CurvePoint<C::Solution>) -> (Vec<CurvePoint<C::Solution>>, BranchEnd) {
         let mut places: Vec<CurvePoint<C::Solution>> = Vec::new();
         let mut length = 0.1 * self.step;
@@ -88,7 +88,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
                 continue;
             }
             if places.len() > 1 && self.passes(last, &next, &start) {
-                // on this side of full turns
+                // modulo full turns
                 let mut end = start.clone();
                 end.u = &last.u + self.curve.apart(&last.u, &end.u);
                 places.push(end);
@@ -106,8 +106,8 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         (places, BranchEnd::Points)
     }
 
-    /// The place after `last`, at the distance `length`, or at the bound of the parameter if that is nearer; `left` is
-    /// the distance to it.
+    /// Next point after `last`: at the distance `length`, or at the bound of the parameter if its distance `left` is
+    /// smaller.
     fn next(
         &self,
         last: &CurvePoint<C::Solution>,
@@ -124,7 +124,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         } else {
             self.at(last, length)?
         };
-        // The curve may bend beyond the bound.
+        // The curve may bend across the bound.
         if left > length && (next.parameter() - bound) * last.slope() > 0.0 {
             let part = (bound - last.parameter()) / (next.parameter() - last.parameter());
             next = to_bound(&last.u + (&next.u - &last.u) * part)?;
@@ -133,14 +133,14 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         Ok(next)
     }
 
-    /// The place at the distance `length` from another, along its tangent.
+    /// Point at the distance `length` from `from`, along its tangent.
     fn at(&self, from: &CurvePoint<C::Solution>, length: f64) -> Result<CurvePoint<C::Solution>, StabilityError> {
         let target = from.tangent.dot(&from.u) + length;
         let guess = &from.u + &from.tangent * length;
         correct(self.curve, guess, (&from.tangent, target), &from.tangent)
     }
 
-    /// Whether the way from `last` to `next` leads through `place`, up to full turns.
+    /// True if the segment from `last` to `next` passes `place`, modulo full turns.
     fn passes(
         &self,
         last: &CurvePoint<C::Solution>,
@@ -155,7 +155,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             && place.tangent.dot(&last.tangent) > TURN
     }
 
-    /// The bifurcations along the places of a branch.
+    /// Bifurcations between the points of a branch.
     fn bifurcations(&self, places: &[CurvePoint<C::Solution>]) -> Vec<Bifurcation<C::Solution>> {
         let mut found = Findings::default();
         for (behind, pair) in places.windows(2).enumerate() {
@@ -166,7 +166,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             quiet,
             mut unnamed,
         } = found;
-        // growth that is no larger than its uncertainty shows before, or only after, what makes it
+        // Growth below its uncertainty may become visible before or after the bifurcation that causes it
         for behind in quiet {
             let near = |other: &Bifurcation<C::Solution>| other.behind.abs_diff(behind) <= NEAR;
             if let Some(at) = unnamed.iter().position(near) {
@@ -183,8 +183,8 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         named
     }
 
-    /// Notes what happens between two neighbours. The number of motions that grow changes by one where a real
-    /// eigenvalue passes the limit, and by two where a pair does.
+    /// Finds the bifurcations between two adjacent points. The number of growing modes changes by one if a real
+    /// eigenvalue crosses the stability limit, and by two for a complex pair.
     fn find(
         &self,
         a: &CurvePoint<C::Solution>,
@@ -213,7 +213,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         let doubling = |place: &CurvePoint<C::Solution>| place.doubling.unwrap_or(NEVER);
         let mut real = Vec::new();
         if passes(&|place| place.crossing) {
-            // located by the test that needs no derivatives by the parameter, if that changes its sign as well
+            // prefer the test function without parameter derivatives if it changes sign as well
             let turns = passes(&|place| place.turning);
             let test = |place: &CurvePoint<C::Solution>| if turns { place.turning } else { place.crossing };
             real.push((BifurcationKind::Crossing, C::REAL_LIMIT, self.locate(a, b, test)));
@@ -243,10 +243,11 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         }
     }
 
-    /// Where between two neighbours the test passes zero.
+    /// Root of a test function between two adjacent points.
     ///
-    /// The rule of false position, with a point to either side of where it tells: the two close in, and neither comes
-    /// as near as the curve is known. Where another curve crosses, Newton's method might leave this one.
+    /// Method of false position, with samples offset from the estimated root by [`MARGIN`]. The bracket therefore
+    /// shrinks from both ends, and no sample coincides with the root, where Newton's method could switch to a crossing
+    /// curve.
     fn locate(
         &self,
         a: &CurvePoint<C::Solution>,
@@ -263,7 +264,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         let (mut part, mut u) = zero(&low, &high);
         let (mut change, mut width, mut steepness) = (f64::INFINITY, high.0, 0.0);
         for evaluation in 1..=100 {
-            // Each third halves the bracket, if it does not shrink otherwise.
+            // Every third evaluation bisects the bracket if it has not halved otherwise.
             let is_slow = evaluation % 3 == 0 && high.0 - low.0 > 0.5 * mem::replace(&mut width, high.0 - low.0);
             let aside = match part {
                 _ if is_slow => 0.5,
@@ -282,7 +283,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
                 &mut low
             };
             *end = (at, value, place);
-            // how the test changes with the parameter, as long as more than its errors do so
+            // slope of the test function with respect to the parameter, updated while the change exceeds the errors
             let rise = (high.1.value - low.1.value).abs();
             if steepness == 0.0 || rise > 10.0 * value.noise {
                 steepness = rise / (high.2.parameter() - low.2.parameter()).abs();
@@ -290,7 +291,8 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             let before = u[u.len() - 1];
             (part, u) = zero(&low, &high);
             let last = mem::replace(&mut change, (u[u.len() - 1] - before).abs());
-            // What hugs an end of the bracket, as where a test is flat to one side, is not told by its changes.
+            // An iterate stuck at one end of the bracket, as for a test that is flat on one side, must not count as
+            // converged.
             let is_told = change.max(last) < LOCATED && (0.01..=0.99).contains(&part);
             if is_told || high.0 - low.0 < LOCATED {
                 break;
@@ -307,7 +309,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         }
     }
 
-    /// The errors that those of the equations cause in the test, where it is zero, and in the parameter.
+    /// Errors of the test function at its root, and of the parameter, caused by errors of the equations.
     fn errors(
         &self,
         u: &DVector<f64>,
@@ -324,8 +326,8 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
     }
 }
 
-/// How far the `i`-th of the growths is beyond the limit. Where motions neither grow nor decay, as without friction,
-/// growth begins beyond the uncertainty.
+/// Excess of the `i`-th growth over the stability limit. If modes neither grow nor decay, as without friction, the
+/// limit is raised by the uncertainty.
 fn growth<P>(i: usize, a: &CurvePoint<P>, b: &CurvePoint<P>) -> impl Fn(&CurvePoint<P>) -> Test + use<P> {
     let are_certain = a.growths[i].is_certain() && b.growths[i].is_certain();
     let margin = if are_certain { 0.0 } else { 1.0 };
@@ -343,7 +345,7 @@ fn growth<P>(i: usize, a: &CurvePoint<P>, b: &CurvePoint<P>) -> impl Fn(&CurvePo
     }
 }
 
-/// The position in `changed` of the growth whose eigenvalue or multiplier is closest to a real limit.
+/// Index in `changed` of the growth whose eigenvalue or multiplier is closest to a real limit.
 fn nearest(changed: &[usize], limit: f64, growths: &[Growth]) -> Option<usize> {
     let apart = |i: usize| {
         let growth = growths.get(changed[i]);
@@ -355,9 +357,9 @@ fn nearest(changed: &[usize], limit: f64, growths: &[Growth]) -> Option<usize> {
 /// Bifurcations along a branch, before changes of stability are matched.
 struct Findings<P> {
     named: Vec<Bifurcation<P>>,
-    /// Behind which places real eigenvalues pass the limit without a change of stability that is certain.
+    /// Intervals in which a real eigenvalue crosses the limit without a significant change of stability.
     quiet: Vec<usize>,
-    /// Changes of stability of which nothing is named.
+    /// Changes of stability without an identified bifurcation.
     unnamed: Vec<Bifurcation<P>>,
 }
 
@@ -371,18 +373,18 @@ impl<P> Default for Findings<P> {
     }
 }
 
-/// A bifurcation that was located, with its parameter scaled.
+/// A located bifurcation, with scaled parameter.
 struct Located<P> {
     parameter: f64,
     uncertainty: f64,
     solution: P,
 }
 
-/// A place on a curve behind its distance along the way, and the value of a test there.
+/// Distance along the segment, value of a test function, and point of the curve.
 type Sample<P> = (f64, Test, CurvePoint<P>);
 
-/// The point at the part `part` of the way between two places on a curve, from the cubic with the tangents at both; the
-/// numbers are their distances along `normal`.
+/// Point at the fraction `part` between two points of a curve, by cubic Hermite interpolation. `from` and `to` are
+/// their distances along `normal`.
 fn between<P>(
     (from, low): (f64, &CurvePoint<P>),
     (to, high): (f64, &CurvePoint<P>),

@@ -1,4 +1,4 @@
-//! How a trajectory depends on where it starts.
+//! State transition matrices: dependence of a trajectory on its initial condition.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -10,21 +10,23 @@ use crate::tableau::Verner9;
 /// Verner's method of order 9 with `K` tangents.
 pub(super) type Flow<const K: usize> = Adaptive<Tangent<Verner9, 17, K>>;
 
-/// That method within a tolerance, with no limit to the number of steps.
+/// This method with a tolerance, and without a limit on the number of steps.
 pub(super) fn flow<const K: usize>(tolerance: f64) -> Flow<K> {
     Flow::new().rtol(tolerance).atol(tolerance).max_steps(usize::MAX)
 }
 
-/// The state at `t1` from the state `x0` at `t0`, and its derivative with respect to `x0`: the state transition matrix.
+/// Computes the state at `t1` from the state `x0` at `t0`, and its derivative with respect to `x0`: the state
+/// transition matrix.
 ///
-/// Entry `(i, j)` is the derivative of component `i` at `t1` by component `j` at `t0`. It solves the variational equations
-/// `V' = J(t, x) V` from `V = I` with the generated Jacobian, in the same steps as the state (Verner's method of order 9). The tolerance,
-/// relative and absolute, bounds the errors of single steps of the state, and of each column of the matrix relative to its length.
+/// Entry `(i, j)` is the derivative of component `i` at `t1` with respect to component `j` at `t0`. The matrix solves
+/// the variational equations `V' = J(t, x) V` with `V = I` at `t0` and the generated Jacobian, in the same steps as the
+/// state (Verner's method of order 9). The relative and absolute tolerance bounds the error per step of the state, and
+/// of each column of the matrix relative to its length.
 ///
 /// E. Hairer, S. P. Norsett, G. Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993), I.14.
 ///
 /// # Errors
-/// Those of [`Vern9`](crate::Vern9).
+/// See [`Vern9`](crate::Vern9).
 pub fn transition<S, const N: usize>(
     system: &S,
     t0: f64,

@@ -1,8 +1,9 @@
-//! Routines that a model may lack: the use of one is an error that says how to generate it.
+//! Routines that a model may lack. Calling one is an error whose message explains how to generate it.
 
 use super::Cast;
 
-/// The routines that are inherent functions of the models that have them; there they hide these.
+/// Placeholders for optional routines. Models that have a routine define it as an inherent function, which hides the
+/// placeholder.
 #[expect(missing_docs, reason = "no model has them")]
 pub trait Absent<const N: usize> {
     fn mass_matrix<T, X>(&self, _: T, _: X)
@@ -52,18 +53,25 @@ impl<M: Cast<N>, const N: usize> Absent<N> for M {}
 
 macro_rules! never {
     ($($bound:ident: $message:literal, $word:literal;)*) => { $(
-        /// No model has it.
+        /// Implemented by no model.
         #[diagnostic::on_unimplemented(message = $message, label = "not generated", note = $word)]
         pub trait $bound {}
     )* };
 }
 
 never! {
-    MassMatrix: "`{Self}` has no `mass_matrix`", "write `generate: [rhs, jacobian, energy, mass_matrix],` in its declaration";
-    Bias: "`{Self}` has no `bias`", "write `generate: [rhs, jacobian, energy, bias],` in its declaration";
-    Momentum: "`{Self}` has no `momentum`", "write `generate: [rhs, jacobian, energy, momentum],` in its declaration";
-    InverseDynamics: "`{Self}` has no `inverse_dynamics`", "write `generate: [rhs, jacobian, energy, inverse_dynamics],` in its declaration";
-    ParameterJacobian: "`{Self}` has no `parameter_jacobian`", "write `generate: [rhs, jacobian, energy, parameter_jacobian],` in its declaration";
-    DriveForces: "`{Self}` has no `drive_forces`", "write `generate: [rhs, jacobian, energy, drive_forces],` in its declaration";
-    LoopWrenches: "`{Self}` has no `loop_wrenches`", "write `generate: [rhs, jacobian, energy, loop_wrenches],` in its declaration";
+    MassMatrix: "`{Self}` has no `mass_matrix`",
+        "write `generate: [rhs, jacobian, energy, mass_matrix],` in its declaration";
+    Bias: "`{Self}` has no `bias`",
+        "write `generate: [rhs, jacobian, energy, bias],` in its declaration";
+    Momentum: "`{Self}` has no `momentum`",
+        "write `generate: [rhs, jacobian, energy, momentum],` in its declaration";
+    InverseDynamics: "`{Self}` has no `inverse_dynamics`",
+        "write `generate: [rhs, jacobian, energy, inverse_dynamics],` in its declaration";
+    ParameterJacobian: "`{Self}` has no `parameter_jacobian`",
+        "write `generate: [rhs, jacobian, energy, parameter_jacobian],` in its declaration";
+    DriveForces: "`{Self}` has no `drive_forces`",
+        "write `generate: [rhs, jacobian, energy, drive_forces],` in its declaration";
+    LoopWrenches: "`{Self}` has no `loop_wrenches`",
+        "write `generate: [rhs, jacobian, energy, loop_wrenches],` in its declaration";
 }

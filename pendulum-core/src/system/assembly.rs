@@ -1,4 +1,4 @@
-//! Closed loops: states to start from, and the gaps that are left.
+//! Closed loops: assembly of initial states, and gaps.
 
 use nalgebra::SVector;
 
@@ -7,26 +7,26 @@ use crate::layout::{SlotKind, StateLayout};
 use crate::real::Float;
 use crate::system::System;
 
-/// How often a guess is corrected.
+/// Maximum number of Newton corrections.
 const MOST: usize = 100;
 
-/// The longest correction, in rad or m: beyond, Newton's method would leave the assembly that is meant.
+/// Maximum correction, in rad or m. Longer ones could switch to another assembly mode.
 const LONGEST: f64 = 0.3;
 
-/// Largest gap of a closed loop, in units of rounding of its size, or of 1 rad: 9e-13 in `f64`, 5e-4 in `f32`.
+/// Largest gap of a closed loop, in rounding units of its size or of 1 rad: 9e-13 in `f64`, 5e-4 in `f32`.
 const CLOSED: f64 = 4096.0;
 
-/// Units of rounding by which each radian of the largest angle of the state adds to that: the angle itself is rounded.
+/// Increase of the largest gap per radian of the largest angle, in rounding units, since the angle itself is rounded.
 const TURNED: f64 = 4.0;
 
-/// How often a state to start from is projected again while a loop is open: each time squares what is left.
+/// Maximum number of repeated projections of an initial state with open loops. The convergence is quadratic.
 const AGAIN: usize = 2;
 
-/// Reports the gaps of loops as [`System::gaps`] does.
+/// Receives the gaps of loops, as in [`System::gaps`].
 type Tell<'a, T> = dyn FnMut([&str; 2], [T; 3]) + 'a;
 
-/// The state near `x` whose loops are closed, by Newton's method: `corrections` belong to the components at `places`,
-/// and `gaps` reports the gaps that are left.
+/// Closes the loops of the state `x` by Newton's method. `corrections` are added to the components at `places`; `gaps`
+/// reports the remaining gaps.
 pub fn assemble<T: Float, const N: usize, const M: usize>(
     mut x: SVector<T, N>,
     layout: StateLayout<'_>,
@@ -35,7 +35,7 @@ pub fn assemble<T: Float, const N: usize, const M: usize>(
     gaps: impl Fn(&SVector<T, N>, &mut Tell<'_, T>),
 ) -> Result<SVector<T, N>, NotAssembled> {
     let longest = T::from_f64(LONGEST);
-    // corrections are squared from one to the next, so the next one is rounding
+    // the convergence is quadratic, so the next correction is of the size of rounding errors
     let least = T::EPSILON.sqrt();
     let mut left = 0.0;
     let mut open = None;
@@ -55,7 +55,7 @@ pub fn assemble<T: Float, const N: usize, const M: usize>(
         }
         left = size.to_f64();
         open = worst(Some(layout), &x, |tell| gaps(&x, tell));
-        // at the least sum of squares of a loop that stays open the corrections vanish as well
+        // corrections also vanish at a minimum of the gap of a loop that cannot close
         if size < least && open.is_none() {
             return Ok(x);
         }
@@ -63,7 +63,7 @@ pub fn assemble<T: Float, const N: usize, const M: usize>(
     Err(NotAssembled { left, open })
 }
 
-/// Projects a state to start from until its loops are closed, as far as that is possible.
+/// Projects an initial state until its loops are closed, if possible.
 pub(crate) fn close<S, T, const N: usize>(system: &S, t: T, x: &mut SVector<T, N>)
 where
     S: System<T, N> + ?Sized,
@@ -77,7 +77,7 @@ where
     }
 }
 
-/// The loop that is open in a state, if one is: that with the largest gap for its tolerance.
+/// Returns the open loop with the largest gap relative to its tolerance, if any loop is open.
 pub(crate) fn open<S, T, const N: usize>(system: &S, t: T, x: &SVector<T, N>) -> Option<LoopGap>
 where
     S: System<T, N> + ?Sized,
@@ -102,7 +102,7 @@ fn worst<T: Float, const N: usize>(
     let (mut found, mut most) = (None, 1.0);
     gaps(&mut |bodies, gap| {
         let [distance, angle, size] = gap.map(T::to_f64);
-        // the distance is easier to picture, if there is one
+        // prefer the distance, which is easier to interpret than the angle
         let measures = [(distance, rounding * size, "m"), (angle, rounding, "rad")];
         let open = measures.into_iter().find(|(by, allowed, _)| by > allowed);
         if let Some((by, allowed, unit)) = open

@@ -7,15 +7,15 @@ use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 
-/// A [`System`], or a [law](crate::inputs::ControlLaw) for inputs, whose derivatives are central differences: the last resort
-/// where nobody knows them.
+/// A [`System`] or a [law](crate::inputs::ControlLaw) for inputs, differentiated by central differences: a fallback if
+/// exact derivatives are not available.
 ///
-/// A Jacobian takes two evaluations for each of the `N` components of the state, and two more for the derivative with
-/// respect to time where that may occur. The component `x` is moved by `cbrt(EPSILON) max(|x|, 1)` to either side, so
-/// where the function varies over changes of about 1, some 10 of its 16 digits are right, in `f32` 4 of 7. That is
-/// enough for the iteration of [`Radau5`](crate::Radau5); [`Rodas5P`](crate::Rodas5P) keeps its order down to about the
-/// same digits. Equilibria and exponents are as exact as the Jacobian. Of a [hybrid](crate::hybrid) system each mode is
-/// derived; analyses that pass its changes need exact derivatives, and refuse it.
+/// A Jacobian takes two evaluations for each of the `N` components of the state, and two for the derivative with
+/// respect to time unless the system is autonomous. A component `x` is varied by `cbrt(EPSILON) max(|x|, 1)` in both
+/// directions. The result is accurate to about 10 of 16 digits (4 of 7 in `f32`) if the function varies on a scale of
+/// about 1. This suffices for the iteration of [`Radau5`](crate::Radau5). [`Rodas5P`](crate::Rodas5P) keeps its order
+/// down to about this accuracy. Equilibria and exponents are as accurate as the Jacobian. In a [hybrid](crate::hybrid)
+/// system each mode is differentiated; analyses across mode switches require exact derivatives, and reject it.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -52,7 +52,7 @@ impl<T: Real, S: Energy<T, N>, const N: usize> Energy<T, N> for Differences<S> {
     }
 }
 
-/// The derivative of `f` with respect to the state at `x`.
+/// Derivative of `f` with respect to the state at `x`.
 pub(crate) fn by_state<T: Lanes, const N: usize, const M: usize>(
     x: &SVector<T, N>,
     f: impl Fn(&SVector<T, N>) -> SVector<T, M>,
@@ -68,7 +68,7 @@ pub(crate) fn by_state<T: Lanes, const N: usize, const M: usize>(
     jacobian
 }
 
-/// The derivative of `f` with respect to the time; zero where that does not occur in a system.
+/// Derivative of `f` with respect to time; zero for an autonomous system.
 pub(crate) fn by_time<T: Lanes, const N: usize>(
     system: &(impl System<T, N> + ?Sized),
     t: T,
@@ -80,7 +80,7 @@ pub(crate) fn by_time<T: Lanes, const N: usize>(
     }
 }
 
-/// The derivative of `f` at the number `at`.
+/// Derivative of `f` at the number `at`.
 pub(crate) fn by_number<T: Lanes, const M: usize>(at: T, f: impl Fn(T) -> SVector<T, M>) -> SVector<T, M> {
     let size = at.abs();
     let size = T::from_fn(|lane| size.lane(lane).max(T::Scalar::from_f64(1.0)));

@@ -11,7 +11,7 @@ use crate::real::lanes::Lanes;
 
 /// A function `f(t, x)` as a [`System`].
 ///
-/// A type of its own, since closures that were systems themselves would forbid every other general implementation.
+/// It is a separate type because an implementation for all closures would rule out every other generic implementation.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -29,7 +29,7 @@ use crate::real::lanes::Lanes;
 pub struct FnSystem<F>(pub F);
 
 impl<F> FnSystem<F> {
-    /// The system of the function `f(t, x)` whose derivative with respect to `x` is `jacobian(t, x)`.
+    /// Creates the system of the function `f(t, x)`, whose derivative with respect to `x` is `jacobian(t, x)`.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -71,12 +71,12 @@ impl<F> fmt::Debug for FnSystem<F> {
     }
 }
 
-/// A [`System`], or a [law](crate::inputs::ControlLaw) for inputs, with its derivative with respect to the state as a function
-/// `jacobian(t, x)`.
+/// A [`System`] or a [law](crate::inputs::ControlLaw) for inputs, with its derivative with respect to the state as a
+/// function `jacobian(t, x)`.
 ///
-/// [`FnSystem::with_jacobian`] and [`WithInputs::with_derivative`](crate::WithInputs::with_derivative) make it. The
-/// derivative with respect to time is a central difference, as in [`Jacobian::time_derivative`], unless
-/// [`with_time_derivative`](Self::with_time_derivative) gives it.
+/// [`FnSystem::with_jacobian`] and [`WithInputs::with_derivative`](crate::WithInputs::with_derivative) create it. The
+/// derivative with respect to time is a central difference, as in [`Jacobian::time_derivative`], unless provided by
+/// [`with_time_derivative`](Self::with_time_derivative).
 #[derive(Clone, Copy)]
 pub struct WithJacobian<F, J> {
     pub(crate) function: F,
@@ -84,16 +84,16 @@ pub struct WithJacobian<F, J> {
 }
 
 impl<F, J> WithJacobian<F, J> {
-    /// `function` with the derivative `jacobian`.
+    /// Combines `function` with its derivative `jacobian`.
     #[inline]
     pub const fn new(function: F, jacobian: J) -> Self {
         Self { function, jacobian }
     }
 
-    /// The same system, whose derivative with respect to the time is `derivative(t, x)`.
+    /// Adds the derivative of the right-hand side with respect to time, `derivative(t, x)`.
     ///
-    /// Rosenbrock methods use it. A central difference takes it for granted that the right-hand side varies over times
-    /// of about 1 s; of one that varies faster give it, as here of a drive of 1e5 rad/s:
+    /// Rosenbrock methods use it. The default central difference assumes that the right-hand side varies on a time
+    /// scale of about 1 s. Provide the derivative for faster variation, such as a drive of 1e5 rad/s:
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -147,8 +147,8 @@ impl<F: fmt::Debug, J> fmt::Debug for WithJacobian<F, J> {
     }
 }
 
-/// A [`System`] with its derivative with respect to the time as a function:
-/// [`WithJacobian::with_time_derivative`] makes it.
+/// A [`System`] with its derivative with respect to time as a function, created by
+/// [`WithJacobian::with_time_derivative`].
 #[derive(Clone, Copy)]
 pub struct WithTimeDerivative<S, D> {
     system: S,

@@ -1,4 +1,4 @@
-//! Models on which something acts from outside.
+//! Models with inputs or constraint forces.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -7,45 +7,46 @@ use crate::constraint::{Constraint, Law, MAX_CONSTRAINTS, MeasureDerivatives, Re
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 
-/// A model on which something acts from outside: inputs, or forces along constraints, or both.
+/// A model with external inputs, forces along constraints, or both.
 ///
-/// The state is `[q; qd]`. [`MAX_CONSTRAINTS`] constraints are passed everywhere, of which only the first are used. A model that
-/// has some implements all methods: the defaults panic where there are any. Without, [`eval`](Self::eval) is enough.
+/// The state is `[q; qd]`. Arrays of constraints always have the length [`MAX_CONSTRAINTS`]; only the first entries are
+/// used. A model with constraints implements all methods, since the defaults panic for it. Without constraints,
+/// [`eval`](Self::eval) is sufficient.
 #[diagnostic::on_unimplemented(
     message = "nothing acts on `{Self}` from outside, or it cannot be told what",
     note = "`mechanism!` implements `Plant` for scenes with inputs, dry friction, stops or walls where `generate` has \
             `rhs`; a model by hand implements it itself, and is a `System` if nothing acts on it"
 )]
 pub trait Plant<T: Real, const N: usize> {
-    /// What acts: the inputs of a [`Controlled`](crate::Controlled) model, the forces along the constraints of a
-    /// [hybrid](crate::hybrid) one, or [`Acting`] where there are both.
+    /// External actions: the inputs of a [`Controlled`](crate::Controlled) model, the constraint forces of a
+    /// [hybrid](crate::hybrid) one, or [`Acting`] for both.
     ///
-    /// Forces along constraints are those that do work with their rates: positive ones push forward.
+    /// A constraint force is power-conjugate to the rate of its constraint; positive forces push forward.
     type Given;
 
-    /// The time derivative of the state.
+    /// Time derivative of the state.
     fn eval(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> SVector<T, N>;
 
-    /// The constraints of the motion, [`MAX_CONSTRAINTS`] of them at most: none by default.
+    /// Constraints of the motion, at most [`MAX_CONSTRAINTS`]; none by default.
     #[inline(always)]
     fn constraints(&self) -> &[Constraint<'_>] {
         &[]
     }
 
-    /// Their numbers.
+    /// Numerical parameters of the constraints.
     #[inline]
     fn laws(&self) -> [Law<T>; MAX_CONSTRAINTS] {
         [Law::default(); MAX_CONSTRAINTS]
     }
 
-    /// The value and the rate of each constraint.
+    /// Value and rate of each constraint.
     #[inline]
     fn measures(&self, _t: T, _x: &SVector<T, N>) -> [[T; 2]; MAX_CONSTRAINTS] {
         require_none(self.constraints(), "Plant::measures");
         [[T::default(); 2]; MAX_CONSTRAINTS]
     }
 
-    /// [`eval`](Self::eval), and what more force along the constraints would change.
+    /// [`eval`](Self::eval), and the response to additional constraint forces.
     #[inline]
     fn response(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> Response<T, N> {
         require_none(self.constraints(), "Plant::response");
@@ -53,26 +54,26 @@ pub trait Plant<T: Real, const N: usize> {
     }
 }
 
-/// A default is for models without constraints.
+/// Panics if a default method is called on a model with constraints.
 #[inline(always)]
 #[track_caller]
 fn require_none(constraints: &[Constraint], method: &str) {
     assert!(constraints.is_empty(), "a model with constraints implements `{method}`");
 }
 
-/// A [`Plant`] that knows its derivatives, what acts held fixed.
+/// A [`Plant`] with derivatives at fixed external actions.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no derivatives given what acts on it",
     note = "`mechanism!` generates them for scenes with inputs, and for those with dry friction, stops or walls unless \
             `generate` leaves out `jacobian`"
 )]
 pub trait PlantJacobian<T: Real, const N: usize>: Plant<T, N> {
-    /// [`Plant::eval`], and its derivative with respect to the state.
+    /// [`Plant::eval`] and its derivative with respect to the state.
     fn eval_with_jacobian(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> (SVector<T, N>, SMatrix<T, N, N>);
 
-    /// The derivative of [`Plant::eval`] with respect to the time.
+    /// Partial derivative of [`Plant::eval`] with respect to time.
     ///
-    /// Generated models know it exactly. By default it is a central difference, as in
+    /// Generated models compute it exactly. The default is a central difference, as in
     /// [`Jacobian::time_derivative`](crate::Jacobian::time_derivative).
     #[inline]
     fn eval_time_derivative(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> SVector<T, N>
@@ -99,7 +100,7 @@ pub trait PlantJacobian<T: Real, const N: usize>: Plant<T, N> {
         }
     }
 
-    /// The derivatives of [`Plant::measures`].
+    /// Derivatives of [`Plant::measures`].
     #[inline]
     fn measure_derivatives(&self, _t: T, _x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
         require_none(self.constraints(), "PlantJacobian::measure_derivatives");
@@ -113,10 +114,10 @@ pub trait PlantJacobian<T: Real, const N: usize>: Plant<T, N> {
 
 /// A [`Plant`] with [canonical](crate::Canonical) equations.
 pub trait PlantCanonical<T: Real, const N: usize>: Plant<T, N> {
-    /// [`Canonical::canonical`](crate::Canonical::canonical).
+    /// [`Canonical::canonical`](crate::Canonical::canonical) with given external actions.
     fn eval_canonical(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> (SVector<T, N>, SVector<T, N>);
 
-    /// [`Canonical::canonical_jacobian`](crate::Canonical::canonical_jacobian), what acts held fixed.
+    /// [`Canonical::canonical_jacobian`](crate::Canonical::canonical_jacobian) at fixed external actions.
     fn eval_canonical_jacobian(
         &self,
         t: T,
@@ -125,13 +126,13 @@ pub trait PlantCanonical<T: Real, const N: usize>: Plant<T, N> {
     ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
 }
 
-/// A [`Plant`] on which nothing but the forces along its constraints acts: a system in any number of modes, see
+/// A [`Plant`] whose only external actions are constraint forces: a system with any number of modes, see
 /// [`hybrid`](crate::hybrid).
 pub trait Hybrid<T: Real, const N: usize>: Plant<T, N, Given = [T; MAX_CONSTRAINTS]> {}
 
 impl<T: Real, S: Plant<T, N, Given = [T; MAX_CONSTRAINTS]> + ?Sized, const N: usize> Hybrid<T, N> for S {}
 
-/// A [`Hybrid`] that knows its derivatives.
+/// A [`Hybrid`] system with derivatives.
 pub trait HybridJacobian<T: Real, const N: usize>: Hybrid<T, N> + PlantJacobian<T, N> {}
 
 impl<T: Real, S: PlantJacobian<T, N, Given = [T; MAX_CONSTRAINTS]> + ?Sized, const N: usize> HybridJacobian<T, N>
@@ -139,21 +140,21 @@ impl<T: Real, S: PlantJacobian<T, N, Given = [T; MAX_CONSTRAINTS]> + ?Sized, con
 {
 }
 
-/// Inputs, and forces along constraints.
+/// Inputs and constraint forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Acting<U, T> {
-    /// The inputs.
+    /// Inputs.
     pub inputs: U,
-    /// The forces, in N or N m.
+    /// Constraint forces, in N or N m.
     pub forces: [T; MAX_CONSTRAINTS],
 }
 
-/// What acts on a plant with the inputs `U`: these alone, or [`Acting`].
+/// External actions of a plant with the inputs `U`: `U` itself, or [`Acting`].
 pub trait ActsWith<U, T> {
-    /// From the inputs, and the forces along its constraints.
+    /// Combines inputs and constraint forces.
     fn with(inputs: U, forces: &[T; MAX_CONSTRAINTS]) -> Self;
 
-    /// The inputs of what acts.
+    /// Extracts the inputs.
     fn inputs_of(given: &Self) -> &U;
 }
 
@@ -184,8 +185,8 @@ impl<U, T: Copy> ActsWith<U, T> for Acting<U, T> {
     }
 }
 
-/// The forces along the constraints where friction acts by the sign of each rate, and nothing else does: those of a
-/// right-hand side by itself.
+/// Constraint forces for friction opposed to the sign of each rate, and no other forces. The right-hand side uses them
+/// outside of hybrid integration.
 #[inline(always)]
 pub fn by_sign<T: Real, const N: usize>(
     plant: &(impl Plant<T, N> + ?Sized),

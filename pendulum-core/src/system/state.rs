@@ -1,8 +1,8 @@
-//! What can stand for a state.
+//! Conversion to state vectors.
 
 use nalgebra::SVector;
 
-/// A state, or another vector: an array of `N` numbers or an [`SVector`].
+/// A state or another vector: an array of `N` numbers, or an [`SVector`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a state of {N} components",
     label = "{N} numbers of type `{T}` expected",
@@ -10,7 +10,7 @@ use nalgebra::SVector;
             them, as `DoublePendulum::LAYOUT`"
 )]
 pub trait IntoState<T, const N: usize> {
-    /// The state.
+    /// Converts to a state vector.
     fn into_state(self) -> SVector<T, N>;
 }
 

@@ -4,11 +4,11 @@ use super::hermite::hermite;
 use super::{ButcherTableau, Tableau};
 use crate::step_size::Estimates;
 
-/// The pair of orders 5 and 4 with dense output of order 4.
+/// Pair of orders 5 and 4 with dense output of order 4.
 ///
 /// J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comput. Appl. Math. 6 (1980) 19-26.
 /// Dense output: E. Hairer, S. P. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993),
-/// II.6, as in the authors' code DOPRI5; it is the one of L. F. Shampine, "Some practical Runge-Kutta formulas", Math.
+/// II.6, as in the authors' code DOPRI5; originally by L. F. Shampine, "Some practical Runge-Kutta formulas", Math.
 /// Comput. 46 (1986) 135-150.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DormandPrince5;

@@ -1,8 +1,8 @@
-//! The eigenvectors of collocation methods, along which their equations decouple.
+//! Eigenvectors of collocation methods, which decouple their equations.
 
 use nalgebra::Complex;
 
-/// An eigenvalue of the matrix `a_ij` of a method with its eigenvectors, of which `left . right` is 1.
+/// An eigenvalue of the matrix `a_ij` of a method with its eigenvectors, normalised to `left . right = 1`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Eigenpair<F, const STAGES: usize> {
     pub(crate) value: F,
@@ -10,17 +10,17 @@ pub(crate) struct Eigenpair<F, const STAGES: usize> {
     pub(crate) right: [F; STAGES],
 }
 
-/// The eigenvalues of a method with two or three stages: a complex pair, and a real one where there is a third stage.
+/// Eigenvalues of a method with two or three stages: a complex pair, and for three stages a real one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Eigenpairs<const STAGES: usize> {
     pub(crate) real: Option<Eigenpair<f64, STAGES>>,
-    /// The one whose imaginary part is positive.
+    /// The eigenvalue with positive imaginary part.
     pub(crate) pair: Eigenpair<Complex<f64>, STAGES>,
 }
 
 #[cfg(test)]
 impl<const STAGES: usize> Eigenpairs<STAGES> {
-    /// The largest residual of the equations that define the eigenvectors of `a`.
+    /// Largest residual of the equations that define the eigenvectors of `a`.
     pub(super) fn residual(&self, a: &[[f64; STAGES]; STAGES]) -> f64 {
         let complex = |x: f64| Complex::new(x, 0.0);
         let real = self.real.map(|Eigenpair { value, left, right }| Eigenpair {

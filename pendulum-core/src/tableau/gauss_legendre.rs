@@ -1,28 +1,28 @@
-//! The methods of Gauss and Legendre.
+//! The Gauss-Legendre methods.
 
 use nalgebra::Complex;
 
 use super::eigenpairs::{Eigenpair, Eigenpairs};
 use crate::real::Real;
 
-/// The coefficients of a method.
+/// Coefficients of a Gauss-Legendre method.
 ///
-/// With `w` antisymmetric, the coefficients `a_ij = b_j (1/2 + w_ij)` satisfy `b_i a_ij + b_j a_ji = b_i b_j` however
-/// they are rounded, which makes the method symplectic (E. Hairer, R. I. McLachlan, A. Razakarivony, "Achieving
-/// Brouwer's law with implicit Runge-Kutta methods", BIT 48 (2008) 231-243).
+/// With antisymmetric `w`, the coefficients `a_ij = b_j (1/2 + w_ij)` satisfy `b_i a_ij + b_j a_ji = b_i b_j`
+/// independently of rounding, which makes the method symplectic (E. Hairer, R. I. McLachlan, A. Razakarivony,
+/// "Achieving Brouwer's law with implicit Runge-Kutta methods", BIT 48 (2008) 231-243).
 #[derive(Clone, Copy, Debug)]
 pub struct GaussTableau<const STAGES: usize> {
-    /// The times of the stages in fractions of a step.
+    /// Times of the stages, in fractions of a step.
     pub(crate) c: [f64; STAGES],
-    /// The weights of the step.
+    /// Weights of the step.
     pub(crate) b: [f64; STAGES],
     pub(crate) w: [[f64; STAGES]; STAGES],
     pub(crate) modes: Eigenpairs<STAGES>,
-    /// One over the products of the differences between start, nodes and end of a step.
+    /// Reciprocal products of the differences between start, nodes and end of a step (barycentric weights).
     over: [f64; MOST_POINTS],
 }
 
-/// Start, nodes and end of a step with three stages.
+/// Number of interpolation points for three stages: start, nodes and end of a step.
 const MOST_POINTS: usize = 5;
 
 impl<const STAGES: usize> GaussTableau<STAGES> {
@@ -42,15 +42,14 @@ impl<const STAGES: usize> GaussTableau<STAGES> {
         Self { c, b, w, modes, over }
     }
 
-    /// The coefficients `a_ij` and the weights `b_j`.
+    /// Coefficients `a_ij` and weights `b_j`.
     #[cfg(feature = "std")]
     pub(crate) fn coefficients(&self) -> ([[f64; STAGES]; STAGES], [f64; STAGES]) {
         let row = |w: [f64; STAGES]| core::array::from_fn(|j| self.b[j] * (0.5 + w[j]));
         (self.w.map(row), self.b)
     }
 
-    /// The weights of the values at start, nodes and end of a step in the polynomial through all of them, at the
-    /// fraction `theta`.
+    /// Lagrange weights of the values at start, nodes and end of a step, at the fraction `theta`.
     #[inline]
     pub(crate) fn weights<T: Real>(&self, theta: T) -> impl Iterator<Item = T> {
         (0..STAGES + 2).map(move |j| {
@@ -62,7 +61,7 @@ impl<const STAGES: usize> GaussTableau<STAGES> {
     }
 }
 
-/// Start, node or end of a step.
+/// Interpolation point `k`: start, node or end of a step.
 const fn point<const STAGES: usize>(c: &[f64; STAGES], k: usize) -> f64 {
     match k {
         0 => 0.0,
@@ -71,19 +70,19 @@ const fn point<const STAGES: usize>(c: &[f64; STAGES], k: usize) -> f64 {
     }
 }
 
-/// The tableaus of Gauss and Legendre.
+/// Tableaus of the Gauss-Legendre methods.
 #[derive(Clone, Copy, Debug)]
 pub struct GaussLegendre;
 
-/// The numbers of stages for which there is a tableau.
+/// Numbers of stages with a tableau.
 pub trait HasTableau<const STAGES: usize> {
-    /// The tableau.
+    /// Tableau.
     const TABLEAU: GaussTableau<STAGES>;
 }
 
 impl HasTableau<2> for GaussLegendre {
     const TABLEAU: GaussTableau<2> = {
-        /// The root of 1/3.
+        /// Square root of 1/3.
         const W: f64 = 0.577_350_269_189_625_7;
         GaussTableau::new(
             [0.5 - 0.5 * W, 0.5 + 0.5 * W],
@@ -103,7 +102,7 @@ impl HasTableau<2> for GaussLegendre {
 
 impl HasTableau<3> for GaussLegendre {
     const TABLEAU: GaussTableau<3> = {
-        /// The root of 3/5.
+        /// Square root of 3/5.
         const ROOT: f64 = 0.774_596_669_241_483_4;
         const W: f64 = 0.75 * ROOT;
         const FAR: f64 = 0.6 * ROOT;
@@ -146,12 +145,12 @@ mod tests {
     const TWO: GaussTableau<2> = GaussLegendre::TABLEAU;
     const THREE: GaussTableau<3> = GaussLegendre::TABLEAU;
 
-    /// The largest error of an identity that holds for the exact numbers.
+    /// Largest error of the identities that hold for exact coefficients.
     fn worst<const STAGES: usize>(table: &GaussTableau<STAGES>) -> f64 {
         let all = 0..STAGES;
         let (a, _) = table.coefficients();
         let mut errors = Vec::new();
-        // collocation: sum_j a_ij c_j^(k-1) = c_i^k / k, and the weights integrate up to degree 2 s - 1
+        // collocation: sum_j a_ij c_j^(k-1) = c_i^k / k; the weights integrate exactly up to degree 2 s - 1
         for k in 1..=2 * STAGES as i32 {
             let moment = |weight: &dyn Fn(usize) -> f64| -> f64 {
                 all.clone().map(|j| weight(j) * table.c[j].powi(k - 1)).sum()
@@ -170,7 +169,7 @@ mod tests {
 
     #[test]
     fn the_coefficients_collocate_and_the_eigenvectors_are_theirs() {
-        // a few roundings of numbers up to 14
+        // some rounding errors of numbers up to 14
         assert!(worst(&TWO) < 4e-16);
         assert!(worst(&THREE) < 4e-15);
     }

@@ -6,7 +6,7 @@ use super::rows;
 /// RODAS: orders 4 and 3, stiffly accurate and L-stable, with dense output of order 3, in 6 stages.
 ///
 /// E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.7 and VI.4; the coefficients
-/// are those of the authors' code RODAS, its first set.
+/// are the first set of the authors' code RODAS.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HairerWanner4;
 

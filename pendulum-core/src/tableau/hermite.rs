@@ -1,7 +1,7 @@
 //! Interpolation from the values and slopes at both ends of a step.
 
-/// The polynomials, by ascending power from 1, of the cubic Hermite interpolant of a step with the weights `b`, plus
-/// `theta^2 (1 - theta)^2 h sum_i d_i k_i`, which leaves the values and slopes at both ends as they are.
+/// Coefficients, in ascending powers from 1, of the cubic Hermite interpolant of a step with the weights `b`, plus the
+/// term `theta^2 (1 - theta)^2 h sum_i d_i k_i`, which preserves values and slopes at both ends.
 pub(super) const fn hermite<const S: usize>(b: [f64; S], d: [f64; S]) -> [[f64; S]; 4] {
     let mut rows = [[0.0; S]; 4];
     let mut i = 0;

@@ -1,8 +1,8 @@
-//! Butcher tableaus as data, each citing its paper.
+//! Butcher tableaus as data, each with its source.
 //!
-//! A new explicit Runge-Kutta method is a tableau here and a name in [`method`](crate::method).
+//! A new explicit Runge-Kutta method requires a tableau in this module and a name in [`method`](crate::method).
 //!
-//! | tableau | order | embedded | dense output | evaluations a step | more for dense output |
+//! | tableau | order | embedded | dense output | evaluations per step | additional for dense output |
 //! |---|---|---|---|---|---|
 //! | [`Kutta4`] | 4 | | 3 | 4 | |
 //! | [`DormandPrince5`] | 5 | 4 | 4 | 6 | |
@@ -10,8 +10,8 @@
 //! | [`Verner7`] | 7 | 6 | 7 | 10 | 5 |
 //! | [`Verner9`] | 9 | 8 | 9 | 16 | 9 |
 //!
-//! Rosenbrock methods, for stiff systems, have tableaus of their own: [`HairerWanner4`] of order 4(3) in 6 stages, with
-//! dense output of order 3, and [`Steinebach5`] of order 5(4) in 8, with dense output of order 4.
+//! Rosenbrock methods, for stiff systems, have separate tableaus: [`HairerWanner4`] of order 4(3) in 6 stages with
+//! dense output of order 3, and [`Steinebach5`] of order 5(4) in 8 stages with dense output of order 4.
 
 mod dormand_prince5;
 mod eigenpairs;
@@ -38,49 +38,49 @@ pub use verner9::Verner9;
 pub(crate) use eigenpairs::{Eigenpair, Eigenpairs};
 pub(crate) use gauss_legendre::{GaussLegendre, GaussTableau, HasTableau};
 
-/// The coefficients of an explicit Runge-Kutta method with `S` stages.
+/// Coefficients of an explicit Runge-Kutta method with `S` stages.
 ///
-/// A step of length `h` from `(t, x)` evaluates `k_i = f(t + c_i h, x + h sum_j a_ij k_j)` for `i = 0..S` and arrives
-/// at `x + h sum_i b_i k_i`.
+/// A step of size `h` from `(t, x)` evaluates `k_i = f(t + c_i h, x + h sum_j a_ij k_j)` for `i = 0..S` and ends at
+/// `x + h sum_i b_i k_i`.
 ///
 /// The last stage must be the derivative at the end of the step: `a[S - 1] == b`, `c[S - 1] == 1`, `b[S - 1] == 0`. It
-/// is the first stage of the next step ("first same as last"), so it costs nothing, and dense output uses it. A method
-/// without that property is written with one more row, of weight 0.
+/// is reused as the first stage of the next step ("first same as last") and by dense output. A method without this
+/// property gets one more row, of weight 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ButcherTableau<const S: usize> {
-    /// The stage coefficients: strictly lower triangular.
+    /// Stage coefficients: strictly lower triangular.
     pub a: [[f64; S]; S],
-    /// The weights of the step.
+    /// Weights of the step.
     pub b: [f64; S],
-    /// The times of the stages in fractions of a step, the row sums of `a`.
+    /// Times of the stages, in fractions of a step: the row sums of `a`.
     pub c: [f64; S],
-    /// The weights of the embedded method, whose difference from `b` estimates the error of a step.
+    /// Weights of the embedded method. The difference from `b` gives the error estimate of a step.
     pub b_hat: Option<[f64; S]>,
-    /// The order of the method: its error in time falls as `h^order`.
+    /// Order of the method: its global error decreases as `h^order`.
     pub order: usize,
-    /// The order of the embedded method; 0 where there is none.
+    /// Order of the embedded method; 0 without one.
     pub order_hat: usize,
-    /// Further stages for dense output alone: stage `S + i` is evaluated from the `S + i` before it.
+    /// Additional stages for dense output: stage `S + i` depends on the `S + i` stages before it.
     pub extra: &'static [ExtraStage],
-    /// The weights of the dense output as polynomials: at the fraction `theta` of a step, the state is
-    /// `x + h sum_i b_i(theta) k_i` with `b_i(theta) = sum_j dense[j][i] theta^(j + 1)`. The rows are as long as there
-    /// are stages, the extra ones included.
+    /// Weights of the dense output as polynomials. At the fraction `theta` of a step, the state is
+    /// `x + h sum_i b_i(theta) k_i` with `b_i(theta) = sum_j dense[j][i] theta^(j + 1)`. Each row has one entry per
+    /// stage, including the extra stages.
     pub dense: &'static [&'static [f64]],
-    /// The order of the dense output: within one step its error falls as `h^(dense_order + 1)`.
+    /// Order of the dense output: its error within a step decreases as `h^(dense_order + 1)`.
     pub dense_order: usize,
 }
 
-/// A stage that the step itself does not need: `k = f(t + c h, x + h sum_j a_j k_j)`.
+/// A stage used only for dense output: `k = f(t + c h, x + h sum_j a_j k_j)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExtraStage {
-    /// The coefficients of all stages before this one.
+    /// Coefficients of all preceding stages.
     pub a: &'static [f64],
-    /// The time of the stage in fractions of a step, the sum of `a`.
+    /// Time of the stage, in fractions of a step: the sum of `a`.
     pub c: f64,
 }
 
 impl<const S: usize> ButcherTableau<S> {
-    /// `b - b_hat`, the weights of the error estimate; zeros where there is no embedded method.
+    /// Weights of the error estimate, `b - b_hat`; zero without an embedded method.
     #[must_use]
     pub const fn error_weights(&self) -> [f64; S] {
         let Some(b_hat) = self.b_hat else {
@@ -89,13 +89,13 @@ impl<const S: usize> ButcherTableau<S> {
         difference(self.b, b_hat)
     }
 
-    /// Whether the error estimate uses the last stage, the derivative at the end of the step.
+    /// True if the error estimate uses the last stage, the derivative at the end of the step.
     #[must_use]
     pub const fn error_uses_last_stage(&self) -> bool {
         self.error_weights()[S - 1] != 0.0
     }
 
-    /// Whether the last stage is the derivative at the end of the step, as the type requires.
+    /// Checks that the last stage is the derivative at the end of the step, as required.
     #[must_use]
     pub const fn ends_in_the_next_first_stage(&self) -> bool {
         let mut i = 0;
@@ -109,7 +109,7 @@ impl<const S: usize> ButcherTableau<S> {
     }
 }
 
-/// `a - b`.
+/// Componentwise `a - b`.
 pub(crate) const fn difference<const S: usize>(mut a: [f64; S], b: [f64; S]) -> [f64; S] {
     let mut i = 0;
     while i < S {
@@ -119,14 +119,14 @@ pub(crate) const fn difference<const S: usize>(mut a: [f64; S], b: [f64; S]) -> 
     a
 }
 
-/// A type that stands for a tableau, so that the stepping code is compiled for each one with its coefficients as
-/// constants.
+/// A type that represents a tableau, so that the stepping code is compiled separately for each tableau with constant
+/// coefficients.
 pub trait Tableau<const S: usize>: Clone {
-    /// The coefficients.
+    /// Coefficients.
     const TABLEAU: ButcherTableau<S>;
 }
 
-/// The matrix of these rows, which end where zeros follow.
+/// Builds a square matrix from rows without their trailing zeros.
 const fn rows<const S: usize>(rows: [&[f64]; S]) -> [[f64; S]; S] {
     let mut matrix = [[0.0; S]; S];
     let mut i = 0;

@@ -6,11 +6,11 @@ use nalgebra::Complex;
 
 use super::eigenpairs::{Eigenpair, Eigenpairs};
 
-/// The number of stages.
+/// Number of stages.
 pub(crate) const STAGES: usize = 3;
-/// Their times in fractions of a step: `(4 -+ sqrt(6)) / 10` and 1.
+/// Times of the stages, in fractions of a step: `(4 -+ sqrt(6)) / 10` and 1.
 pub(crate) const C: [f64; STAGES] = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
-/// Its coefficients; the weights of the step are the last row.
+/// Stage coefficients; the last row contains the weights of the step.
 pub(crate) const A: [[f64; STAGES]; STAGES] = [
     [
         0.196_815_477_223_660_4,
@@ -24,9 +24,9 @@ pub(crate) const A: [[f64; STAGES]; STAGES] = [
     ],
     [0.376_403_062_700_467_25, 0.512_485_826_188_421_6, 1.0 / 9.0],
 ];
-/// The real eigenvalue of `A`.
+/// Real eigenvalue of `A`.
 pub(crate) const MU: f64 = 0.274_888_829_595_677_34;
-/// The eigenvectors of `A`.
+/// Eigenvectors of `A`.
 pub(crate) const MODES: Eigenpairs<STAGES> = Eigenpairs {
     real: Some(Eigenpair {
         value: MU,
@@ -47,8 +47,8 @@ pub(crate) const MODES: Eigenpairs<STAGES> = Eigenpairs {
         ],
     },
 };
-/// The coefficients of the polynomial without constant that has the value 1 at one of the times and 0 at the others: a
-/// row for each power, a column for each time.
+/// Coefficients of the Lagrange polynomials without constant term, which are 1 at one of the times and 0 at the others:
+/// one row per power, one column per time.
 pub(crate) const POWERS: [[f64; STAGES]; STAGES] = [
     [10.048_809_399_827_416, -1.382_142_733_160_749, 1.0 / 3.0],
     [-25.629_591_447_076_64, 10.296_258_113_743_306, -8.0 / 3.0],
@@ -67,7 +67,7 @@ mod tests {
                 assert!((moment - c.powi(k) / f64::from(k)).abs() < 1e-16);
             }
         }
-        // a few roundings of numbers up to 4
+        // some rounding errors of numbers up to 4
         assert!(MODES.residual(&A) < 2e-15, "{}", MODES.residual(&A));
     }
 
@@ -77,7 +77,7 @@ mod tests {
             for j in 0..3 {
                 let powers = [c, c * c, c * c * c];
                 let value: f64 = POWERS.iter().zip(powers).map(|(row, power)| row[j] * power).sum();
-                // a few roundings of numbers up to 26
+                // some rounding errors of numbers up to 26
                 assert!((value - f64::from(i == j)).abs() < 2e-14, "{value}");
             }
         }

@@ -1,53 +1,53 @@
-//! The coefficients of Rosenbrock methods.
+//! Coefficients of Rosenbrock methods.
 
-/// The coefficients of a Rosenbrock method with `S` stages, for systems `x' = f(t, x)` with the Jacobian `J` of `f`.
+/// Coefficients of a Rosenbrock method with `S` stages, for systems `x' = f(t, x)` with the Jacobian `J` of `f`.
 ///
-/// In its first form such a method solves, for `i = 0..S`,
-/// `k_i = h f(t + alpha_i h, x + sum_j alpha_ij k_j) + h J sum_j gamma_ij k_j + h^2 gamma_i f_t`, with
-/// `gamma_ii = gamma`, `alpha_i = sum_j alpha_ij`, `gamma_i = sum_j gamma_ij`, and `J` and the derivative `f_t` with
-/// respect to time both at `(t, x)`.
+/// In its first form the method solves, for `i = 0..S`,
+/// `k_i = h f(t + alpha_i h, x + sum_j alpha_ij k_j) + h J sum_j gamma_ij k_j + h^2 gamma_i f_t`.
+/// Here `gamma_ii = gamma`, `alpha_i = sum_j alpha_ij`, `gamma_i = sum_j gamma_ij`, and `J` and the time derivative
+/// `f_t` are evaluated at `(t, x)`.
 ///
-/// These are the coefficients of its second form, in `u = Gamma k`, which multiplies no vector by `J`:
+/// The coefficients here are those of the second form, in `u = Gamma k`, which avoids products with `J`:
 /// `(I / (h gamma) - J) u_i = f(t + alpha_i h, x + sum_j a_ij u_j) + sum_j (c_ij / h) u_j + h gamma_i f_t`,
-/// where `a = (alpha_ij) Gamma^-1` and `c = I / gamma - Gamma^-1`. A step arrives at `x + sum_i b_i u_i`.
+/// where `a = (alpha_ij) Gamma^-1` and `c = I / gamma - Gamma^-1`. A step ends at `x + sum_i b_i u_i`.
 ///
 /// E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.7.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RosenbrockTableau<const S: usize> {
-    /// The diagonal of `Gamma`: all stages share one matrix.
+    /// Diagonal of `Gamma`; equal entries, so that all stages share one matrix.
     pub gamma: f64,
-    /// The coefficients of the stages: strictly lower triangular.
+    /// Stage coefficients: strictly lower triangular.
     pub a: [[f64; S]; S],
-    /// The coefficients of the coupling by `1 / h`: strictly lower triangular.
+    /// Coefficients of the coupling terms with the factor `1 / h`: strictly lower triangular.
     pub c: [[f64; S]; S],
-    /// The times of the stages in fractions of a step.
+    /// Times of the stages, in fractions of a step.
     pub alpha: [f64; S],
-    /// The factors `gamma_i` of the derivative with respect to time.
+    /// Factors `gamma_i` of the derivative with respect to time.
     pub gamma_sums: [f64; S],
-    /// The weights of the step.
+    /// Weights of the step.
     pub b: [f64; S],
-    /// The weights of the embedded method.
+    /// Weights of the embedded method.
     pub b_hat: [f64; S],
-    /// The order of the method.
+    /// Order of the method.
     pub order: usize,
-    /// The order of the embedded method.
+    /// Order of the embedded method.
     pub order_hat: usize,
-    /// The weights of the dense output as polynomials: at the fraction `theta` of a step, the state is
+    /// Weights of the dense output as polynomials. At the fraction `theta` of a step, the state is
     /// `x + sum_i b_i(theta) u_i` with `b_i(theta) = sum_j dense[j][i] theta^(j + 1)`.
     pub dense: &'static [&'static [f64]],
-    /// The order of the dense output: within one step its error falls as `h^(dense_order + 1)`.
+    /// Order of the dense output: its error within a step decreases as `h^(dense_order + 1)`.
     pub dense_order: usize,
 }
 
-/// A type that stands for a tableau, so that the stepping code is compiled for each one with its coefficients as
-/// constants.
+/// A type that represents a tableau, so that the stepping code is compiled separately for each tableau with constant
+/// coefficients.
 pub trait RosenbrockMethod<const S: usize>: Clone {
-    /// The coefficients.
+    /// Coefficients.
     const TABLEAU: RosenbrockTableau<S>;
 }
 
-/// The polynomials, by ascending power from 1, of `theta b + theta (1 - theta) (h_0 + theta h_1 + ..)`, the form in
-/// which authors give dense output.
+/// Coefficients, in ascending powers from 1, of `theta b + theta (1 - theta) (h_0 + theta h_1 + ..)`, the form in which
+/// dense output is published.
 pub(super) const fn continuous<const S: usize, const H: usize, const D: usize>(
     b: [f64; S],
     h: [[f64; S]; H],

@@ -3,12 +3,12 @@
 use super::{ButcherTableau, Tableau, rows};
 use crate::step_size::Estimates;
 
-/// The pair of orders 5 and 4 with dense output of order 4 that takes no further stage.
+/// Pair of orders 5 and 4 with dense output of order 4 without further stages.
 ///
 /// Ch. Tsitouras, "Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption", Comput.
-/// Math. Appl. 62 (2011) 770-775. The paper prints the coefficients to 16 digits; here they are rounded from more,
-/// which the order conditions give. Of the dense output two weights are free, the second and the last; they are the
-/// paper's, and the conditions of order 4 determine the others.
+/// Math. Appl. 62 (2011) 770-775. The paper prints the coefficients to 16 digits; here they are rounded from more
+/// digits, computed from the order conditions. The dense output has two free weights, the second and the last. They are
+/// taken from the paper, and the conditions of order 4 determine the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tsitouras5;
 

@@ -3,15 +3,17 @@
 use super::{ButcherTableau, ExtraStage, Tableau, rows};
 use crate::step_size::Estimates;
 
-/// The pair of orders 7 and 6 with dense output of order 7, in 10 stages and the derivative at the end of the step.
+/// Pair of orders 7 and 6 with dense output of order 7, in 10 stages and the derivative at the end of the step.
 ///
-/// J. H. Verner, "Numerically optimal Runge-Kutta pairs with interpolants", Numer. Algorithms 53 (2010) 383-396; the
-/// coefficients are those that the author publishes at <https://www.sfu.ca/~jverner/> as the "most efficient" pair,
-/// rounded from 40 digits. The derivative at the end is the first of the six stages that the interpolant adds there.
+/// J. H. Verner, "Numerically optimal Runge-Kutta pairs with interpolants", Numer. Algorithms 53 (2010) 383-396. The
+/// coefficients are published by the author at <https://www.sfu.ca/~jverner/> as the "most efficient" pair, and rounded
+/// here from 40 digits. The derivative at the end is the first of the six additional stages of the published
+/// interpolant.
 ///
-/// The other five and the weights of the interpolant, as published, miss 12 of the 48 conditions of order 7, by up to
-/// 1.3e-4 in a coefficient of the polynomials in `theta`. Here they are moved to meet them all, with the same times and
-/// zeros: the `a` of these stages by less than 2e-4, the weights by less than 0.5, where they are up to 1207.
+/// The other five stages and the weights of the interpolant, as published, violate 12 of the 48 conditions of order 7,
+/// by up to 1.3e-4 in a coefficient of the polynomials in `theta`. Here they are adjusted to satisfy all conditions,
+/// with the same times and zeros: the `a` of these stages change by less than 2e-4, and the weights, which are up to
+/// 1207, by less than 0.5.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Verner7;
 

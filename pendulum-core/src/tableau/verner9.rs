@@ -3,11 +3,12 @@
 use super::{ButcherTableau, ExtraStage, Tableau, rows};
 use crate::step_size::Estimates;
 
-/// The pair of orders 9 and 8 with dense output of order 9, in 16 stages and the derivative at the end of the step.
+/// Pair of orders 9 and 8 with dense output of order 9, in 16 stages and the derivative at the end of the step.
 ///
-/// J. H. Verner, "Numerically optimal Runge-Kutta pairs with interpolants", Numer. Algorithms 53 (2010) 383-396; the
-/// coefficients are those that the author publishes at <https://www.sfu.ca/~jverner/> as the "most efficient" pair,
-/// rounded from 40 digits. The derivative at the end is the first of the ten stages that the interpolant adds there.
+/// J. H. Verner, "Numerically optimal Runge-Kutta pairs with interpolants", Numer. Algorithms 53 (2010) 383-396. The
+/// coefficients are published by the author at <https://www.sfu.ca/~jverner/> as the "most efficient" pair, and rounded
+/// here from 40 digits. The derivative at the end is the first of the ten additional stages of the published
+/// interpolant.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Verner9;
 

@@ -1,4 +1,4 @@
-//! The method that looks for stiffness itself: what it does is read off its statistics.
+//! The method with automatic stiffness detection, observed through its statistics.
 
 use approx::assert_abs_diff_eq;
 use pendulum_core::Statistics;
@@ -6,7 +6,7 @@ use pendulum_core::method::{Explicit, Fixed, Rosenbrock};
 use pendulum_core::prelude::*;
 use pendulum_core::tableau::{Steinebach5, Verner7};
 
-/// `x'' = -lambda (x - cos t)` as friction would do it, to first order: it is as stiff as `lambda` is large.
+/// `x' = -lambda (x - cos t) - sin t`, with the solution `cos t` (Prothero and Robinson). The stiffness is `lambda`.
 struct Prothero {
     lambda: f64,
 }
@@ -58,7 +58,7 @@ fn systems_that_are_not_stiff_are_left_to_the_explicit_method() {
     }
 }
 
-/// Van der Pol's oscillator, which creeps and jumps by turns.
+/// Van der Pol's oscillator, with alternating slow and fast phases.
 struct VanDerPol {
     mu: f64,
 }
@@ -98,7 +98,7 @@ fn it_changes_with_the_motion() {
     assert_abs_diff_eq!(solution.end(), expected, epsilon = 1e-4);
 }
 
-/// `x = cos t`, to which the state returns at a rate that falls from 1e4 to 1, with a ripple or without.
+/// `x = cos t`, approached at a rate that decreases from 1e4 to 1, with or without a ripple.
 struct Loosening {
     ripple: f64,
 }
@@ -125,8 +125,8 @@ impl Jacobian<f64, 1> for Loosening {
 
 #[test]
 fn it_returns_after_four_steps_in_a_row_that_explicit_ones_could_have_taken() {
-    // The limits of stability are 3.5 with Tsitouras' method, 4.6 with Verner's of order 7, and 4.4 with that of order 9; three
-    // tenths are safe.
+    // The stability limits are 3.5 for Tsitouras' method, 4.6 for Verner's of order 7, and 4.4 for Verner's of order 9.
+    // A step is safe below three tenths of the limit.
     let limits = [(1e-3, 3.5), (1e-6, 4.6), (1e-9, 4.4)];
     for (ripple, (tolerance, limit)) in [0.0, 0.9]
         .into_iter()
@@ -145,7 +145,7 @@ fn it_returns_after_four_steps_in_a_row_that_explicit_ones_could_have_taken() {
             }
             if now.stiff > before.stiff {
                 assert!(free < 4, "{tolerance}: at {}", step.t0);
-                // With one state, power iteration gives the rate itself.
+                // With one state, power iteration is exact.
                 let is_free = step.h * system.rate(step.t1) <= 0.3 * limit;
                 free = if is_free { free + 1 } else { 0 };
             } else {
@@ -164,7 +164,7 @@ fn the_tolerance_says_which_explicit_method_it_is() {
         solution.expect("regular").end()[0].to_bits()
     }
     let auto = |rtol: f64, atol: f64| end(Auto::new().rtol(rtol).atol(atol));
-    // The wider of the two decides.
+    // The larger tolerance decides.
     for (rtol, atol) in [(1.01e-4, 1e-9), (1e-9, 1.01e-4)] {
         assert_eq!(auto(rtol, atol), end(Tsit5::new().rtol(rtol).atol(atol)));
     }
@@ -200,7 +200,7 @@ fn each_step_is_one_of_the_method_at_work() {
     assert_eq!(before.switches, 2);
 }
 
-/// [`SMOOTHLY`] with the time turned around.
+/// [`SMOOTHLY`] with time reversed.
 struct Mirrored;
 
 impl System<f64, 1> for Mirrored {
@@ -237,9 +237,9 @@ fn a_restart_begins_the_count_anew() {
         }
         stepper.statistics().switches
     };
-    // Eight steps at the limit are what it takes, and the ninth is implicit.
+    // The switch follows eight steps at the limit; the ninth step is implicit.
     assert_eq!((switches(8), switches(9)), (0, 1));
-    // And four that could be explicit on the way back, of which the fifth is.
+    // The switch back follows four steps that could be explicit; the fifth is explicit.
     let switches = |every: usize| {
         let method = Auto::new().rtol(1e-6).atol(1e-6);
         let mut stepper = method.stepper(&SMOOTHLY, 0.0, 20.0, [1.5]).expect("valid");
@@ -257,7 +257,7 @@ fn a_restart_begins_the_count_anew() {
     assert_eq!((switches(4), switches(5)), (1, 2));
 }
 
-/// `x = cos t`, to which the state returns at a rate of 1 and, in pulses once a second, of 1500.
+/// `x = cos t`, approached at a rate of 1, and of 1500 in pulses once a second.
 struct Pulsed;
 
 impl Pulsed {

@@ -1,5 +1,4 @@
-//! Bifurcations that are known in closed form, or as eigenvalues of a matrix: what they are called, where they are, and
-//! how far off they may be.
+//! Bifurcations known in closed form or as eigenvalues of a matrix: kind, location and error bound.
 
 use std::f64::consts::{PI, TAU};
 
@@ -10,7 +9,7 @@ use pendulum_core::{ParameterError, Slot, SlotKind, StateLayout};
 
 use super::continuation::{rotor, subcritical, van_der_pol_at};
 
-/// A bifurcation as it is known and as it was found.
+/// A bifurcation with its known and its computed parameter.
 struct Case {
     family: &'static str,
     known: f64,
@@ -22,7 +21,7 @@ fn is_named(kind: BifurcationKind, name: &str) -> bool {
     format!("{kind:?}").starts_with(name)
 }
 
-/// Compares all bifurcations of a branch with those known.
+/// Compares all bifurcations of a branch with the known ones.
 fn compare<P>(
     cases: &mut Vec<Case>,
     family: &'static str,
@@ -48,13 +47,13 @@ fn compare<P>(
     }
 }
 
-/// Numbers `p` for which `x'' + damping x' + (offset + p weight(t)) x = 0`, with `weight = 1 + ripple cos 2t`, has a
-/// solution with the period pi, or `2 pi` and the opposite sign after half of it: eigenvalues of a matrix of Fourier
-/// coefficients, in cosines and sines.
+/// Values of `p` for which `x'' + damping x' + (offset + p weight(t)) x = 0`, with `weight = 1 + ripple cos 2t`, has a
+/// solution of period pi, or of period `2 pi` with a sign change after half of it. They are eigenvalues of a matrix of
+/// Fourier coefficients of cosines and sines.
 fn hill(damping: f64, offset: impl Fn(&DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>), odd: bool) -> Vec<f64> {
     const HARMONICS: usize = 24;
     let harmonic = |k: usize| if odd { 2 * k + 1 } else { 2 * k };
-    // cosines first, then sines; in the even case the first sine is none
+    // cosines first, then sines; the even case has no sine of frequency 0
     let first = usize::from(!odd);
     let (cosines, sines) = (HARMONICS, HARMONICS - first);
     let size = cosines + sines;
@@ -65,12 +64,12 @@ fn hill(damping: f64, offset: impl Fn(&DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f
         if k >= first {
             let sine = cosines + k - first;
             motion[(sine, sine)] = n * n;
-            // of -damping x': the derivative of a cosine is a sine
+            // from -damping x': the derivative of a cosine is a sine
             motion[(sine, k)] = damping * n;
             motion[(k, sine)] = -damping * n;
         }
     }
-    // cos 2t times each
+    // multiplication by cos 2t
     let mut wave = DMatrix::zeros(size, size);
     for k in 0..HARMONICS {
         let n = harmonic(k) as i64;
@@ -98,7 +97,7 @@ fn hill(damping: f64, offset: impl Fn(&DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f
     real
 }
 
-/// `x'' = acceleration(t, x) - c x'`, with the slope of the acceleration.
+/// `x'' = acceleration(t, x) - c x'`, with the derivative of the acceleration.
 fn swing(
     c: f64,
     acceleration: impl Fn(f64, f64) -> f64,
@@ -110,7 +109,7 @@ fn swing(
     ))
 }
 
-/// `x'' + c x' + (a - 2 q cos 2t) x = 0` about rest, over `a`.
+/// The rest solution of `x'' + c x' + (a - 2 q cos 2t) x = 0`, with the parameter `a`.
 fn mathieu(cases: &mut Vec<Case>, c: f64, q: f64, tolerance: f64) {
     let span = (-0.8, 4.6);
     let family = |a: f64| {
@@ -134,7 +133,8 @@ fn of_mathieu(span: (f64, f64), c: f64, q: f64) -> Vec<(&'static str, f64)> {
     known(false, "Crossing").chain(known(true, "PeriodDoubling")).collect()
 }
 
-/// A pendulum whose pivot shakes up and down, `x'' + c x' + (a - 2 q cos 2t) sin x = 0`, hanging or standing, over `a`.
+/// A pendulum with a vertically oscillating pivot, `x'' + c x' + (a - 2 q cos 2t) sin x = 0`, hanging or standing, with
+/// the parameter `a`.
 fn pendulum(cases: &mut Vec<Case>, c: f64, q: f64, standing: bool) {
     let (span, sign) = if standing {
         ((-1.2, 0.6), -1.0)
@@ -153,7 +153,7 @@ fn pendulum(cases: &mut Vec<Case>, c: f64, q: f64, standing: bool) {
         .forced_orbits([0.0, 0.0], |_| PI, 0.5)
         .expect("rest");
     let known = if standing {
-        // standing at a is hanging at -a, half a period of the drive later
+        // standing at a is equivalent to hanging at -a, half a drive period later
         of_mathieu((-span.1, -span.0), c, q)
             .into_iter()
             .map(|(name, a)| (name, -a))
@@ -164,7 +164,7 @@ fn pendulum(cases: &mut Vec<Case>, c: f64, q: f64, standing: bool) {
     compare(cases, "pendulum", branch.bifurcations(), known);
 }
 
-/// Duffing's `x'' + c x' + k x + x^3`, driven so that `x = A cos t`, over `A`.
+/// Duffing's equation `x'' + c x' + k x + x^3`, driven so that `x = A cos t`, with the parameter `A`.
 fn duffing(cases: &mut Vec<Case>, c: f64, k: f64, tolerance: f64) {
     let span = (0.1, 3.0);
     let family = |amplitude: f64| {
@@ -241,7 +241,7 @@ fn rest_of_lorenz(cases: &mut Vec<Case>, sigma: f64, beta: f64) {
     compare(cases, "Lorenz", convection.bifurcations(), vec![("Hopf", hopf)]);
 }
 
-/// `r' = p r + b r^3 - r^5`, turning at the rate `1 + r^2`: rest, and the cycle that folds at `-b^2 / 4`.
+/// `r' = p r + b r^3 - r^5` with the angular velocity `1 + r^2`: rest, and the cycle with a fold at `-b^2 / 4`.
 fn cycles(cases: &mut Vec<Case>, b: f64) {
     let family = |p: f64| {
         Ok(rotor(
@@ -259,7 +259,8 @@ fn cycles(cases: &mut Vec<Case>, b: f64) {
     compare(cases, "cycles", rest.bifurcations(), vec![("Hopf", 0.0)]);
 }
 
-/// `z' = (p + 2 i - |z|^2) z + F exp(3 i t)`: in the frame that turns with the drive, the trace is zero where `p = 2 |z|^2`.
+/// `z' = (p + 2 i - |z|^2) z + F exp(3 i t)`. In the frame that rotates with the drive, the trace is zero at
+/// `p = 2 |z|^2`.
 fn torus(cases: &mut Vec<Case>, square: f64) {
     let p = 2.0 * square;
     let drive = (square * (1.0 + (p - square).powi(2))).sqrt();
@@ -296,7 +297,7 @@ fn characteristic_values_of_mathieu_are_right() {
     }
 }
 
-/// A pair of multipliers that damping holds within the unit circle is no torus, however weak it is.
+/// A pair of multipliers inside the unit circle is no torus bifurcation, however weak the damping.
 #[test]
 fn bifurcations_are_named_and_their_uncertainty_covers_the_error() {
     let mut cases = Vec::new();
@@ -342,7 +343,8 @@ fn bifurcations_are_named_and_their_uncertainty_covers_the_error() {
                 .collect(),
         );
         println!(
-            "{family}: {within} of {}; errors to {:.1e}, in the median {:.1e}; stated to {:.1e}, in the median {:.1e}; ratio {ratio:.1}",
+            "{family}: {within} of {}; errors to {:.1e}, in the median {:.1e}; \
+             stated to {:.1e}, in the median {:.1e}; ratio {ratio:.1}",
             of.len(),
             of.iter().map(error).fold(0.0, f64::max),
             median(of.iter().map(error).collect()),
@@ -364,7 +366,7 @@ fn bifurcations_are_named_and_their_uncertainty_covers_the_error() {
     assert!(covered * 100 >= cases.len() * 95, "{covered} of {}", cases.len());
 }
 
-/// Two systems side by side that double their periods at once: neither sign tells.
+/// Two uncoupled systems with simultaneous period doublings: the determinant does not change sign.
 #[test]
 fn what_cannot_be_named_is_reported_with_its_multipliers() {
     let family = |a: f64| {
@@ -403,8 +405,8 @@ fn what_cannot_be_named_is_reported_with_its_multipliers() {
     assert_eq!(at_limit.count(), 2);
 }
 
-/// From where a cycle is born it is followed as from anywhere else: the small one of `r' = p r + r^3 - r^5`, round its fold, and the unstable
-/// one of Lorenz.
+/// Continuation of cycles from their Hopf bifurcation: the small cycle of `r' = p r + r^3 - r^5` around its fold, and
+/// the unstable cycle of the Lorenz system.
 #[test]
 fn cycles_are_followed_from_the_bifurcation_where_they_begin() {
     let continuation = Continuation::new(subcritical, -0.4, 0.3);
@@ -448,7 +450,7 @@ fn cycles_are_followed_from_the_bifurcation_where_they_begin() {
             outside.re > 1.0 && outside.im == 0.0 && inside.norm() < 1.0,
             "{outside} {inside}"
         );
-        // what flows contracts everywhere alike
+        // the divergence is constant
         let product = (outside * inside).re;
         let known = (-(10.0 + 1.0 + 8.0 / 3.0) * point.solution.period).exp();
         assert!(
@@ -458,7 +460,7 @@ fn cycles_are_followed_from_the_bifurcation_where_they_begin() {
     }
 }
 
-/// A mass on a cubic spring, in metres and in thousandths of them: `x'' + 0.1 x' + 0.5 x + x^3 = p cos t`.
+/// A mass on a cubic spring, in metres and in millimetres: `x'' + 0.1 x' + 0.5 x + x^3 = p cos t`.
 struct Spring {
     unit: f64,
     p: f64,
@@ -520,7 +522,7 @@ fn steps_along_a_branch_do_not_depend_on_units() {
     }
 }
 
-/// Multipliers that errors of the integration hide are told from those that are known.
+/// Multipliers below the integration error are distinguished from resolved ones.
 #[test]
 fn multipliers_below_the_noise_are_told() {
     use pendulum_core::stability::Shooting;

@@ -10,7 +10,7 @@ use pendulum_core::stability::{
     Bifurcation, BifurcationKind, BranchEnd, Continuation, PeriodicOrbit, Stability, StabilityError,
 };
 
-/// `x' = f(x)`, with its derivative.
+/// `x' = f(x)` with its derivative.
 fn line(f: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> impl Jacobian<f64, 1> {
     FnSystem::with_jacobian(
         move |_, x: &SVector<f64, 1>| SVector::from([f(x[0])]),
@@ -91,7 +91,7 @@ fn the_cycle_of_van_der_pol_is_followed_to_long_periods() {
     assert_eq!(branch.ends(), [const { BranchEnd::Span }; 2]);
     assert_eq!(branch.bifurcations(), []);
     let last = &branch.points().last().expect("points").solution;
-    // as shooting finds it from elsewhere
+    // compare with shooting from another initial guess
     let system = van_der_pol(3.0).expect("a member");
     let direct = pendulum_core::stability::Shooting::new()
         .autonomous(&system, [2.0, 0.0], 9.0)
@@ -101,7 +101,7 @@ fn the_cycle_of_van_der_pol_is_followed_to_long_periods() {
 
 #[test]
 fn curves_that_cross_are_told_from_folds() {
-    // a pitchfork beside x = sin p: on the one branch and on the other
+    // a pitchfork next to x = sin p, on both branches
     let family = |p: f64| {
         let of = move |x: f64| x - p.sin();
         Ok(line(
@@ -125,7 +125,7 @@ fn curves_that_cross_are_told_from_folds() {
     };
     assert_eq!(crossing.kind, BifurcationKind::Crossing);
     assert_abs_diff_eq!(crossing.parameter, 0.0, epsilon = 1e-8);
-    // transcritical: x' = (x - p) (x + 2 p - 1), where x = p meets x = 1 - 2 p at a third
+    // transcritical: x' = (x - p) (x + 2 p - 1), where x = p crosses x = 1 - 2 p at p = 1/3
     let family = |p: f64| Ok(line(move |x| (x - p) * (x + 2.0 * p - 1.0), move |x| 2.0 * x + p - 1.0));
     let branch = Continuation::new(family, -1.0, 1.0)
         .equilibria([-0.9], -0.9)
@@ -200,7 +200,7 @@ fn a_branch_that_ends_early_keeps_its_points_and_tells_why() {
     assert_eq!(outside.to_string(), "`p0` is 3.0: the start must lie in the span");
 }
 
-/// `r' = mu r + r^3 - r^5`, turning at the rate `1 + r^2`.
+/// `r' = mu r + r^3 - r^5` with the angular velocity `1 + r^2`.
 pub(crate) fn subcritical(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
     Ok(rotor(
         move |rr| ([mu + rr - rr * rr, 1.0 + rr], [1.0 - 2.0 * rr, 1.0]),
@@ -232,7 +232,7 @@ fn cycles_fold_at_minus_a_quarter_and_shrink_to_rest_at_zero() {
         let expected = (point.solution.period * (2.0 * rr - 4.0 * rr * rr)).exp();
         assert_abs_diff_eq!(multiplier(&point.solution), expected, epsilon = 1e-8);
     }
-    // the small end is the Hopf bifurcation of rest
+    // the branch ends at the Hopf bifurcation of the equilibrium
     assert_abs_diff_eq!(branch.points()[0].parameter, 0.0, epsilon = 1e-6);
     let rest = continuation.equilibria([0.0, 0.0], -0.3).expect("rest");
     assert_eq!(
@@ -242,8 +242,9 @@ fn cycles_fold_at_minus_a_quarter_and_shrink_to_rest_at_zero() {
     assert_abs_diff_eq!(rest.bifurcations()[0].parameter, 0.0, epsilon = 1e-10);
 }
 
-/// `z' = (mu + 2 i - |z|^2) z + F exp(3 i t)`. In the frame that turns with the drive it is `w' = (mu - i - |w|^2) w + F`, where everything
-/// follows from `|w|^2`: equilibria, the trace and the determinant of their small motions.
+/// `z' = (mu + 2 i - |z|^2) z + F exp(3 i t)`. In the frame that rotates with the drive it is
+/// `w' = (mu - i - |w|^2) w + F`, where `|w|^2` determines the equilibria and the trace and determinant of their
+/// linearisation.
 fn driven_rotor(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
     let drive = (0.25 * (1.0 + 0.0625_f64)).sqrt();
     Ok(rotor(move |rr| ([mu - rr, 2.0], [-1.0, 0.0]), (drive, 3.0)))
@@ -251,7 +252,7 @@ fn driven_rotor(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
 
 #[test]
 fn a_driven_cycle_loses_its_lock_to_a_torus() {
-    // |w|^2 = 1/4 at mu = 1/2, where the trace 2 (mu - 2 |w|^2) is zero and the determinant 1 - |w|^4
+    // |w|^2 = 1/4 at mu = 1/2, where the trace 2 (mu - 2 |w|^2) is zero and the determinant is 1 - |w|^4
     let branch = Continuation::new(driven_rotor, 0.0, 1.0).forced_orbits([0.3, 0.3], |_| TAU / 3.0, 0.1);
     let branch = branch.expect("a response");
     let [
@@ -273,7 +274,7 @@ fn a_driven_cycle_loses_its_lock_to_a_torus() {
 
 #[test]
 fn a_period_that_depends_on_the_parameter_is_followed_through_resonance() {
-    // x'' + 0.1 x' + x = cos(p t): the response is known
+    // x'' + 0.1 x' + x = cos(p t), with the known frequency response
     let family = |p: f64| {
         Ok(FnSystem::with_jacobian(
             move |t: f64, x: &SVector<f64, 2>| SVector::from([x[1], (p * t).cos() - x[0] - 0.1 * x[1]]),
@@ -289,7 +290,7 @@ fn a_period_that_depends_on_the_parameter_is_followed_through_resonance() {
         let p = point.parameter;
         let (a, b) = (1.0 - p * p, 0.1 * p);
         assert_abs_diff_eq!(point.solution.x[0], a / (a * a + b * b), epsilon = 1e-8);
-        // pairs of multipliers at the decay of one period of the drive
+        // the moduli of the multipliers follow from the decay in one drive period
         assert_abs_diff_eq!(
             point.solution.nontrivial()[0].value.norm(),
             (-0.1 * PI / p).exp(),

@@ -1,4 +1,4 @@
-//! Events against times that are known exactly.
+//! Events with exactly known times.
 
 use std::f64::consts::PI;
 
@@ -9,12 +9,12 @@ use pendulum_core::{Missed, Occurrence, Reason, SolveError};
 
 use crate::methods::{Driven, each_adaptive, each_fixed};
 
-/// A state that is the time, up to rounding.
+/// A state equal to the time, up to rounding.
 fn clock() -> impl System<f64, 1> {
     FnSystem(|_t: f64, _x: &SVector<f64, 1>| SVector::from([1.0]))
 }
 
-/// The times at which `g` passes zero between 0 and `t1`, found on steps of length `h`.
+/// Times of sign changes of `g` between 0 and `t1`, found on steps of size `h`.
 fn passages(g: impl Fn(f64) -> f64, h: f64, t1: f64) -> Vec<f64> {
     let event = Event::new(move |t, _x: &SVector<f64, 1>| g(t));
     let solution = Rk4::new(h).solve_with(&clock(), 0.0, t1, [0.0], &[event]);
@@ -25,7 +25,7 @@ fn passages(g: impl Fn(f64) -> f64, h: f64, t1: f64) -> Vec<f64> {
 
 #[test]
 fn each_passage_is_found_once_wherever_it_lies() {
-    // Within a step, at the end of one, at its start, at the start and at the end of all: to the last bits of the time.
+    // Within a step, at the end of one, at its start, and at the start and end of the span: accurate to the last bits.
     for zero in [0.3, 0.25, 0.0, 1.0, 0.75 + 1e-15, 0.5 - 1e-16] {
         for g in [
             |t: f64, zero: f64| t - zero,
@@ -59,14 +59,14 @@ fn two_in_one_step() {
 
 #[test]
 fn grazing_events_are_found_where_they_pass() {
-    // 1e-10 deep or high: the zeros lie 1e-5 to the sides of the extremum.
+    // 1e-10 deep or high: the roots lie 1e-5 to the sides of the extremum.
     let found = passages(|t| (t - 0.55) * (t - 0.55) - 1e-10, 1.0, 3.0);
     assert_eq!(found.len(), 2);
     assert_abs_diff_eq!(found[0], 0.55 - 1e-5, epsilon = 1e-10);
     assert_abs_diff_eq!(found[1], 0.55 + 1e-5, epsilon = 1e-10);
     assert!(passages(|t| (t - 0.55) * (t - 0.55) + 1e-10, 1.0, 3.0).is_empty());
     assert!(passages(|t| t + 1e-300, 1.0, 3.0).is_empty());
-    // many, over steps that are as long as their distance
+    // many roots, with a spacing equal to the step size
     let found = passages(|t| (PI * t).sin() * (1.0 + t), 1.0, 9.5);
     let integers: Vec<f64> = (0..10).map(f64::from).collect();
     assert_abs_diff_eq!(found[..], integers[..], epsilon = 1e-14);
@@ -95,7 +95,7 @@ fn directions_are_those_of_the_integration() {
             assert_abs_diff_eq!(event.x, solution.at(event.t).expect("within"), epsilon = 1e-15);
         }
     }
-    // at the start: it rises, so it is no falling one
+    // the function increases at the start, so the falling event does not occur
     let solution = method
         .solve_with(&swing, 0.0, 1.0, [0.0, 1.0], &events())
         .expect("regular");
@@ -115,7 +115,7 @@ fn a_terminal_event_is_the_end() {
     assert_abs_diff_eq!(t, 0.3_f64.acos(), epsilon = 1e-11);
     assert_abs_diff_eq!(x[0], 0.3, epsilon = 1e-15);
     assert_eq!(solution.events(), [Occurrence { index: 1, t, x }]);
-    // the part of the step that is left is the same polynomial
+    // the truncated step has the same polynomial
     for theta in [0.1, 0.5, 0.9, 0.99] {
         let t = theta * t;
         assert_abs_diff_eq!(
@@ -142,7 +142,7 @@ fn a_motion_that_starts_where_a_terminal_event_is_zero_goes_on_to_the_next_zero(
     let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0]]));
     let turns = || Event::new(|_t, x: &SVector<f64, 2>| x[1]);
     let method = Rk45::new().rtol(1e-12).atol(1e-12);
-    // released at rest, up to where it turns; and forward as well as back
+    // released at rest, until the first turning point; forward and backward in time
     for direction in [1.0, -1.0] {
         for events in [[turns().terminal(), turns()], [turns().terminal(), turns().rising()]] {
             let solution = method.solve_with(&swing, 0.0, 10.0 * direction, [1.0, 0.0], &events);
@@ -152,7 +152,7 @@ fn a_motion_that_starts_where_a_terminal_event_is_zero_goes_on_to_the_next_zero(
             let terminal: Vec<_> = solution.events().iter().filter(|event| event.index == 0).collect();
             assert_eq!((terminal.len(), terminal[0].t), (1, solution.last().0));
         }
-        // only where it goes the right way does it end there
+        // the motion ends at the start only if the direction matches
         let asked = |event: Event<'static, f64, 2>| {
             let event = event.terminal().at_start();
             let solution = method.solve_with(&swing, 0.0, 10.0 * direction, [1.0, 0.0], &[event]);
@@ -165,7 +165,7 @@ fn a_motion_that_starts_where_a_terminal_event_is_zero_goes_on_to_the_next_zero(
         };
         assert_eq!((asked(turns()), falls), (0.0, 0.0));
     }
-    // a reset at the start waits for the next zero with it
+    // a reset event that is zero at the start takes effect at its next root
     let back = || turns().reset(|_t, _x| SVector::from([0.25, 0.0]));
     let end = |event| {
         let solution = method.solve_with(&swing, 0.0, 10.0, [1.0, 0.0], &[event]);
@@ -175,7 +175,7 @@ fn a_motion_that_starts_where_a_terminal_event_is_zero_goes_on_to_the_next_zero(
     assert_abs_diff_eq!(t, PI, epsilon = 1e-10);
     assert_eq!(x, SVector::from([0.25, 0.0]));
     assert_eq!(end(back().terminal().at_start()), (0.0, SVector::from([0.25, 0.0])));
-    // without an end, what is zero at the start occurs there
+    // nonterminal events that are zero at the start occur there
     let solution = method.solve_with(&swing, 0.0, 4.0, [1.0, 0.0], &[turns(), back()]);
     let solution = solution.expect("regular");
     assert_eq!(solution.events()[0].t, 0.0);
@@ -187,7 +187,7 @@ fn a_motion_that_starts_where_a_terminal_event_is_zero_goes_on_to_the_next_zero(
 fn zeros_that_are_faster_than_the_steps_are_found() {
     let fast = |rate: f64| Event::new(move |t: f64, _x: &SVector<f64, 1>| (rate * t + 0.3).sin());
     let zeros = |rate: f64, t1: f64| ((rate * t1 + 0.3) / PI).floor() as usize;
-    // 318 of them, in a few steps
+    // 318 roots in a few steps
     let solution = Rk45::new().solve_with(&clock(), 0.0, 10.0, [0.0], &[fast(100.0)]);
     let solution = solution.expect("regular");
     assert_eq!(
@@ -197,7 +197,7 @@ fn zeros_that_are_faster_than_the_steps_are_found() {
     for (n, event) in solution.events().iter().enumerate() {
         assert_abs_diff_eq!(event.t, (PI * (n + 1) as f64 - 0.3) / 100.0, epsilon = 1e-12);
     }
-    // from slow ones to such as are too fast: all are found, or it is reported
+    // from slow to too fast frequencies: either all roots are found, or the event is reported as missed
     let (mut all, mut some) = (0, 0);
     for n in 0..160 {
         let rate = 1.1_f64.powi(n);
@@ -235,7 +235,7 @@ fn the_first_of_many_zeros_ends_a_motion() {
             epsilon = 1e-14
         );
     }
-    // each reset leads to the next one
+    // each reset leads to the next event
     let counts = fast().rising().reset(|_t, x| x + SVector::from([1.0]));
     let solution = Rk4::new(5.0).solve_with(&clock(), 0.0, 10.0, [0.0], &[counts]);
     let solution = solution.expect("regular");
@@ -252,7 +252,7 @@ fn what_was_missed_is_told_by_event_and_time() {
     };
     let one = |index, from, to| vec![Missed { index, from, to }];
     assert_eq!(missed(&[slow(), fast()]), one(1, 0.0, 6.0));
-    // up to where the motion ends
+    // until the end of the motion
     assert_eq!(missed(&[fast(), slow().terminal()]), one(0, 0.0, 4.5));
     let text = missed(&[fast()])[0].to_string();
     assert!(
@@ -270,7 +270,7 @@ fn what_jumps_or_bends_or_is_noise_is_not_reported() {
         &square(20.0),
         &|t| (t - 0.3).abs() - 0.1,
         &|t| (7.0 * t).sin().abs() - 0.5,
-        // rounding errors of what is zero, and beside what is not
+        // rounding errors around zero, and next to nonzero values
         &|t| (t + 1e3) - t - 1e3,
         &|t| (1.0 - t).max(0.0) + 1e-13 * (1e4 * t).sin(),
         &|t| 3.0 + (1e4 * t).sin(),
@@ -287,7 +287,7 @@ fn what_jumps_or_bends_or_is_noise_is_not_reported() {
     }
 }
 
-/// The places at which a function is looked at in one step.
+/// Number of evaluations of an event function per step.
 #[test]
 fn a_function_is_looked_at_in_ten_places_but_where_it_goes_up_and_down() {
     let looks = |rate: f64| {
@@ -304,11 +304,11 @@ fn a_function_is_looked_at_in_ten_places_but_where_it_goes_up_and_down() {
     // one more at the start, and thirteen in the first step
     assert_eq!(looks(2.0), 1014);
     assert!(looks(50.0) > 5000);
-    // a thousand, and those of searches
+    // a thousand, plus the evaluations of root searches
     assert!(looks(1e5) < 300_000, "{}", looks(1e5));
 }
 
-/// A ball that falls from a height of 1.
+/// A ball that falls from a height of 1 m.
 fn ball() -> impl System<f64, 2> {
     FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -9.81]))
 }
@@ -327,7 +327,7 @@ fn a_ball_rebounds_at_the_times_of_its_parabolas() {
         let mut time = fall;
         let mut flight = 2.0 * fall;
         for event in solution.events() {
-            // The rounding errors of the times, and each is carried on.
+            // The rounding errors of the times accumulate.
             assert_abs_diff_eq!(event.t, time, epsilon = 1e-14);
             flight *= 0.8;
             time += flight;
@@ -355,7 +355,7 @@ fn rebounds_that_accumulate_are_an_error_at_that_time() {
         let error = method.solve_with(&ball(), 0.0, 3.0, [1.0, 0.0], &[bounce(0.5)]);
         let error = error.expect_err("it comes to rest");
         assert_eq!(error.reason, Reason::EventsAccumulate { event: 0 });
-        // Rebounds lower than the rounding errors of the height, 1e-16, are not seen; they take 1e-8 s.
+        // Rebounds lower than the rounding error of the height, 1e-16, are not detected; they take 1e-8 s.
         assert_abs_diff_eq!(error.t(), end, epsilon = 2e-8);
         assert_abs_diff_eq!(error.x(), SVector::zeros(), epsilon = 1e-7);
     }
@@ -363,7 +363,7 @@ fn rebounds_that_accumulate_are_an_error_at_that_time() {
 
 #[test]
 fn simultaneous_events_see_each_other() {
-    // a ball in a corner: both walls are met at once, and each turns its own component
+    // a ball in a corner: it hits both walls at once, and each reverses one velocity component
     let flight = FnSystem(|_t: f64, x: &SVector<f64, 4>| SVector::from([x[2], x[3], 0.0, 0.0]));
     let wall = |i: usize| {
         Event::new(move |_t, x: &SVector<f64, 4>| 1.0 - x[i])
@@ -391,7 +391,7 @@ fn undefined_events_are_errors_with_what_was_reached() {
     let error = Rk45::new().solve_with(&clock(), 0.0, 5.0, [0.0], &[undefined]);
     let error = error.expect_err("undefined");
     assert_eq!(error.reason, Reason::EventNotFinite { event: 0, t: 0.0 });
-    // not if the integration ends before
+    // no error if the integration ends before
     let root = Event::new(|_t, x: &SVector<f64, 1>| (2.0 - x[0]).sqrt() - 0.1).terminal();
     let solution = Rk4::new(0.25).solve_with(&clock(), 0.0, 5.0, [0.0], &[root]);
     assert_abs_diff_eq!(solution.expect("ends").last().0, 1.99, epsilon = 1e-14);
@@ -405,7 +405,7 @@ fn undefined_events_are_errors_with_what_was_reached() {
     assert_eq!(error.to_string(), said);
 }
 
-/// A point that goes round a circle of radius 1.
+/// A point on a circle of radius 1.
 struct Round;
 
 impl System<f64, 2> for Round {
@@ -425,7 +425,7 @@ fn a_reset_stays_on_the_constraints() {
             .falling()
             .reset(move |_t, _x| SVector::from([0.0, -size]))
     };
-    // what is near is put onto them, as it is seen too
+    // small deviations are projected onto the constraint, also in the recorded state
     let solution = Rk45::new().solve_with(&Round, 0.0, 4.0, [1.0, 0.0], &[half(1.0005)]);
     let solution = solution.expect("near");
     let after = solution.at(solution.events()[0].t).expect("within");
@@ -433,7 +433,7 @@ fn a_reset_stays_on_the_constraints() {
     for terminal in [false, true] {
         let far = half(1.25);
         let far = if terminal { far.terminal() } else { far };
-        // states within steps are as close to the circle as the method is exact
+        // states of the dense output satisfy the constraint to the accuracy of the method
         let method = Vern9::new().rtol(1e-12).atol(1e-12);
         let error = method.solve_with(&Round, 0.0, 4.0, [1.0, 0.0], &[far]);
         let error = error.expect_err("far off");
@@ -442,7 +442,7 @@ fn a_reset_stays_on_the_constraints() {
         };
         assert_abs_diff_eq!(t, PI, epsilon = 1e-9);
         assert_eq!(value, 0.25);
-        // the state before it, and not the one that breaks them
+        // the error holds the state before the reset
         assert_eq!(error.t(), t);
         assert_abs_diff_eq!(error.x().norm(), 1.0, epsilon = 1e-9);
         assert!(error.x()[0] < -0.9, "{}", error.x());
@@ -498,7 +498,7 @@ fn rebounds_may_accumulate_at_the_time_zero() {
     );
 }
 
-/// A clock that an event sets back by so much again and again.
+/// A clock that an event sets back by `back` at each occurrence.
 fn set_back<M: Method<Driven<Constant, 1>, f64, 1>>(
     method: &M,
     (t0, t1): (f64, f64),
@@ -513,7 +513,7 @@ fn set_back<M: Method<Driven<Constant, 1>, f64, 1>>(
 
 type Constant = fn(f64, &SVector<f64, 1>) -> SVector<f64, 1>;
 
-/// As much as rounding errors, hardly more, and much more, but nothing against the way to go.
+/// Setbacks: at the level of rounding errors, slightly above, and far above but negligible against the span.
 const BACK: [f64; 3] = [1e-15, 1e-14, 1e-9];
 
 fn check_that_it_accumulates(name: &str, ended: impl Fn(f64) -> Result<Solution<f64, 1>, SolveError<f64, 1>>) {
@@ -550,7 +550,7 @@ fn a_reset_that_leads_nowhere_is_an_error_with_every_method() {
 
 #[test]
 fn a_thousand_resets_in_a_moment_that_get_somewhere_are_none() {
-    // A saw of 5 GHz, over a microsecond: the times are apart by a millionth of what resolves them.
+    // A sawtooth of 5 GHz over a microsecond: the spacing of events is far above the resolution of time.
     fn adaptive<F>(name: &str)
     where
         F: OneStep<Driven<Constant, 1>, f64, 1> + Estimates + Default,
@@ -563,8 +563,8 @@ fn a_thousand_resets_in_a_moment_that_get_somewhere_are_none() {
     each_adaptive!(adaptive());
 }
 
-/// Where a clock from 0 is after one step of length `h` with events at the times, the first of which is terminal or
-/// adds 100 to the state.
+/// A clock from 0 after one step of size `h` with events at `times`. The first event is terminal or adds 100 to the
+/// state.
 fn clock_with_events(h: f64, times: &[f64], first_ends: bool) -> Solution<f64, 1> {
     let event = |(index, &time): (usize, &f64)| {
         let event = Event::new(move |t, _x: &SVector<f64, 1>| t - time);
@@ -582,7 +582,7 @@ fn clock_with_events(h: f64, times: &[f64], first_ends: bool) -> Solution<f64, 1
 
 #[test]
 fn what_is_later_than_the_end_does_not_occur() {
-    // Simultaneous is what lies within 4 ulps of the time or of the step, if that is longer: 8.9e-16 s for each second.
+    // Events are simultaneous within 4 ulps of the time, or of the step size if that is larger: 8.9e-16 s per second.
     for (h, end) in [(1.0, 0.3), (16.0, 0.3), (0.125, 0.03)] {
         let apart = 4.0 * f64::EPSILON * h;
         let occurred = |later: f64| {
@@ -595,7 +595,7 @@ fn what_is_later_than_the_end_does_not_occur() {
         assert_eq!(occurred(0.3 * apart), [0, 1], "{h}");
         assert_eq!(occurred(2.0 * apart), [0], "{h}");
         assert_eq!(occurred(0.01 * h), [0], "{h}");
-        // what comes before does
+        // earlier events occur
         assert_eq!(occurred(-0.3 * apart), [1, 0], "{h}");
         assert_eq!(occurred(-0.01 * h), [1, 0], "{h}");
     }
@@ -614,7 +614,7 @@ fn what_is_noted_sees_what_was_done_before_and_not_after() {
         states
     };
     assert_abs_diff_eq!(states([0.5, 0.25])[..], [0.5, 100.5, 0.25][..], epsilon = 1e-13);
-    // An earlier one, even if it is simultaneous, and a later one, which is.
+    // An earlier event and a later one, both simultaneous with the reset.
     assert_abs_diff_eq!(
         states([0.5 - 4e-16, 0.5 + 4e-16])[..],
         [0.5, 0.5, 100.5][..],

@@ -1,10 +1,10 @@
-//! Integrations that cannot succeed: each says why, and keeps what it had reached.
+//! Integrations that must fail: each reports the reason and keeps the part of the solution it reached.
 
 use approx::assert_abs_diff_eq;
 use pendulum_core::Reason;
 use pendulum_core::prelude::*;
 
-/// Decays, and is not defined after `t = 1`.
+/// Exponential decay, undefined after `t = 1`.
 fn ends_at_one(t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
     SVector::from([-x[0], if t > 1.0 { f64::NAN } else { -x[1] }])
 }
@@ -19,9 +19,10 @@ fn a_right_hand_side_that_ends_is_followed_to_its_end() {
         matches!(error.reason, Reason::NonFinite { component: 1, .. }),
         "{error}"
     );
-    // The least step is 4 ulps, and one that leads beyond the end is quartered: nothing is left to try within 16 ulps.
+    // The smallest step is 4 ulps, and a step beyond the end is divided by four, so the integration stops within 16
+    // ulps.
     assert!(error.t() <= 1.0 && error.t() > 1.0 - 16.0 * f64::EPSILON);
-    // The defaults' tolerance of 1e-6 and as much for several steps.
+    // The default tolerance of 1e-6 per step, accumulated over several steps.
     assert_abs_diff_eq!(error.x()[0], (-1.0_f64).exp(), epsilon = 5e-6);
     assert_abs_diff_eq!(
         error.solution.at(0.5).expect("kept")[1],
@@ -43,23 +44,23 @@ fn a_right_hand_side_that_ends_is_followed_to_its_end() {
 
 #[test]
 fn a_step_that_leaves_the_domain_is_shortened() {
-    // x' = -sqrt(x) reaches 0 at t = 2 with a slope of 0; long steps overshoot to where there is no root.
+    // x' = -sqrt(x) reaches 0 at t = 2 with zero slope; long steps overshoot into the undefined range.
     let system = FnSystem(|_t: f64, x: &SVector<f64, 1>| SVector::from([-x[0].sqrt()]));
     let method = Rk45::new().h0(1.9);
     let solution = method.solve(&system, 0.0, 1.9, [1.0]).expect("defined up to 2");
     assert!(solution.statistics().rejected > 0);
-    // x = (1 - t/2)^2 is 0.0025; the tolerance of 1e-6 and as much for several steps.
+    // x = (1 - t/2)^2 is 0.0025; the tolerance of 1e-6 per step, accumulated over several steps.
     assert_abs_diff_eq!(solution.end()[0], 0.0025, epsilon = 5e-6);
 }
 
 #[test]
 fn a_blow_up_ends_in_a_step_underflow_at_the_pole() {
-    // x' = x^2 from 1 is 1 / (1 - t).
+    // The solution of x' = x^2 from 1 is 1 / (1 - t).
     let system = FnSystem(|_t: f64, x: &SVector<f64, 1>| x.component_mul(x));
     let method = Rk45::new().rtol(1e-10).atol(1e-10);
     let error = method.solve(&system, 0.0, 2.0, [1.0]).expect_err("a pole at 1");
     assert!(matches!(error.reason, Reason::StepUnderflow { .. }), "{error}");
-    // The tolerance displaces the pole; to its own rounding errors the state follows the displaced one.
+    // The integration error shifts the pole; the state follows the shifted one up to rounding errors.
     assert_abs_diff_eq!(error.t(), 1.0, epsilon = 1e-9);
     assert!(error.x()[0] > 1e12);
     assert_abs_diff_eq!(error.solution.at(0.9).expect("kept")[0], 10.0, epsilon = 1e-7);
@@ -141,7 +142,7 @@ fn a_stepper_restarts_between_the_start_of_its_last_step_and_the_end() {
         }
         stepper.restart(from, x).expect("where the step began");
         assert_eq!((stepper.t(), stepper.x()), (from, x));
-        // The times of the steps stay, and a step of no length is not taken.
+        // The step times are preserved, and no step of zero length is taken.
         assert_eq!(
             stepper.step().expect("regular").map(|step| (step.t0, step.t1)),
             Some((from, reached))
@@ -149,7 +150,7 @@ fn a_stepper_restarts_between_the_start_of_its_last_step_and_the_end() {
         stepper.restart(t1, x).expect("the end");
         assert_eq!((stepper.t(), stepper.x()), (t1, x));
         assert_eq!(stepper.step(), Ok(None));
-        // From there on there is no other place.
+        // At the end, only a restart at the same time is valid.
         stepper.restart(t1, x).expect("where it is");
         assert!(stepper.restart(reached, x).is_err());
     }
@@ -168,7 +169,7 @@ fn a_restart_that_fails_changes_nothing() {
         let no_slope = Err(Reason::NonFinite { component: 1, h: None });
         assert_eq!(stepper.restart(1.5, [0.1, 0.1].into()), no_slope);
         assert_eq!((stepper.t(), stepper.x()), (twin.t(), twin.x()));
-        // What remains is the state reached: the last step, which the scheme has left, is none.
+        // The reached state remains; the last step, which the scheme has overwritten, is not available.
         assert_eq!(stepper.dense().at(0.5 * twin.t()), twin.x());
         let no_number = stepper.restart(twin.t(), [0.1, f64::NAN].into());
         assert!(matches!(no_number, Err(Reason::InvalidInput { what: "x0", .. })));
@@ -184,7 +185,7 @@ fn where_there_is_no_way_to_go_nothing_is_evaluated() {
     let never = FnSystem(|_t: f64, _x: &SVector<f64, 1>| SVector::from([f64::NAN]));
     let mut stepper = Rk45::new().stepper(&never, 1.0, 1.0, [2.0]).expect("no way");
     assert_eq!((stepper.run(), stepper.statistics().evaluations), (Ok([2.0].into()), 0));
-    // Nor after a restart at the end, where this one has no number.
+    // Likewise after a restart at the end, where the right-hand side is NaN.
     let ending = FnSystem(|t: f64, x: &SVector<f64, 1>| x * if t < 1.0 { -1.0 } else { f64::NAN });
     let mut stepper = Rk4::new(0.125).stepper(&ending, 0.0, 1.0, [2.0]).expect("valid");
     stepper.step().expect("regular");

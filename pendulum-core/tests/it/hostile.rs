@@ -1,5 +1,5 @@
-//! Settings, spans, starts, right-hand sides and events that make no sense, or hardly any: with every method
-//! each of them ends, after bounded work, in finite states or in an error that says what to do.
+//! Invalid and extreme settings, spans, initial conditions, right-hand sides and events. Every method must end after
+//! bounded work, with finite states or with an error that says what to do.
 
 use std::cell::Cell;
 
@@ -12,14 +12,15 @@ use crate::methods::{Driven, each_adaptive, each_fixed};
 const NAN: f64 = f64::NAN;
 const INFINITY: f64 = f64::INFINITY;
 
-/// `x'' = -x` with what is added to the slopes by a disturbance.
+/// `x'' = -x` with a disturbance added to the derivatives.
 type Hostile<'a> = Driven<&'a dyn Fn(f64, &SVector<f64, 2>) -> SVector<f64, 2>, 2>;
 
-/// The most steps, evaluations, and calls of the functions of events, of a single integration.
+/// Maximum number of steps of a single integration.
 const MOST_STEPS: usize = 200;
+/// Maximum number of evaluations of the right-hand side and of event functions in a single integration.
 const MOST_WORK: usize = 1_000_000;
 
-/// What is asked of a method besides its settings.
+/// Problem for a method, apart from its settings.
 #[derive(Clone, Copy)]
 struct Task {
     span: (f64, f64),
@@ -38,12 +39,12 @@ const TASK: Task = Task {
 };
 
 thread_local! {
-    /// How many integrations there were.
+    /// Number of integrations.
     static COUNT: Cell<usize> = const { Cell::new(0) };
 }
 
 impl Task {
-    /// How it ends, after it is found to have ended well or to have said why not.
+    /// Runs the integration and checks that it ends with finite states or with a reason.
     fn run<M>(&self, name: &str, method: &M) -> Result<(), Reason>
     where
         M: for<'b> Method<Hostile<'b>, f64, 2>,
@@ -79,10 +80,10 @@ impl Task {
                 Ok(())
             }
             Err(SolveError { reason, solution, .. }) => {
-                // For invalid input it is the start as given.
+                // For invalid input the state is the initial condition as passed.
                 let is_invalid = matches!(reason, Reason::InvalidInput { .. });
                 assert!(is_invalid || is_finite(&solution), "{name}: {reason}");
-                // A fact, and what to do about it.
+                // The message states a fact and an action.
                 let message = reason.to_string();
                 assert!(message.contains(':') || message.contains(';'), "{name}: {message}");
                 Err(reason)
@@ -91,7 +92,7 @@ impl Task {
     }
 }
 
-/// Numbers that no setting can be, or hardly any.
+/// Invalid or extreme values of settings.
 const NUMBERS: [f64; 12] = [
     0.0, -0.0, -1.0, NAN, INFINITY, -INFINITY, 1e300, 1e-300, 5e-324, 1e-17, 1.0, 1e9,
 ];
@@ -170,7 +171,7 @@ const EVENTS: [fn(f64, f64) -> f64; 18] = [
     |_, x| x - 1.0,
 ];
 
-/// All tasks with the usual settings.
+/// Runs all tasks with the usual settings.
 fn each_task<M>(name: &str, method: &M)
 where
     M: for<'a> Method<Hostile<'a>, f64, 2>,
@@ -215,7 +216,7 @@ fn hostile_settings_end_well_or_say_why_not() {
             ];
             for (what, method) in settings {
                 let ended = TASK.run(&format!("{name}, {what} {index}"), &method);
-                // What makes no sense is refused by name, the rest is not.
+                // Invalid settings are rejected by name, the others accepted.
                 let refused = matches!(ended, Err(Reason::InvalidInput { what: named, .. }) if named == what);
                 let is_sensible = match what {
                     "rtol" => (10.0 * f64::EPSILON..1.0).contains(&number),
@@ -239,7 +240,7 @@ fn hostile_settings_end_well_or_say_why_not() {
         for number in NUMBERS {
             let ended = TASK.run(name, &Fixed::<F>::new(number));
             let refused = matches!(ended, Err(Reason::InvalidInput { what: "h", .. }));
-            // 16 ulps of the time are the least
+            // the smallest step is 16 ulps of the time
             assert_eq!(
                 !refused,
                 number > 1e-15 && number < INFINITY,

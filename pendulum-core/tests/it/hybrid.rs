@@ -70,7 +70,7 @@ impl Plant<f64, 2> for Ball {
     }
 }
 
-/// The same test for methods of all kinds, each by its name.
+/// Runs a test for methods of all kinds, each with its name.
 macro_rules! each {
     ($test:ident: $($method:expr;)*) => { $( $test(stringify!($method), &$method); )* };
 }
@@ -118,7 +118,7 @@ fn slow_impacts_do_not_rebound_and_elastic_ones_go_on() {
         slow: 3.0,
     };
     let solution = Tsit5::new().solve(&slow, 0.0, 5.0, [1.0, 0.0]).expect("regular");
-    // 4.43 m/s, and 2.2 m/s, which is too slow
+    // impact speeds 4.43 m/s, and 2.2 m/s, which is below `slow`
     assert_eq!(solution.modes().len(), 3);
     assert_eq!(solution.end(), SVector::from([0.0, 0.0]));
     let elastic = Ball {
@@ -136,7 +136,7 @@ fn slow_impacts_do_not_rebound_and_elastic_ones_go_on() {
     );
 }
 
-/// A ball of which no evaluation is finite after some good ones.
+/// A ball whose evaluations are not finite after the first `good` ones.
 struct Failing {
     ball: Ball,
     good: usize,
@@ -179,10 +179,11 @@ impl Plant<f64, 2> for Failing {
     }
 }
 
-/// A step in which a mode ends is taken again to there: where that fails, the step that was taken still shows where.
+/// A step with a mode switch is retaken up to the switch. If the retake fails, the original step still locates the
+/// switch.
 #[test]
 fn a_good_step_that_cannot_be_taken_again_is_kept() {
-    // one at the start, and four of the step
+    // one evaluation at the start, and four in the step
     for good in 5..9 {
         let ball = Ball {
             restitution: 0.5,
@@ -201,7 +202,7 @@ fn a_good_step_that_cannot_be_taken_again_is_kept() {
     }
 }
 
-/// The derivatives of the state itself.
+/// Derivatives of a measure equal to the state.
 fn identity() -> MeasureDerivatives<f64, 2> {
     let mut derivatives = MeasureDerivatives {
         by_state: [[SVector::zeros(); 2]; MAX_CONSTRAINTS],
@@ -211,8 +212,8 @@ fn identity() -> MeasureDerivatives<f64, 2> {
     derivatives
 }
 
-/// A block on a belt that runs at 1 m/s, held by a spring to the ground; the state is its place on the belt and the
-/// rate of that.
+/// A block on a belt that runs at 1 m/s, held by a spring to the ground. The state is its position on the belt and the
+/// rate of this position.
 struct Belt {
     mass: f64,
     stiffness: f64,
@@ -332,7 +333,7 @@ fn a_block_on_a_belt_sticks_and_slips_as_the_analytic_solution() {
             .unwrap_or_else(|error| panic!("{name}: {error}"));
         let w = (belt.stiffness / belt.mass).sqrt();
         let beyond = (belt.sticking - belt.slipping) / belt.stiffness;
-        // from the largest stretch on it slips back until it is as fast as the belt
+        // from the largest extension it slips back until it reaches the belt velocity
         let angle = 2.0 * (std::f64::consts::PI - (beyond * w).atan());
         let (slips, least) = (
             angle / w,
@@ -351,7 +352,7 @@ fn a_block_on_a_belt_sticks_and_slips_as_the_analytic_solution() {
             assert_eq!(mode.0[0], [Status::Backward, Status::Stuck][n % 2], "{name}");
             expected += if n % 2 == 0 { slips } else { most - least };
         }
-        // exactly at rest on the belt wherever it sticks
+        // exactly at rest on the belt while sticking
         for pair in solution.modes().windows(2).filter(|pair| pair[0].1.is_held(0)) {
             let middle = solution.at(0.5 * (pair[0].0 + pair[1].0)).expect("inside");
             assert_eq!(middle[1], 0.0, "{name}");
@@ -405,7 +406,7 @@ impl PlantJacobian<f64, 2> for Ball {
     }
 }
 
-/// The derivative of the state at `t1` by that at 0, by differences, where it is defined.
+/// Derivative of the state at `t1` with respect to the state at 0, by differences, where it is defined.
 fn by_differences<S: System<f64, 2>>(system: &S, t1: f64, x: SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
     let end = |x: SVector<f64, 2>| {
         Vern9::new()
@@ -451,7 +452,7 @@ fn tangents_jump_as_neighbours_do() {
         let expected = by_differences(&belt, t, start);
         assert!((matrix - expected).norm() < 1e-7, "{t}: {matrix} for {expected}");
     }
-    // neighbours of what sticks stick at once, and nothing tells their rates any longer
+    // neighbours of a sticking state stick at once, and their initial rates no longer matter
     let (_, matrix) = transition(&belt, 0.0, 0.2, [0.0, 0.0], 1e-12).expect("regular");
     assert_eq!(matrix, SMatrix::from([[1.0, 0.0], [0.0, 0.0]]));
 }
@@ -468,22 +469,22 @@ fn what_sticks_forgets_where_it_came_from() {
         .duration(100.0)
         .exponents::<2, _>(&belt, [0.0, 0.0])
         .expect("regular");
-    // neither grows nor decays but within each turn: by a factor of the order of one in all
+    // no growth or decay except within each cycle: in total a factor of order one
     assert!(exponents.values[0].abs() < 1.0 / 100.0, "{:?}", exponents.values);
     assert_eq!(exponents.values[1], f64::NEG_INFINITY);
 }
 
-/// Two carts on one rough track, a spring between them that is longer than they may come close, and a spring to the
-/// ground.
+/// Two carts on one rough track, with a spring between them that is longer than their minimum distance, and a spring to
+/// the ground.
 struct Carts {
     masses: [f64; 2],
-    /// To the ground, and between them.
+    /// Springs to the ground and between the carts.
     stiffness: [f64; 2],
     friction: [f64; 2],
     restitution: f64,
 }
 
-/// How close the carts may come.
+/// Minimum distance of the carts.
 const CLOSE: f64 = 0.5;
 
 impl System<f64, 4> for Carts {
@@ -619,7 +620,7 @@ fn carts_from_anywhere_lose_energy_and_come_to_rest() {
     }
 }
 
-/// The same carts, whose coordinates run the other way.
+/// The carts with reversed coordinates.
 struct Mirrored(Carts);
 
 impl System<f64, 4> for Mirrored {
@@ -696,7 +697,8 @@ fn the_signs_of_coordinates_make_no_difference() {
     }
 }
 
-/// A ball as it cannot be: forces do not move it by `moves`, or its height is another `value`.
+/// An inconsistent ball: forces change its rate by a wrong factor `moves`, or its gap is a wrong function `value` of
+/// the height.
 struct Wrong {
     ball: Ball,
     moves: f64,
@@ -721,7 +723,7 @@ impl Plant<f64, 2> for Wrong {
     }
 
     fn constraints(&self) -> &[Constraint<'_>] {
-        // not of a coordinate
+        // a constraint that is not on a coordinate
         const {
             &[Constraint {
                 name: "floor",
@@ -766,7 +768,7 @@ fn failures_name_what_failed() {
         matches!(backward, Some(Reason::InvalidInput { what: "t1", .. })),
         "{backward:?}"
     );
-    // an impact that changes nothing happens again at once
+    // an impact without effect recurs at once
     let unmoved = Wrong {
         ball: ball(),
         moves: 0.0,
@@ -817,7 +819,7 @@ fn a_restart_that_fails_changes_nothing() {
     assert!((end - undisturbed.end()).amax() < 1e-6, "{end} {}", undisturbed.end());
 }
 
-/// What counts as too low to be followed is relative to how high the ball was since it last lay on the floor.
+/// Rebounds too low to resolve are judged relative to the largest height since the last contact.
 #[test]
 fn a_small_hop_rebounds_as_often_as_a_large_one() {
     let ball = Ball {

@@ -12,11 +12,11 @@ type FixedRodas4 = Fixed<Rosenbrock<tableau::HairerWanner4, 6>>;
 type FixedRodas5P = Fixed<Rosenbrock<tableau::Steinebach5, 8>>;
 type FixedRadau5 = Fixed<RadauIIA>;
 
-/// `x = (1 / (1 + t^2), exp(sin(t)))`: not autonomous, not linear, not stiff.
+/// `x = (1 / (1 + t^2), exp(sin(t)))`: nonautonomous, nonlinear, not stiff.
 struct Known;
 
 impl Known {
-    /// The factor of `x_0 x_1^2` in the second component.
+    /// Factor of `x_0 x_1^2` in the second component.
     fn factor<T: Real>(t: T) -> T {
         let (sin, cos) = t.sin_cos();
         cos * (-sin).exp() * (T::from_f64(1.0) + t * t)
@@ -43,7 +43,7 @@ fn known(t: f64) -> SVector<f64, 2> {
     SVector::from([1.0 / (1.0 + t * t), t.sin().exp()])
 }
 
-/// The problem of A. Prothero and A. Robinson (Math. Comput. 28 (1974) 145-162): `x = sin(t)` whatever the rate.
+/// The problem of A. Prothero and A. Robinson (Math. Comput. 28 (1974) 145-162): `x = sin(t)` for any rate.
 struct Follower {
     rate: f64,
 }
@@ -81,7 +81,7 @@ impl Jacobian<f64, 1> for Linear {
     }
 }
 
-/// The orders that halving the step shows, from the errors at 1, 1/2, 1/4, .. of it.
+/// Observed orders, from the errors at step sizes 1, 1/2, 1/4, .. of the first.
 fn orders(errors: &[f64]) -> Vec<f64> {
     errors.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect()
 }
@@ -95,7 +95,7 @@ fn end<M: Method<S, f64, N>, S: System<f64, N>, const N: usize>(
     method.solve(system, t0, t1, x0).expect("regular").end()
 }
 
-/// The end of a motion from the state 1 over the time 1 in one step of each method.
+/// Solution at time 1 from the state 1, in one step of each method.
 fn in_one_step(system: &Linear) -> [f64; 3] {
     [
         end(FixedRodas4::new(1.0), system, (0.0, 1.0), [1.0])[0],
@@ -104,7 +104,7 @@ fn in_one_step(system: &Linear) -> [f64; 3] {
     ]
 }
 
-/// The same test for each method, with what is known of it.
+/// Runs a test for each method with its expected values.
 macro_rules! for_each {
     ($test:ident: $rodas4:expr, $rodas5p:expr, $radau5:expr) => {
         $test(FixedRodas4::new, $rodas4);
@@ -146,7 +146,8 @@ fn a_stiff_follower_is_followed() {
         let follower = Follower { rate: 1e6 };
         let error = |h| (end(method(h), &follower, (0.0, 2.0), [0.0])[0] - 2.0_f64.sin()).abs();
         let errors = [0.1, 0.05, 0.025].map(error);
-        // Of a lower order where the rate is large, but divided by the rate: a step ends where the fast motion has died out.
+        // For large rates the order is reduced, but the error is divided by the rate, since the fast mode has decayed
+        // at the end of a step.
         assert!((orders(&errors)[1] - order).abs() < 0.1, "{errors:?}");
         assert!(errors[2] < most, "{errors:?}");
     }
@@ -163,7 +164,7 @@ fn a_fast_start_is_resolved_within_the_tolerance() {
         let worst = error.fold(0.0, f64::max);
         assert!(worst < 1e-5, "{worst:e}");
     }
-    // the first step is rejected: what is estimated after that counts
+    // the first step is rejected; the error estimate after it must be sound
     check(Rodas4::new().rtol(1e-5).atol(1e-5).h0(1.0));
     check(Rodas5P::new().rtol(1e-5).atol(1e-5).h0(1.0));
     check(Radau5::new().rtol(1e-5).atol(1e-5).h0(1.0));
@@ -187,13 +188,14 @@ fn what_is_infinitely_stiff_dies_out_in_one_step() {
     for z in [-0.5_f64, -2.0, -10.0, -100.0, -1e4] {
         let after = in_one_step(&Linear { z });
         assert!(after.iter().all(|x| x.abs() < 1.0), "{z}: {after:?}");
-        // The stability function of Radau IIA is the Padé approximation (2, 3) of the exponential: Hairer and Wanner II, Table IV.5.6.
+        // The stability function of Radau IIA is the Padé approximation (2, 3) of the exponential: Hairer and Wanner
+        // II, Table IV.5.6.
         let pade = (1.0 + 0.4 * z + 0.05 * z * z) / (1.0 - 0.6 * z + 0.15 * z * z - z * z * z / 60.0);
         assert!((after[2] - pade).abs() < 1e-14, "{z}");
     }
 }
 
-/// A system given by two functions of the state.
+/// A system given by its right-hand side and Jacobian as functions of the state.
 fn of<const N: usize>(
     f: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
     g: impl Fn(&SVector<f64, N>) -> SMatrix<f64, N, N>,
@@ -215,7 +217,7 @@ fn chemistry_of_robertson() {
         ])
     };
     let robertson = of(rates, jacobian);
-    // Radau IIA of order 13 in 32 digits with mpmath, tolerances of 1e-8 and 1e-10 alike to these digits.
+    // Radau IIA of order 13 in 32 digits with mpmath; tolerances of 1e-8 and 1e-10 agree in these digits.
     let expected = [
         0.107_300_428_537_804_04,
         4.800_166_972_571_66e-7,
@@ -254,7 +256,7 @@ fn relaxation_of_van_der_pol() {
         ])
     };
     let oscillator = of(rates, jacobian);
-    // As that of Robertson, with tolerances of 1e-9 and 1e-11.
+    // Computed like the reference of Robertson's problem, with tolerances of 1e-9 and 1e-11.
     let expected = [-1.863_646_006_138_871_6, 0.753_543_268_399_36];
     for tolerance in [1e-5, 1e-7, 1e-9] {
         let rodas = Rodas5P::new()
@@ -289,7 +291,7 @@ fn single_precision_has_its_own_tolerance() {
     }
 }
 
-/// What an integration that fails tells, and where it stopped.
+/// Reason and time of a failed integration.
 fn failure<S: Jacobian<f64, 1>>(system: &S, max_steps: usize) -> [(Reason, f64); 2] {
     let rodas = Rodas5P::new()
         .max_steps(max_steps)
@@ -305,7 +307,7 @@ fn failure<S: Jacobian<f64, 1>>(system: &S, max_steps: usize) -> [(Reason, f64);
 
 #[test]
 fn failures_are_told_with_the_last_good_state() {
-    // 1 / (1 - t) ends at t = 1
+    // 1 / (1 - t) has a pole at t = 1
     let blows_up = of(
         |x: &SVector<f64, 1>| x.component_mul(x),
         |x: &SVector<f64, 1>| SMatrix::from([[2.0 * x[0]]]),
@@ -317,7 +319,7 @@ fn failures_are_told_with_the_last_good_state() {
         );
         assert!(is_known && (t - 1.0).abs() < 1e-5, "{reason:?} {t}");
     }
-    // no number beyond 2
+    // NaN beyond 2
     let ends = of(
         |x: &SVector<f64, 1>| (x * -1.0).add_scalar(2.0).map(f64::sqrt).add_scalar(1.0),
         |_: &SVector<f64, 1>| SMatrix::from([[0.0]]),
@@ -332,7 +334,7 @@ fn failures_are_told_with_the_last_good_state() {
     for (reason, t) in failure(&Linear { z: 1.0 }, 3) {
         assert!(reason == Reason::TooManySteps { max_steps: 3 } && t < 2.0);
     }
-    // a Jacobian that is not finite is no matrix to solve with
+    // a Jacobian that is not finite cannot be factored
     let blind = of(
         |x: &SVector<f64, 1>| -x,
         |_: &SVector<f64, 1>| SMatrix::from([[f64::NAN]]),
@@ -342,7 +344,7 @@ fn failures_are_told_with_the_last_good_state() {
     }
 }
 
-/// `x' = -x`, whose evaluations are counted.
+/// `x' = -x` with counted evaluations.
 struct Decay(Cell<usize>);
 
 impl System<f64, 1> for Decay {

@@ -4,7 +4,7 @@ use approx::assert_abs_diff_eq;
 use pendulum_core::prelude::*;
 use pendulum_core::{Plant, PlantJacobian, Real, WithInputs};
 
-/// A cart of mass 2 kg that is pushed; the state is its position and its speed.
+/// A pushed cart of mass 2 kg; the state is its position and velocity.
 struct Cart;
 
 impl<T: Real> Plant<T, 2> for Cart {
@@ -32,7 +32,7 @@ impl<T: Real> Controlled<T, 2, 1> for Cart {
 
 #[test]
 fn a_law_for_the_inputs_closes_the_loop() {
-    // A spring and nothing else: x'' = -k/m x with k = 8 N/m swings at 2 rad/s.
+    // Only a spring: x'' = -k/m x with k = 8 N/m oscillates at 2 rad/s.
     let spring = WithInputs::new(Cart, |_t: f64, x: &SVector<f64, 2>| [-8.0 * x[0]]);
     let method = Rk45::new().rtol(1e-10).atol(1e-10);
     let solution = method.solve(&spring, 0.0, 1.0, [1.0, 0.0]).expect("regular");

@@ -1,4 +1,4 @@
-//! Right-hand sides that jump, without a word to the method.
+//! Discontinuous right-hand sides without events.
 
 use pendulum_core::method::{Adaptive, Estimates, OneStep};
 use pendulum_core::prelude::*;
@@ -8,13 +8,15 @@ use crate::methods::{Driven, each_adaptive};
 /// `x' = drive(t) - rate x` from 0, with its exact solution.
 struct Switched {
     rate: f64,
-    /// The drive from 0 on and from each of the times on.
+    /// Drive from 0 on.
     first: f64,
+    /// Times at which the drive changes, with its new values.
     then: Vec<(f64, f64)>,
 }
 
 impl Switched {
-    /// 1 and -1 by turns, `frequency` times a second, from a fraction of the period on, over so many periods.
+    /// Square wave between 1 and -1 of `frequency` Hz, from a fraction `phase` of the period on, over `periods`
+    /// periods.
     fn square(rate: f64, frequency: f64, phase: f64, periods: f64) -> Self {
         let level = |half: usize| if half.is_multiple_of(2) { 1.0 } else { -1.0 };
         let time = |half: usize| (0.5 * half as f64 - phase) / frequency;
@@ -57,7 +59,7 @@ impl Switched {
         x
     }
 
-    /// The largest error at a hundred times up to `end`, and the evaluations.
+    /// Largest error at a hundred times up to `end`, and the number of evaluations.
     fn error<F>(&self, method: Adaptive<F>, end: f64) -> (f64, usize)
     where
         F: for<'a> OneStep<Driven<Drive<'a>, 1>, f64, 1> + Estimates,
@@ -73,7 +75,7 @@ impl Switched {
 
 type Drive<'a> = Box<dyn Fn(f64, &SVector<f64, 1>) -> SVector<f64, 1> + 'a>;
 
-/// The default tolerance is 1e-6 of a state below 1, and an estimate that a jump makes is right to a factor of 100.
+/// Error bound: the default tolerance of 1e-6 for a state below 1, times 100 for the error estimate at a discontinuity.
 const NEAR: f64 = 1e-4;
 
 #[test]
@@ -85,7 +87,7 @@ fn square_waves_are_followed_at_the_default_tolerance() {
         for phase in [0.0, 0.1, 0.3] {
             let periods = frequency.min(8.0);
             let wave = Switched::square(rate, frequency, phase, periods);
-            // The series of Taylor's method knows nothing of the wave: its first step must not pass it.
+            // The power series treats the drive as constant, so the first step must not skip the wave.
             let method = Adaptive::<F>::new();
             let method = if name == "Taylor" {
                 method.h0(0.1 / frequency)
@@ -139,7 +141,7 @@ fn pulses_are_seen_by_steps_that_are_no_longer() {
             let (error, evaluations) = pulse.error(Adaptive::<F>::new().h_max(0.98 * (to - from)), 1.0);
             assert!(error < 10.0 * NEAR, "{name} {from}: {error:e}, {evaluations}");
         }
-        // Between the steps of any method there is room for one that nothing shows.
+        // A short pulse between the evaluations of a method goes undetected.
         let (error, _) = Switched::pulse(1.0, (0.777, 0.778)).error(Adaptive::<F>::new(), 1.0);
         assert!(error > 0.5, "{name}: {error:e}");
     }

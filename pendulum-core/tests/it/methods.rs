@@ -1,11 +1,11 @@
-//! Systems that every method takes, and the methods.
+//! Test systems for every method, and lists of methods.
 
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, TaylorSeries};
 
-/// `x' = u(t, x)` with the derivative `a` of `u` by `x`; canonical as if momenta were states.
+/// `x' = u(t, x)` with the derivative `a` of `u` with respect to `x`; canonical with states as momenta.
 ///
-/// Its power series takes the drive as constant, as generated series do with `signum`.
+/// Its power series treats the drive as constant, as generated series do with `signum`.
 pub(crate) struct Driven<U, const N: usize> {
     pub(crate) u: U,
     pub(crate) a: SMatrix<f64, N, N>,
@@ -52,7 +52,7 @@ impl<U: Fn(f64, &SVector<f64, N>) -> SVector<f64, N>, const N: usize> TaylorSeri
     }
 }
 
-/// Calls a function, generic in the family, for each that keeps a tolerance.
+/// Calls a function, generic in the family, for each family of adaptive methods.
 macro_rules! each_adaptive {
     ($check:ident($($argument:expr),*)) => {{
         use pendulum_core::method::{Explicit, PowerSeries, RadauIIA, Rosenbrock, Switching};
@@ -69,7 +69,7 @@ macro_rules! each_adaptive {
     }};
 }
 
-/// The same for those that do not.
+/// Calls a function, generic in the family, for each family of fixed-step methods.
 macro_rules! each_fixed {
     ($check:ident($($argument:expr),*)) => {{
         use pendulum_core::method::{Explicit, Gauss};

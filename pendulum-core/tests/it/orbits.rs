@@ -8,7 +8,7 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::{PeriodicOrbit, Shooting, Stability, StabilityError};
 use pendulum_core::{Slot, StateLayout};
 
-/// `x'' = f(t, x, x')`, in components `[x, x']`; `by` has the derivatives of `f` with respect to both.
+/// `x'' = f(t, x, x')`, in components `[x, x']`; `by` returns the derivatives of `f` with respect to both.
 fn planar(f: impl Fn(f64, f64, f64) -> f64, by: impl Fn(f64, f64, f64) -> [f64; 2]) -> impl Jacobian<f64, 2> {
     FnSystem::with_jacobian(
         move |t, x: &SVector<f64, 2>| SVector::from([x[1], f(t, x[0], x[1])]),
@@ -68,9 +68,11 @@ fn the_cycle_of_van_der_pol_has_its_period_and_multiplier() {
     let orbit = Shooting::new()
         .autonomous(&van_der_pol(1.0), [2.0, 0.5], 6.0)
         .expect("a cycle");
-    // E. Hairer, S. P. Norsett, G. Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993), I.16, exercise 1
+    // E. Hairer, S. P. Norsett, G. Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993), I.16, exercise
+    // 1
     assert_abs_diff_eq!(orbit.period, 6.663_286_859_323_13, epsilon = 1e-10);
-    // Liouville: the determinant of the monodromy matrix is the exponential of the divergence, summed up along the orbit
+    // Liouville: the determinant of the monodromy matrix is the exponential of the divergence integrated along the
+    // orbit
     let with_divergence = FnSystem(|_t: f64, x: &SVector<f64, 3>| {
         let divergence = 1.0 - x[0] * x[0];
         SVector::from([x[1], divergence * x[1] - x[0], divergence])
@@ -87,7 +89,7 @@ fn the_cycle_of_van_der_pol_has_its_period_and_multiplier() {
     assert_abs_diff_eq!(multiplier.value.re, end[2].exp(), epsilon = 1e-12);
     assert!(multiplier.uncertainty < 1e-8);
     assert_eq!(orbit.stability(), Stability::AsymptoticallyStable);
-    // and the other is 1, which belongs to the motion along the orbit
+    // the other multiplier is 1, for the motion along the orbit
     let first = &orbit.multipliers.modes()[0];
     assert_abs_diff_eq!(first.eigenvalue.re, 1.0, epsilon = 1e-10);
     let motion = van_der_pol(1.0).rhs(0.0, &orbit.x);
@@ -97,11 +99,11 @@ fn the_cycle_of_van_der_pol_has_its_period_and_multiplier() {
 
 #[test]
 fn the_search_goes_straight_across_to_the_orbit() {
-    // from far away, and with a period that is a third off
+    // from a distant guess, with a period that is a third off
     let orbit = Shooting::new()
         .autonomous(&van_der_pol(3.0), [1.0, 1.0], 6.0)
         .expect("a cycle");
-    // a long integration settles on it
+    // a long integration converges to it
     let upward = Event::new(|_t, x: &SVector<f64, 2>| x[0]).rising();
     let method = Vern9::new().rtol(1e-12).atol(1e-12);
     let points = pendulum_core::stability::section(&method, &van_der_pol(3.0), 0.0, 100.0, [2.0, 0.0], &upward);
@@ -116,7 +118,7 @@ fn the_search_goes_straight_across_to_the_orbit() {
 fn a_pendulum_swings_and_turns_over_with_the_periods_of_jacobi() {
     let shooting = Shooting::new();
     let swing: PeriodicOrbit<2> = shooting.autonomous(&Pendulum, [1.0, 0.3], 6.5).expect("a libration");
-    // the sine of half the amplitude, from the energy
+    // sine of half the amplitude, from the energy
     let k = (0.25 * swing.x[1].powi(2) + (0.5 * swing.x[0]).sin().powi(2)).sqrt();
     assert_abs_diff_eq!(swing.period, 4.0 * elliptic_k(k), epsilon = 1e-10);
     assert_eq!(swing.turns, [0, 0]);
@@ -134,7 +136,7 @@ fn a_pendulum_swings_and_turns_over_with_the_periods_of_jacobi() {
     }
 }
 
-/// The layout alone says that a full turn leads back.
+/// Only a layout marks a full turn as closed.
 #[test]
 fn without_a_layout_a_rotation_does_not_close() {
     let unknown = planar(|_, q: f64, _| -q.sin(), |_, q: f64, _| [-q.cos(), 0.0]);
@@ -151,8 +153,8 @@ fn of_a_family_of_orbits_that_with_a_given_period_is_found() {
     assert_abs_diff_eq!(4.0 * elliptic_k(k), 8.0, epsilon = 1e-9);
 }
 
-/// The characteristic values of Mathieu's equation with even functions of period pi, rising: eigenvalues of the tridiagonal matrix of
-/// their Fourier coefficients.
+/// Characteristic values of Mathieu's equation for even functions of period pi, in ascending order: eigenvalues of the
+/// tridiagonal matrix of their Fourier coefficients.
 fn even_characteristic_values(q: f64) -> Vec<f64> {
     let matrix = DMatrix::from_fn(30, 30, |i, j| match (i, j) {
         (i, j) if i == j => (2 * i).pow(2) as f64,
@@ -165,7 +167,7 @@ fn even_characteristic_values(q: f64) -> Vec<f64> {
     values
 }
 
-/// The same for odd functions of period 2 pi.
+/// Characteristic values of Mathieu's equation for odd functions of period 2 pi, in ascending order.
 fn odd_characteristic_values(q: f64) -> Vec<f64> {
     let matrix = DMatrix::from_fn(30, 30, |i, j| match (i, j) {
         (0, 0) => 1.0 - q,
@@ -198,10 +200,10 @@ fn multipliers_of_mathieus_equation_are_one_on_its_characteristic_curves() {
             assert!(error <= found.uncertainty && error < 1e-3, "{found:?}");
         }
     }
-    // between a0 and b1 motions are bounded, and between b1 and a1 they grow
+    // between a0 and b1 solutions are bounded; between b1 and a1 they grow
     assert_eq!(rest(0.5 * (a[0] + b[0]), 5.0).stability(), Stability::Undecided);
     assert_eq!(rest(b[0] + 1.0, 5.0).stability(), Stability::Unstable);
-    // without the drive the multipliers are those of a linear oscillator, in one period of the drive
+    // without drive, the multipliers of a linear oscillator over one drive period
     let [plus, _] = rest(0.3, 0.0).nontrivial().to_vec()[..] else {
         panic!("there are two")
     };
@@ -210,10 +212,11 @@ fn multipliers_of_mathieus_equation_are_one_on_its_characteristic_curves() {
 
 #[test]
 fn a_pendulum_stands_upright_from_kapitzas_frequency_on() {
-    // pivot at a cos(omega t); the small motions about the top are those of Mathieu with the parameters -4 g / (l omega^2) and 2 a / l
+    // pivot at a cos(omega t); the linearisation about the top is Mathieu's equation with the parameters -4 g / (l
+    // omega^2) and 2 a / l
     let (gravity, a) = (9.81, 0.2);
     let critical = (-4.0 * gravity / even_characteristic_values(2.0 * a)[0]).sqrt();
-    // P. L. Kapitza's mean over fast shaking: a omega = sqrt(2 g l)
+    // P. L. Kapitza's average over fast oscillation: a omega = sqrt(2 g l)
     assert_abs_diff_eq!(critical * a / (2.0 * gravity).sqrt(), 1.0, epsilon = 0.02);
     let upright = |omega: f64| {
         let pull = move |t: f64| gravity - a * omega * omega * (omega * t).cos();
@@ -235,7 +238,7 @@ fn a_search_that_fails_tells_why() {
     let shooting = Shooting::new();
     let at_rest = shooting.autonomous(&van_der_pol(1.0), [1e-3, 0.0], 6.3);
     assert_eq!(at_rest, Err(StabilityError::AtRest));
-    // nothing comes back where everything falls
+    // free fall has no periodic motion
     let falling = planar(|_, _, _| -9.81, |_, _, _| [0.0, 0.0]);
     let none = shooting.forced(&falling, [0.0, 1.0], 1.0);
     assert!(
@@ -249,7 +252,7 @@ fn a_search_that_fails_tells_why() {
         backward.to_string(),
         "`period` is -1.0: a period must be finite and positive"
     );
-    // the solution of x'' = x^2 runs away
+    // the solution of x'' = x^2 blows up
     let escape = planar(|_, x, _| x * x, |_, x, _| [2.0 * x, 0.0]);
     let lost = shooting.forced(&escape, [10.0, 10.0], 10.0);
     assert!(matches!(lost, Err(StabilityError::Integration(_))), "{lost:?}");

@@ -5,10 +5,12 @@ use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
 use pendulum_core::tableau::{HairerWanner4, RosenbrockMethod, Steinebach5};
 
-/// The coefficients are printed to 16 digits; those of `Gamma^-1` reach 166, and a condition multiplies few of them that are large.
+/// Tolerance of order conditions. The coefficients are published to 16 digits; the entries of `Gamma^-1` reach 166, and
+/// a condition contains products of only a few large ones.
 const TOLERANCE: f64 = 1e-12;
 
-/// `Phi_i(t)` for every tree: a node with one branch sums over `alpha_ij + gamma_ij`, one with more over `alpha_ij`.
+/// Elementary weights `Phi_i(t)` for every tree: a node with one branch sums over `alpha_ij + gamma_ij`, a node with
+/// several over `alpha_ij`.
 ///
 /// Hairer, Wanner II, 2nd ed., IV.7.
 fn elementary_weights<const S: usize>(
@@ -35,7 +37,7 @@ fn elementary_weights<const S: usize>(
     phi
 }
 
-/// The largest `|sum_i weights_i Phi_i(t) - theta^order / gamma(t)|` of an order.
+/// Largest `|sum_i weights_i Phi_i(t) - theta^order / gamma(t)|` of an order.
 fn defect<const S: usize>(
     (trees, phi): (&[Tree], &[SVector<f64, S>]),
     weights: &SVector<f64, S>,
@@ -84,7 +86,7 @@ fn check<B: RosenbrockMethod<S>, const S: usize>() {
     }
     assert!((at(1.0) - SVector::from(tableau.b)).amax() < TOLERANCE);
 
-    // Stiffly accurate: the last stage starts where the embedded method arrives, and its own weight is 1.
+    // Stiffly accurate: the last stage starts at the end point of the embedded method, and its own weight is 1.
     assert_eq!(tableau.a[S - 1], tableau.b_hat);
     assert_eq!(tableau.b[S - 1], 1.0);
 }
@@ -99,7 +101,7 @@ fn rodas5p() {
     check::<Steinebach5, 8>();
 }
 
-/// A drive that is fast has a derivative by the time that differences over some microseconds miss.
+/// A fast drive, whose time derivative differences over some microseconds would miss.
 #[test]
 fn a_derivative_by_the_time_that_is_given_saves_steps() {
     let omega = 1e5;

@@ -1,4 +1,4 @@
-//! Results survive being written and read.
+//! Results survive a round trip through serialisation.
 
 use pendulum_core::prelude::*;
 use pendulum_core::{ParameterError, Solution};

@@ -4,12 +4,12 @@ use std::f64::consts::TAU;
 
 use pendulum_core::prelude::*;
 
-/// `x'' = -x`, and beside it `y'' = -y`.
+/// `x'' = -x` and, uncoupled, `y'' = -y`.
 fn springs() -> impl System<f64, 4> {
     FnSystem(|_t: f64, x: &SVector<f64, 4>| SVector::from([x[2], x[3], -x[0], -x[1]]))
 }
 
-/// The components that are listed after some periods from a state, and the error of the first one over its size.
+/// Components that are reported after some periods from the state `x0`, and the relative error of the state.
 fn listed(method: &impl Method<FnSystem<Spring>, f64, 2>, x0: [f64; 2]) -> (Vec<usize>, f64) {
     let spring: FnSystem<Spring> = FnSystem(|_t, x| SVector::from([x[1], -x[0]]));
     let solution = method.solve(&spring, 0.0, 20.0 * TAU, x0).expect("regular");
@@ -45,7 +45,7 @@ fn a_small_motion_is_reported_where_it_is_wrong() {
             assert!(error < 0.02, "{size}: {error}");
         }
     }
-    // with the tolerance that the report asks for it is as exact as a large one
+    // the suggested tolerance gives the relative accuracy of a large motion
     let spring: FnSystem<Spring> = FnSystem(|_t, x| SVector::from([x[1], -x[0]]));
     let below = Rk45::new()
         .solve(&spring, 0.0, 20.0 * TAU, [1e-9, 0.0])
@@ -57,9 +57,9 @@ fn a_small_motion_is_reported_where_it_is_wrong() {
     assert!(text.starts_with("x[0] is ") && text.contains("set `atol("), "{text}");
     let (components, error) = listed(&Rk45::new().atol(1e-15), [1e-9, 0.0]);
     assert!(components.is_empty() && error < 1e-3, "{error}");
-    // steps of given length keep none
+    // fixed steps have no tolerance
     assert_eq!(listed(&Rk4::new(0.01), [1e-9, 0.0]).0, [0; 0]);
-    // where digits are not asked for, none are missed
+    // no report if the relative tolerance is that coarse
     assert_eq!(listed(&Rk45::new().rtol(0.01).atol(1e-9), [1e-6, 0.0]).0, [0; 0]);
 }
 
@@ -73,28 +73,28 @@ fn what_is_small_beside_others_is_reported_only_where_it_was_asked_for() {
             .map(|below| below.component)
             .collect::<Vec<_>>()
     };
-    // at rest, beside what moves or rests elsewhere
+    // at rest, next to moving and to resting components
     assert_eq!(of([1.0, 0.0, 0.0, 0.0]), [0; 0]);
     assert_eq!(of([0.0; 4]), [0; 0]);
-    // a small motion beside a large one, and what rounding leaves
+    // a small motion next to a large one, and rounding errors
     assert_eq!(of([1.0, 1e-9, 0.0, 0.0]), [1]);
     assert_eq!(of([1.0, 1e-16, 0.0, 0.0]), [0; 0]);
     assert_eq!(of([1e-9, 0.0, 0.0, 0.0]), [0, 2]);
-    // disturbed a little by a large one, from rest
+    // a small perturbation from rest by a large motion
     let coupled = FnSystem(|_t: f64, x: &SVector<f64, 4>| SVector::from([x[2], x[3], -x[0], 1e-10 * x[0] - x[1]]));
     let solution = Tsit5::new()
         .solve(&coupled, 0.0, 10.0, [1.0, 0.0, 0.0, 0.0])
         .expect("regular");
     assert!(solution.end()[1].abs() > 1e-11 && solution.below_tolerance().is_empty());
-    // from rest, by forces that are small themselves
+    // from rest, by small forces
     let pushed = FnSystem(|t: f64, x: &SVector<f64, 2>| SVector::from([x[1], 1e-9 * t.cos()]));
     let solution = Tsit5::new().solve(&pushed, 0.0, 10.0, [0.0, 0.0]).expect("regular");
     assert_eq!(solution.below_tolerance().len(), 2);
-    // a decay to nothing
+    // a decay to zero
     let decay = FnSystem(|_t: f64, x: &SVector<f64, 1>| -x);
     let solution = Tsit5::new().solve(&decay, 0.0, 100.0, [1.0]).expect("regular");
     assert!(solution.end()[0].abs() < 1e-8 && solution.below_tolerance().is_empty());
-    // without a way to go
+    // an empty span
     let solution = Tsit5::new().solve(&decay, 0.0, 0.0, [1e-9]).expect("regular");
     assert!(solution.below_tolerance().is_empty());
 }

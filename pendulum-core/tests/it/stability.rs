@@ -1,4 +1,4 @@
-//! Spectra, transition matrices, Lyapunov exponents and sections of systems whose answers are known.
+//! Spectra, transition matrices, Lyapunov exponents and sections of systems with known answers.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,7 +11,7 @@ fn linear<const N: usize>(matrix: SMatrix<f64, N, N>) -> impl Jacobian<f64, N> {
     FnSystem::with_jacobian(move |_t, x: &SVector<f64, N>| matrix * x, move |_t, _x: &_| matrix)
 }
 
-/// A pendulum with `g / l = 1`, angles from where it hangs.
+/// A pendulum with `g / l = 1`; angles from the hanging position.
 fn swing() -> impl Jacobian<f64, 2> {
     FnSystem::with_jacobian(
         |_t, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]),
@@ -65,7 +65,7 @@ fn eigenvalues_are_the_roots_of_their_polynomial_in_order() {
 
 #[test]
 fn equal_eigenvalues_have_as_many_vectors_as_there_are() {
-    // two oscillators that do not see each other: pairs +-i, twice
+    // two uncoupled oscillators: pairs +-i, twice
     let matrix = SMatrix::<f64, 4, 4>::new(
         0.0, 0.0, 1.0, 0.0, //
         0.0, 0.0, 0.0, 1.0, //
@@ -89,7 +89,8 @@ fn equal_eigenvalues_have_as_many_vectors_as_there_are() {
 
 #[test]
 fn near_and_distant_eigenvalues_have_vectors_of_their_own() {
-    // The eigenvectors (1, 0) and (1, d) of 1 and 1 + d: at an angle of atan(d), whose sine is one over the condition.
+    // The eigenvectors (1, 0) and (1, d) of 1 and 1 + d enclose the angle atan(d), whose sine is the reciprocal of the
+    // condition number.
     for d in [1.0, 1e-3, 1e-6] {
         let spectrum = spectrum(&SMatrix::<f64, 2, 2>::new(1.0, 1.0, 0.0, 1.0 + d));
         let [upper, lower] = spectrum.modes() else {
@@ -104,7 +105,7 @@ fn near_and_distant_eigenvalues_have_vectors_of_their_own() {
             assert!((mode.condition * d.atan().sin() - 1.0).abs() < 1e-6, "{d} {mode:?}");
         }
     }
-    // Three times the same: the vectors span all space.
+    // A triple eigenvalue: the vectors span all space.
     let triple = SMatrix::<f64, 3, 3>::new(2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0);
     let spectrum = spectrum(&triple);
     let shapes: Vec<_> = spectrum.modes().iter().map(|mode| mode.shape).collect();
@@ -113,7 +114,7 @@ fn near_and_distant_eigenvalues_have_vectors_of_their_own() {
     assert!(spectrum.modes().iter().all(|mode| (mode.condition - 1.0).abs() < 1e-12));
 }
 
-/// `q d q^-1`, whose eigenvalues differ by rounding errors where those of `d` are equal, and whose vectors lie along no axis.
+/// `q d q^-1`. Rounding splits equal eigenvalues of `d`, and no eigenvector lies along an axis.
 fn mixed<const N: usize>(d: &SMatrix<f64, N, N>, seed: usize) -> SMatrix<f64, N, N> {
     let entry = |i: usize, j: usize| ((seed + 7 * i + 3 * j + i * j) as f64).sin();
     let q = SMatrix::<f64, N, N>::from_fn(|i, j| entry(i, j) + if i == j { 2.0 } else { 0.0 });
@@ -134,13 +135,13 @@ fn eigenvalues_that_are_equal_but_for_rounding_have_vectors_of_their_own() {
         let spectrum = spectrum(matrix);
         let unit: Vec<_> = spectrum.modes().iter().map(|mode| mode.shape.normalize()).collect();
         for (k, mode) in spectrum.modes().iter().enumerate() {
-            // Of the same eigenvalue they are orthogonal.
+            // Eigenvectors of equal eigenvalues are orthogonal.
             for (other, vector) in spectrum.modes().iter().zip(&unit).take(k) {
                 if (other.eigenvalue - mode.eigenvalue).norm() < 1e-9 {
                     assert!(vector.dotc(&unit[k]).norm() < 1e-9, "{spectrum:?}");
                 }
             }
-            // The largest component is 1, and errors are magnified by no more than in the mixture.
+            // The largest component is 1, and the condition is at most that of `q`.
             assert!(
                 mode.shape.iter().any(|component| (component - 1.0).norm() < 1e-15),
                 "{mode:?}"
@@ -219,7 +220,8 @@ fn a_symmetric_matrix_magnifies_no_errors_and_has_orthonormal_vectors() {
 
 #[test]
 fn the_uncertainty_is_what_rounding_errors_do() {
-    // A double eigenvalue with one vector goes apart by the root of a change, a simple one of a matrix far from normal by a multiple.
+    // A defective double eigenvalue splits by the square root of a perturbation; a simple one of a matrix far from
+    // normal moves by a multiple of it.
     for (matrix, least, most) in [
         (SMatrix::<f64, 2, 2>::new(1.0, 1.0, 0.0, 1.0), 1e-9, 1e-6),
         (SMatrix::<f64, 2, 2>::new(1.0, 1e5, 0.0, 2.0), 1e-10, 1e-4),
@@ -279,7 +281,7 @@ fn the_transition_matrix_of_a_linear_system_is_its_exponential() {
     }
 }
 
-/// Nothing moves at an equilibrium, and nothing of the state tells how long steps may be.
+/// The state is constant at an equilibrium, so only the tangents can limit the step size.
 #[test]
 fn tangents_are_accurate_where_the_state_rests() {
     let (x, matrix) = transition(&swing(), 0.0, 10.0, [PI, 0.0], 1e-11).expect("regular");
@@ -308,7 +310,7 @@ fn the_transition_matrix_is_the_derivative_of_the_flow() {
         let slope = (apart(h) * 4.0 - apart(2.0 * h)) / 3.0;
         assert!((slope - matrix.column(j)).amax() < 1e-8, "{slope} {matrix}");
     }
-    // Liouville: areas stay, for the trace of the Jacobian is zero.
+    // Liouville: areas are preserved, since the trace of the Jacobian is zero.
     assert!((matrix.determinant() - 1.0).abs() < 1e-11);
 }
 
@@ -322,7 +324,7 @@ fn exponents_of_a_linear_system_are_its_growth_rates() {
         0.0, 0.0, -0.5,
     ));
     let exponents = Lyapunov::new().tolerance(1e-10).transient(40.0).duration(60.0);
-    // The state stays on the first axis, along which it decays, and the tangents must not.
+    // The state stays on the first axis, along which it decays; the tangents must not.
     let found = exponents.exponents::<3, _>(&system, [1.0, 0.0, 0.0]).expect("regular");
     for (value, expected) in found.values.iter().zip([0.25, -0.5, -2.0]) {
         assert!((value - expected).abs() < 1e-8, "{found:?}");
@@ -332,8 +334,8 @@ fn exponents_of_a_linear_system_are_its_growth_rates() {
     assert_eq!(found.t, 100.0);
 }
 
-/// Tangents `v' = t v` about a state at rest: over a time T from t0 on they grow by t0 + T / 2 on average, and in the
-/// k-th of ten parts by (k - 4.5) T / 10 more, whose standard error is sqrt(82.5 / 10 / 9) T / 10.
+/// Tangents `v' = t v` about a state at rest. Over a time T from t0 on, their mean growth rate is t0 + T / 2. In the
+/// k-th of ten parts it differs by (k - 4.5) T / 10, with a standard error of sqrt(82.5 / 10 / 9) T / 10.
 #[test]
 fn uncertainty_is_the_scatter_of_ten_parts() {
     let system = FnSystem::with_jacobian(
@@ -343,7 +345,7 @@ fn uncertainty_is_the_scatter_of_ten_parts() {
     for (transient, duration) in [(0.0, 20.0), (10.0, 20.0), (3.0, 1.0)] {
         let measure = Lyapunov::new().tolerance(1e-13).transient(transient).duration(duration);
         let found = measure.largest(&system, [0.0]).expect("regular");
-        // The first step may lie across the end of the transient.
+        // The first step may extend beyond the end of the transient.
         let (value, uncertainty) = (transient + duration / 2.0, (8.25_f64 / 9.0).sqrt() * duration / 10.0);
         let slack = if transient == 0.0 { 1e-9 } else { 0.05 * duration };
         assert!((found.values[0] - value).abs() < slack, "{found:?} {value}");
@@ -413,7 +415,7 @@ fn a_driven_oscillator_settles_on_one_point() {
     let system = FnSystem(|t: f64, x: &SVector<f64, 2>| SVector::from([x[1], (2.0 * t).cos() - x[0] - 0.4 * x[1]]));
     let response = Complex::new(-3.0, 0.8).inv();
     let expected = SVector::from([response.re, -2.0 * response.im]);
-    // every half turn of the sine is a period of the drive
+    // each half turn of the sine is one drive period
     let surface = Event::new(|t: f64, _x: &SVector<f64, 2>| t.sin());
     let method = Vern9::new().rtol(1e-12).atol(1e-12);
     let points = section(&method, &system, 0.5, 400.0, [3.0, 0.0], &surface).expect("regular");

@@ -1,4 +1,4 @@
-//! The stability functions of all methods: against their steps, the exponential function, closed forms and known limits.
+//! Stability functions of all methods, against their steps, the exponential function, closed forms and known limits.
 
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::method::{Adaptive, Fixed, PowerSeries, RadauIIA, Rosenbrock};
@@ -9,7 +9,7 @@ use pendulum_core::{Canonical, TaylorSeries};
 
 type C = Complex<f64>;
 
-/// `x' = lambda x` in two real components, with all that a method may ask of a system.
+/// `x' = lambda x` in two real components, with all traits that a method may require.
 struct Linear(C);
 
 impl Linear {
@@ -30,7 +30,7 @@ impl Jacobian<f64, 2> for Linear {
     }
 }
 
-/// A unit mass.
+/// Canonical variables with a unit mass.
 impl Canonical<f64, 2> for Linear {
     fn canonical(&self, t: f64, x: &SVector<f64, 2>) -> (SVector<f64, 2>, SVector<f64, 2>) {
         (*x, self.rhs(t, x))
@@ -53,9 +53,9 @@ impl TaylorSeries<f64, 2> for Linear {
     }
 }
 
-// Against the steps
+// Comparison with steps
 
-/// Oscillation, decay, growth, and some of each.
+/// Oscillation, decay, growth, and mixtures of them.
 const SAMPLES: [C; 6] = [
     C::new(0.0, 1.3),
     C::new(-2.5, 0.0),
@@ -65,11 +65,11 @@ const SAMPLES: [C; 6] = [
     C::new(-8.0, 3.0),
 ];
 
-/// The length of a step.
+/// Step size.
 const H: f64 = 0.5;
 
-/// Compares one step along `x' = lambda x` with the stability function. They differ by roundings of stages, which are as large as the powers of
-/// `|z|` that they stand for, times the largest sum of sizes of coefficients: `sums`.
+/// Compares one step along `x' = lambda x` with the stability function. They differ by rounding errors of the stages.
+/// These are proportional to the powers of `|z|` of the stages, times `sums`, the largest sum of absolute coefficients.
 #[track_caller]
 fn check_step<M>(method: &M, sums: f64)
 where
@@ -85,7 +85,7 @@ where
     }
 }
 
-/// The method with steps of the length that is tried first.
+/// Disables step size control, so that the first step is accepted with size [`H`].
 fn lax<F>(method: Adaptive<F>) -> Adaptive<F> {
     method.atol(1e200).h0(H)
 }
@@ -108,10 +108,10 @@ fn a_step_multiplies_a_mode_by_the_stability_function() {
     }
 }
 
-// Against the exponential function
+// Comparison with the exponential function
 
-/// How far the coefficient of `z^k` is from that of the exponential function, in parts of it: from the values on a circle, by the
-/// trapezoidal rule for the integral of Cauchy.
+/// Relative deviation of the coefficient of `z^k` from the one of the exponential function. It is computed from values
+/// on a circle, by Cauchy's integral with the trapezoidal rule.
 fn defect(method: &dyn StabilityFunction, radius: f64, k: usize) -> f64 {
     const POINTS: usize = 128;
     let angles = (0..POINTS).map(|i| std::f64::consts::TAU * i as f64 / POINTS as f64);
@@ -141,14 +141,15 @@ fn the_exponential_function_is_met_to_the_order_of_the_method_and_no_further() {
         (&Vern9::new(), 9),
     ];
     let series: [(&dyn StabilityFunction, usize); 2] = [(&Taylor::new().order(12), 12), (&Taylor::new().order(20), 20)];
-    // Circles within the poles, the closest of which is at 3.6, and wide enough for the coefficients to be seen above rounding errors.
+    // The circles lie within the poles, the closest of which is at 3.6, and are large enough to resolve the
+    // coefficients above rounding errors.
     for (methods, radius) in [(&implicit[..], 1.0), (&explicit[..], 2.0), (&series[..], 8.0)] {
         for &(method, order) in methods {
             for k in 0..=order {
                 let defect = defect(method, radius, k);
                 assert!(defect < 1e-9, "z^{k} of a method of order {order}: {defect:e}");
             }
-            // 1.5 % for Verner's method of order 7, the least
+            // 1.5 % for Verner's method of order 7, the smallest deviation
             assert!(defect(method, radius, order + 1) > 0.01);
         }
     }
@@ -239,7 +240,7 @@ fn limits_are_those_of_the_literature() {
     // |R(iy)|^2 = 1 - y^6 / 72 + y^8 / 576
     let rk4 = Rk4::new(H);
     assert!((imaginary_limit(&rk4) - 8.0_f64.sqrt()).abs() < 1e-8);
-    // the real zero of R(z) - 1, over z: 1 + z / 2 + z^2 / 6 + z^3 / 24
+    // real root of (R(z) - 1) / z = 1 + z / 2 + z^2 / 6 + z^3 / 24
     let z = -real_limit(&rk4);
     assert!((1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))).abs() < 1e-8);
 }
@@ -268,7 +269,7 @@ fn an_order_without_sense_is_stable_nowhere() {
     assert_eq!(real_limit(&taylor), 0.0);
 }
 
-/// Stable but for a narrow ring.
+/// Stable except in a narrow ring.
 struct Ring;
 
 impl StabilityFunction for Ring {
@@ -287,9 +288,9 @@ fn what_lies_beyond_the_first_loss_of_stability_does_not_count() {
     assert!((imaginary_limit(&Ring) - 3.3).abs() < 1e-14);
 }
 
-// The longest stable step
+// Largest stable step
 
-/// A matrix with the eigenvalues `creeping`, `swinging` and its conjugate, and `growing`, in a basis askew.
+/// A matrix with the eigenvalues `creeping`, `swinging` and its conjugate, and `growing`, in an oblique basis.
 fn askew(creeping: f64, swinging: C, growing: f64) -> SMatrix<f64, 4, 4> {
     let mut matrix = SMatrix::<f64, 4, 4>::zeros();
     matrix[(0, 0)] = creeping;
@@ -312,7 +313,7 @@ fn the_fastest_mode_limits_the_step() {
     let longest = |jacobian| max_stable_step(&rk4, &jacobian).expect("finite");
     let swinging = C::new(0.0, 7.0);
     for (jacobian, expected) in [
-        // creeping, swinging, and what grows however short the step
+        // overdamped, oscillating, and unstable modes
         (askew(-30.0, swinging, 1.0), 2.785_293_563_405_3 / 30.0),
         (askew(-1.0, swinging, 1.0), 8.0_f64.sqrt() / 7.0),
         (askew(-1.0, swinging, 1e3), 8.0_f64.sqrt() / 7.0),
@@ -330,7 +331,8 @@ fn the_fastest_mode_limits_the_step() {
 
 #[test]
 fn what_drifts_freely_limits_no_step() {
-    // position and velocity in other coordinates: a double eigenvalue 0, which the last digit pulls apart to 3e-9 i and -3e-9 i
+    // position and velocity in oblique coordinates: a double eigenvalue 0, which rounding splits into 3e-9 i and -3e-9
+    // i
     let drifting = SMatrix::from([[0.21, 0.09], [-0.490_000_000_000_000_1, -0.21]]);
     assert_eq!(max_stable_step(&Rk4::new(H), &drifting), Ok(f64::INFINITY));
 }
@@ -342,7 +344,7 @@ fn a_damped_swing_is_stable_until_the_longest_step_and_not_beyond() {
         assert!(factor(longest * (1.0 - 1e-8)) < 1.0);
         assert!(factor(longest * (1.0 + 1e-8)) > 1.0);
     };
-    // the factor of a step, as the code takes it
+    // amplification factor of a step, as computed by the code
     let step = |h: f64| {
         let mut stepper = Rk4::new(h).stepper(&damped, 0.0, h, [1.0, 0.0]).expect("regular");
         stepper.run().expect("regular").norm()

@@ -1,4 +1,4 @@
-//! Many trajectories side by side, some of which are stiff.
+//! Trajectories in lanes, some of which are stiff.
 
 use std::marker::PhantomData;
 
@@ -21,8 +21,8 @@ use crate::step_size::{Estimates, Tolerance};
 use crate::system::{Jacobian, System};
 use crate::tableau::Steinebach5;
 
-/// [`Switching`] from an explicit method that is known beforehand: the code of three would be too long for the stack of
-/// a thread where nothing is optimised.
+/// [`Switching`] with the explicit method as a type parameter: the code of all three would exceed the stack of a thread
+/// in unoptimised builds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SwitchingFrom<B, const STAGES: usize>(PhantomData<B>);
 
@@ -46,27 +46,27 @@ where
 
 impl<B, const STAGES: usize> Estimates for SwitchingFrom<B, STAGES> {}
 
-/// Both methods in lanes, each of which has one at work. Where lanes differ, both take a step in all of them.
+/// Both methods in lanes, one of which is active in each lane. If lanes differ, both take a step in all of them.
 #[derive(Clone, Debug)]
 pub(crate) struct SwitchInLanes<B, V: Lanes, const STAGES: usize, const N: usize> {
     explicit: ExplicitStages<B, V, STAGES, N>,
     implicit: RosenbrockStages<Steinebach5, V, 8, N, PerLane<V, N>>,
     stiffness: [Stiffness; MOST_LANES],
-    /// The directions of the fastest change, for power iteration.
+    /// Directions of the fastest change, for power iteration.
     fastest: SVector<V, N>,
-    /// The derivatives where both methods arrived.
+    /// Derivatives at the ends of the steps of both methods.
     slope: SVector<V, N>,
     work: Work,
 }
 
-/// The work that was counted last, of both methods.
+/// Work of both methods counted last.
 #[derive(Clone, Copy, Debug, Default)]
 struct Work {
     explicit: Statistics,
     implicit: Statistics,
-    /// That of lanes which changed to them before.
+    /// Work of switches to each method before.
     of_change: [Statistics; 2],
-    /// A bit for each lane that did.
+    /// Bit set of the lanes that switched.
     changed: u64,
 }
 
@@ -89,20 +89,20 @@ where
         })
     }
 
-    /// Whether some lanes are free, and some are stiff.
+    /// Returns two flags: the explicit, or the implicit, method is active in some lane.
     #[inline(always)]
     fn at_work(&self) -> [bool; 2] {
         [false, true].map(|is_stiff| self.stiffness[..V::LANES].iter().any(|own| own.is_stiff == is_stiff))
     }
 
-    /// The end of an explicit step from `t` to `t_new`: its start in lanes that are stiff, in which it would go astray, to
-    /// angles whose sines take long.
+    /// End of an explicit step from `t` to `t_new`. In stiff lanes it is the start, since the step would diverge to
+    /// large angles, whose sines are slow.
     #[inline(always)]
     fn end_of_free(&self, t: V, t_new: V) -> V {
         self.stiff().select(&[t].into(), &[t_new].into())[0]
     }
 
-    /// The lanes that are stiff.
+    /// Stiff lanes.
     #[inline(always)]
     fn stiff(&self) -> Accepted<V> {
         let sign = |lane: usize| if self.stiffness[lane].is_stiff { -1.0 } else { 1.0 };
@@ -136,14 +136,14 @@ where
         set_lane(&mut self.fastest, lane, &ones);
     }
 
-    // Work is counted for each lane.
+    // work is counted for each lane
     #[inline(always)]
     fn begin(&mut self, system: &InMode<'_, S, V>, t: V, x: &SVector<V, N>, _work: &mut Statistics) -> SVector<V, N> {
         self.work = Work::default();
         if let [_, true] = self.at_work() {
             self.implicit.begin(system, t, x, &mut self.work.implicit);
         }
-        // those that enter are not known to be stiff
+        // lanes that enter are not stiff at first
         self.explicit.begin(system, t, x, &mut self.work.explicit)
     }
 
@@ -221,7 +221,7 @@ where
     fn accept(&mut self, system: &InMode<'_, S, V>, step: &Step<V, N>, lanes: Accepted<V>, work: &mut Statistics) {
         let [some_free, some_stiff] = self.at_work();
         if some_free {
-            // before it is accepted: then the first stage is that of the next step
+            // before acceptance, which overwrites the first stage by the one of the next step
             let measured = self.explicit.stiffness(step.h);
             self.explicit.accept(system, step, lanes, work);
             for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {

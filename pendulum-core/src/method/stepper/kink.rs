@@ -1,4 +1,4 @@
-//! Kinks of a right-hand side, where a step ends.
+//! Kinks of a right-hand side: steps end there.
 
 use super::Stepper;
 use crate::dense::Step;
@@ -8,11 +8,11 @@ use crate::method::search::Search;
 use crate::real::Float;
 use crate::system::System;
 
-/// Retake a step to a kink at most this many times: each time is nearer by about the square.
+/// Maximum number of times that a step is retaken to a kink: convergence is about quadratic.
 const MOST_RETAKEN: usize = 6;
-/// A kink is reached within this many ulps of the time.
+/// Distance from a kink at which it is reached, in ulps of t.
 const REACHED_ULPS: f64 = 4.0;
-/// The slope of an event is that over this fraction of the step.
+/// Distance of the difference quotient of an event function, in fractions of the step.
 const SLOPE_OVER: f64 = 1e-3;
 
 impl<C, S, T, const N: usize> Stepper<'_, C, S, T, N>
@@ -21,10 +21,10 @@ where
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    /// Takes the last step again up to the first kink in it, if there is one: the step as it is then.
+    /// Retakes the last step up to the first kink in it, if there is one, and returns the step.
     ///
-    /// The polynomial of a step across a kink is inexact there, so the time is found by Newton's method on the ends of
-    /// shorter and shorter steps.
+    /// The dense output of a step across a kink is inaccurate, so the time of the kink is found by Newton's method on
+    /// the ends of retaken steps.
     pub(in crate::method) fn end_at_kink(&mut self, search: &Search<'_, '_, T, N>, whole: Step<T, N>) -> Step<T, N> {
         let dense = self.dense();
         let Some((event, theta)) = search.first_kink(&dense) else {

@@ -1,4 +1,4 @@
-//! The layer above smooth steps: where a mode of a hybrid system ends, and which one begins.
+//! Mode switches of hybrid systems, on top of smooth steps.
 
 use nalgebra::SVector;
 
@@ -13,32 +13,32 @@ use crate::statistics::Statistics;
 use crate::step_size::Tolerance;
 use crate::system::System;
 
-/// Give up after this many changes of modes that are, on average, closer to each other than the times below. The
-/// rebounds of a ball end before they are so short.
+/// Number of mode switches after which their mean spacing is checked. The integration stops if the spacing is below the
+/// larger of the limits that apply, see below. The rebounds of a ball end earlier.
 const MANY_CHANGES: usize = 1000;
-/// With steps of fixed length: this fraction of a step.
+/// Minimum mean spacing of mode switches with steps of fixed length, in steps.
 const HURRIED_OF_STEP: f64 = 1e-7;
-/// Within a tolerance: this fraction of the time to the end of the span.
+/// Minimum mean spacing of mode switches within a tolerance, relative to the time to the end of the span.
 const HURRIED_OF_REST: f64 = 1e-13;
-/// In any case: this many ulps of the time.
+/// Minimum mean spacing of mode switches, in ulps of t.
 const HURRIED_ULPS: f64 = 4.0;
-/// Do not retake a step to the end of a mode that would be shorter than this many ulps of the time.
+/// Minimum length of a retaken step, in ulps of t.
 const SHORTEST_ULPS: f64 = 64.0;
-/// Retake a step to the end of its mode at most this many times: where modes end so close together that each step shows
-/// another one first.
+/// Maximum number of times that a step is retaken to the end of its mode. It limits searches where modes end so close
+/// together that each shorter step reveals another end first.
 const MOST_RETAKEN: usize = 16;
-/// A step that was cut off where no mode ended is followed by one that is longer by at most this factor.
+/// Maximum growth of the step after one that was cut off where no mode ended.
 const GROW_AGAIN: f64 = 8.0;
-/// Report an order of impacts if it changes the state by more than this many tolerances.
+/// Change of the state by the order of impacts, in tolerances, above which it is reported.
 const LEAST_AMBIGUITY: f64 = 10.0;
 
-/// The outcome of cutting a step off.
+/// Outcome of cutting off a step.
 enum Cut {
-    /// It ends where its mode does, or before.
+    /// The step ends where its mode ends, or before.
     Ended,
-    /// It stands as it was: what its polynomial shows at its start is disproved.
+    /// The step remains as it was: the zero that its polynomial shows at its start is disproved.
     Stands,
-    /// It is shorter, but goes on beyond where its polynomial showed an end: its mode may end within.
+    /// The step is shorter, but continues beyond the end that its polynomial showed: its mode may end within it.
     Goes,
 }
 
@@ -48,7 +48,7 @@ where
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    /// Cuts the last step of a hybrid system off where its mode ends.
+    /// Cuts off the last step of a hybrid system where its mode ends.
     #[inline(always)]
     pub(super) fn look_for_the_end_of_the_mode(&mut self) -> Result<(), Reason> {
         let Some(hybrid) = self.system.hybrid() else {
@@ -71,8 +71,8 @@ where
         Ok(())
     }
 
-    /// Cuts the last step off where its polynomial shows that witnesses end the mode, or about there: the ends of steps
-    /// are more exact than what is between them, so it is taken again to there.
+    /// Cuts off the last step where its polynomial shows that witnesses end the mode, or near there. The step is
+    /// retaken, since ends of steps are more accurate than dense output.
     fn cut_off(&mut self, hybrid: &dyn Hybrid<T, N>, mut cut: T, mut fired: Witnesses) -> Cut {
         let (whole, scheme) = (self.smooth.last, self.smooth.scheme.clone());
         let (one, about_the_end) = (T::from_f64(1.0), T::from_f64(ABOUT_THE_END));
@@ -116,8 +116,8 @@ where
         Cut::Ended
     }
 
-    /// Goes on from a time before the end that a step had, after which steps grow again little by little: one as long
-    /// as before would show at its start what the shorter one has just disproved.
+    /// Continues from a time before the original end of a step, with steps that grow only gradually: a step as long as
+    /// before would show the zero at its start that the shorter one has just disproved.
     fn go_on_from(&mut self, end: T) {
         self.smooth.go_to(end);
         if let Steps::Controlled { pace, .. } = &mut self.smooth.steps {
@@ -125,7 +125,7 @@ where
         }
     }
 
-    /// The states within the last step, before it is cut off.
+    /// Dense output of the last step before it is cut off, with the modes and the statistics.
     pub(super) fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T, N>, &mut Statistics) {
         let coefficients = if self.modes.is_dense {
             self.smooth.scheme.coefficients()
@@ -143,7 +143,7 @@ where
         )
     }
 
-    /// Takes a step again, to the time `t` within it; whether that was possible.
+    /// Retakes a step to the time `t` within it. Returns false if that is impossible.
     pub(super) fn retake(&mut self, whole: &Step<T, N>, t: T) -> bool {
         if t == self.smooth.last.t1 {
             return true;
@@ -162,7 +162,7 @@ where
         attempt.and_then(|_| self.smooth.advance(model, t)).is_ok()
     }
 
-    /// Goes to the mode after the one that has ended.
+    /// Switches to the mode after the one that has ended.
     pub(super) fn change_mode(&mut self) -> Result<(), Reason> {
         let Some(hybrid) = self.system.hybrid() else {
             return Ok(());
@@ -205,7 +205,7 @@ where
         self.begin().map(drop)
     }
 
-    /// Stands at a point in a mode.
+    /// Sets the point and its mode.
     pub(super) fn enter(&mut self, t: T, settled: Settled<T, N>) {
         let ambiguity = settled
             .ambiguity()
@@ -228,8 +228,8 @@ where
         self.smooth.last = Step::at_rest(t, x);
     }
 
-    /// The impacts at `t` whose order is not known, from the differences that it makes to the state `x` after them; none
-    /// if these are within the tolerance.
+    /// Reports the impacts at `t` whose order is ambiguous, from the differences of the state `x` after them. None if
+    /// the differences are within the tolerance.
     fn check_ambiguity(
         &self,
         t: T,

@@ -16,16 +16,16 @@ use crate::step_size::{Estimates, Tolerance};
 use crate::system::Jacobian;
 use crate::tableau::Tableau;
 
-/// What is done with the tangents of each trajectory.
+/// Treatment of the tangents of each trajectory.
 pub(crate) trait Carry<T, const K: usize, const N: usize>: Copy {
-    /// Those with which a trajectory starts.
+    /// Returns the tangents with which a trajectory starts.
     fn start(self) -> [SVector<T, N>; K];
 
-    /// After a step of trajectory `index` from `t` over `h`.
+    /// Updates the tangents after a step of trajectory `index` from `t` over `h`.
     fn step(self, index: usize, step: (T, T), tangents: &mut [SVector<T, N>; K]);
 }
 
-/// [`Tangent`] for many trajectories without modes, whose tangents are carried by `C`.
+/// Like [`Tangent`], for many trajectories without modes, whose tangents are treated by `C`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Carried<C, B, const STAGES: usize, const K: usize> {
     tangent: Tangent<B, STAGES, K>,
@@ -53,12 +53,12 @@ where
 
 impl<C, B: Estimates, const STAGES: usize, const K: usize> Estimates for Carried<C, B, STAGES, K> {}
 
-/// States and their tangents on their way.
+/// States and their tangents in lanes.
 #[derive(Clone, Debug)]
 pub(crate) struct CarriedStages<C, B, V, const STAGES: usize, const K: usize, const N: usize> {
     bundle: Bundle<B, V, STAGES, K, N>,
     carry: C,
-    /// Which trajectory each lane has.
+    /// Index of the trajectory in each lane.
     index: [usize; MOST_LANES],
 }
 
@@ -148,7 +148,7 @@ where
         }
         for (lane, &index) in index.iter().enumerate().take(V::LANES) {
             let (t, h) = (step.t0.lane(lane), step.h.lane(lane));
-            // lanes without a trajectory stand still
+            // lanes without a trajectory do not move
             if lanes.is_in(lane) && h != V::Scalar::default() {
                 let mut own = bundle.tangents.map(|tangent| in_lane(&tangent, lane));
                 carry.step(index, (t, h), &mut own);

@@ -1,11 +1,11 @@
-//! Instruction sets: which ones the machine has, and how to run code on their registers.
+//! Instruction sets: detection, and dispatch of code to their registers.
 
 use core::fmt;
 
 use super::{Lanes, Pack};
 use crate::real::Float;
 
-/// Whether the machine has a feature. Without `std` the compiler knows, not the machine.
+/// True if the machine has a feature. Without `std`, the target features of the compilation decide.
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 macro_rules! has {
     ($feature:tt) => {{
@@ -22,19 +22,19 @@ pub(super) use has;
 
 /// Code that runs on any number of lanes of `T`.
 pub trait Kernel<T> {
-    /// What it returns.
+    /// Result type.
     type Output;
 
-    /// The code. It must be `#[inline(always)]`, and so must all functions that it calls where speed matters: a
-    /// function that is not inlined is compiled for all machines, without the instructions of newer ones.
+    /// Runs the code. It must be `#[inline(always)]`, as must all time-critical functions it calls: a function that is
+    /// not inlined is compiled for the baseline target, without newer instructions.
     fn run<V: Lanes<Scalar = T>>(self) -> Self::Output;
 }
 
-/// An instruction set. A value of this type proves that the machine has it.
+/// An instruction set. A value of this type proves that the machine supports it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Isa(Set);
 
-/// In the order of the widths of their registers.
+/// Variants in ascending order of register width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Set {
     Portable,
@@ -45,16 +45,16 @@ enum Set {
 }
 
 impl Isa {
-    /// The instruction sets of this machine, the widest registers first. The last one has a single lane and exists on
-    /// every machine. Without the feature `std`, those that the program is compiled for.
+    /// Instruction sets of this machine, widest registers first. The last one has a single lane and exists on every
+    /// machine. Without the feature `std`, only sets enabled at compile time are listed.
     ///
-    /// Results are the same bits on each. To try a narrower machine, set the environment variable `PENDULUM_ISA` to
-    /// `Avx2` or `Portable` before the program starts: wider sets are not available then.
+    /// Results are bit-identical on each. To try a narrower set, set the environment variable `PENDULUM_ISA` to `Avx2`
+    /// or `Portable` before the program starts: wider sets are then unavailable.
     pub fn available() -> impl Iterator<Item = Self> {
         Self::of_machine().filter(|isa| isa.is_allowed())
     }
 
-    /// Whether it is not wider than the environment asks for.
+    /// True if the set is not wider than the environment variable allows.
     #[cfg(feature = "std")]
     fn is_allowed(self) -> bool {
         use std::sync::LazyLock;
@@ -83,14 +83,14 @@ impl Isa {
         .flatten()
     }
 
-    /// The instruction set with the widest registers.
+    /// Instruction set with the widest registers.
     #[must_use]
     pub fn widest() -> Self {
         Self::available().next().unwrap_or(Self(Set::Portable))
     }
 
-    /// An instruction set for scalar code with loops that compilers vectorise: they are short, so the widest registers
-    /// gain nothing.
+    /// Instruction set for scalar code with loops that the compiler vectorises. These loops are short, so the widest
+    /// registers gain nothing.
     pub(crate) fn for_scalars() -> Self {
         #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
         if has!("avx2") && Self(Set::Avx2).is_allowed() {
@@ -106,14 +106,14 @@ impl Isa {
     }
 }
 
-/// The name of the instruction set.
+/// Name of the instruction set.
 impl fmt::Debug for Isa {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
     }
 }
 
-/// A scalar that can be a lane: `f64` or `f32`.
+/// A scalar type of lanes: `f64` or `f32`.
 pub trait LaneElement: Float {
     /// Runs a kernel whose lanes fill one register.
     fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output;

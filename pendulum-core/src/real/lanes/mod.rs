@@ -1,8 +1,8 @@
-//! Lanes: several numbers side by side in the vector registers of the machine.
+//! Lanes: several numbers in one vector register.
 //!
-//! Code that is generic over [`Real`] runs on lanes unchanged, and each lane has the same bits as a scalar computation.
-//! [`F64x4`] and its siblings work on any machine, but use only the instructions that every machine of the target has.
-//! [`Isa`] detects AVX2 and AVX-512 at run time and runs a [`Kernel`] on their registers:
+//! Code that is generic over [`Real`] runs on lanes unchanged, and each lane is bit-identical to a scalar computation.
+//! [`F64x4`] and its siblings work on any machine, but use only the baseline instructions of the target. [`Isa`]
+//! detects AVX2 and AVX-512 at run time and runs a [`Kernel`] on their registers:
 //!
 //! ```
 //! use pendulum_core::real::Real;
@@ -43,10 +43,10 @@ pub(super) use register::{Pair, Register};
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 pub(super) use x86::{Xmm32 as Two32, Xmm64 as Two64};
 
-/// Two numbers or more in the vector register that every machine has.
+/// At least two `f32` in the baseline vector register of the target.
 #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
 pub(super) type Two32 = Pair<f32>;
-/// Two numbers or more in the vector register that every machine has.
+/// At least two `f64` in the baseline vector register of the target.
 #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
 pub(super) type Two64 = Pair<f64>;
 
@@ -54,30 +54,30 @@ pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};
 
 use super::{Float, Real};
 
-/// A [`Real`] that is scalars side by side; a scalar is one lane.
+/// A [`Real`] made of one or more scalars; a scalar is a single lane.
 pub trait Lanes: Real {
-    /// The type of one lane.
+    /// Type of one lane.
     type Scalar: Float;
 
-    /// Twice as many lanes, as two registers: one half computes while the other waits for a result.
+    /// Twice as many lanes, in two registers. Interleaving the halves hides instruction latency.
     type Double: Lanes<Scalar = Self::Scalar>;
 
-    /// The same number in all lanes.
+    /// Sets all lanes to the same number.
     fn splat(v: Self::Scalar) -> Self;
 
-    /// A number for each lane.
+    /// Sets each lane to `f(lane)`.
     fn from_fn(f: impl FnMut(usize) -> Self::Scalar) -> Self;
 
-    /// The number in lane `i`.
+    /// Returns the number in lane `i`.
     ///
     /// # Panics
-    /// If there is no such lane.
+    /// If `i` is out of range.
     fn lane(&self, i: usize) -> Self::Scalar;
 
-    /// Whether the numbers in all lanes are finite. It may be false where they are, if a sum of them is beyond all numbers.
+    /// True if the numbers in all lanes are finite. May return false for finite numbers whose sum overflows.
     fn all_finite(self) -> bool;
 
-    /// `negative` in the lanes where the sign bit of `self` is set, `otherwise` in the others.
+    /// Selects `negative` in the lanes where the sign bit of `self` is set, `otherwise` in the others.
     #[must_use]
     fn select(self, negative: Self, otherwise: Self) -> Self;
 }

@@ -21,13 +21,13 @@ pub type F32x8 = Pack<Pair<Pair<Pair<f32>>>>;
 pub type F32x16 = Pack<Pair<Pair<Pair<Pair<f32>>>>>;
 
 impl<R: Register> Pack<R> {
-    /// `f` of each lane.
+    /// Applies `f` to each lane.
     #[inline(always)]
     fn map(self, f: impl Fn(R::Scalar) -> R::Scalar) -> Self {
         Self::from_fn(|i| f(self.lane(i)))
     }
 
-    /// `f` of each lane of two.
+    /// Applies `f` to each pair of lanes.
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(R::Scalar, R::Scalar) -> R::Scalar) -> Self {
         Self::from_fn(|i| f(self.lane(i), other.lane(i)))
@@ -171,7 +171,7 @@ impl<R: Register> Neg for Pack<R> {
     }
 }
 
-/// Zeros.
+/// Zero in all lanes.
 impl<R: Register> Default for Pack<R> {
     #[inline(always)]
     fn default() -> Self {
@@ -179,7 +179,7 @@ impl<R: Register> Default for Pack<R> {
     }
 }
 
-/// Equal in all lanes.
+/// Equality in all lanes.
 impl<R: Register> PartialEq for Pack<R> {
     #[inline]
     fn eq(&self, other: &Self) -> bool {

@@ -1,14 +1,14 @@
-//! Registers: what lanes are stored in. Scalars, vector registers of the machine, and pairs of these.
+//! Storage of lanes: scalars, vector registers of the machine, and pairs of these.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::real::Real;
 use crate::real::sincos::Precision;
 
-/// One or more numbers that are computed together.
+/// One or more numbers on which operations act at once.
 ///
-/// Public because it bounds a public type, but its module is private: nobody may create a register of an instruction
-/// set that the machine lacks.
+/// The trait is public because it bounds a public type. Its module is private, so that a register cannot be created on
+/// a machine without its instruction set.
 pub trait Register:
     Copy
     + Send
@@ -20,29 +20,29 @@ pub trait Register:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The type of one lane.
+    /// Type of one lane.
     type Scalar: Precision;
-    /// The number of lanes.
+    /// Number of lanes.
     const LANES: usize;
 
-    /// The same number in all lanes.
+    /// Sets all lanes to the same number.
     fn splat(v: Self::Scalar) -> Self;
-    /// A number for each lane.
+    /// Sets each lane to `f(lane)`.
     fn from_fn(f: &mut impl FnMut(usize) -> Self::Scalar) -> Self;
-    /// The number in lane `i < LANES`.
+    /// Returns the number in lane `i < LANES`.
     fn lane(self, i: usize) -> Self::Scalar;
     /// Square root.
     fn sqrt(self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
-    /// `negative` in the lanes where the sign bit of `self` is set, `otherwise` in the others.
+    /// Selects `negative` in the lanes where the sign bit of `self` is set, `otherwise` in the others.
     fn select(self, negative: Self, otherwise: Self) -> Self;
 
-    /// Whether the numbers in all lanes are finite. It may be false where they are, if a sum of them is beyond all numbers.
+    /// True if the numbers in all lanes are finite. May return false for finite numbers whose sum overflows.
     fn all_finite(self) -> bool;
-    /// Whether the absolute value of any lane exceeds the limit. That of NaN does not.
+    /// True if the absolute value of any lane exceeds the limit; NaN does not.
     fn any_beyond(self, limit: Self::Scalar) -> bool;
-    /// `(sin(x + n pi/2), cos(x + n pi/2))` from `sin x` and `cos x`, where the lowest bits of `self` hold `n`.
+    /// Returns `(sin(x + n pi/2), cos(x + n pi/2))`, given `sin x`, `cos x`, and `n` in the lowest bits of `self`.
     fn turn(self, sin: Self, cos: Self) -> (Self, Self);
 }
 
@@ -117,8 +117,7 @@ one_lane!(f32 of 32 bits);
 
 /// Two registers used as one of twice the width.
 ///
-/// Each operation is applied to both halves before the next one, so that one half computes while the other waits for a
-/// result.
+/// Each operation is applied to both halves before the next one, which hides instruction latency.
 #[derive(Clone, Copy)]
 pub struct Pair<R>(pub(super) R, pub(super) R);
 

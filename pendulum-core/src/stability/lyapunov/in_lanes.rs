@@ -1,4 +1,4 @@
-//! Lyapunov exponents of many trajectories at a time.
+//! Lyapunov exponents of many trajectories at once.
 
 use std::cell::RefCell;
 
@@ -15,11 +15,11 @@ use crate::system::{CastJacobian, Jacobian};
 use crate::tableau::Verner9;
 
 impl Lyapunov {
-    /// The `K` largest exponents of the trajectories of many models, each from a state at the time 0, in the lanes of
-    /// vector registers: each bit for bit what [`exponents`](Self::exponents) returns.
+    /// Computes the `K` largest exponents of many models, each from a state at the time 0, in the lanes of vector
+    /// registers. Each result is bit-identical to [`exponents`](Self::exponents).
     ///
-    /// There is one model for each start, or a single one for all. [Hybrid](crate::hybrid) systems, and those whose
-    /// positions outnumber their rates, go one by one.
+    /// Pass one model per start, or a single model for all. [Hybrid](crate::hybrid) systems, and those with more
+    /// positions than rates, are integrated one by one.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -46,7 +46,7 @@ impl Lyapunov {
     ///
     /// # Errors
     /// [`StabilityError::Integration`] if a setting is out of its range, or if there is neither one model nor one for
-    /// each start. Each trajectory has its own if it comes to an end before its time.
+    /// each start. Each trajectory has its own error if it stops early.
     #[allow(clippy::type_complexity, reason = "one result for each")]
     pub fn ensemble<const K: usize, M, const N: usize>(
         &self,
@@ -60,10 +60,10 @@ impl Lyapunov {
         self.ensemble_on(Isa::widest(), models, starts)
     }
 
-    /// [`ensemble`](Self::ensemble) on the instruction set `isa`, for comparisons: the results are the same bits.
+    /// [`ensemble`](Self::ensemble) on the instruction set `isa`, for comparisons. The results are bit-identical.
     ///
     /// # Errors
-    /// As for [`ensemble`](Self::ensemble).
+    /// See [`ensemble`](Self::ensemble).
     #[allow(clippy::type_complexity, reason = "one result for each")]
     pub fn ensemble_on<const K: usize, M, const N: usize>(
         &self,
@@ -106,14 +106,14 @@ impl Lyapunov {
     }
 }
 
-/// Makes tangents orthonormal after each step, and counts how much they grew.
+/// Orthonormalises the tangents after each step and accumulates their growth.
 #[derive(Clone, Copy)]
 struct Growing<'g, const K: usize>(&'g RefCell<Vec<TangentGrowth<K>>>);
 
 impl<const K: usize, const N: usize> Carry<f64, K, N> for Growing<'_, K> {
     fn start(self) -> [SVector<f64, N>; K] {
         let mut tangents = oblique();
-        // as where something may be held from the start
+        // as for constraints held from the start
         orthonormalize(&mut tangents);
         tangents
     }
@@ -124,7 +124,7 @@ impl<const K: usize, const N: usize> Carry<f64, K, N> for Growing<'_, K> {
     }
 }
 
-/// How many lanes the registers of an instruction set have.
+/// Number of lanes of the registers of an instruction set.
 struct CountLanes;
 
 impl Kernel<f64> for CountLanes {

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-/// The sum of two `f64`, the second below the rounding of the first: about 106 bits.
+/// The unevaluated sum of two `f64`, the second below the rounding error of the first: about 106 bits.
 ///
 /// T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18 (1971) 224-242.
 #[derive(Clone, Copy, Debug, Default)]
@@ -12,12 +12,12 @@ pub(crate) struct Double {
 }
 
 impl Double {
-    /// The nearest `f64`.
+    /// Rounds to the nearest `f64`.
     pub(crate) fn round(self) -> f64 {
         self.high + self.low
     }
 
-    /// `high + low` where `low` is the smaller.
+    /// Normalised `high + low`, with `low` the smaller one.
     fn normal(high: f64, low: f64) -> Self {
         let sum = high + low;
         Self {

@@ -1,7 +1,8 @@
-//! The tableaus against the theory of Runge-Kutta methods: a condition for every rooted tree.
+//! The tableaus against the theory of Runge-Kutta methods: one condition per rooted tree.
 //!
-//! Sums are computed in twice the precision, so that what is left is the rounding of the coefficients to `f64`. How far it may move
-//! a sum follows from the derivatives of the sum with respect to the coefficients, and that far the conditions may be missed.
+//! Sums are computed in twice the precision, so that the remaining error is the rounding of the coefficients to `f64`.
+//! Its effect on a sum is bounded by the derivatives of the sum with respect to the coefficients. The conditions may be
+//! violated by this bound.
 
 mod double;
 pub(crate) mod tree;
@@ -10,7 +11,7 @@ use double::Double;
 use pendulum_core::tableau::{ButcherTableau, DormandPrince5, Kutta4, Tableau, Tsitouras5, Verner7, Verner9};
 use tree::{Tree, trees};
 
-/// The relative error of a number that is rounded once.
+/// Relative error of a single rounding.
 const UNIT: f64 = f64::EPSILON / 2.0;
 
 #[derive(Clone, Copy, Debug)]
@@ -26,11 +27,11 @@ impl Defect {
     }
 }
 
-/// A sum of coefficients, each with a factor that is exact.
+/// A sum of coefficients with exact factors.
 #[derive(Clone, Copy, Default)]
 struct Sum {
     value: Double,
-    /// The absolute values of the terms, added up.
+    /// Sum of the absolute values of the terms.
     size: f64,
 }
 
@@ -51,7 +52,7 @@ impl Sum {
     }
 }
 
-/// A tableau with the stages of dense output among the others.
+/// A tableau that includes the stages for dense output.
 struct Method {
     a: Vec<Vec<f64>>,
     c: Vec<f64>,
@@ -71,7 +72,7 @@ impl Method {
         Self { a, c, dense }
     }
 
-    /// `A v`.
+    /// Product `A v`.
     fn times(&self, v: &[Double]) -> Vec<Double> {
         let dot = |row: &Vec<f64>| {
             let terms = row.iter().zip(v).map(|(&a, &v)| v * a.into());
@@ -80,7 +81,8 @@ impl Method {
         self.a.iter().map(dot).collect()
     }
 
-    /// `Phi_i(t)` of all stages `i` for every tree `t`: that of its trunk times the sum over `a_ij` of that of its branch.
+    /// Elementary weights `Phi_i(t)` of all stages `i` for every tree `t`: the weight of its trunk times the sum over
+    /// `a_ij` of the weight of its branch.
     fn elementary_weights(&self, trees: &[Tree]) -> Vec<Vec<Double>> {
         let mut phi: Vec<Vec<Double>> = Vec::new();
         for tree in trees {
@@ -104,7 +106,7 @@ impl Method {
     }
 }
 
-/// The product by components.
+/// Componentwise product.
 fn product(left: &[Double], right: &[Double]) -> Vec<Double> {
     left.iter().zip(right).map(|(&left, &right)| left * right).collect()
 }
@@ -114,7 +116,7 @@ fn powers(theta: f64) -> impl Iterator<Item = Double> {
     std::iter::successors(Some(Double::from(theta)), move |&power| Some(power * theta.into()))
 }
 
-/// The order conditions of a method.
+/// Order conditions of a method.
 struct Conditions {
     method: Method,
     trees: Vec<Tree>,
@@ -122,7 +124,7 @@ struct Conditions {
 }
 
 impl Conditions {
-    /// Those of one order, one for each tree: `gamma(t) sum_i b_i(theta) Phi_i(t) = theta^order`.
+    /// Conditions of one order, one per tree: `gamma(t) sum_i b_i(theta) Phi_i(t) = theta^order`.
     fn defects(&self, weights: &[Sum], order: usize, theta: f64) -> Vec<Defect> {
         let values: Vec<_> = weights.iter().map(|weight| weight.value).collect();
         let power = powers(theta).nth(order - 1).expect("without end");
@@ -140,12 +142,12 @@ impl Conditions {
         of_order.map(defect).collect()
     }
 
-    /// How far `sum_i v_i Phi_i(t)` moves, at most and to first order, for changes of all `a_ij` in proportion to them.
+    /// First-order bound on the change of `sum_i v_i Phi_i(t)` under relative changes of all `a_ij`.
     fn sensitivity(&self, tree: usize, v: &[Double]) -> f64 {
         let Some((trunk, branch)) = self.trees[tree].parts else {
             return 0.0;
         };
-        // Each a_ij stands between the trunk and the branch, within the trunk, and within the branch.
+        // Each a_ij occurs between trunk and branch, within the trunk, and within the branch.
         let at_root = product(v, &self.phi[trunk]);
         let mut at_branch = vec![Double::default(); v.len()];
         let mut between = 0.0;
@@ -160,7 +162,7 @@ impl Conditions {
         between + self.sensitivity(trunk, &at_trunk) + self.sensitivity(branch, &at_branch)
     }
 
-    /// The conditions of all orders up to `order` hold, and the next order's do not: the stated order is exact.
+    /// Checks that the conditions hold up to `order` and fail at the next: the stated order is exact.
     fn check(&self, what: &str, weights: &[Sum], order: usize, theta: f64) {
         for order in 1..=order {
             for defect in self.defects(weights, order, theta) {
@@ -182,7 +184,7 @@ fn check<B: Tableau<S>, const S: usize>() {
         sum.plus((-1.0).into(), c).defect(0.0).check("c");
     }
 
-    // Steps join smoothly: value and slope at both ends are those of the step.
+    // Dense output matches the value and slope of the step at both ends.
     let whole = method.combine(powers(1.0));
     let slope = method.combine((1..).map(|power| f64::from(power).into()));
     for i in 0..method.a.len() {

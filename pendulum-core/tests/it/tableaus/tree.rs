@@ -1,16 +1,16 @@
 //! Rooted trees, one for each order condition.
 
-/// A rooted tree, made from a smaller one by one more branch at its root: the Butcher product of two trees that come before it in
-/// the list of [`trees`].
+/// A rooted tree, made from a smaller one by adding a branch at its root: the Butcher product of two trees that precede
+/// it in the list of [`trees`].
 ///
 /// Hairer, Norsett, Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993), II.2.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tree {
-    /// The number of nodes.
+    /// Number of nodes.
     pub(crate) order: usize,
-    /// `gamma(t)`: the condition is `sum_i b_i Phi_i(t) = 1 / gamma(t)`.
+    /// Density `gamma(t)`: the condition is `sum_i b_i Phi_i(t) = 1 / gamma(t)`.
     pub(crate) density: f64,
-    /// The tree without its last branch, and that branch; `None` for a single node.
+    /// Index of the tree without its last branch, and index of that branch; `None` for a single node.
     pub(crate) parts: Option<(usize, usize)>,
 }
 
@@ -25,10 +25,11 @@ pub(crate) fn trees(max_order: usize) -> Vec<Tree> {
         let smaller = trees.clone();
         for (base, trunk) in smaller.iter().enumerate() {
             for (branch, bough) in smaller.iter().enumerate() {
-                // The branches at a root have no order of their own: add them in the order of the list.
+                // The branches at a root are unordered: add them in the order of the list.
                 let is_sorted = trunk.parts.is_none_or(|(_, last)| last <= branch);
                 if trunk.order + bough.order == order && is_sorted {
-                    // gamma is the number of nodes times the gammas of the branches, which the trunk holds but for the last.
+                    // The density is the number of nodes times the densities of all branches; those of the trunk are
+                    // already included.
                     let factor = order as f64 / trunk.order as f64;
                     trees.push(Tree {
                         order,
@@ -51,7 +52,7 @@ fn every_tree_comes_once() {
         let of_order = trees.iter().filter(|tree| tree.order == i + 1);
         assert_eq!(of_order.count(), count);
     }
-    // Of all trees of an order the one without forks is the densest, and the bush the least dense.
+    // Among the trees of an order, the one without forks has the largest density, and the bush the smallest.
     let of_order = |order| {
         trees
             .iter()

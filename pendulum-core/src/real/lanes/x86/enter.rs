@@ -1,4 +1,4 @@
-//! Entry points to code that is compiled for an instruction set.
+//! Entry points to code compiled for an instruction set.
 
 use super::super::isa::has;
 use super::super::{Kernel, Lanes};

@@ -1,12 +1,12 @@
-//! Vector registers of x86-64, and functions in which the compiler may use them: all the unsafe code of the crate.
+//! Vector registers of x86-64, and functions compiled with their instructions: all the unsafe code of the crate.
 //!
-//! Two facts make it sound; each block says which it rests on.
+//! Its soundness rests on two facts, and each block names the one it uses.
 //!
-//! 1. Where there is a value of a register type, the machine has its instructions. Every x86-64 machine that this is
-//!    compiled for has `xmm` registers. The types of `ymm` and `zmm` registers are private to [`lanes`](super): other
-//!    code meets them as the type argument of [`Kernel::run`](super::Kernel::run) alone, and only [`enter`] calls that
-//!    with them, after it has looked whether the machine has the instructions. A machine does not lose them.
-//! 2. A vector is laid out as the array of its lanes, and every pattern of bits is a number.
+//! 1. If a value of a register type exists, the machine has its instructions. Every supported x86-64 machine has `xmm`
+//!    registers. The types of `ymm` and `zmm` registers are private to [`lanes`](super): other code receives them only
+//!    as the type argument of [`Kernel::run`](super::Kernel::run). Only [`enter`] calls it with them, after checking
+//!    that the machine has the instructions.
+//! 2. A vector has the memory layout of the array of its lanes, and every bit pattern is a valid number.
 #![allow(
     unsafe_code,
     reason = "intrinsics, and functions compiled for an instruction set, are unsafe where it may not exist"

@@ -1,6 +1,6 @@
 //! The vector registers as types, one table row each.
 //!
-//! Why their unsafe blocks are sound is said in [`x86`](super).
+//! The unsafe blocks are justified in [`x86`](super).
 
 use core::arch::x86_64::*;
 use core::mem::transmute;
@@ -15,7 +15,7 @@ macro_rules! binary {
 
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                // SAFETY: there is a value of the type, so the machine has the instruction.
+                // SAFETY: a value of the type exists, so the machine has the instruction.
                 unsafe { Self($intrinsic(self.0, other.0)) }
             }
         }
@@ -46,13 +46,13 @@ macro_rules! register {
         impl $name {
             #[inline(always)]
             fn from_array(array: [$scalar; $lanes]) -> Self {
-                // SAFETY: a vector is laid out as the array of its lanes, and all bit patterns are valid.
+                // SAFETY: a vector has the layout of the array of its lanes, and all bit patterns are valid.
                 Self(unsafe { transmute::<[$scalar; $lanes], $vector>(array) })
             }
 
             #[inline(always)]
             fn to_array(self) -> [$scalar; $lanes] {
-                // SAFETY: a vector is laid out as the array of its lanes, and all bit patterns are valid.
+                // SAFETY: a vector has the layout of the array of its lanes, and all bit patterns are valid.
                 unsafe { transmute::<$vector, [$scalar; $lanes]>(self.0) }
             }
         }
@@ -63,13 +63,13 @@ macro_rules! register {
 
             #[inline(always)]
             fn splat(v: $scalar) -> Self {
-                // SAFETY: code that can name the type runs on machines with the instruction only.
+                // SAFETY: code that can name the type runs only on machines with the instruction.
                 unsafe { Self($splat(v)) }
             }
 
             #[inline(always)]
             fn from_fn(f: &mut impl FnMut(usize) -> $scalar) -> Self {
-                // Not `array::from_fn`, whose calls of `f` the compiler does not inline.
+                // The compiler does not inline the calls of `f` in `array::from_fn`.
                 let mut array = [0.0; $lanes];
                 for (i, lane) in array.iter_mut().enumerate() {
                     *lane = f(i);
@@ -84,7 +84,7 @@ macro_rules! register {
 
             #[inline(always)]
             fn sqrt(self) -> Self {
-                // SAFETY: there is a value of the type, so the machine has the instruction.
+                // SAFETY: a value of the type exists, so the machine has the instruction.
                 unsafe { Self($sqrt(self.0)) }
             }
 
@@ -100,7 +100,7 @@ macro_rules! register {
 
             #[inline(always)]
             fn all_finite(self) -> bool {
-                // 0 times what is not finite is not a number
+                // The product of 0 and a number that is not finite is NaN.
                 !(self * Self::splat(0.0)).any_nan()
             }
 
@@ -111,7 +111,7 @@ macro_rules! register {
 
             #[inline(always)]
             fn turn(self, sin: Self, cos: Self) -> (Self, Self) {
-                // Each of the two lowest bits of the quotient as a sign.
+                // Moves each of the two lowest bits of the quotient to the sign bit.
                 let (odd, second) = (self.lowest_to_sign(), self.second_to_sign());
                 (
                     odd.where_negative(cos, sin).flip(second.sign()),
@@ -143,7 +143,7 @@ register! {
     _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_sqrt_ps;
 }
 
-/// Operations on bits, selection and comparison, whose intrinsics differ from register to register.
+/// Bitwise operations, selection and comparison, whose intrinsics differ between registers.
 macro_rules! bits {
     ($(
         $name:ident: $cast:ident $back:ident $xor:ident $and:ident $andnot:ident $shift:ident from $bits:literal,
@@ -152,62 +152,62 @@ macro_rules! bits {
         |$value:ident| $any_nan:expr;
     )*) => { $(
         impl $name {
-            /// Without the bits that are set in `bits`.
+            /// Clears the bits that are set in `bits`.
             #[inline(always)]
             fn clear(self, bits: Self) -> Self {
-                // SAFETY: there is a value of the type, so the machine has the instructions.
+                // SAFETY: a value of the type exists, so the machine has the instructions.
                 unsafe { Self($back($andnot($cast(bits.0), $cast(self.0)))) }
             }
 
-            /// With the bits that are set in `bits` flipped.
+            /// Flips the bits that are set in `bits`.
             #[inline(always)]
             fn flip(self, bits: Self) -> Self {
-                // SAFETY: there is a value of the type, so the machine has the instructions.
+                // SAFETY: a value of the type exists, so the machine has the instructions.
                 unsafe { Self($back($xor($cast(bits.0), $cast(self.0)))) }
             }
 
-            /// The sign bit alone.
+            /// Keeps only the sign bit.
             #[inline(always)]
             fn sign(self) -> Self {
-                // SAFETY: there is a value of the type, so the machine has the instructions.
+                // SAFETY: a value of the type exists, so the machine has the instructions.
                 unsafe { Self($back($and($cast(self.0), $cast(Self::splat(-0.0).0)))) }
             }
 
-            /// The lowest bit, moved to that of the sign.
+            /// Shifts the lowest bit to the sign bit.
             #[inline(always)]
             fn lowest_to_sign(self) -> Self {
-                // SAFETY: there is a value of the type, so the machine has the instructions.
+                // SAFETY: a value of the type exists, so the machine has the instructions.
                 unsafe { Self($back($shift::<{ $bits - 1 }>($cast(self.0)))) }
             }
 
-            /// The second lowest bit, moved to that of the sign.
+            /// Shifts the second lowest bit to the sign bit.
             #[inline(always)]
             fn second_to_sign(self) -> Self {
-                // SAFETY: there is a value of the type, so the machine has the instructions.
+                // SAFETY: a value of the type exists, so the machine has the instructions.
                 unsafe { Self($back($shift::<{ $bits - 2 }>($cast(self.0)))) }
             }
 
-            /// `then` where the sign bit is set, `otherwise` elsewhere.
+            /// Selects `then` where the sign bit is set, `otherwise` elsewhere.
             #[inline(always)]
             fn where_negative(self, Self($then): Self, Self($otherwise): Self) -> Self {
                 let $sign = self.0;
-                // SAFETY: there is a value of the type, so the machine has the instructions.
+                // SAFETY: a value of the type exists, so the machine has the instructions.
                 unsafe { Self($select) }
             }
 
-            /// Whether any lane is greater than that of the other.
+            /// True if any lane exceeds the corresponding lane of the other register.
             #[inline(always)]
             fn any_above(self, Self($right): Self) -> bool {
                 let $left = self.0;
-                // SAFETY: there is a value of the type, so the machine has the instructions.
+                // SAFETY: a value of the type exists, so the machine has the instructions.
                 unsafe { $any_above }
             }
 
-            /// Whether any lane is not a number.
+            /// True if any lane is NaN.
             #[inline(always)]
             fn any_nan(self) -> bool {
                 let $value = self.0;
-                // SAFETY: there is a value of the type, so the machine has the instructions.
+                // SAFETY: a value of the type exists, so the machine has the instructions.
                 unsafe { $any_nan }
             }
         }
