@@ -1,4 +1,4 @@
-//! No heap in a step, nor in a right-hand side: counted by the allocator itself.
+//! No heap allocation in a step or a right-hand side, as counted by the allocator itself.
 #![allow(
     unsafe_code,
     reason = "a global allocator is unsafe by its nature; this one counts and forwards"
@@ -18,20 +18,20 @@ use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 struct Counting;
 
 thread_local! {
-    /// Allocations of this thread: those of the test harness are its own business.
+    /// Number of allocations of this thread. Those of the test harness do not count.
     static COUNT: Cell<usize> = const { Cell::new(0) };
 }
 
-// SAFETY: every call goes to the system's allocator with the arguments as they came.
+// SAFETY: every call is forwarded to the system's allocator with unchanged arguments.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         COUNT.set(COUNT.get() + 1);
-        // SAFETY: the caller keeps the contract of `alloc`.
+        // SAFETY: the caller upholds the contract of `alloc`.
         unsafe { Heap.alloc(layout) }
     }
 
     unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller keeps the contract of `dealloc`.
+        // SAFETY: the caller upholds the contract of `dealloc`.
         unsafe { Heap.dealloc(pointer, layout) }
     }
 }
@@ -39,7 +39,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// How often `work` allocates. Which instruction sets to use is read from the environment before: that is done once.
+/// Number of allocations in `work`. The instruction set is looked up in the environment once, before the count.
 fn allocations(work: impl FnOnce()) -> usize {
     std::hint::black_box(Isa::widest());
     let before = COUNT.get();
@@ -82,7 +82,7 @@ fn the_functions_of_a_model_do_not_allocate() {
     assert_eq!(allocations(evaluate), 0);
 }
 
-/// Steps with their dense output and restarts, to the end: how many.
+/// Takes steps with dense output and restarts to the end, and returns their number.
 fn walk<M, S, const N: usize>(method: &M, model: &S, t1: f64, x0: [f64; N]) -> usize
 where
     M: Method<S, f64, N>,
@@ -110,7 +110,7 @@ fn steps_do_not_allocate() {
         let steps = walk(&Fixed::<F>::new(0.01), &pendulum(0.0), 2.0, START);
         assert!(steps >= 200, "{promise:?}: {steps}");
     }
-    // more states than the short cuts are for
+    // more states than the shortcuts are for
     fn longer<F: OneStep<Tree, f64, 8> + Default>(promise: &Promise) {
         let tree = Tree::new(Default::default()).expect("physical");
         let start = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8];

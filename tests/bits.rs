@@ -1,10 +1,10 @@
-//! Results to the last bit, on every machine and in every build: digests of them against those in `bits.txt`.
+//! Results to the last bit, on every machine and in every build: their digests against those in `bits.txt`.
 //!
-//! `cargo test` compares those of an unoptimised build. `.ci/run` compares those of an optimised one as well, and of
-//! both for all the instructions that the machine has.
+//! `cargo test` compares the digests of an unoptimised build. `.ci/run` also compares those of an optimised build, and
+//! of both for all instruction sets of the machine.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p tests --test bits` rewrites the digests. A change of the emitted code, or of a method,
-//! may change them; nothing else should.
+//! `UPDATE_EXPECT=1 cargo test -p tests --test bits` rewrites the digests. A change of the emitted code, or of a
+//! method, may change them; nothing else should.
 #![forbid(unsafe_code)]
 
 use std::fmt::Write;
@@ -21,7 +21,7 @@ use testbed::robots::*;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 mechanism! {
-    /// Every function there is.
+    /// Every available function.
     pub Functions {
         units: none,
         gravity: [0, -9.81, 0],
@@ -43,7 +43,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Two rods with dry axles, of which the lower one rebounds from stops: see `DRY_START`.
+    /// Two rods with dry axles; the lower one rebounds from stops. See `DRY_START`.
     pub Dry {
         params { mu: N m = 1.5 }
         gravity: [0, -9.81, 0],
@@ -55,14 +55,14 @@ mechanism! {
     }
 }
 
-/// The bytes of numbers. As `f64` every number of either type is itself, and nothing else is.
+/// Bytes of numbers. The conversion to `f64` is exact and one-to-one for both types.
 fn bytes<T: Float>(numbers: impl IntoIterator<Item = T>) -> impl Iterator<Item = u8> {
     numbers
         .into_iter()
         .flat_map(|number| number.to_f64().to_bits().to_le_bytes())
 }
 
-/// The digests, a line for each function of each model and for each method.
+/// Digests, a line for each function of each model and for each method.
 #[derive(Default)]
 struct Table(String);
 
@@ -71,7 +71,7 @@ impl Table {
         writeln!(self.0, "{subject:<18}{what:<18}{:016x}", digest.value()).expect("text");
     }
 
-    /// A function of time and state in many states, some of them with angles of many turns.
+    /// Digests a function of time and state at many states, some with angles of many turns.
     fn function<T: Float, const N: usize, I: IntoIterator<Item = T>>(
         &mut self,
         (model, function): (&str, &str),
@@ -117,7 +117,7 @@ impl Table {
         });
     }
 
-    /// The state after a short motion.
+    /// Digests the state after a short motion.
     fn end<A, S, T, const N: usize>(
         &mut self,
         (model, method): (&str, &str),
@@ -139,7 +139,7 @@ impl Table {
         end
     }
 
-    /// The same in every lane of every instruction set.
+    /// Digests the final states in every lane of every instruction set.
     fn ensemble<A, S, T, const N: usize>(&mut self, names: (&str, &str), by: &A, model: &S, start: [f64; N])
     where
         A: Ensemble<S, T, N> + Method<S::In<T>, T, N>,
@@ -158,13 +158,13 @@ impl Table {
     }
 }
 
-/// The entries of a matrix, column by column.
+/// Entries of a matrix, in column-major order.
 fn all<T: Float, const R: usize, const C: usize>(matrix: SMatrix<T, R, C>) -> impl Iterator<Item = T> {
     matrix.data.0.into_iter().flatten()
 }
 
 const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
-/// The upper axle sticks, breaks loose, and sticks again after the lower rod has hit its stop.
+/// Initial condition of `Dry`: the upper axle sticks, breaks loose, and sticks again after the lower rod hits its stop.
 const DRY_START: [f64; 4] = [0.1, 0.3, 0.0, 3.0];
 
 fn pendulum() -> DoublePendulum {
@@ -180,7 +180,7 @@ fn are_those_of_every_machine_and_build() {
     expect_file!["bits.txt"].assert_eq(&table.0);
 }
 
-/// The functions of the number types alone, over more of their range.
+/// Digests the functions of the number types alone, over a wider range.
 fn functions(table: &mut Table) {
     fn of<T: Float>(table: &mut Table, name: &str) {
         macro_rules! each {

@@ -1,4 +1,4 @@
-//! Scenes with inputs and with dry friction, stops or walls: the same motion as with the law written into the scene.
+//! Scenes with inputs and with dry friction, stops or walls move like scenes with the control law in the declaration.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -15,7 +15,7 @@ use testbed::random::Random;
 use super::scenes::{check_derivatives, check_response, check_tangents};
 
 mechanism! {
-    /// A dry cart between stops, driven by a motor that saturates, and a rod on it beside a wall that moves.
+    /// A dry cart between stops, driven by a motor that saturates, and a rod on it beside a moving wall.
     pub Pushed {
         params { mu: N = 2, more: N = 0.5, e: 1 = 0.4 }
         input push: N,
@@ -35,7 +35,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same with the law in the scene.
+    /// `Pushed` with the control law in the scene.
     pub Written {
         params { mu: N = 2, more: N = 0.5, e: 1 = 0.4 }
         gravity: [0, -9.81, 0],
@@ -54,7 +54,7 @@ mechanism! {
     }
 }
 
-/// That law.
+/// Control law of `Written`.
 #[derive(Clone, PartialEq)]
 struct Control;
 
@@ -99,7 +99,7 @@ fn tangents_know_the_law() {
     assert!((matrix - theirs).amax() < 1e-8 * theirs.amax(), "{matrix} {theirs}");
 }
 
-/// The ends of all modes, and the states within.
+/// Compares the ends of all modes, and the states within them.
 fn assert_same<const N: usize>(ours: &Solution<f64, N>, theirs: &Solution<f64, N>, allowed: f64, what: &str) {
     assert_eq!(ours.modes().len(), theirs.modes().len(), "{what}");
     for ((t, mode), (t_other, other)) in ours.modes().iter().zip(theirs.modes()) {
@@ -134,7 +134,7 @@ fn every_method_integrates_a_closed_loop_as_a_scene_with_its_law() {
         };
     }
     check!(Vern9 1e-9, Vern7 1e-9, Tsit5 1e-8, Rk45 1e-8, Rodas5P 1e-8, Rodas4 1e-7, Radau5 1e-7, Auto 1e-8);
-    // what is held has a rate of exactly zero
+    // the rate of a held joint is exactly zero
     let ours = tight.solve(&closed, 0.0, 8.0, START).expect("regular");
     let mut rests = 0;
     for pair in ours.modes().windows(2) {
@@ -148,7 +148,7 @@ fn every_method_integrates_a_closed_loop_as_a_scene_with_its_law() {
     assert!(rests > 1, "{rests}");
 }
 
-/// The law as a closure, with its derivative as another, by differences, and generic.
+/// The law as a closure, with its derivative as another closure, by differences, and generic.
 #[test]
 fn laws_of_each_kind_give_the_same_motion() {
     let model = Pushed::new(PushedParams::default()).expect("physical");
@@ -230,7 +230,8 @@ impl InputLaw<2, 1> for Plain {
 
 #[test]
 fn a_proportional_control_comes_to_rest_beside_its_goal() {
-    // half a period for each swing, about a point that friction moves: each is shorter by twice that
+    // each swing takes half a period, about a centre shifted by friction, and is shorter than the last by twice this
+    // shift
     let (stiffness, mu, start) = (4.0, 0.5, 1.05);
     let model = Block::new(BlockParams { mu, at_rest: 0.6 }).expect("physical");
     let law = |growth| Plain { stiffness, growth };
@@ -261,7 +262,7 @@ fn a_proportional_control_comes_to_rest_beside_its_goal() {
         "Vern9" tight!(Vern9), "Tsit5" tight!(Tsit5), "Rodas5P" tight!(Rodas5P), "Radau5" tight!(Radau5),
         "Auto" tight!(Auto)
     );
-    // there it may stay, within what friction at rest holds
+    // it may stay there, within static friction
     let rest = resting(&model.with_law(law(0.0)), [0.05, 0.0]).expect("held");
     assert_eq!(rest.x, SVector::from([0.05, 0.0]));
 }
@@ -293,7 +294,7 @@ fn a_law_in_time_breaks_friction_loose() {
     }
 }
 
-/// The exponents of the closed loop are those of the scene with its law.
+/// The exponents of the closed loop equal those of the scene with its law.
 #[test]
 fn exponents_know_the_law() {
     let params = PushedParams {

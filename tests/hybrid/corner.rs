@@ -1,4 +1,4 @@
-//! Two edges of a tile at once: what sticks or hits together with another, and what only one of them does.
+//! Two edges of a tile at once: joints that stick or hit together, and events at only one of them.
 
 use std::f64::consts::PI;
 
@@ -49,7 +49,7 @@ fn a_corner_reverses_both_rates_and_keeps_the_energy() {
 
 #[test]
 fn a_wall_reached_at_rest_is_not_an_impact() {
-    // braked to rest after 1 m, which is where the wall is
+    // decelerates to rest after 1 m, exactly at the wall
     let model = tile(0.5, 1.0, 0.0);
     for x in [0.0, 1e-14, -1e-14] {
         let solution = Vern7::new()
@@ -82,7 +82,7 @@ fn what_grazes_a_wall_goes_on_along_it() {
 }
 
 mechanism! {
-    /// A block that sticks before a wall that moves to and fro.
+    /// A block that sticks in front of a wall that moves to and fro.
     Knocked {
         params { w: rad/s, near: m }
         generate: [rhs, jacobian],
@@ -91,7 +91,7 @@ mechanism! {
     }
 }
 
-/// Nothing moves but the wall, so that steps are as long as the span: it comes near again and again between two places.
+/// Only the wall moves, so steps are as long as the span: it approaches repeatedly between two sampled points.
 #[test]
 fn a_wall_that_moves_hits_what_sticks() {
     for w in [1.0, 6.0, 7.5, 23.0] {
@@ -108,7 +108,7 @@ fn a_wall_that_moves_hits_what_sticks() {
 }
 
 mechanism! {
-    /// A block with friction beside a wall, pressed against it and drawn away from it by turns.
+    /// A block with friction beside a wall, pressed against it and pulled away in turn.
     Pressed {
         params { mu: N, more: N }
         generate: [rhs, jacobian],
@@ -120,7 +120,7 @@ mechanism! {
     }
 }
 
-/// Friction takes the force until it is too much for it, then the wall does: the block rests all the while.
+/// Friction holds the force up to its limit, then the wall does: the block rests throughout.
 #[test]
 fn a_wall_takes_over_from_friction() {
     for more in [0.0, 0.25] {

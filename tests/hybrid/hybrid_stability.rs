@@ -1,4 +1,4 @@
-//! Rest, exponents and tangents of scenes with dry friction, stops and walls.
+//! States of rest, exponents and tangents of scenes with dry friction, stops and walls.
 
 use std::f64::consts::{PI, TAU};
 
@@ -15,7 +15,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A force pushes it against a stop, which friction may prevent.
+    /// A block pushed against a stop by a force, unless friction holds it.
     pub Stopped {
         params { force: N = -2, mu: N = 0, e: 1 = 0.5 }
         body block on ground {
@@ -26,7 +26,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A block that friction holds, and a swing that nothing brakes.
+    /// A block held by friction, and an undamped pendulum.
     pub Two {
         params { mu: N = 2 }
         gravity: [0, -9.81, 0],
@@ -56,7 +56,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A pendulum that gravity pulls against a wall.
+    /// A pendulum pulled against a wall by gravity.
     pub Tilted {
         params { mu: N m = 0.5, tilt: rad = 0.3, high: rad = 3 }
         gravity: [9.81*sin(tilt), -9.81*cos(tilt), 0],
@@ -69,7 +69,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A ball above a table that shakes.
+    /// A ball above a shaking table.
     pub Table {
         params { a: m = 0.01, w: rad/s = 30, e: 1 = 0.5 }
         gravity: [0, -9.81, 0],
@@ -79,7 +79,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A bead on a bowl, and beside it one that nothing holds.
+    /// A bead on a bowl, and a free one beside it.
     pub Bowl {
         params { k: 1/m = 2 }
         gravity: [0, -9.81, 0],
@@ -128,7 +128,7 @@ fn what_is_held_from_the_start_is_lost() {
     assert_eq!(exponents(&block(), 5.0, [0.0, 1.0]), [0.0, LOST]);
     let [first, second] = exponents(&block(), 0.0, [0.0, 1.0]);
     assert!(first.abs() < 0.05 && second == LOST, "{first} {second}");
-    // at a stop places are lost too
+    // at a stop the memory of positions is lost too
     for start in [[0.0, 0.0], [0.5, 0.0]] {
         assert_eq!(exponents(&stopped(-2.0, 0.0), 0.0, start), [LOST; 2]);
         assert_eq!(exponents(&stopped(-2.0, 0.0), 10.0, start), [LOST; 2]);
@@ -165,7 +165,7 @@ fn neighbours_of_what_is_pressed_to_a_limit_go_there() {
             "from {start:?}"
         );
     }
-    // those that friction holds stay, and those that nothing pushes
+    // displacements persist where friction holds, and where no force acts
     let stays = SMatrix::<f64, 2, 2>::from([[1.0, 0.0], [0.0, 0.0]]);
     assert_eq!(matrix(&stopped(-2.0, 3.0), [0.0, 0.0]), stays);
     assert_eq!(matrix(&stopped(0.0, 0.0), [0.0, 0.0]), stays);
@@ -191,7 +191,7 @@ fn tangents_on_a_wall_are_those_of_neighbours_that_fall_on_it() {
     };
     let (x, matrix) = transition(&bowl, 0.0, 0.7, start, 1e-12).expect("regular");
     assert_eq!(bowl.constraints().len(), 1);
-    // differences to one side: above the wall, or flung off it, they fall; the error is of the order of the root
+    // one-sided differences: neighbours above or leaving the wall fall; the error is of the order of the square root
     for (component, reach) in [(1, 1e-8), (3, 1e-8)] {
         let mut moved = start;
         moved[component] += reach;
@@ -245,7 +245,7 @@ fn rest_is_found_from_anywhere() {
 
 #[test]
 fn rest_against_a_limit_is_found() {
-    // without friction nothing rests but at the stop
+    // without friction rest is possible only at the stop
     for (force, end) in [(-2.0, 0.0), (2.0, 1.0)] {
         for mu in [0.0, 1.0] {
             let found = at_rest(&stopped(force, mu), [0.2, 0.0]);
@@ -257,10 +257,10 @@ fn rest_against_a_limit_is_found() {
     let found = at_rest(&tilted(0.5, 3.0), [0.0, 0.0]);
     assert!((found.x[0] - 0.2_f64.asin()).abs() < 1e-14, "{found:?}");
     assert_eq!(found.mode.0[1], Status::Low);
-    // and at the stop, if that comes first
+    // or at the stop, if it comes first
     let found = at_rest(&tilted(0.5, 0.1), [0.0, 0.0]);
     assert_eq!((found.x[0], found.mode.0[0]), (0.1, Status::High));
-    // standing is beyond a limit that pulls nothing: it falls
+    // standing is beyond a limit that cannot pull: it falls
     let bowl = Bowl::new(BowlParams::default()).expect("physical");
     let found = at_rest(&bowl, [0.4, 2.0, 0.0, 0.0]);
     assert!((found.x[1] - found.x[0].powi(2)).abs() < 1e-14, "{found:?}");
@@ -303,7 +303,7 @@ fn what_rests_only_here_has_an_interval_of_a_point() {
     for reach in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(refused(1, reach).contains("finite and positive"), "{reach}");
     }
-    // what is not hybrid
+    // a system that is not hybrid
     let smooth = FnSystem::with_jacobian(
         |_t, x: &SVector<f64, 2>| -x,
         |_t, _x: &_| -SMatrix::<f64, 2, 2>::identity(),

@@ -1,4 +1,4 @@
-//! Impacts that follow each other: series that accumulate, orders that cannot be told, and scenes of every size.
+//! Successive impacts: series that accumulate, ambiguous orders, and scenes of every size.
 
 use nalgebra::SVector;
 use pendulum_core::hybrid::{Hybrid, Mode};
@@ -60,7 +60,8 @@ fn boxed(params: BoxedParams) -> Boxed {
     Boxed::new(params).expect("physical")
 }
 
-/// Where impacts accumulate the end converges with the tolerance: it does not depend on how many are resolved.
+/// Where impacts accumulate, the final state converges with the tolerance: it does not depend on the number of resolved
+/// impacts.
 #[test]
 fn ends_converge_where_impacts_accumulate() {
     fn converges<S, const N: usize>(model: &S, t: f64, start: [f64; N])
@@ -91,7 +92,7 @@ fn ends_converge_where_impacts_accumulate() {
     converges(&boxed(BOXED), 2.932330325324641, BOXED_START);
 }
 
-/// The impacts of one instant are one impact, and those of all others come in order.
+/// Simultaneous impacts are one impact, and all others are in order.
 #[test]
 fn modes_are_in_order_and_within_the_span() {
     let elastic = row(RowParams {
@@ -153,7 +154,7 @@ fn no_size_is_too_small() {
             "{e} {g:e} {height:e}: {t:e} for {rests:e}"
         );
     }
-    // nothing stops what flies slowly
+    // without gravity a slow rise continues
     let free = Ball::new(BallParams { e: 1.0, g: 0.0 }).expect("physical");
     let end = Vern9::new()
         .solve(&free, 0.0, 1.0, [0.0, 1e-15])
@@ -162,7 +163,7 @@ fn no_size_is_too_small() {
     assert_eq!(end, SVector::from([1e-15, 1e-15]));
 }
 
-/// Friction brakes the rise and holds back the fall: the rates of rebounds shrink by `e sqrt(down / up)`.
+/// Friction slows the rise and the fall: the rates of rebounds shrink by `e sqrt(down / up)`.
 #[test]
 fn the_last_rebounds_know_friction() {
     for (mu, e) in [(9.0, 0.999), (2.0, 0.9), (0.0, 0.9)] {
@@ -176,7 +177,7 @@ fn the_last_rebounds_know_friction() {
         let start = 1.0;
         let hit = (2.0 * start * down).sqrt();
         let ratio = e * (down / up).sqrt();
-        // each rebound with the rate v lasts v/up upwards, and v sqrt(down/up)/down back
+        // each rebound at the rate v rises for v/up, and falls for v sqrt(down/up)/down
         let rests = hit / down + e * hit * (1.0 / up + 1.0 / (up * down).sqrt()) / (1.0 - ratio);
         let solution = Vern9::new()
             .rtol(1e-12)
@@ -190,7 +191,7 @@ fn the_last_rebounds_know_friction() {
     }
 }
 
-/// A unit of length, mass and time, in units of the SI.
+/// Units of length, mass and time, in SI units.
 #[derive(Clone, Copy)]
 struct Units {
     length: f64,
@@ -245,7 +246,7 @@ impl Units {
     }
 }
 
-/// The same motion in other units: powers of 4, in which square roots are exact, too.
+/// The motion does not depend on the units: powers of 4, whose square roots are exact, too.
 #[test]
 fn units_make_no_difference() {
     let one = Units {
@@ -253,7 +254,7 @@ fn units_make_no_difference() {
         mass: 1.0,
         time: 1.0,
     };
-    // absolute tolerances have one unit for lengths and rates, so this one is next to nothing
+    // absolute tolerances have one unit for lengths and rates, so this one is negligible
     let solve = |units: &Units| {
         let method = Vern9::new()
             .rtol(1e-10)
@@ -312,7 +313,8 @@ mechanism! {
     }
 }
 
-/// The order in which both ends hit decides which way the rod turns. At once they are reported, and leave alike.
+/// The order of the two impacts decides which way the rod turns. Simultaneous impacts are reported as ambiguous, and
+/// both ends rebound alike.
 #[test]
 fn an_order_that_decides_and_is_not_known_is_reported() {
     let flat = Flat::new(FlatParams::default()).expect("physical");
@@ -336,7 +338,7 @@ fn an_order_that_decides_and_is_not_known_is_reported() {
         panic!("one impact")
     };
     assert!((impact.after[Flat::DOT_Y] / impact.before[Flat::DOT_Y] + 0.5).abs() < 1e-12 && solution.end()[1] == 0.0);
-    // tilted a little, one end comes first
+    // with a small tilt one end comes first
     let [left, right] = [1e-7, -1e-7].map(|tilt| {
         let solution = solve(tilt).expect("a motion");
         assert!(solution.ambiguities().is_empty() && solution.statistics().ambiguities == 0);
@@ -347,13 +349,13 @@ fn an_order_that_decides_and_is_not_known_is_reported() {
         apart > 0.1 && (ambiguity.difference - apart).abs() < 1e-3,
         "{apart} {ambiguity:?}"
     );
-    // without `std`, and of observers of ensembles, it is a count
+    // without `std`, and for observers of ensembles, only the count is reported
     let mut stepper = Tsit5::new()
         .stepper(&flat, 0.0, 0.6, [1.0, 0.0, 0.0, 0.0])
         .expect("a start");
     stepper.run().expect("a motion");
     assert_eq!(stepper.statistics().ambiguities, 1);
-    // where the ends do not act on each other there is nothing to decide
+    // ends that do not interact are not ambiguous
     let apart = [0.0, 0.0, 2.0, 2.0];
     let tile = super::corner::tile(0.0, 1.0, 0.0);
     assert!(
@@ -365,7 +367,7 @@ fn an_order_that_decides_and_is_not_known_is_reported() {
     );
 }
 
-/// Contacts that contradict each other are an error, wherever it is met.
+/// Contradictory contacts are an error wherever they occur.
 #[test]
 fn a_row_that_is_crushed_is_an_error() {
     let solved: Result<Solution<f64, 6>, SolveError<f64, 6>> =
@@ -374,7 +376,7 @@ fn a_row_that_is_crushed_is_an_error() {
 }
 
 mechanism! {
-    /// Four bodies in a row, of which two may go on side by side, above a floor or in space.
+    /// Four bodies in a row, two of which may move side by side, above a floor or in space.
     pub Four {
         params { mb: kg, e0: 1, w: m, g: m/s^2 }
         gravity: [-g, 0, 0],
@@ -390,8 +392,8 @@ mechanism! {
     }
 }
 
-/// What goes on side by side stays so, however light one of the two is: which impacts follow is not for rounding errors
-/// to decide.
+/// Bodies moving side by side stay together, however light one of them is: rounding errors must not decide the next
+/// impacts.
 #[test]
 fn what_is_light_stays_with_what_is_heavy() {
     for mb in [1.0, 0.1, 0.01, 1e-3, 1e-4] {
@@ -455,7 +457,7 @@ fn what_is_light_stays_with_what_is_heavy() {
 }
 
 mechanism! {
-    /// A heavy rod, and a light one on it between two stops, whose tip hits a wall.
+    /// A heavy rod with a light one on it between two stops. The tip of the light rod hits a wall.
     pub Tip {
         params { l: m }
         gravity: [0, -9.81, 0],
@@ -471,8 +473,8 @@ mechanism! {
     }
 }
 
-/// Forces of what is held are as exact as the weights that they balance, no more: of a light rod on a heavy one at every
-/// tolerance, and in every size.
+/// Holding forces are only as accurate as the weights they balance. A light rod on a heavy one, at every tolerance and
+/// in every size.
 #[test]
 fn what_is_light_rests_as_long_as_it_should() {
     for &l in &[1e-3, 0.1, 1.0][..share(3)] {

@@ -1,5 +1,5 @@
-//! Modes keep their promises at every place of their steps, from random states: what slips does so in its direction,
-//! what is held stands still, and nothing is beyond its limits.
+//! Invariants of modes throughout their steps, from random states: slipping joints keep their direction, held ones
+//! stand still, and no gap is negative.
 
 use nalgebra::SVector;
 use pendulum_core::hybrid::{Constraint, Hybrid, MAX_CONSTRAINTS, Status};
@@ -8,7 +8,7 @@ use pendulum_core::{Method, Plant, Reason};
 use testbed::random::{Random, share};
 
 mechanism! {
-    /// Two rods with dry axles, of which the lower one cannot fold.
+    /// Two rods with dry axles; the lower one has stops before it folds.
     pub Rods {
         params { mu1: N m, mu2: N m, l: m, at_rest: 1, e: 1 }
         gravity: [0, -9.81, 0],
@@ -49,8 +49,7 @@ fn random_state(random: &mut Random) -> (Rods, SVector<f64, 4>) {
     (Rods::new(params).expect("physical"), SVector::from(start))
 }
 
-/// The first promise that is broken on the way to `t1`, if one is: by rates more than `noise`, by gaps more than
-/// `within`.
+/// First invariant violated on the way to `t1`, if any: by rates above `noise`, or gaps below `-within`.
 fn broken<M>(
     model: &Rods,
     method: &M,
@@ -100,7 +99,7 @@ fn modes_keep_their_promises() {
     macro_rules! check {
         ($($method:ident $tolerance:literal within $noise:expr),*) => { $(
             let method = $method::new().rtol($tolerance).atol($tolerance);
-            // right after an impact a gap is as exact as the polynomial
+            // right after an impact a gap is only as accurate as the polynomial
             check(concat!(stringify!($method), " ", $tolerance), &method, ($noise, 0.1 * $tolerance));
         )* };
     }
@@ -112,7 +111,7 @@ fn modes_keep_their_promises() {
 }
 
 mechanism! {
-    /// A block that its spring presses against a stop.
+    /// A block pressed against a stop by its spring.
     pub Pressed {
         params { k: N/m, pull: N, e: 1, high: m }
         generate: [rhs, jacobian],
@@ -123,7 +122,7 @@ mechanism! {
     }
 }
 
-/// The rebounds of a series are soon lower than the tolerance, and end all the same: a long step does not show them.
+/// Rebounds that become lower than the tolerance still end, although a long step does not resolve them.
 #[test]
 fn rebounds_lower_than_the_tolerance_come_to_rest() {
     fn steps<M: Method<Pressed, f64, 2>>(method: &M) -> usize {
@@ -159,8 +158,8 @@ fn rebounds_lower_than_the_tolerance_come_to_rest() {
     }
 }
 
-/// Rodas5P at 1e-3 took a million steps from some of these: each step to where its polynomial touched a limit fell
-/// short.
+/// Rodas5P at 1e-3 took a million steps from some of these states: each step ended short of the time at which its
+/// polynomial touched a limit.
 #[test]
 fn steps_do_not_creep_towards_the_end_of_a_mode() {
     fn steps<M: Method<Rods, f64, 4>>(method: &M) -> usize {
@@ -178,7 +177,7 @@ fn steps_do_not_creep_towards_the_end_of_a_mode() {
 }
 
 mechanism! {
-    /// A block that is pushed to a stop by a force which is not a number for 2 ms.
+    /// A block pushed to a stop by a force that is NaN for 2 ms.
     pub Numberless {
         params { c: N/s = 1, middle: s = 0.31, half: s = 1e-3 }
         generate: [rhs, jacobian],
@@ -213,7 +212,7 @@ fn a_force_that_is_no_number_ends_a_search() {
     }
 }
 
-/// A ball by hand that does not say what forces at its floor do.
+/// A hand-written ball without the response to forces at its floor.
 struct Unanswered;
 
 impl System<f64, 2> for Unanswered {
@@ -256,7 +255,7 @@ fn a_model_with_constraints_says_what_forces_along_them_do() {
 }
 
 mechanism! {
-    /// A ball in a box whose walls shake.
+    /// A ball in a box with shaking walls.
     pub Shaker {
         params { a1: m, a2: m, w1: rad/s, w2: rad/s, e: 1, f: N s/m }
         gravity: [0, -9.81, 0],
@@ -271,7 +270,7 @@ mechanism! {
     }
 }
 
-/// Implicit methods, whose polynomials touch the floor where a step starts, let it pass by later in the step.
+/// Implicit methods, whose polynomials touch the floor at the start of a step, missed it later in the step.
 #[test]
 fn a_wall_is_met_after_a_zero_that_was_disproved() {
     let params = ShakerParams {
@@ -321,8 +320,8 @@ mechanism! {
     }
 }
 
-/// A long step may show that a gap closes at its start which a short one shows to open: Radau5 took 46,923 and 20,627
-/// steps of this kind from these starts, and Rodas5P more than 50,000 from the second.
+/// A gap may close at the start of a long step and open in a short one: Radau5 took 46,923 and 20,627 such steps from
+/// these states, and Rodas5P more than 50,000 from the second.
 #[test]
 fn steps_grow_again_behind_a_gap_that_opens_slowly() {
     let cases = [

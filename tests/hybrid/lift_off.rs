@@ -1,5 +1,5 @@
-//! Contacts that give way where their force passes zero: gap, rate and acceleration are zero there, and the gap grows
-//! with the third power of the time, below all that a step resolves.
+//! Contacts that open where their force passes zero. Gap, rate and acceleration are zero there, and the gap grows with
+//! the third power of time, below the resolution of a step.
 
 use nalgebra::SVector;
 use pendulum_core::hybrid::Status;
@@ -8,7 +8,7 @@ use pendulum_core::{Reason, SolveError};
 use testbed::random::number;
 
 mechanism! {
-    /// A body of 1 kg on a floor at zero, under a force that swings.
+    /// A body of 1 kg on a floor at zero, under an oscillating force.
     pub Pressed {
         params { f: N, a: N, w: rad/s = 50 }
         wall floor { gap: y }
@@ -17,7 +17,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same with the stop of a joint.
+    /// `Pressed` with the stop of a joint instead of the floor.
     pub Stopped {
         params { f: N, a: N, w: rad/s = 50 }
         body b on ground {
@@ -27,7 +27,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A ball on a table that is shaken.
+    /// A ball on a shaken table.
     pub Shaken {
         params { a: m = 0.01, w: rad/s, e: 1 }
         gravity: [0, -9.81, 0],
@@ -37,7 +37,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A ball above a floor that is not at zero.
+    /// A ball above a floor at a given height.
     pub Ball {
         params { e: 1, height: m = 1 }
         gravity: [0, -9.81, 0],
@@ -47,7 +47,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A wall that pushes a body onto a stop, and on.
+    /// A wall that pushes a body onto a stop and further.
     pub Crushed {
         params { v: m/s = 0.1 }
         wall piston { gap: s - v*t }
@@ -59,7 +59,7 @@ const GRAVITY: f64 = 9.81;
 
 type Solved = Result<Solution<f64, 2>, SolveError<f64, 2>>;
 
-/// The motion by each method.
+/// Motion by each method.
 fn by_each<S: Jacobian<f64, 2>>(model: &S, t1: f64, start: [f64; 2]) -> [(&'static str, Solved); 8] {
     macro_rules! by {
         ($method:ident) => {{
@@ -83,7 +83,7 @@ fn statuses(solution: &Solution<f64, 2>) -> Vec<Status> {
     solution.modes().iter().map(|(_, mode)| mode.0[0]).collect()
 }
 
-/// Where a function that is positive at first passes zero.
+/// First zero of a function that is positive at first.
 fn zero(f: impl Fn(f64) -> f64, from: f64, by: f64) -> f64 {
     let mut t = (1..)
         .map(|n| from + f64::from(n) * by)
@@ -183,10 +183,10 @@ fn a_ball_on_a_shaken_table_flies_and_rests_by_turns() {
     }
 }
 
-/// The table swings up to eight times within the places at which a step is looked at: of its crests, the first that a
-/// ball meets is found. Compared with steps so short that none swings by more than a radian, and as far as these are
-/// certain: rebounds multiply errors, as a table shows that swings a little farther. `PENDULUM_ROUGH` tries more
-/// tables.
+/// The table swings up to eight times between the sampled points of a step, and the first of its crests that meets the
+/// ball must be found. The reference takes steps so short that the table swings by at most a radian in each. The
+/// comparison ends where the reference becomes uncertain: rebounds multiply errors, as the reference for a slightly
+/// larger swing of the table shows. `PENDULUM_ROUGH` tries more tables.
 #[test]
 #[cfg_attr(
     not(feature = "thorough"),
@@ -206,7 +206,7 @@ fn a_table_that_swings_within_a_step_hits_as_soon_as_it_must() {
             });
             for (method, solution) in by_each(&table, 2.0, start) {
                 let solution = solution.unwrap_or_else(|error| panic!("{method}, {w}, {e}: {error}"));
-                // the errors of many steps, each within 1e-9
+                // accumulated errors of many steps, each within 1e-9
                 let mut certain = 1e-8_f64;
                 for (t, ours) in solution.points() {
                     let [exact, neighbour] = [&exact, &neighbour].map(|solution| solution.at(t).expect("inside")[0]);
@@ -255,7 +255,7 @@ fn contacts_that_contradict_each_other_are_an_error_at_once() {
 
 #[test]
 fn rebounds_far_shorter_than_a_fixed_step_are_an_error() {
-    // from zero, where no rounding error hides how low they are; those that lose energy end
+    // a floor at zero, where rounding errors do not hide how low rebounds are; those that lose energy come to rest
     let floor = |e| Ball::new(BallParams { e, height: 0.0 }).expect("physical");
     let error = Rk4::new(0.01)
         .solve(&floor(1.0), 0.0, 5.0, [0.0, 1e-9])

@@ -1,4 +1,5 @@
-//! Dry friction that sticks, stops, walls, and inputs: generated models in every mode against closed forms and other derivations.
+//! Sticking dry friction, stops, walls, and inputs: generated models in every mode against closed forms and other
+//! derivations.
 #![forbid(unsafe_code)]
 
 mod controlled;

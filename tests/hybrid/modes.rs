@@ -1,5 +1,5 @@
-//! When modes end and which come next, in closed form: friction that breaks loose, contacts that open, limits that are
-//! reached at rest or grazed, and what happens at one instant.
+//! Ends of modes and their successors, in closed form: friction that breaks loose, contacts that open, limits reached
+//! at rest or grazed, and simultaneous events.
 
 use std::f64::consts::PI;
 
@@ -24,7 +24,7 @@ fn track(params: TrackParams) -> Track {
     Track::new(params).expect("physical")
 }
 
-/// The motion by methods of all kinds, to 1e-13 where they choose their steps.
+/// Motion by methods of all kinds, at a tolerance of 1e-13 if the method is adaptive.
 fn by_each<S, const N: usize>(model: &S, t1: f64, start: [f64; N]) -> [(&'static str, Solution<f64, N>); 8]
 where
     S: Jacobian<f64, N> + TaylorSeries<f64, N> + Canonical<f64, N>,
@@ -46,7 +46,7 @@ where
     )
 }
 
-/// The times from which on the modes hold, but the first, and the modes.
+/// Mode switches after the start: their times, and the new modes.
 fn changes<const N: usize>(solution: &Solution<f64, N>) -> Vec<(f64, Mode)> {
     solution.modes()[1..].to_vec()
 }
@@ -63,7 +63,7 @@ fn assert_state<const N: usize>(ours: SVector<f64, N>, theirs: [f64; N], allowed
     assert!(error <= allowed, "{what}: {ours} for {theirs:?}, {error:e} apart");
 }
 
-// Forces that grow
+// Growing forces
 
 #[test]
 fn friction_at_rest_breaks_loose_when_a_growing_force_reaches_it() {
@@ -78,7 +78,7 @@ fn friction_at_rest_breaks_loose_when_a_growing_force_reaches_it() {
         });
         let (breaks, t) = (at_rest / growth.abs(), 5.0_f64);
         let since = t - breaks;
-        // the integrals of `growth t - mu`
+        // integrals of `growth t - mu`
         let rate = 0.5 * growth.abs() * (t * t - breaks * breaks) - mu * since;
         let place = growth.abs() / 6.0 * (t.powi(3) - breaks.powi(3))
             - 0.5 * growth.abs() * breaks * breaks * since
@@ -99,7 +99,7 @@ fn friction_at_rest_breaks_loose_when_a_growing_force_reaches_it() {
     }
 }
 
-/// A force that grows from zero opens the contact at once; one that pushes until a time does then.
+/// A force that grows from zero opens the contact at once; one that pushes at first opens it when its sign changes.
 #[test]
 fn a_contact_opens_when_nothing_pushes_any_longer() {
     for (side, opens) in [(1.0, 0.0), (-1.0, 0.0), (1.0, 1.5), (-1.0, 1.5)] {
@@ -122,7 +122,7 @@ fn a_contact_opens_when_nothing_pushes_any_longer() {
 }
 
 mechanism! {
-    /// A pendulum that hangs at a wall, all at zero: no number says how large rounding errors are.
+    /// A pendulum that hangs at a wall, with all values zero: no value gives a scale for rounding errors.
     pub Hanging {
         params { growth: N m/s = 0.5 }
         gravity: [0, -9.81, 0],
@@ -163,7 +163,7 @@ fn what_stands_at_a_stop_under_no_force_stays_there() {
     }
 }
 
-/// A joint that sticks at its stop: friction helps to hold what is pulled off.
+/// A joint that sticks at its stop: friction helps against a force that pulls it off.
 #[test]
 fn friction_holds_what_a_growing_force_pulls_off_a_stop() {
     let (mu, at_rest, growth) = (0.5, 0.75, 0.5);
@@ -186,7 +186,7 @@ fn friction_holds_what_a_growing_force_pulls_off_a_stop() {
 }
 
 mechanism! {
-    /// A block that a force moves to and fro.
+    /// A block moved to and fro by a force.
     pub Shaken {
         generate: [rhs, jacobian, energy, taylor, canonical],
         params { mu: N = 0.9, most: N = 1 }
@@ -196,7 +196,7 @@ mechanism! {
     }
 }
 
-/// A force that is above the limit for a short time only is found within a step, and steps at rest are long.
+/// A force that exceeds the limit only briefly is found within a step, although steps at rest are long.
 #[test]
 fn a_short_peak_of_a_force_breaks_friction_loose() {
     for (mu, t1) in [(0.9, 2.5), (0.99, 2.5), (0.99, 10.0)] {
@@ -208,12 +208,12 @@ fn a_short_peak_of_a_force_breaks_friction_loose() {
     }
 }
 
-// Limits that are reached at rest, and grazed
+// Limits reached at rest, and grazed
 
 #[test]
 fn a_stop_is_reached_at_rest() {
     for side in [1.0, -1.0] {
-        // braked by friction, which then holds
+        // stopped by friction, which then holds
         let model = track(TrackParams {
             mu: 0.5,
             at_rest: 0.5,
@@ -225,7 +225,7 @@ fn a_stop_is_reached_at_rest() {
             assert_eq!(solution.end()[1], 0.0, "{name}");
             assert_near(solution.modes().last().expect("a mode").0, 2.0, 1e-7, name);
         }
-        // turned by a force: it falls back
+        // turned back by a force
         let model = track(TrackParams {
             pull: -0.5 * side,
             e: 1.0,
@@ -301,7 +301,7 @@ fn a_parabola_grazes_a_ceiling() {
                 assert_near(changes(&solution)[0].0, hits, 1e-10, &what);
                 assert_state(solution.end(), end, 1e-9, &what);
             } else {
-                // whether it is touched depends on errors of 1e-13 m, at the rate that such a height stands for
+                // errors of 1e-13 m decide if it touches, at the rate that corresponds to this height
                 assert!(impacts <= 1, "{what}");
                 let least = (2.0 * 9.81 * 1e-13_f64).sqrt();
                 assert_state(solution.end(), [3.0 * t, free, 3.0, falls], 1.5 * least, &what);
@@ -340,7 +340,7 @@ fn a_pendulum_grazes_a_wall() {
                 gap if gap < 0.0 => (1..=1, 0.75 * 9.81 * 1e-9 * swing.tan()),
                 _ => (0..=1, 0.0),
             };
-            // the fixed steps err by more than the gap
+            // the fixed steps have errors larger than the gap
             if name != "Rk4" {
                 assert!(count.contains(&impacts), "{what}: {impacts}");
                 assert_near(energy, -lost, 1e-11, &what);
@@ -349,10 +349,10 @@ fn a_pendulum_grazes_a_wall() {
     }
 }
 
-// At one instant
+// Simultaneous events
 
 mechanism! {
-    /// Two blocks side by side, of which one has friction and the other a stop.
+    /// Two blocks side by side, one with friction and the other with a stop.
     pub Apart {
         generate: [rhs, jacobian, energy, taylor, canonical],
         body first on ground { mass: 1, joint: prismatic(x), coordinate: a, dry_friction: 0.5 }
@@ -375,7 +375,7 @@ fn one_sticks_at_the_instant_at_which_another_rebounds() {
 }
 
 mechanism! {
-    /// A block in a box that slides between stops itself: each has 1 kg.
+    /// A block in a box that itself slides between stops, 1 kg each.
     pub Boxed {
         generate: [rhs, jacobian, energy, taylor, canonical],
         params { e: 1 = 0.5, inner_e: 1 = 0.5, pull: N = 0, inner: N = 0 }
@@ -388,7 +388,7 @@ mechanism! {
     }
 }
 
-/// The box hits its upper stop and the block its lower one, or the other way round.
+/// The box hits its upper stop and the block its lower one, or the reverse.
 #[test]
 fn two_impacts_at_one_instant() {
     let (e, inner_e) = (0.25, 0.75);
@@ -399,9 +399,9 @@ fn two_impacts_at_one_instant() {
     })
     .expect("physical");
     let cases = [
-        // both push: each leaves with the smaller restitution
+        // both contacts push: each opens with the smaller restitution
         ([1.0, -1.5], [-e, 1.5 * e]),
-        // the impact of the box takes the block off, whose stop would have to pull
+        // the impact of the box lifts the block off, since its stop cannot pull
         ([1.0, -0.5], [-e, -0.5 + 1.0 + e]),
     ];
     for side in [1.0, -1.0] {
@@ -417,7 +417,7 @@ fn two_impacts_at_one_instant() {
     }
 }
 
-/// By itself the box would be pressed against its lower stop; the block, which presses upwards, takes it along.
+/// Alone, the box would be pressed against its lower stop; the block, which presses upwards, takes it along.
 #[test]
 fn of_two_contacts_one_opens() {
     for side in [1.0, -1.0] {
@@ -441,7 +441,7 @@ fn of_two_contacts_one_opens() {
     }
 }
 
-/// What hits a stop without restitution and under no force stays there, exactly.
+/// A body that hits a stop without restitution and without force stays there exactly.
 #[test]
 fn an_impact_without_restitution_ends_at_rest() {
     for side in [1.0, -1.0] {
@@ -459,7 +459,7 @@ fn an_impact_without_restitution_ends_at_rest() {
 }
 
 mechanism! {
-    /// Two blocks on one rough track, of which the first may run into the second.
+    /// Two blocks on one rough track; the first may run into the second.
     pub Chain {
         generate: [rhs, jacobian, energy, taylor, canonical],
         params { m: kg = 1, mu: N = 0.5, at_rest: N = 0.75, e: 1 = 1 }
@@ -473,7 +473,7 @@ mechanism! {
     }
 }
 
-/// The second sticks until the first runs into it.
+/// The second block sticks until the first runs into it.
 #[test]
 fn an_impact_breaks_loose_what_sticks() {
     for (m, e) in [(1.0, 1.0), (2.0, 0.5), (0.5, 0.25)] {
@@ -521,7 +521,7 @@ fn an_impact_breaks_loose_what_sticks() {
 }
 
 mechanism! {
-    /// A tile in a corner, one of whose walls is declared twice.
+    /// A tile in a corner, with one wall declared twice.
     pub Twice {
         generate: [rhs, jacobian, energy, taylor, canonical],
         params { pull: N = 0 }
@@ -547,7 +547,7 @@ fn a_wall_that_is_declared_twice_is_one() {
 }
 
 mechanism! {
-    /// Two mass points on rods without mass, beside a wall.
+    /// Two point masses on massless rods, beside a wall.
     pub TwoPoints {
         generate: [rhs, jacobian, energy, taylor, canonical],
         gravity: [0, -9.81, 0],
@@ -591,7 +591,7 @@ fn a_published_pendulum_hits_its_wall_when_and_as_hard_as_it_should() {
     }
 }
 
-/// What acts from outside may set a block in motion that sticks, or throw it against its stop.
+/// A reset may set a sticking block in motion, or throw it against its stop.
 #[test]
 fn a_reset_begins_another_mode() {
     let model = track(TrackParams {
@@ -630,7 +630,7 @@ mechanism! {
     }
 }
 
-/// The holding force is a wave that grows: 0.9 N are reached first at 45.417 s, where steps of what rests would be long.
+/// The holding force is a growing wave that first reaches 0.9 N at 45.417 s, where steps at rest would be long.
 #[test]
 fn what_rests_breaks_loose_the_first_time_that_its_force_is_too_large() {
     let model = Swelling::new(SwellingParams::default()).expect("physical");
@@ -670,14 +670,14 @@ mechanism! {
     }
 }
 
-/// Each impulse is the mass times the change of the rate, and each rate the one before times the restitution.
+/// Each impulse is the mass times the change of the rate, and each rate is the one before times the restitution.
 #[test]
 fn impacts_of_a_ball_are_known() {
     let e = 0.5;
     let model = Bouncing::new(BouncingParams { e }).expect("physical");
     let (hits, falls) = ((2.0 / 9.81_f64).sqrt(), (2.0 * 9.81_f64).sqrt());
     for (name, solution) in by_each(&model, 2.0, [1.0, 0.0]) {
-        // those after are lower than 1e-13 m, and the last that is followed ends all of them
+        // further rebounds are lower than 1e-13 m; the last one followed ends them all
         let impacts = solution.impacts();
         assert!(impacts.len() > 15, "{name}: {}", impacts.len());
         assert_eq!(solution.modes().len(), impacts.len() + 1, "{name}");
@@ -697,7 +697,8 @@ fn impacts_of_a_ball_are_known() {
     }
 }
 
-/// Two impacts at once are one, with an impulse for each wall; one at the start, and one after a reset, are recorded.
+/// Two simultaneous impacts are one, with an impulse for each wall. Impacts at the start and after a reset are
+/// recorded.
 #[test]
 fn impacts_at_once_at_the_start_and_after_a_reset_are_recorded() {
     let model = Twice::new(TwiceParams { pull: 0.0 }).expect("physical");
@@ -707,7 +708,7 @@ fn impacts_at_once_at_the_start_and_after_a_reset_are_recorded() {
         };
         assert_near(impact.t, 1.0, 1e-13, name);
         assert_state(impact.after, [1.0, 1.0, -1.0, -1.0], 1e-13, name);
-        // the wall that is declared twice pushes once
+        // a wall declared twice pushes once
         let pushes: Vec<_> = impact.pushes().collect();
         assert_eq!(pushes.iter().map(|(n, _)| *n).collect::<Vec<_>>(), [0, 2], "{name}");
         assert!(
@@ -749,7 +750,7 @@ fn impacts_at_once_at_the_start_and_after_a_reset_are_recorded() {
 }
 
 mechanism! {
-    /// Two balls on floors of their own.
+    /// Two balls on separate floors.
     pub Unjoined {
         params { e: 1 = 0.8 }
         gravity: [0, -9.81, 0],
@@ -787,7 +788,7 @@ mechanism! {
     }
 }
 
-/// Rounding takes none of two that come from both sides for the first.
+/// Rounding errors separate no two bodies that arrive simultaneously from both sides.
 #[test]
 fn two_that_meet_a_third_at_once_do_so_at_once() {
     let e = 0.5;
@@ -796,7 +797,7 @@ fn two_that_meet_a_third_at_once_do_so_at_once() {
         let n = f64::from(n);
         let (hits, [v, w]) = (1.0 + 0.0137 * n, [0.3 + 0.071 * n, 2.9 - 0.043 * n]);
         let start = [-0.2 - v * hits, 0.0, 0.2 + w * hits, v, 0.0, -w];
-        // both gaps open with `e` times the rate at which they close, and the momentum stays
+        // both gaps open at `e` times their closing rate, and momentum is conserved
         let middle = (v - w) / 3.0 * (1.0 + e);
         let after = [middle - e * v, middle, middle + e * w];
         for (name, solution) in by_each(&model, hits + 1.0, start) {
@@ -811,17 +812,18 @@ fn two_that_meet_a_third_at_once_do_so_at_once() {
 }
 
 mechanism! {
-    /// A block under a force that comes and goes.
+    /// A block under an oscillating force.
     pub Pushed {
         params { push: N = 0.6 }
         generate: [rhs, jacobian, energy, taylor, canonical],
         body block on ground {
-            mass: 1, joint: prismatic(x), coordinate: s, torque: push*sin(1 rad/s*t), dry_friction: 0.5, static_friction: 0.6,
+            mass: 1, joint: prismatic(x), coordinate: s, torque: push*sin(1 rad/s*t), dry_friction: 0.5,
+                static_friction: 0.6,
         }
     }
 }
 
-/// A force that reaches the limit, to rounding, is held; one beyond it is not.
+/// A force at the limit, up to rounding errors, is held; a larger one is not.
 #[test]
 fn friction_holds_up_to_its_limit() {
     for (push, holds) in [(0.6, true), (0.6 * (1.0 + 1e-15), true), (0.6 * (1.0 + 1e-9), false)] {
@@ -832,8 +834,8 @@ fn friction_holds_up_to_its_limit() {
     }
 }
 
-/// Rebounds end at what single precision can tell: where they are up to 64 ulps of a metre high, and each ends up to 16
-/// of them away, that is 1.6e-4 s.
+/// Rebounds end at the resolution of single precision: they are up to 64 ulps of a metre high, and each ends up to 16
+/// ulps, or 1.6e-4 s, away.
 #[test]
 fn a_ball_in_single_precision_comes_to_rest() {
     for (e, rests) in [(0.3_f32, 0.838_543_9), (0.7, 2.558_634), (0.9, 8.578_949)] {
@@ -866,7 +868,7 @@ mechanism! {
     }
 }
 
-/// The rod ends upright in a corner, where the wall has nothing to hold.
+/// The rod ends upright in a corner, where the wall carries no force.
 #[test]
 fn contacts_without_a_force_stay_as_they_are() {
     let model = InABox::new(InABoxParams {}).expect("physical");
@@ -902,7 +904,7 @@ mechanism! {
     }
 }
 
-/// Each point of a motion is one to start from.
+/// Every point of a motion is a valid initial condition.
 #[test]
 fn gaps_may_be_in_any_unit() {
     for scale in [1e-3, 1.0, 1e3, 1e6] {

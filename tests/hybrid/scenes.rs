@@ -1,4 +1,4 @@
-//! Dry friction, stops and walls: what the generator writes for them, and their motion.
+//! Dry friction, stops and walls: generated code and motion.
 
 use std::array::from_fn;
 
@@ -35,7 +35,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// No constraints, and the same forces from outside.
+    /// The bodies of `Dry` without constraints, with the same forces as inputs.
     pub Smooth {
         params { m: kg = 0.7, l: m = 0.8 }
         input on_a: N m,
@@ -51,7 +51,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Absolute coordinates, a driven joint, a wall that moves, and bodies that are not in the order of their joints.
+    /// Absolute coordinates, a driven joint, a moving wall, and bodies declared in another order than their joints.
     pub Driven {
         params { w: rad/s = 3, mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
@@ -76,7 +76,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// No constraints.
+    /// The bodies of `Driven` without constraints.
     pub DrivenSmooth {
         params { w: rad/s = 3 }
         input on_s: N,
@@ -112,7 +112,7 @@ fn driven() -> Driven {
     Driven::new(DrivenParams::default()).expect("physical")
 }
 
-/// A time, a state, and forces on some constraints.
+/// Random times, states, and forces on the first `count` constraints.
 fn places<const N: usize>(count: usize) -> impl Iterator<Item = (f64, SVector<f64, N>, [f64; MAX_CONSTRAINTS])> {
     let mut random = Random::new(5);
     (0..40).map(move |_| {
@@ -146,7 +146,7 @@ fn forces_act_as_torques_and_forces_on_points_do() {
         assert_all_near(&model.eval(t, &x, &forces), &rhs, "right-hand side");
         let (own_rhs, own_jacobian) = model.eval_with_jacobian(t, &x, &forces);
         assert_all_near(&own_rhs, &rhs, "with its Jacobian");
-        // the force on the tip is held fixed in both, and its direction changes with the place
+        // the force on the tip is constant in both, but its direction changes with the position
         for (n, column) in own_jacobian.column_iter().enumerate() {
             assert_all_near(&column.into(), &jacobian.column(n).into(), "Jacobian");
         }
@@ -172,7 +172,7 @@ fn forces_act_as_torques_and_forces_on_points_do() {
     }
 }
 
-/// The order of the rows, and which sums of rates they are.
+/// Order of the constraints, and the sums of rates that form theirs.
 #[test]
 fn constraints_name_their_rates() {
     fn listed<'a>(constraints: &[Constraint<'a>]) -> Vec<(&'a str, Vec<(usize, i8)>)> {
@@ -259,12 +259,12 @@ fn laws_are_those_declared() {
     }
 }
 
-/// Numbers over which a scene is the same as over `f64`, with one slope.
+/// State in dual numbers, with its slope along a direction.
 fn along<const N: usize>(x: &SVector<f64, N>, direction: &SVector<f64, N>) -> SVector<Dual, N> {
     SVector::from_fn(|n, _| Dual::new(x[n], direction[n]))
 }
 
-/// What a response says against the right-hand side itself, and its derivatives against dual numbers.
+/// Checks a response against the right-hand side, and its derivatives against dual numbers.
 pub(crate) fn check_response<S, D, const N: usize>(model: &S, dual: &D, count: usize)
 where
     S: HybridJacobian<f64, N>,
@@ -275,7 +275,7 @@ where
         let response = model.response(t, &x, &forces);
         assert_all_near(&response.rates, &model.eval(t, &x, &forces), "rates");
         let measures = model.measures(t, &x);
-        // measures along the motion: rates, and second derivatives
+        // derivatives of the measures along the motion: rates, and second derivatives
         let moved = along(&x, &response.rates);
         let along_motion = dual.measures(Dual::new(t, 1.0), &moved);
         for n in 0..MAX_CONSTRAINTS {
@@ -361,7 +361,7 @@ fn responses_are_those_of_the_right_hand_side() {
     check_response::<_, _, 8>(&driven(), &driven().cast::<Dual>(), 5);
 }
 
-/// By itself a model has friction against each rate, and nothing else along its constraints.
+/// On its own, a model has friction against each rate, and no other forces along its constraints.
 #[test]
 fn the_right_hand_side_has_friction_by_the_sign_of_each_rate() {
     let model = driven();
@@ -371,7 +371,7 @@ fn the_right_hand_side_has_friction_by_the_sign_of_each_rate() {
         let rhs = model.eval(t, &x, &forces);
         assert_eq!(model.rhs(t, &x), rhs);
         assert_eq!(model.rhs_and_jacobian(t, &x), model.eval_with_jacobian(t, &x, &forces));
-        // so have what it reports of the motion
+        // drive forces, rates of outputs and inverse dynamics include the same friction
         let smooth = DrivenSmooth::new(DrivenSmoothParams::default()).expect("physical");
         let [on_s, on_first, on_middle, on_last, on_tip, ..] = forces;
         let u = DrivenSmoothInputs {
@@ -441,7 +441,7 @@ mechanism! {
     }
 }
 
-/// Solves with each method that is given, to 1e-13 where it chooses its steps.
+/// Solves with each method, at a tolerance of 1e-13 if the method is adaptive.
 macro_rules! with_each {
     (|$method:ident| $check:expr) => {
         with_each!(@ $method, $check, Tsit5::new().rtol(1e-13).atol(1e-13), "Tsit5");
@@ -468,7 +468,7 @@ fn near(ours: f64, theirs: f64) -> bool {
 #[test]
 fn a_block_comes_to_rest_where_and_when_it_must() {
     let model = Block::new(BlockParams::default()).expect("physical");
-    // pulled by less than friction holds: braked by mu - pull
+    // pulled by less than static friction: decelerates by mu - pull
     let (v0, a) = (-0.6, (0.5 + 0.25) / 2.0);
     with_each!(|method| {
         let solution = method.solve(&model, 0.0, 4.0, [0.0, v0]).expect("a motion");
@@ -478,7 +478,7 @@ fn a_block_comes_to_rest_where_and_when_it_must() {
             && near(solution.end()[0], -v0 * v0 / (2.0 * a))
             && solution.end()[1] == 0.0
     });
-    // pulled by more than friction at rest holds, into the stop, which it rebounds from
+    // pulled by more than static friction, into the stop, from which it rebounds
     let model = Block::new(BlockParams {
         pull: 1.0,
         ..BlockParams::default()
@@ -542,7 +542,7 @@ fn a_ball_rebounds_and_comes_to_rest() {
         let (t, mode) = *solution.modes().last().expect("a mode");
         near(t, rests) && mode.0[0] == Status::Low && solution.end()[0].abs() < 1e-12 && solution.end()[1] == 0.0
     });
-    // a floor that rises carries it along
+    // a rising floor carries it along
     let model = Ball::new(BallParams { e: 0.0, v: 0.5 }).expect("physical");
     let meets = (-0.5 + (0.25_f64 + 2.0 * 9.81).sqrt()) / 9.81;
     with_each!(|method| {
@@ -556,7 +556,7 @@ fn a_ball_rebounds_and_comes_to_rest() {
 fn a_ball_goes_to_and_fro_between_walls() {
     let model = Between::new(BetweenParams {}).expect("physical");
     let solution = Tsit5::new().solve(&model, 0.0, 10.0, [0.5, 2.0]).expect("a motion");
-    // it has gone 20: to and fro ten times
+    // a path of 20 m: to and fro ten times
     assert!(
         near(solution.end()[0], 0.5) && near(solution.end()[1], 2.0),
         "{}",
@@ -565,7 +565,7 @@ fn a_ball_goes_to_and_fro_between_walls() {
     assert_eq!(solution.modes().len(), 21);
 }
 
-/// Impacts at the same time are one, with one restitution.
+/// Simultaneous impacts are one, with one restitution.
 #[test]
 fn an_elastic_ball_shares_its_rate_with_two_that_touch() {
     mechanism! {
@@ -587,7 +587,7 @@ fn an_elastic_ball_shares_its_rate_with_two_that_touch() {
     }
 }
 
-/// Two joints stick and slip, and a stop and a wall are hit: all methods agree, and energy never grows.
+/// Two joints stick and slip, and a stop and a wall are hit: all methods agree, and the energy never grows.
 #[test]
 fn methods_agree_on_a_dry_double_pendulum() {
     let model = dry();
@@ -618,7 +618,7 @@ fn methods_agree_on_a_dry_double_pendulum() {
     }
 }
 
-/// Friction and all else that is a parameter, in the right-hand side as it is by itself.
+/// Derivatives of the right-hand side with respect to friction and all other parameters.
 #[test]
 fn parameters_move_the_right_hand_side() {
     let model = dry();
@@ -643,7 +643,7 @@ fn parameters_move_the_right_hand_side() {
                 );
             }
         }
-        // static friction and rebounds have no part in it
+        // static friction and restitution do not affect it
         assert!(
             jacobian.columns(3, 2).amax() == 0.0 && jacobian.column(2).amax() > 0.1,
             "{jacobian}"
@@ -651,7 +651,7 @@ fn parameters_move_the_right_hand_side() {
     }
 }
 
-/// A friction of zero is none, and the code says nothing of it.
+/// Zero friction is no constraint, and does not appear in the code.
 #[test]
 fn a_friction_of_zero_leaves_no_trace() {
     let scene = |more: &str| {
@@ -679,14 +679,14 @@ fn equations_list_the_constraints() {
         "force(b): dry friction of 0.2; stops at -2 and 2.5, restitution 0.3 from a rate of 0.01",
     ];
     assert_eq!(lines[at.expect("a line") + 1..][..2], expected, "{}", Dry::EQUATIONS);
-    // long lines go on in the next one
+    // join continuation lines
     let wall = Dry::EQUATIONS.split("force(side): ").nth(1).expect("a wall");
     let wall = wall.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(wall.starts_with("a wall at the zero of "), "{wall}");
     assert!(wall.ends_with(", restitution e from a rate of 0.001"), "{wall}");
 }
 
-/// Stops and walls end symmetries that the forces alone would have; friction ends none.
+/// Stops and walls break symmetries of the forces; friction breaks none.
 #[test]
 fn layouts_know_what_stops_and_walls_end() {
     let periodic = |slots: &[Slot]| slots.iter().map(|slot| slot.periodic).collect::<Vec<_>>();
@@ -697,7 +697,7 @@ fn layouts_know_what_stops_and_walls_end() {
 }
 
 mechanism! {
-    /// Two rods with dry axles, of which the lower one cannot fold.
+    /// Two rods with dry axles; the lower one has stops before it folds.
     pub Rods {
         params { mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
@@ -710,7 +710,7 @@ mechanism! {
     }
 }
 
-/// Each with a model of its own, and from a state of its own.
+/// Random models, each with an initial condition.
 fn rods() -> (Vec<Rods>, Vec<SVector<f64, 4>>) {
     let mut random = Random::new(8);
     (0..share(60))
@@ -741,7 +741,7 @@ fn lanes_have_the_bits_of_trajectories_alone() {
     same(&Tsit5::new());
     same(&Vern7::new().rtol(1e-9).atol(1e-9));
     same(&Rk4::new(0.01));
-    // one after the other
+    // methods without lanes
     if share(2) == 2 {
         same(&Rodas5P::new());
         same(&Auto::new());
@@ -763,23 +763,23 @@ fn a_pendulum_rests_in_an_interval() {
         }
     }
     let model = Rusty::new(RustyParams::default()).expect("physical");
-    // as far as gravity asks for no more than friction at rest can bear
+    // while gravity requires no more than static friction can hold
     let most = (2.0_f64 / 9.81).asin();
     let resting = pendulum_core::stability::resting(&model, [0.1, 0.0]).expect("it rests");
     assert_eq!(resting.x, SVector::from([0.1, 0.0]));
     assert_eq!(resting.mode.0[0], Status::Stuck);
     assert_near(resting.margin, 1.0 - 9.81 * 0.1_f64.sin() / 2.0, "margin");
-    // wherever it is on its way, and on either side
+    // wherever it stops on its way, on either side
     let moving = pendulum_core::stability::resting(&model, [-0.1, 0.5]).expect("it rests");
     assert_eq!(moving.x, SVector::from([-0.1, 0.0]));
     assert_eq!(moving.margin, resting.margin);
     let [low, high] = resting.interval(&model, 0, 1.0).expect("regular");
     assert_near(low, -most, "lower end");
     assert_near(high, most, "upper end");
-    // from where it slips it is the equilibrium without friction
+    // where it slips, the equilibrium is that without friction
     let resting = pendulum_core::stability::resting(&model, [1.0, 0.0]).expect("it rests");
     assert!(resting.x[0].abs() < 1e-9 && resting.margin > 0.999_999, "{resting:?}");
-    // and wherever it comes to rest is within; about the top there is another such interval
+    // every state of rest is within the interval; about the top there is another one
     let end = |start: f64| {
         let solution = Tsit5::new().solve(&model, 0.0, 50.0, [start, 0.0]);
         solution.expect("regular").end()
@@ -824,7 +824,7 @@ fn a_rocking_block_comes_to_rest() {
     }
 }
 
-/// Differences derive each mode, and leave no event out.
+/// Differences apply in each mode, and miss no event.
 #[test]
 fn differences_pass_modes() {
     let (model, start) = (dry(), [1.2, -0.4, 0.3, 2.0]);
@@ -844,15 +844,15 @@ fn differences_pass_modes() {
     let rodas5p = Rodas5P::new().rtol(1e-10).atol(1e-10);
     near(radau5.solve(&derived, 0.0, 3.0, start), "Radau5");
     near(rodas5p.solve(&derived, 0.0, 3.0, start), "Rodas5P");
-    // a Jacobian of one's own is known in no mode
+    // a user-supplied Jacobian is valid in no mode
     let with_jacobian = WithJacobian::new(model, |t, x: &SVector<f64, 4>| model.jacobian(t, x));
     near(radau5.solve(&with_jacobian, 0.0, 3.0, start), "Radau5 with a Jacobian");
     let error = equilibrium(&derived, start).expect_err("no mode is known there");
     assert!(error.to_string().contains("hybrid"), "{error}");
 }
 
-/// Two corners that hit the floor by turns, and hold each other: the time of rest does not depend on where the floor is,
-/// which corner is declared first, or the method.
+/// Two corners that hit the floor in turn, and hold each other. The time of rest depends neither on the height of the
+/// floor, nor on the order of declaration, nor on the method.
 #[test]
 fn corners_come_to_rest_when_their_series_ends() {
     mechanism! {
@@ -902,7 +902,7 @@ fn corners_come_to_rest_when_their_series_ends() {
     }
 }
 
-/// What is held moves nothing else than its forces do: derivatives in each mode against dual numbers.
+/// Checks derivatives in each mode against dual numbers: held constraints act only through their forces.
 pub(crate) fn check_derivatives<S, D, const N: usize>(model: &S, dual: &D, count: usize)
 where
     S: Jacobian<f64, N>,
@@ -966,7 +966,7 @@ mechanism! {
     }
 }
 
-/// The recurrences of each mode give the series that its right-hand side gives when it computes with series.
+/// The recurrences of each mode give the same series as the right-hand side evaluated on series.
 #[test]
 fn series_hold_in_every_mode() {
     fn check<S, M, const N: usize>(model: &S, series: &M, count: usize)
@@ -1008,8 +1008,8 @@ fn series_hold_in_every_mode() {
     check::<_, _, 8>(&driven(), &driven().cast::<Series>(), 4);
 }
 
-/// In every mode the canonical variables change along the motion by their rates, and their derivatives are those by
-/// dual numbers: at fixed forces, of which walls alone have some while they hold.
+/// In every mode the canonical variables change along the motion by their rates, and their derivatives equal those by
+/// dual numbers, at fixed forces. Only held walls have a force.
 #[test]
 fn canonical_equations_hold_in_every_mode() {
     fn check<S, D, const N: usize>(model: &S, dual: &D, count: usize)
@@ -1057,7 +1057,7 @@ fn canonical_equations_hold_in_every_mode() {
     check::<_, _, 8>(&driven(), &driven().cast::<Dual>(), 4);
 }
 
-/// Tangents against differences of neighbours; the number of impacts, and the last mode.
+/// Checks tangents against differences of neighbouring motions. Returns the number of impacts, and the last mode.
 pub(crate) fn check_tangents<S, const N: usize>(model: &S, start: [f64; N], t: f64, allowed: f64) -> (usize, Mode)
 where
     S: Jacobian<f64, N>,
@@ -1086,7 +1086,7 @@ where
     (points.windows(2).filter(jumps).count(), last)
 }
 
-/// Through impacts, also on a wall that moves, and through what sticks and slips.
+/// Tangents through impacts, also on a moving wall, and through sticking and slipping.
 #[test]
 fn tangents_are_those_of_neighbours() {
     let (impacts, _) = check_tangents(&dry(), [1.2, 0.4, -3.0, 2.0], 0.5, 1e-7);
@@ -1094,13 +1094,13 @@ fn tangents_are_those_of_neighbours() {
     let struck = Struck::new(StruckParams {}).expect("physical");
     let (impacts, last) = check_tangents(&struck, [-0.5, 0.3, 0.5, 1.0], 1.5, 1e-7);
     assert!(impacts == 1 && last.is_held(0));
-    // neighbours of what sticks stick soon, and what they lose moves the other joint; differences show that to their
-    // reach
+    // neighbours of a sticking state soon stick, and their lost motion moves the other joint; differences resolve this
+    // only up to their accuracy
     let (_, last) = check_tangents(&struck, [0.0, -0.3, 0.0, -0.5], 0.2, 1e-5);
     assert!(last.is_held(0));
 }
 
-/// The states within a step go on to its end, also where it was cut off.
+/// The dense output of a step ends at the end of the step, also if the step was cut short.
 #[test]
 fn dense_output_ends_where_steps_do() {
     let model = dry();
@@ -1113,7 +1113,7 @@ fn dense_output_ends_where_steps_do() {
     }
 }
 
-/// Wherever steps run out, they do at the same place as alone.
+/// Lanes run out of steps at the same place as single trajectories.
 #[test]
 fn steps_in_lanes_are_counted_as_alone() {
     let (models, starts) = rods();

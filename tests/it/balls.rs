@@ -1,4 +1,4 @@
-//! Ball and free joints: reference motions, and trees against the same trees with three turns in a row.
+//! Ball and free joints: reference motions, and trees against the same trees with three successive hinges.
 
 use nalgebra::{Quaternion, SMatrix, SVector, UnitQuaternion, Vector3};
 use pendulum_core::method::{Fixed, Rosenbrock};
@@ -43,7 +43,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A stone that tumbles, thrown from a place that is turned.
+    /// A tumbling stone, thrown from a turned frame.
     pub Thrown {
         gravity: [0, 0, -9.81],
         generate: [rhs, jacobian, energy, taylor],
@@ -58,7 +58,7 @@ mechanism! {
     }
 }
 
-/// Two scenes that differ in how three joints are written.
+/// Two scenes that differ in three joints.
 macro_rules! trees {
     ($($name:ident: [$($bob:tt)*] [$($foot:tt)*] [$($craft:tt)*] [$($more:tt)*])*) => {$(
         mechanism! {
@@ -112,7 +112,8 @@ trees! {
     ]
     [
         body sole on leg { joint: fixed at [0, -0.4, 0.1] }
-        body foot on sole { mass: 0.5, com: [0.1, 0, 0.05], inertia: [0.01, 0.02, 0.03], joint: ball, orientation: foot }
+        body foot on sole { mass: 0.5, com: [0.1, 0, 0.05], inertia: [0.01, 0.02, 0.03], joint: ball,
+            orientation: foot }
     ]
     [
         body craft on ground {
@@ -150,7 +151,7 @@ trees! {
         }
     ]
     [
-        // the angular velocity of the ball along the axes of its body
+        // angular velocity of the ball along the axes of its body
         let p = cos(bob3)*cos(bob2)*dot(bob1) + sin(bob3)*dot(bob2),
         let q2 = cos(bob3)*dot(bob2) - sin(bob3)*cos(bob2)*dot(bob1),
         let r = sin(bob2)*dot(bob1) + dot(bob3),
@@ -160,19 +161,20 @@ trees! {
     ]
 }
 
-/// How many components the states have.
+/// Number of state components in `Balls`.
 const BALLS: usize = 35;
+
+/// Number of state components in `Turns`.
 const TURNS: usize = 32;
 
-/// Where three turns in a row stand in the one scene, and the orientation that they make in the other: positions and
-/// rates.
+/// Indices of three successive turns in `Turns`, and of the orientation that they form in `Balls`: positions and rates.
 const ORIENTATIONS: [([usize; 2], [usize; 2]); 3] = [
     ([Turns::BOB1, Turns::DOT_BOB1], [Balls::BOB, Balls::DOT_BOB]),
     ([Turns::FOOT1, Turns::DOT_FOOT1], [Balls::FOOT, Balls::DOT_FOOT]),
     ([Turns::CRAFT1, Turns::DOT_CRAFT1], [Balls::CRAFT, Balls::DOT_CRAFT]),
 ];
 
-/// The coordinates that are the same in both.
+/// Indices of the coordinates common to both.
 const PLAIN: [([usize; 2], [usize; 2]); 7] = [
     ([Turns::S, Turns::DOT_S], [Balls::S, Balls::DOT_S]),
     ([Turns::THETA, Turns::DOT_THETA], [Balls::THETA, Balls::DOT_THETA]),
@@ -183,7 +185,7 @@ const PLAIN: [([usize; 2], [usize; 2]); 7] = [
     ([Turns::PLACE3, Turns::DOT_PLACE3], [Balls::PLACE_Z, Balls::DOT_PLACE_Z]),
 ];
 
-/// The state of the scene with balls where the other one has turns.
+/// Converts a state of `Turns` to `Balls`.
 fn with_balls<T: Real>(turns: &SVector<T, TURNS>) -> SVector<T, BALLS> {
     let zero = T::from_f64(0.0);
     let mut x = SVector::<T, BALLS>::from([zero; BALLS]);
@@ -238,7 +240,7 @@ fn balls_accelerate_as_three_turns_in_a_row() {
     assert_eq!((Balls::DOF, Balls::LAYOUT.positions()), (16, 19));
     for (t, x) in states() {
         let rates = turns.rhs(t, &x);
-        // the state of the one scene along the motion of the other
+        // state of one scene along the motion of the other
         let moving = SVector::<Dual, TURNS>::from_fn(|n, _| Dual::new(x[n], rates[n]));
         let moving = with_balls(&moving);
         let (y, expected) = (moving.map(|x| x.value), moving.map(|x| x.slope));
@@ -257,7 +259,7 @@ fn balls_accelerate_as_three_turns_in_a_row() {
         close("foot", &balls.foot(t, &y), &turns.foot(t, &x), 1e-13);
         close("foot", &balls.foot_rate(t, &y), &turns.foot_rate(t, &x), 1e-12);
         assert!((balls.speed_rate(t, &y) - turns.speed_rate(t, &x)).abs() < 1e-11);
-        // what else is generated speaks of the same equations
+        // other generated functions use the same equations
         let (rates, own) = (
             y.fixed_rows::<16>(19).into_owned(),
             expected.fixed_rows::<16>(19).into_owned(),
@@ -267,13 +269,13 @@ fn balls_accelerate_as_three_turns_in_a_row() {
         let apart = balls.inverse_dynamics(t, &y, &(2.0 * own)) - balls.inverse_dynamics(t, &y, &own);
         close("matrix", &apart, &(matrix * own), 1e-12);
         assert!((balls.kinetic(t, &y) - turns.kinetic(t, &x)).abs() < 1e-12);
-        // a drive adds to the momentum of what it carries
+        // a drive contributes to the momentum of the bodies that it carries
         let still = balls.momentum(t, &SVector::from_fn(|n, _| if n < 19 { y[n] } else { 0.0 }));
         close("momentum", &(balls.momentum(t, &y) - still), &(matrix * rates), 1e-12);
     }
 }
 
-/// The derivatives of the right-hand side by the state, on dual numbers.
+/// Derivatives of the right-hand side with respect to the state, by dual numbers.
 fn by_duals<M: Cast<N>, const N: usize>(model: &M, t: f64, x: &SVector<f64, N>) -> SMatrix<f64, N, N> {
     let dual = model.cast::<Dual>();
     let column = |k| {
@@ -301,7 +303,7 @@ fn jacobians_are_those_of_the_right_hand_side_on_the_sphere_and_beside_it() {
             let (tip, by_state) = balls.tip_and_jacobian(t, &y);
             close("tip", &tip, &balls.tip(t, &y), 1e-14);
             let rates = balls.rhs(t, &y);
-            // without the sphere the rates of positions still are those of the kinematics
+            // off the sphere the rates of positions still follow the kinematics
             let drive = Vector3::new(0.0, 0.3 * (3.0 * t).cos(), 0.0);
             close("tip", &(by_state * rates + drive), &balls.tip_rate(t, &y), 1e-12);
         }
@@ -327,7 +329,7 @@ fn parameters_move_the_accelerations() {
     }
 }
 
-/// The largest error of the states of a motion: of the quaternion, and of the rates relative to the largest.
+/// Largest error of the states of a motion: of the quaternion, and of the rates relative to the largest.
 fn error(name: &str, of: impl Fn(f64, SVector<f64, 7>) -> Result<SVector<f64, 7>, Reason>) -> f64 {
     let motion = motion(name);
     let errors = motion.states.iter().map(|(t, x)| {
@@ -406,7 +408,7 @@ fn a_top_is_that_of_eulers_equations_and_keeps_what_it_should() {
         .atol(1e-13)
         .solve(&top, 0.0, 20.0, x0)
         .expect("it arrives");
-    // the angular momentum about the vertical
+    // angular momentum about the vertical
     let vertical = |x: &SVector<f64, 7>| {
         let turn = UnitQuaternion::new_unchecked(Quaternion::new(x[0], x[1], x[2], x[3]));
         (turn * top.momentum(0.0, x)).z
@@ -439,7 +441,7 @@ fn friction_and_drives_take_what_the_energy_loses() {
         let moving = SVector::from_fn(|n, _| Dual::new(y[n], rates[n]));
         dual.energy(Dual::new(t, 1.0), &moving).slope
     };
-    // with more friction in the ball, the power that is lost is more by the square of its rates
+    // more friction in the ball increases the lost power by the square of its rates
     let more = Balls::new(BallsParams {
         gamma: 0.05,
         ..BallsParams::default()
@@ -541,10 +543,10 @@ fn inputs_push_a_ball_pendulum_that_stays_on_the_sphere() {
 fn exponents_leave_out_the_length_of_a_quaternion() {
     let spherical = Spherical::new(SphericalParams::default()).expect("physical");
     let x0 = motion("spherical_pendulum_with_friction").x0;
-    // long after all else has died out, what rounding leaves of the length would not have
+    // long after all motion has decayed, an error in the length of the quaternion would still show
     let lyapunov = Lyapunov::new().duration(3000.0);
     let exponents = lyapunov.exponents::<6, 7>(&spherical, x0).expect("it arrives");
-    // the volume of rates shrinks by friction over inertia, that of orientations by nothing
+    // the volume of rates shrinks by friction over inertia, the volume of orientations is constant
     let sum = -0.02 * (1.0 / (0.04 + 1.3 * 0.36) + 1.0 / (0.07 + 1.3 * 0.36) + 1.0 / 0.05);
     let ours: f64 = exponents.values.iter().sum();
     assert!((ours / sum - 1.0).abs() < 1e-6, "{ours} {sum}");
@@ -560,7 +562,7 @@ fn exponents_leave_out_the_length_of_a_quaternion() {
 }
 
 mechanism! {
-    /// A bob on three hinges in the place of a ball.
+    /// A bob on three hinges in place of a ball joint.
     pub Gimbal {
         gravity: [0, 0, -9.81],
         body outer on ground { joint: revolute(x), coordinate: u, friction: 0.1 }
@@ -571,7 +573,7 @@ mechanism! {
     }
 }
 
-/// The error says which orientation, in what measure.
+/// The error names the orientation and its length.
 #[test]
 fn a_quaternion_of_another_length_is_refused() {
     let model = Balls::new(BallsParams::default()).expect("physical");
@@ -584,7 +586,7 @@ fn a_quaternion_of_another_length_is_refused() {
     );
 }
 
-/// So does the error of a reset, and when it was.
+/// The error of a reset names the orientation, its length, and the time.
 #[test]
 fn a_reset_to_a_quaternion_of_another_length_is_refused() {
     let model = Balls::new(BallsParams::default()).expect("physical");
@@ -607,7 +609,8 @@ fn a_bob_on_hinges_hangs() {
     }
 }
 
-/// A ball pendulum hangs, turned about the vertical by any angle, or stands: its modes are those of two swings and of a spin.
+/// A ball pendulum either hangs, turned about the vertical by any angle, or stands. Its modes are two swings and a
+/// spin.
 #[test]
 fn a_ball_hangs_and_stands() {
     let spherical = Spherical::new(SphericalParams::default()).expect("physical");
@@ -652,7 +655,7 @@ fn a_ball_hangs_and_stands() {
         };
         assert_eq!(found.stability(), stability);
     }
-    // the same orientation by the opposite quaternion is no other state of rest
+    // the opposite quaternion is the same orientation, hence the same state of rest
     let hanging = equilibrium(&spherical, x0).expect("it is near").x;
     let mut opposite = hanging;
     opposite.fixed_rows_mut::<4>(0).neg_mut();
@@ -660,7 +663,7 @@ fn a_ball_hangs_and_stands() {
     assert_eq!(both.len(), 1);
 }
 
-/// What is known of a state is known under a law as well.
+/// A control law keeps the layout of the state.
 #[test]
 fn a_ball_under_a_law_stays_a_ball() {
     let pushed = Pushed::new(PushedParams {}).expect("physical");

@@ -1,4 +1,4 @@
-//! Emitted C: compiled by the compiler of the machine, and run.
+//! Emitted C code, compiled with the machine's compiler and run.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -7,10 +7,10 @@ use std::process::Command;
 use pendulum_codegen::Sources;
 use pendulum_codegen::program::{Argument, Program, Routine, Shape};
 
-/// The order of the series, the highest.
+/// Highest order of the series.
 pub(crate) const ORDER: usize = 24;
 
-/// A folder for a test, or none, and the reason, where there is no compiler.
+/// Folder for a test. Returns `None` and prints the reason if there is no compiler.
 pub(crate) fn folder(name: &str) -> Option<PathBuf> {
     if Command::new("cc").arg("--version").output().is_err() {
         eprintln!("skipped: there is no `cc` that could compile C");
@@ -21,8 +21,8 @@ pub(crate) fn folder(name: &str) -> Option<PathBuf> {
     Some(folder)
 }
 
-/// All results of C code, routine by routine and then those of the series, with the defaults of the parameters: for
-/// each list of the time, the state, accelerations, which are forces of constraints as well, and inputs.
+/// All results of C code at default parameters, routine by routine, followed by those of the series. Each list of
+/// numbers holds the time, the state, accelerations, which also serve as constraint forces, and inputs.
 pub(crate) fn results(folder: &Path, program: &Program, sources: &Sources, given: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let bytes = output(&compiled(folder, sources, &evaluation(program, &sources.name)), given);
     let numbers = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
@@ -33,7 +33,7 @@ pub(crate) fn results(folder: &Path, program: &Program, sources: &Sources, given
         .collect()
 }
 
-/// A program of a scene and a `main`.
+/// Compiles a program of a scene and a `main`.
 pub(crate) fn compiled(folder: &Path, sources: &Sources, main: &str) -> PathBuf {
     let own = |extension| folder.join(&sources.name).with_extension(extension);
     for (path, text) in [
@@ -45,7 +45,7 @@ pub(crate) fn compiled(folder: &Path, sources: &Sources, main: &str) -> PathBuf 
     }
     let mut command = Command::new("cc");
     command.args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-O2"]);
-    // with instructions that could fuse, where the machine has them
+    // with instructions that could fuse operations, if the machine has them
     command.args(cfg!(target_arch = "x86_64").then_some("-march=native"));
     command.arg("main.c").arg(own("c")).args(["-lm", "-o", "main"]);
     let status = command.current_dir(folder).status();
@@ -57,7 +57,7 @@ pub(crate) fn compiled(folder: &Path, sources: &Sources, main: &str) -> PathBuf 
     folder.join("main")
 }
 
-/// What a program writes when it reads these numbers.
+/// Output of a program for these input numbers.
 pub(crate) fn output(program: &Path, given: &[Vec<f64>]) -> Vec<u8> {
     let numbers = program.with_extension("numbers");
     let bytes = given.iter().flatten().flat_map(|number| number.to_le_bytes());
@@ -68,7 +68,7 @@ pub(crate) fn output(program: &Path, given: &[Vec<f64>]) -> Vec<u8> {
     output.stdout
 }
 
-/// A program that evaluates everything for each list of numbers that it reads.
+/// Source of a program that evaluates everything for each list of input numbers.
 fn evaluation(program: &Program, name: &str) -> String {
     let (length, dof) = (program.layout.len(), program.layout.dof());
     let (mut calls, mut at) = (String::new(), 0);
@@ -137,7 +137,7 @@ fn evaluation(program: &Program, name: &str) -> String {
         .replace("name", name)
 }
 
-/// The name of the function in C, which is that in Rust.
+/// Name of the function in C, which is the one in Rust.
 fn function(routine: &Routine) -> &str {
     match routine.name.as_str() {
         "jacobian" => "rhs_and_jacobian",

@@ -1,4 +1,4 @@
-//! The motion in coordinates and momenta, against the right-hand side and by dual numbers.
+//! Motion in coordinates and momenta, against the right-hand side and by dual numbers.
 
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
@@ -6,7 +6,7 @@ use testbed::dual::Dual;
 use testbed::mechanisms::*;
 use testbed::reference::{assert_close, samples};
 
-/// Largest error over largest entry: rounding of some hundred operations.
+/// Largest error over largest entry: rounding errors of some hundred operations.
 const TOLERANCE: f64 = 1e-12;
 
 /// A test for each mechanism, at the states of the reference data.

@@ -8,7 +8,7 @@ use pendulum_core::{Dense, ObservedEnsemble, Observer, Real, Solution};
 use testbed::dual::Dual;
 
 mechanism! {
-    /// A cart on a spring that holds with `most` at most, and a motor that takes orders between 1 and -1.
+    /// A cart on a spring whose force is at most `most`, and a motor with commands between 1 and -1.
     pub Cart {
         params { m: kg = 1, k: N/m = 10, most: N = 1, gain: N = 0.5 }
         input order: 1,
@@ -25,7 +25,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The cart alone.
+    /// The cart of `Cart` with its spring alone.
     pub Held {
         params { m: kg = 1, k: N/m = 10, most: N = 1 }
         generate: [rhs, jacobian, taylor],
@@ -33,7 +33,7 @@ mechanism! {
     }
 }
 
-/// From rest at 1.1 m the cart comes at constant force to 0.1 m, and then as on a spring up to 1.5 s.
+/// Exact position at 1.5 s. From rest at 1.1 m the cart moves under constant force to 0.1 m, and then as on a spring.
 fn exact() -> f64 {
     let (fall, rate) = (2.0_f64.sqrt(), 10.0_f64.sqrt());
     let (sin, cos) = (rate * (1.5 - fall)).sin_cos();
@@ -97,7 +97,7 @@ fn lanes_have_the_bits_of_scalars() {
 fn events_are_those_declared_and_those_of_known_limits() {
     assert_eq!(Cart::EVENTS, ["passes", "saturation_1"]);
     let model = Cart::new(CartParams::default()).expect("physical");
-    // of the order only its law knows
+    // the clamp of the input `order` is no event: only the control law determines its value
     assert_eq!(model.saturation_1(0.0, &SVector::from([0.3, 0.0])), 1.0 - 3.0);
     assert_eq!(model.saturation_1(0.0, &SVector::from([-0.02, 5.0])), 1.0 - 0.2);
 }
@@ -116,7 +116,7 @@ fn error_of(solution: &Solution<f64, 2>) -> f64 {
     (solution.last().1[0] - exact()).abs()
 }
 
-/// Classical steps have order 4 where they end at the kink, and about 2 where they cross it.
+/// Classical steps have order 4 if they end at the kink, and about 2 if they cross it.
 #[test]
 fn steps_that_end_where_a_force_saturates_keep_their_order() {
     let model = held();
@@ -163,14 +163,15 @@ fn every_method_ends_a_step_there() {
     methods! { Rk45 Tsit5 Vern7 Vern9 Rodas5P Radau5 Taylor Auto }
 }
 
-/// At rest on the limit, where rounding decides whether the force saturates, a motion goes on.
+/// A motion continues from rest at the limit, where rounding errors decide if the force saturates.
 #[test]
 fn a_force_that_rests_at_its_limit_is_no_end() {
     mechanism! {
         pub Level {
             params { most: N = 1, k: N/m = 10 }
             generate: [rhs, jacobian],
-            body cart on ground { mass: 1, joint: prismatic(x), coordinate: x, friction: 2, torque: clamp(-k*x, -most, most) + most }
+            body cart on ground { mass: 1, joint: prismatic(x), coordinate: x, friction: 2,
+                torque: clamp(-k*x, -most, most) + most }
         }
     }
     let model = Level::new(LevelParams::default()).expect("physical");
@@ -182,7 +183,7 @@ fn a_force_that_rests_at_its_limit_is_no_end() {
     assert!(solution.statistics().accepted < 2000, "{:?}", solution.statistics());
 }
 
-/// Trajectories of an ensemble end their steps where they end them alone.
+/// Trajectories of an ensemble end their steps at the same times as single ones.
 #[test]
 fn ensembles_have_the_bits_of_trajectories_alone() {
     let model = held();
@@ -201,7 +202,7 @@ fn ensembles_have_the_bits_of_trajectories_alone() {
     }
 }
 
-/// Keeps nothing.
+/// Observer that stores nothing.
 #[derive(Clone)]
 struct Last;
 

@@ -1,4 +1,5 @@
-//! Models whose inputs follow a law: the derivative of the law in each of its three ways, and all that it opens.
+//! Models whose inputs follow a control law: the derivative of the law in each of three ways, and everything that it
+//! enables.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use pendulum_core::method::{Fixed, Rosenbrock};
@@ -10,7 +11,7 @@ use pendulum_core::tableau::Steinebach5;
 use pendulum_core::{EnsembleError, InputLaw, Real, Reason};
 
 mechanism! {
-    /// A rod that stands on a cart in the wind; its angle is zero where it stands upright.
+    /// A rod on a cart in the wind. Its angle is zero in the upright position.
     pub CartPole {
         params { m: kg = 0.2, l: m = 0.8, wind: N = 0 }
         input push: N,
@@ -18,7 +19,8 @@ mechanism! {
         gravity: [0, -9.81, 0],
         let gust = wind * sin(2 rad/s*t),
         body cart on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: push + gust }
-        body rod on cart { solids: [rod(m, [0, 0, 0], [0, l, 0])], joint: revolute(z), coordinate: angle, torque: twist }
+        body rod on cart { solids: [rod(m, [0, 0, 0], [0, l, 0])], joint: revolute(z), coordinate: angle,
+            torque: twist }
     }
 }
 
@@ -30,7 +32,7 @@ fn cart_pole(wind: f64) -> CartPole {
     CartPole::new(params).expect("physical")
 }
 
-/// A feedback of the state, and a motor that saturates and follows the clock.
+/// A state feedback, and a motor that saturates and depends on time.
 #[derive(Clone, PartialEq)]
 struct Control {
     gains: [f64; 4],
@@ -51,7 +53,7 @@ impl Control {
         |t, x| self.inputs(t, x).into()
     }
 
-    /// By hand.
+    /// Derivative by hand.
     fn derivative(&self) -> impl Fn(f64, &SVector<f64, 4>) -> SMatrix<f64, 2, 4> {
         |t, x| {
             let slope = self.motor / (x[1] * x[2] + t.sin()).cosh().powi(2);
@@ -66,7 +68,7 @@ const WILD: Control = Control {
     motor: 2.0,
 };
 
-/// Gains that put the eigenvalues of the upright cart-pole at -1, -2, -3 and -4: `[0 0 0 1] C^-1 p(A)` (Ackermann).
+/// Gains that place the eigenvalues of the upright cart-pole at -1, -2, -3 and -4: `[0 0 0 1] C^-1 p(A)` (Ackermann).
 fn placed(model: &CartPole) -> Control {
     let (upright, none) = (SVector::zeros(), CartPoleInputs { push: 0.0, twist: 0.0 });
     let a = model.eval_with_jacobian(0.0, &upright, &none).1;
@@ -104,7 +106,7 @@ fn the_three_jacobians_agree() {
     }
 }
 
-/// A mass that a stiff spring ties to a point which follows the sine of time.
+/// A mass tied by a stiff spring to a point that follows the sine of time.
 mod follower {
     use super::*;
 
@@ -121,7 +123,7 @@ mod follower {
     impl InputLaw<2, 1> for Tie {
         fn inputs<T: Real>(&self, t: T, x: &SVector<T, 2>) -> [T; 1] {
             let (rate, (sin, cos)) = (T::from_f64(self.0), t.sin_cos());
-            // s = sin(t) whatever the rate: Prothero and Robinson
+            // s = sin(t) at any rate: Prothero and Robinson
             [rate * (sin - x[0]) + rate * (cos - x[1]) - sin]
         }
     }
@@ -138,7 +140,7 @@ fn stiff_methods_keep_their_order() {
         let method = Fixed::<Rosenbrock<Steinebach5, 8>>::new(1.0 / steps);
         (method.solve(&tied, 0.0, 1.0, [0.0, 1.0]).expect("regular").end()[0] - 1.0_f64.sin()).abs()
     };
-    // without the derivative by the time it would be of order 1
+    // without the time derivative the order would be 1
     let order = (error(10.0) / error(20.0)).log2();
     assert!(order > 4.7, "{order}");
 }
@@ -152,7 +154,7 @@ fn stiff_closed_loops_take_long_steps() {
         Radau5::new().solve(&tied, 0.0, 10.0, [0.5, 0.0]).expect("regular"),
     ] {
         let [s, v] = solution.end().data.0[0];
-        // what is left of the start decays at 1/s
+        // the transient from the initial condition decays at 1/s
         let rest = 0.5 * (-10.0_f64).exp();
         assert_abs_diff_eq!(s, 10.0_f64.sin() + rest, epsilon = 1e-5);
         assert_abs_diff_eq!(v, 10.0_f64.cos() - rest, epsilon = 1e-4);
@@ -171,7 +173,7 @@ fn a_cart_pole_stands_as_its_poles_were_placed() {
         assert_abs_diff_eq!(eigenvalue.re, expected, epsilon = 1e-10);
         assert_eq!(eigenvalue.im, 0.0);
     }
-    // small motions decay as the slowest of them
+    // small motions decay at the slowest of these rates
     let lyapunov = Lyapunov::new().transient(5.0).duration(20.0);
     let largest = lyapunov.largest(&closed, [0.01, 0.0, 0.0, 0.0]).expect("regular");
     assert_abs_diff_eq!(largest.values[0], -1.0, epsilon = 1e-3);
@@ -210,7 +212,7 @@ fn ensembles_of_closed_loops_are_scalar_solves_bit_for_bit() {
             assert_eq!(stiff_ends[i], alone, "{isa:?}");
         }
     }
-    // lanes share the law, so another one is refused
+    // lanes share the law, so a different one is rejected
     let mut strange = closed.to_vec();
     strange[3] = cart_pole(0.0).with_law(WILD);
     let refused = fixed.ensemble(&strange, 0.0, 3.0, &starts).expect_err("two laws");
@@ -241,7 +243,7 @@ fn closed_loops_run_in_single_precision() {
     assert_abs_diff_eq!(end.map(f64::from), expected, epsilon = 1e-3);
 }
 
-/// Places by name, and parameters by index and name.
+/// Indices by name, and parameters by index and name.
 #[test]
 fn components_and_parameters_have_names() {
     let places = [CartPole::S, CartPole::ANGLE, CartPole::DOT_S, CartPole::DOT_ANGLE];
@@ -266,7 +268,7 @@ fn components_and_parameters_have_names() {
         long.cast::<f32>(),
         short.cast::<f32>().with_params(params).expect("physical")
     );
-    // the constants are those of the new length: a rod of twice the length has four times the inertia
+    // constants are recomputed for the new length: a rod of twice the length has four times the inertia
     let energy = |model: &CartPole| model.kinetic(0.0, &SVector::from([0.0, 0.0, 0.0, 1.0]));
     assert_relative_eq!(energy(&long), 4.0 * energy(&short), max_relative = 1e-14);
     assert!(short.with_params(CartPoleParams { l: f64::NAN, ..params }).is_err());
@@ -310,7 +312,7 @@ fn solutions_are_tables_that_read_back() {
     assert_eq!(wrong.to_string(), "the state has 2 components, s and dot(s), not 4");
 }
 
-/// Generated code names nothing without its whole path, so that a scene may have nearly any name.
+/// Generated code uses full paths only, so that a scene may have almost any name.
 #[allow(dead_code, non_camel_case_types)]
 mod any_name {
     macro_rules! scenes {

@@ -1,4 +1,4 @@
-//! Wrong programs in a real compilation: the errors stand on the right tokens, and uses of a wrong model add none.
+//! Wrong programs in a real compilation: errors are on the right tokens, and uses of a wrong model add none.
 //!
 //! `UPDATE_EXPECT=1 cargo test -p tests compile_errors` rewrites the expected messages.
 
@@ -15,7 +15,7 @@ fn are_the_expected_ones() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut cases = files(&folder.join("ui"));
     cases.retain(|path| path.extension() == Some(OsStr::new("rs")));
-    // every difference is shown, not only the first
+    // show every difference, not only the first
     let differs = |case: &PathBuf| {
         let messages = messages(folder, case);
         panic::catch_unwind(|| expect_file![case.with_extension("stderr")].assert_eq(&messages)).is_err()
@@ -25,7 +25,7 @@ fn are_the_expected_ones() {
     assert!(cases.is_empty(), "{} of {count} cases differ: {cases:#?}", cases.len());
 }
 
-/// The programs of the book, each with a mistake in its declarations, compile with no other error.
+/// The programs of the book, each with an error added to its declarations, compile without further errors.
 #[test]
 fn of_a_declaration_are_the_only_ones() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -58,7 +58,7 @@ fn of_a_declaration_are_the_only_ones() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// A program with a mistake in each of its declarations; none where it needs other crates or files.
+/// Program with an error added to each of its declarations. Returns `None` if it needs other crates or files.
 fn mistaken(program: &str) -> Option<String> {
     let others = ["plotters", "rayon", "indicatif", "pendulum_draw", "src/arm.urdf"];
     if !program.contains("fn main") || others.iter().any(|other| program.contains(other)) {
@@ -72,14 +72,14 @@ fn mistaken(program: &str) -> Option<String> {
         mistaken += &format!("mechanism! {{{head}{{ oops: 1, {items}");
         is_changed = true;
     }
-    // lines that the book hides
+    // lines hidden by the book
     let shown = mistaken
         .lines()
         .map(|line| line.strip_prefix("# ").unwrap_or(line).trim_start_matches("#\n"));
     is_changed.then(|| shown.collect::<Vec<_>>().join("\n"))
 }
 
-/// What the compiler says of a program, without the summary.
+/// Compiler messages for a program, without the summary.
 fn messages(folder: &Path, case: &Path) -> String {
     let case = case.strip_prefix(folder).expect("a case");
     let text = compile(folder, case, &["--diagnostic-width=140"]);
@@ -92,7 +92,7 @@ fn messages(folder: &Path, case: &Path) -> String {
     parts.join("\n\n").lines().map(without_line_of_core).collect()
 }
 
-/// What the compiler says of a wrong program that depends on `pendulum-core`.
+/// Compiler output for a wrong program that depends on `pendulum-core`.
 fn compile(folder: &Path, case: &Path, options: &[&str]) -> String {
     let program = env::current_exe().expect("a program");
     let built = program.parent().expect("the folder of what cargo built");
@@ -115,7 +115,7 @@ fn compile(folder: &Path, case: &Path, options: &[&str]) -> String {
     String::from_utf8(output.stderr).expect("text")
 }
 
-/// A line of a message; where it names a place in the core, without the line there, which other changes move.
+/// Line of a message. A location in the core loses its line number, which unrelated changes may move.
 fn without_line_of_core(line: &str) -> String {
     let file = line
         .contains(" pendulum-core/")
@@ -127,7 +127,7 @@ fn without_line_of_core(line: &str) -> String {
     }
 }
 
-/// The library of that name that was built last.
+/// Most recently built library of that name.
 fn newest(folder: &Path, name: &str) -> PathBuf {
     let is_library = |path: &PathBuf| {
         let file = path.file_name().and_then(OsStr::to_str).unwrap_or_default();

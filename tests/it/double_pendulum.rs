@@ -1,4 +1,4 @@
-//! The first scene in numbers: generated against hand-written Eq. 22, its Jacobian, its energy, its cost.
+//! The first scene in numbers: generated code against hand-written Eq. 22, its Jacobian, its energy, its cost.
 
 use approx::assert_relative_eq;
 use nalgebra::{SMatrix, SVector};
@@ -9,7 +9,7 @@ use testbed::plates::{Plates, PlatesParams, RelativePlates, RelativePlatesParams
 use testbed::random::Random;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-/// Both sides are some thirty roundings of numbers of one size.
+/// Relative tolerance: both sides have some thirty rounding errors of numbers of similar size.
 const TOLERANCE: f64 = 1e-13;
 const SAMPLES: usize = 5000;
 
@@ -107,7 +107,7 @@ fn identical_plates_agree_too() {
     }
 }
 
-/// Dual numbers carry one exact derivative through the right-hand side.
+/// Dual numbers propagate one exact derivative through the right-hand side.
 #[test]
 fn the_jacobian_is_the_derivative() {
     let mut random = Random::new(3);
@@ -124,7 +124,7 @@ fn the_jacobian_is_the_derivative() {
     }
 }
 
-/// `theta2 = q1 + q2`: the same motion in other words.
+/// `theta2 = q1 + q2`: other coordinates for the same motion.
 #[test]
 fn relative_and_absolute_angles_agree() {
     let mut random = Random::new(4);
@@ -165,7 +165,7 @@ fn relative_and_absolute_angles_agree() {
     }
 }
 
-/// What the axles turn into heat is integrated beside the motion.
+/// The heat dissipated in the axles is integrated along with the motion.
 #[test]
 fn what_the_energy_loses_is_the_work_of_friction() {
     let model = DoublePendulum::new(DoublePendulumParams::default()).expect("physical");
@@ -186,7 +186,7 @@ fn what_the_energy_loses_is_the_work_of_friction() {
     assert!(solution.end()[4] > 20.0, "the plates hardly swung");
 }
 
-/// The power of friction is what the energy loses, at every state: `dE/dt = -gamma1 w1^2 - gamma2 (w1 - w2)^2`.
+/// The rate of the energy equals the power of friction at every state: `dE/dt = -gamma1 w1^2 - gamma2 (w1 - w2)^2`.
 #[test]
 fn the_loss_of_energy_is_the_power_of_friction() {
     let params = DoublePendulumParams {
@@ -207,7 +207,7 @@ fn the_loss_of_energy_is_the_power_of_friction() {
     }
 }
 
-/// 34 is what the equation takes by hand, with its parameters regrouped and the adjugate written out.
+/// The hand-written equation takes 34 operations, with its parameters regrouped and the adjugate written out.
 #[test]
 fn the_right_hand_side_is_as_short_as_by_hand() {
     let [rhs, jacobian] = ["rhs", "jacobian"].map(|name| DoublePendulum::COST[name]);
@@ -225,8 +225,8 @@ fn the_right_hand_side_is_as_short_as_by_hand() {
     assert_eq!((jacobian.operations.divisions, jacobian.operations.sincos), (1, 2));
 }
 
-/// Heavy on light and light on heavy: the determinant is a sum of positive terms, so no digits are lost. `solve_accuracy.rs` has
-/// more states and scenes.
+/// Heavy on light and light on heavy: the determinant is a sum of positive terms, so no digits are lost.
+/// `solve_accuracy.rs` has more states and scenes.
 #[test]
 fn extreme_mass_ratios_lose_no_digits() {
     for ratio in [1e-8, 1e-4, 1e4, 1e8] {
@@ -245,8 +245,8 @@ fn extreme_mass_ratios_lose_no_digits() {
         let model = Plates::new(params).expect("physical");
         let x = SVector::<f64, 4>::from([0.3, 0.30001, 0.0, 0.0]);
         let rhs = model.rhs(0.0, &x);
-        // two point masses from rest: th1'' = -g (sin th1 - m cos(th1 - th2) sin th2 + m sin th1) / (1 + m sin^2(th1 - th2))
-        // with sin th1 - cos(th1 - th2) sin th2 = sin(th1 - th2) cos th2, which has no cancellation
+        // two point masses from rest: th1'' = -g (sin th1 - m cos(th1 - th2) sin th2 + m sin th1) / (1 + m sin^2(th1 -
+        // th2)) with sin th1 - cos(th1 - th2) sin th2 = sin(th1 - th2) cos th2, which has no cancellation
         let (sine, _) = (x[0] - x[1]).sin_cos();
         let first = -9.81 * (x[0].sin() + ratio * sine * x[1].cos()) / (1.0 + ratio * sine * sine);
         assert_relative_eq!(rhs[2], first, max_relative = 1e-9);
@@ -302,7 +302,7 @@ fn impossible_parameters_are_refused() {
         "g"
     );
     assert!(refused(DoublePendulumParams { d: f64::NAN, ..good }).1.is_nan());
-    // point masses on the axles: no coordinate has inertia, and a constant of the model has it as divisor
+    // point masses on the axles: no coordinate has inertia, which a constant of the model has as divisor
     let points = DoublePendulumParams {
         inertia: 0.0,
         c: 0.0,

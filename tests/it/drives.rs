@@ -1,4 +1,4 @@
-//! Driven joints: against the same mechanism with those joints free, and dual numbers.
+//! Driven joints against the same mechanisms with those joints free, and against dual numbers.
 
 use approx::assert_relative_eq;
 use nalgebra::SVector;
@@ -7,7 +7,7 @@ use testbed::dual::Dual;
 use testbed::power_series;
 use testbed::random::Random;
 
-/// Bodies whose joints `j1` and `j2` are to be given.
+/// A crane with laws for the joints `j1` and `j2` to be filled in.
 macro_rules! crane {
     ($name:ident { $($items:tt)* } $first:ident: $law1:tt, $second:ident: $law2:tt) => {
         mechanism! {
@@ -46,7 +46,7 @@ fn driven() -> Driven {
     Driven::new(DrivenParams::default()).expect("physical")
 }
 
-/// The coordinates of the two drives, their rates and their second rates.
+/// Coordinates of the two drives, their rates and their second rates.
 fn laws(t: f64) -> [[f64; 2]; 3] {
     let (sine, cosine) = (2.0 * t).sin_cos();
     [
@@ -66,7 +66,7 @@ fn states() -> impl Iterator<Item = (f64, SVector<f64, 4>)> {
     })
 }
 
-/// The state of the free mechanism where its joints are as the drives have them.
+/// State of the free mechanism with its joints as driven.
 fn whole(t: f64, x: &SVector<f64, 4>) -> SVector<f64, 8> {
     let [[s, phi], [ds, dphi], _] = laws(t);
     SVector::from([s, x[0], phi, x[1], ds, x[2], dphi, x[3]])
@@ -78,7 +78,8 @@ fn drives_move_as_prescribed_joints_do() {
     for (t, x) in states() {
         let (full, [_, _, [dds, ddphi]]) = (whole(t, &x), laws(t));
         let rate = model.rhs(t, &x);
-        // with these accelerations the free mechanism takes no force along its own joints, and those of the drives
+        // at these accelerations the free mechanism needs no force along its own joints, and along the others those of
+        // the drives
         let forces = free.inverse_dynamics(t, &full, &SVector::from([dds, rate[2], ddphi, rate[3]]));
         let scale = forces.amax();
         assert!(
@@ -132,7 +133,7 @@ fn derivatives_follow_through_drives() {
         let change = dual.canonical(t1, &x1).0.map(|value| value.slope);
         assert_relative_eq!(model.canonical(t, &x).1, change, epsilon = 1e-11, max_relative = 1e-11);
         assert_relative_eq!(model.fast_rate(t, &x), dual.fast(t1, &x1).slope, epsilon = 1e-11);
-        // the energy changes by what friction, the force on the tip and the drives do
+        // the rate of the energy is the power of friction, of the force on the tip and of the drives
         let energy = dual.energy(t1, &x1).slope;
         let tip = model.tip_rate(t, &x);
         let supplied = model.drive_forces(t, &x);
@@ -181,7 +182,7 @@ fn series_follow_through_drives() {
 }
 
 mechanism! {
-    /// A pendulum on a pivot that is driven in two directions.
+    /// A pendulum on a pivot driven in two directions.
     Pivot {
         params { a: m = 0.1, b: m = 0.2, w: rad/s = 3 }
         gravity: [0, -9.81, 0],
@@ -202,6 +203,6 @@ fn a_driven_pivot_is_an_acceleration_of_gravity() {
         assert_relative_eq!(rate[1], expected, epsilon = 1e-13);
     }
     const { assert!(!Pivot::LAYOUT.autonomous) };
-    // one pair of the angle, and those of the two drives
+    // one pair for the angle, and those of the two drives
     assert!(Pivot::COST["rhs"].operations.sincos <= 3, "{}", Pivot::COST);
 }

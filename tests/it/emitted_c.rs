@@ -1,4 +1,4 @@
-//! The C code of scenes against their Rust code, bit for bit.
+//! C code of scenes against their Rust code, bit for bit.
 
 use std::array::from_fn;
 
@@ -39,13 +39,14 @@ mechanism! {
             solids: [rod(double, [0, 0, 0], [0, -x, 0])],
             joint: revolute(z),
             coordinate: out,
-            torque: r#in * sin(3*t) + clamp(r#in * qd, -x, x) + r#loop * cos(q) - 0.02 * dot(int) * atan2(sin(q), 2 + cos(q)) * sqrt(1 + qd^2),
+            torque: r#in * sin(3*t) + clamp(r#in * qd, -x, x) + r#loop * cos(q) - 0.02 * dot(int) * atan2(sin(q),
+                2 + cos(q)) * sqrt(1 + qd^2),
         }
     }
 }
 
 mechanism! {
-    /// An inertia that only some parameters allow.
+    /// An inertia that is valid only for some parameters.
     pub Solid {
         params {
             ixx: kg m^2 = 1, iyy: kg m^2 = 1, izz: kg m^2 = 1,
@@ -79,7 +80,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Dry friction and a stop, and a wall that moves.
+    /// Dry friction and a stop, and a moving wall.
     pub Constrained {
         params { mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
@@ -94,13 +95,16 @@ mechanism! {
 }
 
 mechanism! {
-    /// A loop in space, which has no closed form.
+    /// A loop in space without a closed form.
     pub Coupled {
         gravity: [0, 1, -9.81],
         generate: [rhs, jacobian, energy, taylor],
-        body crank on ground { mass: 2, com: [0.01, 0, 0], inertia: 0.1, joint: revolute(z), coordinate: theta near 0.8 }
-        body yoke on crank { mass: 0.1, inertia: 0.001, joint: revolute(z) at [0.06, 0, 0.02], coordinate: alpha depends near 0.1 }
-        body rod on yoke { mass: 0.4, com: [0.4, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(y), coordinate: beta depends near -0.7 }
+        body crank on ground { mass: 2, com: [0.01, 0, 0], inertia: 0.1, joint: revolute(z),
+            coordinate: theta near 0.8 }
+        body yoke on crank { mass: 0.1, inertia: 0.001, joint: revolute(z) at [0.06, 0, 0.02],
+            coordinate: alpha depends near 0.1 }
+        body rod on yoke { mass: 0.4, com: [0.4, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(y),
+            coordinate: beta depends near -0.7 }
         body rocker on ground {
             mass: 0.9, com: [0, 0.3, 0.1], inertia: 0.02,
             joint: revolute([1, 0, 0.02]) at [0.4, 0, 0.1], coordinate: gamma depends near 0.6, friction: 0.3,
@@ -109,10 +113,10 @@ mechanism! {
     }
 }
 
-/// The declarations of this file.
+/// Source of this file, with its declarations.
 const OWN: &str = include_str!("emitted_c.rs");
 
-/// How many states each scene is compared in.
+/// Number of states in which each scene is compared.
 const STATES: usize = 3000;
 
 #[test]
@@ -170,7 +174,7 @@ fn functions_of_the_platform_are_called() {
     // two libraries may differ in the last bit
     same(OWN, "Driven", 1e-15, |t, x, more| {
         let x = SVector::<f64, 4>::from_column_slice(x);
-        // after the accelerations
+        // the numbers that follow the accelerations
         let u = DrivenInputs {
             unsigned: more[2],
             r#loop: more[3],
@@ -224,7 +228,7 @@ fn drives_outputs_and_events_are_the_same() {
 }
 
 mechanism! {
-    /// A ball that carries an arm, on a body that moves freely.
+    /// A ball joint with an arm, on a free body.
     pub Floating {
         gravity: [0, 0, -9.81],
         generate: [rhs, jacobian, energy, mass_matrix, taylor],
@@ -232,7 +236,8 @@ mechanism! {
             mass: 3, com: [0.1, 0.1, -0.1], inertia: [0.3, 0.25, 0.2],
             joint: free at [1, 0, 0], orientation: craft, position: int,
         }
-        body bob on craft { mass: 0.7, com: [0, 0, -0.4], inertia: [0.01, 0.02, 0.015], joint: ball, orientation: double }
+        body bob on craft { mass: 0.7, com: [0, 0, -0.4], inertia: [0.01, 0.02, 0.015], joint: ball,
+            orientation: double }
         body arm on bob { mass: 0.1, com: [0.2, 0, 0], joint: revolute(y), coordinate: out }
     }
 }
@@ -258,12 +263,13 @@ fn balls_are_the_same() {
 }
 
 mechanism! {
-    /// Springs on angles that count their turns, by lengths that say which vector leads.
+    /// Springs on angles that count their turns. Lengths decide which vector leads.
     pub Wound {
         params { a: m = 0.2, d: m = 0.6 }
         gravity: [0, -9.81, 0],
         generate: [rhs, energy],
-        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: theta near 0.8 }
+        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z),
+            coordinate: theta near 0.8 }
         body coupler on crank {
             mass: 1.1, com: [0.25, 0, 0], inertia: 0.02,
             joint: revolute(z) at [a, 0, 0], coordinate: phi depends near -0.3, spring: (0.7, 0.1),
@@ -281,13 +287,15 @@ mechanism! {
     pub Looped {
         gravity: [0, -9.81, 0],
         generate: [rhs, jacobian, energy, mass_matrix, loop_wrenches, taylor],
-        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: theta near 0.8 }
+        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z),
+            coordinate: theta near 0.8 }
         body coupler on crank {
             mass: 1.1, com: [0.25, 0, 0], inertia: 0.02,
             joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3,
         }
         body rocker on ground {
-            mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6,
+            mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.6, 0, 0],
+                coordinate: psi depends near 1.6,
         }
         close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
     }
@@ -310,7 +318,7 @@ fn closed_loops_are_the_same() {
     });
 }
 
-/// But for the last bits of `atan2`, which is that of the platform.
+/// Equal except for the last bits of `atan2`, which is a platform function.
 #[test]
 fn angles_that_count_their_turns_are_the_same() {
     let model = Wound::new(WoundParams::default()).expect("physical");
@@ -402,7 +410,7 @@ fn constraints_are_the_same() {
     });
 }
 
-/// As `motion`, with the derivative by the time before the energies.
+/// Results of `motion`, with the time derivative inserted before the energies.
 fn motion_in_time(model: &Crane, t: f64, x: &SVector<f64, 2>) -> Vec<f64> {
     let motion = motion(model, t, x);
     let (rates, energies) = motion.split_at(motion.len() - 2);
@@ -474,7 +482,8 @@ fn the_example_integrates_figure_2() {
     assert_eq!(last[1..], [&[t], x.as_slice()].concat());
 }
 
-/// Compares all results of a scene with its defaults, in many states: by bits, or up to a part of the largest one.
+/// Compares all results of a scene with default parameters in many states, either bit for bit or relative to the
+/// largest result.
 fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f64]) -> Vec<f64>) {
     let Some(folder) = folder(name) else { return };
     let (program, sources) = printed(source, name);
@@ -482,7 +491,8 @@ fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f
     let mut random = Random::new(1);
     let mut states: Vec<Vec<f64>> = Vec::new();
     for n in 0..STATES {
-        // in every fourth state angles whose sums are as large as the sine of our own can take; zeros of either sign, and what is not finite
+        // in every fourth state, angles whose sums reach the limit of our own sine, zeros of either sign, and
+        // non-finite values
         let reach = if n % 4 == 0 && tolerance == 0.0 {
             1e5 / dof as f64
         } else {
@@ -519,7 +529,7 @@ fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f
     }
 }
 
-/// Compares what `new` says of wrong parameters; together they break at least this many rules.
+/// Compares the errors of `new` for invalid parameters, which break at least `rules` rules in total.
 fn refused(source: &str, name: &str, rules: usize, rust: impl Fn(&[f64]) -> Option<ParameterError>) {
     let Some(folder) = folder(&format!("{name}Refused")) else {
         return;
@@ -572,7 +582,7 @@ fn refused(source: &str, name: &str, rules: usize, rust: impl Fn(&[f64]) -> Opti
     assert!(kinds.len() > rules, "{kinds:?}");
 }
 
-/// A declaration, in C.
+/// Program of a declaration, and its C code.
 fn printed(source: &str, name: &str) -> (Program, Sources) {
     let tokens = declaration(source, name).parse().expect("tokens");
     let program = pendulum_codegen::program(tokens).expect("no errors");

@@ -1,4 +1,4 @@
-//! What every method promises, tested alike.
+//! Promises of every method, all tested alike.
 
 use std::f64::consts::PI;
 
@@ -26,7 +26,7 @@ fn reference(name: &str, t: f64) -> SVector<f64, 4> {
 }
 
 mechanism! {
-    /// `x = cos t`.
+    /// An oscillator whose motion is `x = cos t`.
     pub Spring {
         generate: [rhs, jacobian, energy, taylor, canonical],
         body cart on ground { mass: 1, joint: prismatic(x), coordinate: x, spring: (1, 0) }
@@ -35,7 +35,7 @@ mechanism! {
 
 // Orders and accuracy
 
-/// The large swing in a tenth of the tolerances that it is compared with: itself compared with the reference.
+/// The large swing at a tenth of the tolerances compared with it; it is itself compared with the reference.
 fn swing() -> Solution<f64, 4> {
     let method = Taylor::new().rtol(3e-15).atol(3e-15);
     let solution = method.solve(&pendulum(0.0), 0.0, 2.0, START).expect("regular");
@@ -53,7 +53,7 @@ fn errors_fall_with_the_order() {
         };
         let (coarse, fine) = (error(promise.h), error(0.5 * promise.h));
         let order = (coarse / fine).log2();
-        // Steps whose errors are above those of rounding are so long that the next term of high orders shows.
+        // steps with errors above rounding are so long that the next term of high orders is visible
         assert!(
             order > 0.96 * promise.order && order < promise.order + 1.0,
             "{promise:?}: {order}"
@@ -68,7 +68,7 @@ fn dense_errors_fall_with_their_order() {
     fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let (model, swing) = (pendulum(0.0), swing());
         let start = swing.at(0.5).expect("within");
-        // of one step, which falls with one power more
+        // error of one step, whose order is higher by one
         let error = |h: f64| {
             let mut stepper = Fixed::<F>::new(h).stepper(&model, 0.5, 0.5 + h, start).expect("valid");
             stepper.step().expect("regular").expect("a step");
@@ -92,7 +92,7 @@ fn dense_errors_fall_with_their_order() {
     testbed::each_without_estimate!(check);
 }
 
-/// The end of a motion within a tolerance.
+/// Final state at a tolerance.
 fn end<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(
     model: &DoublePendulum,
     tolerance: f64,
@@ -114,13 +114,14 @@ fn errors_fall_with_the_tolerance() {
             let (model, start) = (pendulum(gamma), SVector::from(scene(name).start::<4>()));
             let error = |tolerance| (end::<F>(&model, tolerance, (0.0, t), start) - reference(name, t)).amax();
             let errors = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12].map(error);
-            // The tolerance bounds the error of a step; errors of many add up, to 14 tolerances where most were seen.
+            // the tolerance bounds the error of a step; errors of many steps add up, to 14 tolerances in the worst
+            // observed case
             assert!(
                 std::iter::zip(errors, [1e-4, 1e-6, 1e-8, 1e-10, 1e-12]).all(|(e, tol)| e < 20.0 * tol),
                 "{promise:?} {name}: {errors:?}"
             );
-            // A hundredth of it: no more than a tenth of the error, since errors far below the tolerance are luck; over eight powers of
-            // ten at least seven.
+            // at a hundredth of the tolerance the error is at most a tenth, since errors far below the tolerance are
+            // luck; over eight powers of ten it decreases by at least seven
             let falls = errors.windows(2).all(|pair| pair[1] < 0.1 * pair[0] || pair[1] < 1e-13);
             assert!(falls && errors[4] < 1e-7 * errors[0], "{promise:?} {name}: {errors:?}");
         }
@@ -155,7 +156,7 @@ fn forth_and_back_returns_to_the_start() {
             .expect("valid")
             .run()
             .expect("regular");
-        // as the way there, of which the worst are 1e-7
+        // like the forward motion, whose largest errors are 1e-7
         assert_abs_diff_eq!(back, SVector::from(START), epsilon = 2e-7);
     }
     testbed::each_adaptive!(check_fixed);
@@ -171,11 +172,12 @@ fn single_precision_reaches_its_own_accuracy() {
         let error = stepper.run().expect("regular").cast::<f64>() - reference("paper_gamma_0.1", 5.0);
         assert!(error.amax() < most, "{promise:?}: {error}");
     }
-    // Defaults: rtol 1.2e-5, atol 1.2e-7; the amplitude is 0.07, so a tolerance of 1e-6, and some more for many steps.
+    // defaults: rtol 1.2e-5, atol 1.2e-7; the amplitude of 0.07 makes this a tolerance of 1e-6, with a margin for many
+    // steps
     fn adaptive<F: OneStep<DoublePendulum<f32>, f32, 4> + Estimates + Default>(promise: &Promise) {
         check(promise, &Adaptive::<F>::new(), 5e-6);
     }
-    // 250 steps that are rounded to 6e-8 of the amplitude of 0.07 each
+    // 250 steps, each rounded to 6e-8 of the amplitude of 0.07
     fn fixed<F: OneStep<DoublePendulum<f32>, f32, 4> + Default>(promise: &Promise) {
         check(promise, &Fixed::<F>::new(0.02), 5e-6);
     }
@@ -246,7 +248,7 @@ fn the_last_point_is_the_end_exactly() {
 
 // Events
 
-/// The position passes zero at `pi / 2 + k pi`.
+/// Checks that the position passes zero at `pi / 2 + k pi`.
 fn passages(promise: &Promise, method: &impl Method<Spring, f64, 2>, within: f64) {
     let model = Spring::new(SpringParams {}).expect("physical");
     let zero = |_t: f64, x: &SVector<f64, 2>| x[0];
@@ -272,7 +274,7 @@ fn passages(promise: &Promise, method: &impl Method<Spring, f64, 2>, within: f64
         near(solution.events(), 2, &[0.5, 2.5]);
         assert_eq!(solution.last().0, t1);
     }
-    // the wall of `|cos t|`
+    // rebounds give `|cos t|`
     let wall = || Event::new(zero).falling().reset(|_t, x| SVector::from([x[0], -x[1]]));
     let solution = method
         .solve_with(&model, 0.0, 10.0, [1.0, 0.0], &[wall()])

@@ -1,4 +1,4 @@
-//! Joints that follow others, beside the same scene in which they move by themselves.
+//! Joints that follow others, against the same scene with independent joints.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -9,7 +9,7 @@ use testbed::random::share;
 
 use crate::random_mechanisms::evaluate::{Evaluator, Place};
 
-/// A scene in space. `{name}` stands for how a joint moves.
+/// A scene in space. `{name}` stands for the motion of a joint.
 const ARM: &str = "pub Arm {
     gravity: [1, -2, -9.81],
     generate: [rhs, jacobian, energy, mass_matrix, bias, momentum],
@@ -120,7 +120,7 @@ fn they_follow_joints_above_them() {
     }
 }
 
-/// Who follows by a half leads by two: cranks of a linkage with five bars, and wheels one on the other.
+/// A joint that follows by a half leads by two: cranks of a five-bar linkage, and wheels one on the other.
 #[test]
 fn what_follows_by_a_half_leads_by_two() {
     let five_bars = "pub FiveBars {
@@ -160,9 +160,9 @@ fn what_follows_by_a_half_leads_by_two() {
     }
 }
 
-/// Asserts that a scene, whose joints move as `joints` say, moves by the equations of those that move by themselves: with
-/// `q = T p + q0` the mass matrix is `T^T A T`, and a force `T^T tau`, since `T` is constant. Of each joint the row of `T` and
-/// its part of `q0` are given.
+/// Asserts that a scene with the given motions of its joints obeys the equations of the scene with independent joints.
+/// With `q = T p + q0` the mass matrix is `T^T A T`, and a force becomes `T^T tau`, since `T` is constant. `joints`
+/// gives the row of `T` and the entry of `q0` for each joint.
 fn equals_free(scene: &str, joints: &[(&str, &str, [f64; 2], f64)]) {
     let with = |moves: &dyn Fn(&str, &str) -> String| {
         joints.iter().fold(scene.to_owned(), |text, (name, own, ..)| {
@@ -208,7 +208,7 @@ fn equals_free(scene: &str, joints: &[(&str, &str, [f64; 2], f64)]) {
         for what in ["kinetic", "potential", "tip"] {
             close(what, &column(of(&ours, what, &small)), &column(of(&all, what, &large)));
         }
-        // the forces along the joints are what accelerates them
+        // forces along the joints from the accelerations
         let force = &matrix * of(&all, "rhs", &large).rows(m, m) + &bias;
         let rest = t.transpose() * (force - bias);
         let accelerations = reduced.lu().solve(&rest).expect("a regular matrix");
@@ -219,7 +219,7 @@ fn equals_free(scene: &str, joints: &[(&str, &str, [f64; 2], f64)]) {
                 beside.state[k] += step;
                 of(&ours, "rhs", &beside)[row]
             };
-            // of fourth order
+            // differences of fourth order
             let slope = |step: f64| (beside(step) - beside(-step)) / (2.0 * step);
             (4.0 * slope(1e-3) - slope(2e-3)) / 3.0
         });
@@ -235,7 +235,7 @@ fn equals_free(scene: &str, joints: &[(&str, &str, [f64; 2], f64)]) {
     }
 }
 
-/// The right-hand side, and the Jacobian after it.
+/// Right-hand side, followed by the Jacobian.
 fn split(both: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
     let n = 4;
     let jacobian = DMatrix::from_column_slice(n, n, &both.as_slice()[n..]);

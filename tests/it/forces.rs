@@ -1,4 +1,4 @@
-//! Forces along joints: springs, torques of any form, inputs; and joints that fix bodies to each other.
+//! Forces along joints: springs, torques of any form, inputs. Also joints that fix bodies to each other.
 
 use approx::assert_relative_eq;
 use nalgebra::{SMatrix, SVector};
@@ -120,7 +120,8 @@ mechanism! {
     /// A mass on a spring in a turned frame: `x'' = -k (x - rest) / m`.
     pub Oscillator {
         params { m: kg = 2, k: N/m = 8, rest: m = 0.5 }
-        body bead on ground { mass: m, joint: prismatic([1, 1, 0]) rpy [0.3, 0.2, 0.1], coordinate: x, spring: (k, rest) }
+        body bead on ground { mass: m, joint: prismatic([1, 1, 0]) rpy [0.3, 0.2, 0.1], coordinate: x,
+            spring: (k, rest) }
     }
 }
 
@@ -143,7 +144,8 @@ mechanism! {
     /// One body of two solids.
     pub OnePiece {
         gravity: [1, -9.81, 2],
-        body stick on ground { mass: 1, com: [0, -0.5, 0], inertia: [0.1, 0.02, 0.1], joint: revolute(z), coordinate: q1 }
+        body stick on ground { mass: 1, com: [0, -0.5, 0], inertia: [0.1, 0.02, 0.1], joint: revolute(z),
+            coordinate: q1 }
         body hammer on stick {
             solids: [rod(0.5, [0, 0, 0], [0, -1, 0]), cuboid(1.2, [0.2, 0.1, 0.1], [0.1, -1, 0.3])],
             joint: revolute([1, 2, 3]) at [0, -1, 0],
@@ -153,10 +155,11 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same in three bodies, one of them without mass, that are fixed to each other in turned frames.
+    /// `OnePiece` in three bodies, one of them massless, fixed to each other in turned frames.
     pub Pieces {
         gravity: [1, -9.81, 2],
-        body stick on ground { mass: 1, com: [0, -0.5, 0], inertia: [0.1, 0.02, 0.1], joint: revolute(z), coordinate: q1 }
+        body stick on ground { mass: 1, com: [0, -0.5, 0], inertia: [0.1, 0.02, 0.1], joint: revolute(z),
+            coordinate: q1 }
         body handle on stick {
             solids: [rod(0.5, [0, 0, 0], [0, -1, 0])],
             joint: revolute([1, 2, 3]) at [0, -1, 0],
@@ -193,7 +196,7 @@ mechanism! {
 fn coordinates_stand_in_the_order_of_the_text() {
     assert_eq!(Backwards::COORDINATES, ["second", "first"]);
     let model = Backwards::new(BackwardsParams {}).expect("physical");
-    // the lower body alone turns against the vertical: gravity pulls it back, and nothing pulls the upper one first
+    // only the lower body is turned from the vertical: gravity pulls it back, and nothing pulls the upper one first
     let rhs = model.rhs(0.0, &SVector::from([0.1, 0.0, 0.0, 0.0]));
     assert!(rhs[2] < 0.0);
 }
@@ -204,7 +207,7 @@ mechanism! {
         gravity: [0, 0, -10],
         body nut on ground {
             mass: 2, com: [0, 0, 0], inertia: [0.5, 0.5, 0.5],
-            // w = (0, 0, 2), v = p x w + h w for p = (0.3, 0, 0) and h = 0.1: of any length
+            // w = (0, 0, 2), v = p x w + h w for p = (0.3, 0, 0) and h = 0.1; w need not be a unit vector
             joint: screw([0, 0, 2, 0, -0.6, 0.2]),
             coordinate: turn,
         }
@@ -215,7 +218,7 @@ mechanism! {
 fn a_screw_turns_about_its_own_line() {
     let model = Screw::new(ScrewParams {}).expect("physical");
     let x = SVector::from([0.7, 1.5]);
-    // the nut is 0.3 m off the axis and climbs 0.1 m a radian
+    // the nut is 0.3 m off the axis and climbs 0.1 m per radian
     let inertia = 0.5 + 2.0 * (0.3 * 0.3 + 0.1 * 0.1);
     assert_relative_eq!(model.kinetic(0.0, &x), 0.5 * inertia * 1.5 * 1.5, epsilon = 1e-14);
     assert_relative_eq!(model.potential(0.0, &x), 2.0 * 10.0 * 0.1 * 0.7, epsilon = 1e-14);

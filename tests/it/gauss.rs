@@ -1,4 +1,4 @@
-//! The methods of Gauss and Legendre: orders, what they preserve, and how they fail.
+//! Gauss-Legendre methods: orders, conserved quantities, and failures.
 
 use approx::assert_abs_diff_eq;
 use nalgebra::{SMatrix, SVector};
@@ -30,9 +30,9 @@ fn end<M: Method<Pair, f64, 4>>(method: &M, model: &Pair, t1: f64, x0: [f64; 4])
     stepper.run().expect("regular")
 }
 
-// Orders observed
+// Observed orders
 
-/// The order with which the error at `t` falls when the step is halved, and the error of the shorter one.
+/// Order at which the error at `t` decreases when the step is halved, and the error of the shorter step.
 fn order<M: Method<Pair, f64, 4>>(method: impl Fn(f64) -> M, h: f64, name: &str, t: f64) -> (f64, f64) {
     let scene = scene(name);
     let model = pair(scene.bodies[0].friction);
@@ -68,7 +68,7 @@ fn the_reference_is_reached() {
     }
 }
 
-/// The order with which the error of the dense output falls with the length of a single step.
+/// Order at which the error of the dense output decreases with the length of a single step.
 fn dense_order<M: Method<Pair, f64, 4>>(method: impl Fn(f64) -> M, h: f64) -> f64 {
     let model = pair(0.1);
     let x0 = [1.2, -0.4, 2.0, -1.0];
@@ -87,15 +87,15 @@ fn dense_order<M: Method<Pair, f64, 4>>(method: impl Fn(f64) -> M, h: f64) -> f6
 
 #[test]
 fn dense_output_of_one_step_has_its_order() {
-    // of order 3 and 5: the error of one step falls with one power more
+    // of order 3 and 5: the error of one step has an order higher by one
     let orders = (dense_order(Gauss4::new, 0.02), dense_order(Gauss6::new, 0.02));
     assert_abs_diff_eq!(orders.0, 4.0, epsilon = 0.2);
     assert_abs_diff_eq!(orders.1, 6.0, epsilon = 0.2);
 }
 
-// What is preserved
+// Conserved quantities
 
-/// Steps so long that the errors are a thousand times larger than rounding: the way back makes the same ones.
+/// Errors of these long steps are a thousand times larger than rounding errors, but the way back repeats them.
 #[test]
 fn forth_and_back_returns_to_the_start_up_to_rounding() {
     fn distances<M: Method<Pair, f64, 4>>(method: &M) -> [f64; 2] {
@@ -120,12 +120,15 @@ mechanism! {
         generate: [rhs, canonical, momentum],
         body along on ground { joint: prismatic(x), coordinate: x }
         body across on along { joint: prismatic(y), coordinate: y }
-        body first on across { mass: 1, com: [0.5, 0, 0], inertia: 0.1, joint: revolute(z), coordinate: theta1 absolute }
-        body second on first { mass: 0.7, com: [0.2, 0.3, 0], inertia: 0.05, joint: revolute(z) at [1, 0, 0], coordinate: theta2 absolute }
+        body first on across { mass: 1, com: [0.5, 0, 0], inertia: 0.1, joint: revolute(z),
+            coordinate: theta1 absolute }
+        body second on first { mass: 0.7, com: [0.2, 0.3, 0], inertia: 0.05, joint: revolute(z) at [1, 0, 0],
+            coordinate: theta2 absolute }
     }
 }
 
-/// Linear invariants and quadratic ones, here the angular momentum `x p_y - y p_x + p_1 + p_2`, are kept up to rounding.
+/// Linear and quadratic invariants, here the angular momentum `x p_y - y p_x + p_1 + p_2`, are conserved up to rounding
+/// errors.
 #[test]
 fn momenta_are_conserved_up_to_rounding() {
     let model = Rods::new(RodsParams {}).expect("physical");
@@ -143,13 +146,13 @@ fn momenta_are_conserved_up_to_rounding() {
         }
     }
     assert_eq!(stepper.statistics().accepted, 10_000);
-    // it flies 400 m away, and the parts of the angular momentum grow to 1500
+    // it flies 400 m away, and the terms of the angular momentum grow to 1500
     assert!(worst[0] < 1e-14 && worst[1] < 1e-14 && worst[2] < 4e-12, "{worst:?}");
 }
 
 // Failures
 
-/// A body of mass 1 on a line that nothing pushes; from a time on its mass is gone, or its rates are not numbers.
+/// A free body of mass 1 on a line. From one time on its mass is zero, or from another its rates are NaN.
 struct Line {
     massless: f64,
     unknown: f64,
@@ -212,7 +215,7 @@ fn steps_that_are_far_too_long_do_not_converge() {
 // Scenes with constraints
 
 mechanism! {
-    /// A double pendulum whose joints rebound from stops, and whose tip does from a wall.
+    /// A double pendulum whose joints rebound from stops, and whose tip rebounds from a wall.
     pub Bouncing {
         params { e: 1 = 1, mu: N m = 0, side: m = 1 }
         gravity: [0, -9.8, 0],
@@ -220,14 +223,15 @@ mechanism! {
         shape plate { mass: 1, com: [0, -1, 0], inertia: 1 }
         point tip on lower at [0, -1, 0],
         wall side { gap: side - tip.x, restitution: e }
-        body upper on ground: plate { joint: revolute(z), coordinate: a, dry_friction: mu, stop: [-1.5, 1.5] restitution(e) }
+        body upper on ground: plate { joint: revolute(z), coordinate: a, dry_friction: mu,
+            stop: [-1.5, 1.5] restitution(e) }
         body lower on upper: plate {
             joint: revolute(z) at [0, -1, 0], coordinate: b, dry_friction: mu/2, stop: [-2, 2] restitution(e),
         }
     }
 }
 
-/// The largest energy errors in the first and in the second half of a long motion, and how often modes changed.
+/// Largest energy errors in the first and in the second half of a long motion, and the number of mode switches.
 fn energy_errors<S>(model: &S, start: [f64; 4]) -> ([f64; 2], usize)
 where
     S: Canonical<f64, 4> + Energy<f64, 4>,

@@ -1,4 +1,4 @@
-//! How code grows with the number of joints, and that the form which was chosen is the shortest.
+//! Growth of code with the number of joints. Also checks that the chosen form is the shortest.
 
 use pendulum_codegen::program::{Cost, Operations};
 use testbed::chains::{planar, spatial};
@@ -49,7 +49,7 @@ fn spatial_chains_grow_with_the_square_of_their_length_at_most() {
         .map(|(n, chosen)| flops(chosen.operations) as f64 / (n * n) as f64)
         .collect();
     assert!(shares.windows(2).all(|pair| pair[1] < pair[0]), "{shares:?}");
-    // axes come back after three joints: 5, 8 and 11
+    // axes repeat after three joints: 5, 8 and 11
     let articulated = [1, 4, 5].map(|at| flops(of_articulated_bodies(&costs[at].1)));
     assert!(
         articulated[2] - articulated[1] <= articulated[1] - articulated[0],
@@ -61,7 +61,7 @@ fn spatial_chains_grow_with_the_square_of_their_length_at_most() {
 fn the_chosen_form_is_never_beaten() {
     for scene in [planar, spatial].iter().flat_map(|of| [2, 3, 5].map(|n| of(n, "rhs"))) {
         let chosen = right_hand_side(&scene);
-        // a form that loses no digits is worth an eighth more
+        // a form without cancellation may be longer by an eighth
         let least = match chosen.operations.weight() {
             weight if chosen.form.contains("exact") => weight * 8 / 9,
             weight => weight,

@@ -1,4 +1,4 @@
-//! The generator and the numbers together: generated models against reference data, other derivations, and each other.
+//! Integration tests of generator and core: generated models against reference data, other derivations, and each other.
 #![forbid(unsafe_code)]
 
 mod balls;

@@ -1,11 +1,12 @@
-//! Ten mechanisms, declared with the macro, against reference data that was made without screws: energies, mass matrix, bias,
+//! Ten mechanisms, declared with the macro, against reference data made without screws: energies, mass matrix, bias,
 //! acceleration and state Jacobian at four states each.
 
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
 use testbed::mechanisms::*;
 
-/// Largest error over largest entry. The reference has 20 digits; the rest is rounding of some hundred operations.
+/// Largest error over largest entry. The reference has 20 digits; the remainder is rounding errors of some hundred
+/// operations.
 const TOLERANCE: f64 = 1e-12;
 
 testbed::agrees! {

@@ -1,4 +1,4 @@
-//! The integrators against exact solutions and reference trajectories.
+//! Integrators against exact solutions and reference trajectories.
 
 use std::cell::Cell;
 
@@ -10,19 +10,19 @@ use pendulum_core::{OutsideSpan, Reason, Solution};
 use testbed::eq22::Eq22;
 use testbed::trajectories::scene;
 
-// Orders observed
+// Observed orders
 
-/// `x' = -2 t x^2`, `y' = 2 t exp(-y)`: nonlinear, and it depends on time; see [`exact`].
+/// `x' = -2 t x^2`, `y' = 2 t exp(-y)`: nonlinear and time-dependent; see [`exact`].
 fn curve(t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
     SVector::from([-2.0 * t * x[0] * x[0], 2.0 * t * (-x[1]).exp()])
 }
 
-/// The solution of [`curve`] with `x(0) = 1`, `y(0) = 0`.
+/// Solution of [`curve`] with `x(0) = 1`, `y(0) = 0`.
 fn exact(t: f64) -> SVector<f64, 2> {
     SVector::from([1.0 / (1.0 + t * t), (1.0 + t * t).ln()])
 }
 
-/// The largest errors of a solution of [`curve`]: at the accepted points, and between them.
+/// Largest errors of a solution of [`curve`]: at the accepted points, and between them.
 fn errors(solution: &Solution<f64, 2>) -> (f64, f64) {
     let at_points = solution.points().map(|(t, x)| (x - exact(t)).amax());
     let between = solution.t().windows(2).flat_map(|pair| {
@@ -33,7 +33,7 @@ fn errors(solution: &Solution<f64, 2>) -> (f64, f64) {
     (at_points.fold(0.0, f64::max), dense.fold(0.0, f64::max))
 }
 
-/// The orders with which both of [`errors`] fall when the step `h` is halved.
+/// Orders at which both of [`errors`] decrease when the step `h` is halved.
 fn observed_orders<B: Tableau<S> + Default, const S: usize>(h: f64) -> (f64, f64) {
     let system = FnSystem(curve);
     let solve = |h: f64| Fixed::<Explicit<B, S>>::new(h).solve(&system, 0.0, 2.0, exact(0.0));
@@ -44,7 +44,7 @@ fn observed_orders<B: Tableau<S> + Default, const S: usize>(h: f64) -> (f64, f64
 
 #[test]
 fn errors_fall_with_the_order_of_the_method() {
-    // The next term of the error is an h of some hundredths smaller: the orders show to a quarter at worst.
+    // the next term of the error is smaller by a factor of some hundredths, so orders are accurate to a quarter
     let (points, between) = observed_orders::<Kutta4, 5>(0.04);
     assert_abs_diff_eq!(points, 4.0, epsilon = 0.25);
     assert_abs_diff_eq!(between, 4.0, epsilon = 0.25);
@@ -57,7 +57,7 @@ fn errors_fall_with_the_order_of_the_method() {
     }
 }
 
-/// The order with which the dense output of a single step from exact data falls with its length `h`.
+/// Order at which the error of the dense output decreases with the length `h` of a single step from exact data.
 fn observed_dense_order<B: Tableau<S> + Default, const S: usize>(h: f64) -> f64 {
     let system = FnSystem(curve);
     let error = |h: f64| {
@@ -74,7 +74,7 @@ fn observed_dense_order<B: Tableau<S> + Default, const S: usize>(h: f64) -> f64 
 
 #[test]
 fn errors_of_high_order_fall_with_the_order_of_the_method() {
-    // Steps that leave errors above those of rounding are so long that the next term shows too: it adds up to 1 to the order.
+    // steps with errors above rounding are so long that the next term is visible: it adds up to 1 to the order
     let (points, between) = observed_orders::<Verner7, 11>(0.1);
     assert!(
         (7.0..8.0).contains(&points) && (7.0..8.0).contains(&between),
@@ -100,7 +100,7 @@ fn dense_output_of_one_step_has_its_order() {
 
 #[test]
 fn dense_output_is_smooth_across_the_points() {
-    // Value and slope agree from both sides, to the rounding errors of a difference over 1e-6.
+    // values and slopes agree from both sides, up to rounding errors of a difference over 1e-6
     let system = FnSystem(curve);
     let solution = Rk45::new().solve(&system, 0.0, 2.0, exact(0.0)).expect("regular");
     for (t, x) in solution.points().skip(1).rev().skip(1) {
@@ -123,7 +123,7 @@ fn pendulum(name: &str, tolerance: f64, t1: f64) -> Solution<f64, 4> {
         .expect("regular")
 }
 
-/// The distance of a solution from a reference scene at the time `t`.
+/// Distance of a solution from a reference scene at the time `t`.
 fn distance(solution: &Solution<f64, 4>, name: &str, t: f64) -> f64 {
     let points = scene(name).points::<4>();
     let (_, reference) = points.into_iter().find(|point| point.0 == t).expect("time");
@@ -132,9 +132,9 @@ fn distance(solution: &Solution<f64, 4>, name: &str, t: f64) -> f64 {
 
 #[test]
 fn rk45_stays_near_the_reference_trajectories() {
-    // The tolerance bounds the error of a step. Errors of many steps add up, and the motion carries them along: damped
-    // swings forget them (a factor of 8.8 seen after 20 s), chaotic ones stretch them by exp(1.45 t), which is 18 after
-    // 2 s (9.2 seen). The factors allow for twice what was seen, not more.
+    // the tolerance bounds the error of a step; errors of many steps add up and grow with the motion: damped swings
+    // forget them (a factor of 8.8 observed after 20 s), chaotic ones stretch them by exp(1.45 t), which is 18 after 2
+    // s (9.2 observed); the factors allow for twice the observed values, not more
     let cases = [
         ("paper_gamma_1", 20.0, 18.0),
         ("paper_gamma_0.4", 20.0, 18.0),
@@ -153,7 +153,7 @@ fn rk45_stays_near_the_reference_trajectories() {
 
 #[test]
 fn rk4_reaches_the_reference_with_small_steps() {
-    // 1e-3 s steps of a motion at a few rad/s: (1e-3 * 10)^4 = 1e-8, and much less where it is slow.
+    // 1e-3 s steps of a motion at a few rad/s: (1e-3 * 10)^4 = 1e-8, and much less where it is slow
     let scene = scene("large_swing");
     let solution = Rk4::new(1e-3).solve(&scene.eq22(), 0.0, 2.0, scene.start::<4>());
     let solution = solution.expect("regular");
@@ -163,7 +163,7 @@ fn rk4_reaches_the_reference_with_small_steps() {
 
 #[test]
 fn the_hand_written_jacobian_is_the_derivative() {
-    // Central differences: their own error is h^2 times third derivatives of about 100, and rounding errors over h.
+    // central differences: their own error is h^2 times third derivatives of about 100, and rounding errors over h
     let plate = scene("irregular_plates");
     let (model, t, h) = (plate.eq22(), 0.0, 1e-5);
     for x in plate.points::<4>().into_iter().map(|(_, x)| SVector::from(x)) {
@@ -181,7 +181,7 @@ fn the_hand_written_jacobian_is_the_derivative() {
 
 #[test]
 fn a_distant_origin_of_time_costs_what_it_resolves() {
-    // The pendulum does not depend on time: the same motion, up to an ulp of 1e9 s, 1.2e-7 s, in the length of the steps.
+    // the pendulum does not depend on time, so only the step lengths change, by up to an ulp of 1e9 s, 1.2e-7 s
     let model = Eq22::paper(0.1);
     let solve = |t0: f64| {
         let method = Rk45::new().rtol(1e-9).atol(1e-9);
@@ -255,7 +255,7 @@ fn statistics_count_every_evaluation() {
     let statistics = solution.expect("regular").statistics();
     assert_eq!(statistics.evaluations, count.get());
     assert!(statistics.rejected > 0);
-    // Two for the first step size, then six a step, whether accepted or rejected.
+    // two for the first step size, then six for each step, accepted or rejected
     assert_eq!(
         statistics.evaluations,
         2 + 6 * (statistics.accepted + statistics.rejected)
@@ -270,7 +270,7 @@ fn the_bounds_of_the_steps_are_kept() {
     let solution = method.solve(&model, 0.0, 1.0, x0).expect("regular");
     assert_eq!(solution.t()[1], 1e-3);
     let longest = solution.t().windows(2).map(|pair| pair[1] - pair[0]);
-    // Plus an ulp: a step is the difference of two rounded times.
+    // plus an ulp: a step is the difference of two rounded times
     assert!(longest.fold(0.0, f64::max) <= 1.01 * 0.02 + f64::EPSILON);
     let solution = Rk45::new().h0(0.5).h_max(0.02).solve(&model, 0.0, 1.0, x0);
     assert_eq!(solution.expect("regular").t()[1], 0.02);

@@ -1,4 +1,4 @@
-//! What parameters must obey, and what may depend on them.
+//! Rules for parameters, and expressions that depend on parameters.
 
 use approx::assert_relative_eq;
 use nalgebra::SVector;
@@ -60,7 +60,7 @@ fn an_inertia_must_be_that_of_some_mass() {
         })
         .is_some()
     );
-    // with the other sign the three go together
+    // with the other sign all three together are valid
     assert_eq!(
         rule(BodyParams {
             ixy: -0.3,
@@ -76,7 +76,8 @@ mechanism! {
     pub AboutJoint {
         params { m: kg = 1, l: m = 1, inertia: kg m^2 = 1.5, g: m/s^2 = 10 }
         gravity: [0, -g, 0],
-        body b on ground { mass: m, com: [0, -l, 0], inertia: inertia about joint, joint: revolute(z), coordinate: angle }
+        body b on ground { mass: m, com: [0, -l, 0], inertia: inertia about joint, joint: revolute(z),
+            coordinate: angle }
     }
 }
 
@@ -103,7 +104,7 @@ fn an_inertia_about_the_joint_is_at_least_that_of_its_mass() {
 }
 
 mechanism! {
-    /// The second axis is parallel to the first, or against it, or vanishes, as the parameter says.
+    /// The second axis is parallel to the first, opposite to it, or zero, depending on the parameter.
     pub Axis {
         params { p: 1 }
         gravity: [0, -9.8, 0],
@@ -152,11 +153,12 @@ fn an_axis_of_parameters_may_point_either_way() {
 }
 
 mechanism! {
-    /// The second angle is measured from ground about an axis against the first.
+    /// The second angle is measured from ground about an axis opposite to the first.
     pub Absolute {
         gravity: [0, -9.8, 0],
         body a on ground { mass: 1, com: [0, -1, 0], inertia: 0.3, joint: revolute(z), coordinate: u }
-        body b on a { mass: 1, com: [0.3, -1, 0], inertia: 0.3, joint: revolute(-z) at [0, -1, 0], coordinate: w absolute }
+        body b on a { mass: 1, com: [0.3, -1, 0], inertia: 0.3, joint: revolute(-z) at [0, -1, 0],
+            coordinate: w absolute }
     }
 }
 
@@ -182,7 +184,7 @@ fn an_absolute_angle_is_seen_along_its_own_axis() {
 }
 
 mechanism! {
-    /// Names that are words of Rust, and tiny masses beside large ones.
+    /// Names that are Rust keywords, and tiny masses beside large ones.
     Raw {
         params { r#type: kg = 1e-9, r#in: kg m^2 = 1e-21 }
         input r#loop: N,
@@ -220,7 +222,7 @@ mechanism! {
     }
 }
 
-/// The derivative by a parameter against differences, extrapolated to order four.
+/// Compares the derivative with respect to a parameter with differences, extrapolated to order four.
 #[test]
 fn accelerations_are_derived_by_every_parameter() {
     let params = DrivenParams::default();
@@ -258,7 +260,7 @@ fn accelerations_are_derived_by_every_parameter() {
 }
 
 mechanism! {
-    /// Powers that are no whole numbers, of a parameter alone.
+    /// Powers of a parameter with fractional exponents.
     pub Powers {
         units: none,
         params { w: 1 = 4.0 }
@@ -297,7 +299,7 @@ fn the_sides_of_a_plate_must_not_cross() {
             .err()
             .map(|error| error.rule)
     };
-    // convex, and with a corner that points inwards
+    // convex, and with a reflex corner
     for (x, y) in [(1.0, 1.0), (0.4, 0.4), (3.0, -1.0)] {
         assert_eq!(rule(x, y), None, "({x}, {y})");
     }

@@ -1,5 +1,5 @@
-//! Points of bodies, what acts on them, and what is observed of them: against kinematics by hand, dual numbers, and the
-//! same mechanism without any of it.
+//! Points of bodies, the forces on them, and their outputs: against kinematics by hand, dual numbers, and the same
+//! mechanism without any of these.
 
 use approx::assert_relative_eq;
 use nalgebra::{Isometry3, Matrix3, SMatrix, SVector, Translation3, Unit, UnitQuaternion, Vector3};
@@ -9,7 +9,7 @@ use testbed::power_series;
 use testbed::random::Random;
 use testbed::robots::{Ur5Flange, Ur5FlangeParams};
 
-/// The bodies of an arm in space, with and without what acts on it.
+/// Bodies of an arm in space, with further items.
 macro_rules! arm {
     ($name:ident { $($items:tt)* }) => {
         mechanism! {
@@ -110,7 +110,7 @@ fn states<const N: usize>() -> impl Iterator<Item = (f64, SVector<f64, N>)> {
     })
 }
 
-/// The derivative of `f` along a direction of time and state.
+/// Derivative of `f` along a direction of time and state.
 fn along<const N: usize, const M: usize>(
     f: impl Fn(Dual, &SVector<Dual, N>) -> SVector<Dual, M>,
     (t, x): (f64, &SVector<f64, N>),
@@ -120,7 +120,7 @@ fn along<const N: usize, const M: usize>(
     f(Dual::new(t, dt), &state).map(|value| value.slope)
 }
 
-/// The derivatives of `f` by the state.
+/// Derivatives of `f` with respect to the state.
 fn by_state<const N: usize, const M: usize>(
     f: impl Fn(Dual, &SVector<Dual, N>) -> SVector<Dual, M>,
     at: (f64, &SVector<f64, N>),
@@ -204,7 +204,7 @@ fn rates_and_jacobians_are_those_of_the_values() {
     assert_eq!(Arm::OUTPUTS.len(), 17);
 }
 
-/// `A qdd + b = Q` with A and b of the arm alone, and Q from Jacobians of the places where forces act.
+/// `A qdd + b = Q` with A and b of the arm alone, and Q from the Jacobians of the points of application.
 #[test]
 fn forces_act_through_the_jacobians_of_their_points() {
     let (model, bare) = (arm(), Bare::new(BareParams::default()).expect("physical"));
@@ -213,7 +213,7 @@ fn forces_act_through_the_jacobians_of_their_points() {
         let left = bare.mass_matrix(t, &x) * qdd + bare.bias(t, &x);
         let [_, b, _] = poses(&x);
         let qd = x.fixed_rows::<3>(3).into_owned();
-        // Jacobians of the other points by differences of poses, which are exact to 1e-10
+        // Jacobians of the other points by differences of poses, accurate to 1e-10
         let by_differences = |point: &dyn Fn(&[Isometry3<f64>; 3]) -> Vector3<f64>| {
             let columns = [0, 1, 2].map(|n| {
                 let moved = |h: f64| {
@@ -310,7 +310,8 @@ fn series_follow_through_points() {
     }
 }
 
-/// d(energy)/dt is the power of what has no potential, and what the potential itself changes by in time.
+/// The rate of the energy is the power of the forces without potential, plus the partial time derivative of the
+/// potential.
 #[test]
 fn the_power_of_forces_is_the_change_of_energy() {
     let (model, dual) = (arm(), arm().cast::<Dual>());
@@ -367,19 +368,21 @@ fn an_event_is_found_where_its_function_vanishes() -> Result<(), Box<dyn std::er
 }
 
 mechanism! {
-    /// Two pendulums on a cart: nothing acts.
+    /// Two pendulums on a cart, without forces.
     Plain {
         gravity: [0, -9.81, 0],
         body cart on ground { mass: 2, joint: prismatic(x), coordinate: s }
-        body upper on cart { mass: 1, com: [0.1, -1, 0], inertia: 0.2, joint: revolute(z) at [0.3, 0.2, 0], coordinate: th1 }
-        body lower on upper { mass: 1.5, com: [0, -1.2, 0], inertia: 0.1, joint: revolute(z) at [0, -2, 0], coordinate: th2 }
+        body upper on cart { mass: 1, com: [0.1, -1, 0], inertia: 0.2, joint: revolute(z) at [0.3, 0.2, 0],
+            coordinate: th1 }
+        body lower on upper { mass: 1.5, com: [0, -1.2, 0], inertia: 0.1, joint: revolute(z) at [0, -2, 0],
+            coordinate: th2 }
         body bracket on ground { mass: 3, joint: fixed at [0.5, 0.2, 0] rpy [0, 0, 0.7] }
         body side on bracket { mass: 1, com: [0.1, -1, 0], inertia: 0.2, joint: revolute(z), coordinate: th3 }
     }
 }
 
 mechanism! {
-    /// The same with what changes nothing: forces of zero, outputs, an event, a motion that is constant.
+    /// `Plain` with items that change nothing: zero forces, outputs, an event, a constant motion.
     Idle {
         gravity: [0, -9.81, 0],
         point tip on lower at [0, -2, 0],
@@ -395,8 +398,10 @@ mechanism! {
         output rise: dot(tip.y),
         event passes: tip.x,
         body cart on ground { mass: 2, joint: prismatic(x), coordinate: s }
-        body upper on cart { mass: 1, com: [0.1, -1, 0], inertia: 0.2, joint: revolute(z) at [0.3, 0.2, 0], coordinate: th1 }
-        body lower on upper { mass: 1.5, com: [0, -1.2, 0], inertia: 0.1, joint: revolute(z) at [0, -2, 0], coordinate: th2 }
+        body upper on cart { mass: 1, com: [0.1, -1, 0], inertia: 0.2, joint: revolute(z) at [0.3, 0.2, 0],
+            coordinate: th1 }
+        body lower on upper { mass: 1.5, com: [0, -1.2, 0], inertia: 0.1, joint: revolute(z) at [0, -2, 0],
+            coordinate: th2 }
         body bracket on ground { mass: 3, joint: revolute(z) at [0.5, 0.2, 0], motion: 0.7 }
         body side on bracket { mass: 1, com: [0.1, -1, 0], inertia: 0.2, joint: revolute(z), coordinate: th3 }
     }

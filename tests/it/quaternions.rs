@@ -1,4 +1,4 @@
-//! Orientations by quaternions that are put back on the unit sphere, with equations written by hand.
+//! Quaternions projected onto the unit sphere, with hand-written equations.
 
 use nalgebra::SVector;
 use pendulum_core::dense::Dense;
@@ -10,15 +10,15 @@ use pendulum_core::{EnsembleError, Observer, Reason};
 use testbed::motions::{Top, motion};
 use testbed::random::Random;
 
-/// The reference motions, each with how exact it can be had: the heavy top turns by 300 rad, and beside its middle axis
-/// a body leaves it by a factor of exp(5) each second, again and again.
+/// Reference motions, each with the attainable accuracy. The heavy top turns by 300 rad. The free body starts near its
+/// middle axis and repeatedly leaves it by a factor of exp(5) each second.
 const ALL: [(&str, Top, f64); 3] = [
     ("heavy_top_kynema", Top::HEAVY, 1e-12),
     ("spherical_pendulum_with_friction", Top::SPHERICAL, 1e-12),
     ("free_body", Top::FREE, 1e-11),
 ];
 
-/// The largest error of a method at the times of a reference motion: of the quaternion, and of the rates relative to the
+/// Largest error of a method at the times of a reference motion: of the quaternion, and of the rates relative to the
 /// largest.
 fn error(name: &str, solve: impl Fn(f64, SVector<f64, 7>) -> SVector<f64, 7>) -> f64 {
     let motion = motion(name);
@@ -30,7 +30,7 @@ fn error(name: &str, solve: impl Fn(f64, SVector<f64, 7>) -> SVector<f64, 7>) ->
     errors.fold(0.0, f64::max)
 }
 
-/// The length of the quaternion, less 1.
+/// Length of the quaternion, minus 1.
 fn beyond(x: &SVector<f64, 7>) -> f64 {
     x.fixed_rows::<4>(0).norm() - 1.0
 }
@@ -66,11 +66,12 @@ fn every_method_stays_on_the_unit_sphere_and_keeps_its_order() {
     }
     let (name, top, _) = ALL[1];
     let derived = Differences(top);
-    // within what they promise: errors of steps of which some hundred add up
+    // the promised accuracy is for one step, and errors of some hundred steps add up
     let (tolerance, most) = (1e-7, 3e-5);
     macro_rules! check {
         ($($method:ident of $system:expr;)*) => {$(
-            let worst = error(name, |t, x0| run($method::new().rtol(tolerance).atol(tolerance).stepper($system, 0.0, t, x0)));
+            let worst = error(name, |t, x0| run($method::new().rtol(tolerance).atol(tolerance).stepper($system, 0.0, t,
+                x0)));
             println!("{}: {worst:e}", stringify!($method));
             assert!(worst < most, "{}: {worst:e}", stringify!($method));
         )*};
@@ -122,7 +123,7 @@ fn a_start_off_the_sphere_is_put_back_where_it_is_close() {
     assert!(beyond(&stepper.x()).abs() < 1e-15);
 }
 
-/// The states at the ends of steps.
+/// States at the ends of steps.
 #[derive(Clone, Default)]
 struct Ends(Vec<SVector<f64, 7>>);
 
@@ -134,7 +135,7 @@ impl Observer<f64, 7> for Ends {
 
 #[test]
 fn lanes_put_states_back_as_scalars_do() {
-    /// Ensembles of a method against trajectories one by one.
+    /// Compares ensembles of a method with trajectories solved one by one.
     fn check<M>(method: &M)
     where
         M: Method<Top, f64, 7> + ObservedEnsemble<Top, f64, 7>,

@@ -1,11 +1,11 @@
-//! Two robots against reference data: scenes for which the closed form is long, or too long to be made.
+//! Two robots against reference data: scenes with a closed form that is long, or too long to generate.
 
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
 use testbed::robots::*;
 use testbed::source::{ROBOTS, declaration};
 
-/// Largest error over largest entry: rounding of some thousand operations.
+/// Largest error over largest entry: rounding errors of some thousand operations.
 const TOLERANCE: f64 = 1e-11;
 
 testbed::agrees! {
@@ -13,8 +13,9 @@ testbed::agrees! {
     panda: Panda, 7;
 }
 
-/// Additions and multiplications, of the right-hand side and of the Jacobian with all that it needs. CasADi's C code of the same
-/// models, after its own elimination of common subexpressions, has 890 and 5649 for UR5, 1910 and 9806 for Panda.
+/// Additions and multiplications of the right-hand side, and of the Jacobian with everything it needs. CasADi's C code
+/// for the same models, after its own elimination of common subexpressions, has 890 and 5649 for UR5, 1910 and 9806 for
+/// Panda.
 #[test]
 fn the_code_is_short() {
     let [ur5, panda] = [Ur5::COST, Panda::COST];
@@ -26,7 +27,7 @@ fn the_code_is_short() {
     );
 }
 
-/// A force that is given in the frame of its body takes hardly any more operations as a wrench on the link, and many more by `J^T f`.
+/// A force in the frame of its body adds few operations as a wrench on the link, and many by `J^T f`.
 #[test]
 fn a_force_on_the_flange_is_a_wrench() {
     let robot = declaration(ROBOTS, "Ur5");

@@ -1,11 +1,11 @@
-//! Sine and cosine against exact values: fixed-point arithmetic on big integers, which shares nothing with the kernel.
+//! Sine and cosine against exact values: fixed-point arithmetic on big integers, independent of the kernel.
 
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
 use pendulum_core::Real;
 use testbed::random::Random;
 
-/// Numbers in units of `2^-bits`.
+/// Fixed-point arithmetic in units of `2^-bits`.
 struct Fixed {
     bits: usize,
     half_pi: BigInt,
@@ -13,7 +13,7 @@ struct Fixed {
 
 impl Fixed {
     fn new(bits: usize) -> Self {
-        // Machin: pi/4 = 4 atan(1/5) - atan(1/239), with bits to spare for the rounding errors of the series
+        // Machin: pi/4 = 4 atan(1/5) - atan(1/239), with spare bits for the rounding errors of the series
         let spare = 64;
         let atan = |inverse: u32| {
             let square = BigInt::from(inverse * inverse);
@@ -30,7 +30,7 @@ impl Fixed {
         Self { bits, half_pi }
     }
 
-    /// A number of type `f64`, exactly.
+    /// Exact fixed-point value of an `f64`.
     fn exactly(&self, x: f64) -> BigInt {
         let bits = x.abs().to_bits();
         let (exponent, fraction) = ((bits >> 52) as i64, bits & ((1 << 52) - 1));
@@ -68,7 +68,7 @@ impl Fixed {
         }
     }
 
-    /// The error of `value` in ulps of the exact number, whose mantissa has `digits` bits.
+    /// Error of `value` in ulps of the exact number, for a mantissa of `digits` bits.
     fn ulps(&self, value: f64, exact: &BigInt, (digits, least): (i64, i64)) -> f64 {
         let exponent = (exact.bits() as i64 - digits).max(self.bits as i64 + least);
         let error = (self.exactly(value) - exact).abs();
@@ -77,7 +77,7 @@ impl Fixed {
         scaled.to_f64().expect("finite") / 2f64.powi(32.min(exponent as i32))
     }
 
-    /// The larger error of sine and cosine.
+    /// Larger of the errors of sine and cosine.
     fn error(&self, x: f64) -> f64 {
         let (sin, cos) = Real::sin_cos(x);
         let exact = self.sin_cos(&self.exactly(x));
@@ -85,7 +85,7 @@ impl Fixed {
         error(sin, &exact.0).max(error(cos, &exact.1))
     }
 
-    /// The same in `f32`.
+    /// Larger of the errors of sine and cosine in `f32`.
     fn error_f32(&self, x: f32) -> f64 {
         let (sin, cos) = Real::sin_cos(x);
         let exact = self.sin_cos(&self.exactly(f64::from(x)));
@@ -94,19 +94,19 @@ impl Fixed {
     }
 }
 
-/// A number of either sign whose logarithm is uniform.
+/// Random number of either sign with a uniform logarithm of its magnitude.
 fn magnitude(random: &mut Random, low: f64, high: f64) -> f64 {
     let sign = random.between(-1.0, 1.0).signum();
     sign * random.between(low.ln(), high.ln()).exp()
 }
 
-/// A million random angles reach 0.80 ulp, and all of `f32` 0.84: the rounding of the result, and those of the square
-/// of the reduced angle and of its half.
+/// Maximum error, in ulps. A million random angles reach 0.80, and all of `f32` 0.84: the rounding errors of the
+/// result, of the square of the reduced angle, and of its half.
 const MOST: f64 = 0.85;
 
-/// Random angles in each test.
+/// Number of random angles in each test.
 const COUNT: usize = 4000;
-/// Of the multiples of a quarter turn every so many are tried; all of them passed once.
+/// Stride of the tested multiples of a quarter turn. All multiples passed once.
 const STRIDE: usize = 17;
 
 fn worst(fixed: &Fixed, angles: impl Iterator<Item = f64>) -> f64 {
@@ -181,7 +181,7 @@ fn single_precision() {
     }
     println!("{within:.3} ulp, {beyond:.5} ulp");
     assert!(within < MOST, "{within} ulp");
-    // one rounding of a far better value
+    // a single rounding of a far more accurate value
     assert!(beyond < 0.501, "{beyond} ulp");
     for x in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let (sin, cos) = Real::sin_cos(x);
@@ -189,10 +189,10 @@ fn single_precision() {
     }
 }
 
-/// Up to here the kernel of `f32` reduces the angle.
+/// Largest angle that the kernel of `f32` reduces, in radians.
 const MOST_F32: f32 = 6400.0;
 
-/// Every `stride`-th angle of `f32` in the range of the kernel against `f64`, with both signs, in pairs.
+/// Compares every `stride`-th angle of `f32` in the range of the kernel with `f64`, for both signs, in pairs.
 fn assert_single_precision(stride: usize) {
     let error = |value: f32, exact: f64| {
         let ulp = 2f64.powi(exact.abs().log2().floor().max(-126.0) as i32 - 23);
@@ -219,15 +219,16 @@ fn a_sample_of_single_precision() {
     assert_single_precision(1009);
 }
 
-/// `cargo test --release --package tests --test it -- --ignored all_of_single_precision` takes a minute and prints 0.8439 ulp at
-/// 308.64505.
+/// Takes a minute and prints 0.8439 ulp at 308.64505:
+///
+/// `cargo test --release --package tests --test it -- --ignored all_of_single_precision`
 #[test]
 #[ignore = "takes a minute with optimisation"]
 fn all_of_single_precision() {
     assert_single_precision(1);
 }
 
-/// The bits of many values, in one number: they must be the same on every machine.
+/// The bits of many values, combined into one number, must be the same on every machine.
 #[test]
 fn the_bits_are_the_same_everywhere() {
     let mut random = Random::new(5);
@@ -235,7 +236,7 @@ fn the_bits_are_the_same_everywhere() {
     let mut sum_f32 = 0_u64;
     let add = |sum: &mut u64, bits: u64| *sum = sum.rotate_left(5).wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ bits;
     for n in 0..100_000 {
-        // nothing but exact operations
+        // only exact operations
         let x = random.between(-1.0, 1.0) * f64::from(1 << (n % 18));
         let (sin, cos) = Real::sin_cos(x);
         let (sin_f32, cos_f32) = Real::sin_cos(x as f32);

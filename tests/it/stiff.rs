@@ -1,11 +1,11 @@
-//! Methods for stiff systems: what they promise, tested on problems with known answers.
+//! Methods for stiff systems: their promises, tested on problems with known solutions.
 
 use pendulum_core::Solution;
 use pendulum_core::prelude::*;
 
 mod driven {
     pendulum_core::mechanism! {
-        /// A pendulum with a motor that follows the clock.
+        /// A pendulum with a motor torque that depends on time.
         pub Driven {
             params { m: kg = 1.3, l: m = 0.7, g: m/s^2 = 9.81, w: 1/s = 2.3, u: N m = 0.9 }
             gravity: [0, -g, 0],
@@ -30,7 +30,7 @@ fn the_generated_derivative_by_time_is_that_of_the_right_hand_side() {
     let model = Driven::new(DrivenParams::default()).expect("physical");
     let x = SVector::from([0.7, -0.4]);
     for t in [0.0, 0.3, 2.9] {
-        // a central difference of order 4: errors of 1e-11 by its length, of 1e-13 by rounding
+        // a central difference of order 4, with truncation errors of 1e-11 and rounding errors of 1e-13
         let h = 1e-3;
         let difference = |h: f64| (model.rhs(t + h, &x) - model.rhs(t - h, &x)) / (2.0 * h);
         let expected = (difference(h) * 4.0 - difference(2.0 * h)) / 3.0;
@@ -41,7 +41,7 @@ fn the_generated_derivative_by_time_is_that_of_the_right_hand_side() {
     assert_eq!(Driven::<f64>::COST["time_derivative"].operations.sincos, 2);
 }
 
-/// Eq. 22 with friction that settles all velocities within milliseconds.
+/// Eq. 22 with friction that damps all velocities within milliseconds.
 fn stiff(gamma: f64) -> DoublePendulum {
     let params = DoublePendulumParams {
         gamma1: gamma,
@@ -53,7 +53,7 @@ fn stiff(gamma: f64) -> DoublePendulum {
 
 const START: [f64; 4] = [1.0, -1.0, 0.0, 0.0];
 
-/// All methods at a tolerance.
+/// Solutions by all methods at a tolerance.
 fn solve(system: &DoublePendulum, tolerance: f64, t1: f64) -> [Solution<f64, 4>; 3] {
     [
         Rodas4::new()

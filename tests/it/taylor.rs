@@ -31,7 +31,7 @@ where
 
 macro_rules! as_by_the_right_hand_side {
     ($($test:ident: $($model:ident),*;)*) => { $(
-        /// The recurrences give the series that the right-hand side gives when it computes with series.
+        /// The recurrences give the same series as the right-hand side evaluated on series.
         #[test]
         fn $test() {
             $( assert_series(stringify!($model), &$model::new(Default::default()).expect("physical")); )*
@@ -54,10 +54,11 @@ fn pendulums(gamma: f64) -> Pendulums {
     Pendulums::new(params).expect("physical")
 }
 
-/// Steps of a fixed length by series of a fixed order, against trajectories that were made in 45 digits.
+/// Steps of a fixed length by series of a fixed order, against trajectories computed in 45 digits.
 #[test]
 fn reference_trajectories() {
-    // at order 20 the series reaches far beyond the steps; what is left is rounding, which the chaotic swing spreads
+    // at order 20 the series reaches far beyond the steps; the remaining errors are rounding, amplified by the chaotic
+    // swing
     for (name, gamma, last, tolerance) in [("paper_gamma_0.1", 0.1, 20.0, 1e-14), ("large_swing", 0.0, 2.0, 1e-13)] {
         let (scene, model, h) = (scene(name), pendulums(gamma), 1.0 / 64.0);
         let mut work = model.workspace();
@@ -82,8 +83,8 @@ fn reference_trajectories() {
     }
 }
 
-/// Three angles with their sines and cosines, two squares of rates, two products with `sin(theta1 - theta2)`, and the two products of
-/// `cos(theta1 - theta2)` with accelerations.
+/// Three angles with their sines and cosines, two squares of rates, two products with `sin(theta1 - theta2)`, and the
+/// two products of `cos(theta1 - theta2)` with accelerations.
 #[test]
 fn eq_22_takes_twelve_products() {
     assert_eq!(Pendulums::COST["taylor"].products, Some(12));
@@ -109,7 +110,7 @@ fn every_order_by_itself() {
     assert!(longest.iter().all(|x| x.iter().all(|x| x.is_finite())));
     let slope = model.rhs(0.0, &longest[0]);
     assert!((longest[1] - slope).amax() < 1e-14, "{} {slope}", longest[1]);
-    // a workspace that has been used elsewhere gives the same
+    // the previous use of a workspace does not matter
     model.series(0.0, &mut [SVector::from([0.1, -3.0, 5.0, 2.0]); 9], &mut work);
     for order in 0..=MAX_ORDER {
         let mut x = vec![longest[0]; order + 1];
@@ -126,7 +127,7 @@ fn beyond_the_highest_order() {
     model.series(0.0, &mut [SVector::zeros(); MAX_ORDER + 2], &mut model.workspace());
 }
 
-/// Series in lanes, each with a start and parameters of its own.
+/// Kernel for series in lanes, each with its own initial condition and parameters.
 struct Side<'a, M, const N: usize>(&'a [M], &'a [SVector<f64, N>]);
 
 impl<M: CastTaylor<N>, const N: usize> Kernel<f64> for Side<'_, M, N>
@@ -165,7 +166,7 @@ where
     Side(models, &starts).run::<F64x4>();
 }
 
-/// Bit for bit, as everything in lanes.
+/// Lanes equal scalars bit for bit, like everything in lanes.
 #[test]
 fn lanes() {
     let pendulums: Vec<_> = (0..8).map(|n| pendulums(0.1 * n as f64)).collect();

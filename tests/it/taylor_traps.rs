@@ -1,4 +1,4 @@
-//! Motions whose power series do not tell of themselves how far they reach.
+//! Motions whose power series do not reveal their radius of convergence.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -7,7 +7,7 @@ use pendulum_core::TaylorSeries;
 use pendulum_core::prelude::*;
 
 mechanism! {
-    /// Released from the horizontal, it has coefficients of orders 1 and 2 modulo 4 only.
+    /// Released from the horizontal, it has nonzero coefficients of orders 1 and 2 modulo 4 only.
     pub Swing {
         gravity: [0, -9.81, 0],
         generate: [rhs, taylor],
@@ -16,7 +16,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Friction that saturates: on its flat parts the series knows nothing of its step.
+    /// Friction that saturates: on its flat parts the series contains no trace of the step.
     pub Rubbing {
         params { steep: s = 30.0 }
         gravity: [0, -9.81, 0],
@@ -29,7 +29,7 @@ mechanism! {
     }
 }
 
-/// The Taylor method against Verner's, at several tolerances and orders.
+/// Compares the Taylor method with Verner's, at several tolerances and orders.
 fn assert_alike<S>(system: &S, x0: [f64; 2])
 where
     S: TaylorSeries<f64, 2>,
@@ -40,7 +40,7 @@ where
         for order in [4, 8, 11, 12, 13, 14, 15, 16, 20, 24] {
             let method = Taylor::new().order(order).rtol(tolerance).atol(tolerance);
             let x = method.solve(system, 0.0, 10.0, x0).expect("regular").end();
-            // Ten seconds carry an error on, and multiply it by some tens.
+            // ten seconds multiply an error by some tens
             assert_abs_diff_eq!(x, expected, epsilon = 100.0 * tolerance);
         }
     }

@@ -1,6 +1,7 @@
-//! Generated models against reference trajectories that were made in 45 digits, at the times they are given for.
+//! Generated models against reference trajectories computed in 45 digits, at the times of the reference.
 //!
-//! The scene `stiff_axles` is not here: an explicit method takes some 270000 steps for it, and belongs to the implicit methods.
+//! The scene `stiff_axles` is not included: it takes some 270000 steps of an explicit method, and is tested with the
+//! implicit methods.
 
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
@@ -11,7 +12,7 @@ use testbed::trajectories::{Scene, scene};
 
 const TOLERANCE: f64 = 1e-10;
 
-/// The largest error at the times of a scene up to `last`, in units of the tolerance.
+/// Largest error at the times of a scene up to `last`, in units of the tolerance.
 fn error<const N: usize>(model: &impl System<f64, N>, scene: &Scene, last: f64) -> f64 {
     let points = scene.points::<N>();
     let end = points
@@ -51,7 +52,8 @@ fn double_pendulum(scene: &Scene) -> DoublePendulum {
     DoublePendulum::new(params).expect("physical")
 }
 
-/// The tolerance bounds the error of a step. Over 20 s some hundred steps add up, while friction forgets the older ones.
+/// The tolerance bounds the error of a step. Over 20 s the errors of some hundred steps add up, while friction damps
+/// the older ones.
 #[test]
 fn the_scenes_of_the_paper() {
     for name in ["paper_gamma_1", "paper_gamma_0.4", "paper_gamma_0.1"] {
@@ -61,7 +63,8 @@ fn the_scenes_of_the_paper() {
     }
 }
 
-/// Neighbouring motions part like `exp(1.45 t)`: at 10 s an error of 1e-10 has grown by six powers of ten in the worst direction.
+/// Neighbouring motions diverge like `exp(1.45 t)`: until 10 s an error of 1e-10 grows by six powers of ten in the
+/// worst direction.
 #[test]
 fn the_large_swing() {
     let scene = scene("large_swing");
@@ -118,7 +121,7 @@ fn rk4_converges_with_its_order() {
 
 macro_rules! loses_energy_only_to_friction {
     ($($test:ident: $model:ident, $dof:literal;)*) => {$(
-        /// Spatial motions have no reference trajectories; what they have is that energy never rises.
+        /// Spatial motions have no reference trajectories, but their energy must never increase.
         #[test]
         fn $test() {
             let model = $model::new(Default::default()).expect("physical");

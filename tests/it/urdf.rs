@@ -8,7 +8,7 @@ use testbed::source::{ROBOTS, declaration};
 
 use crate::random_mechanisms::evaluate::{Evaluator, Place};
 
-/// Largest error over largest entry: rounding of some thousand operations.
+/// Largest error over largest entry: rounding errors of some thousand operations.
 const TOLERANCE: f64 = 1e-11;
 
 fn folder() -> PathBuf {
@@ -20,7 +20,7 @@ fn program(declaration: &str) -> Program {
     pendulum_codegen::program_in(&folder(), tokens).unwrap_or_else(|errors| panic!("{declaration}\n{errors}"))
 }
 
-/// A robot as it is declared by hand gives the same code, but for what the documentation says of the file.
+/// A robot declared by hand gives the same code, except for the documentation of the file.
 fn equals_the_declared_one(name: &str) {
     let by_hand = declaration(ROBOTS, name);
     let (head, bodies) = by_hand.split_once("        generate: [").expect("a list");
@@ -36,7 +36,7 @@ fn equals_the_declared_one(name: &str) {
     assert!(from_file == scene(bodies), "{name} differs");
 }
 
-/// The code without its part from `start` up to the next `end`.
+/// Code without its part from `start` up to the next `end`.
 fn without(code: &str, start: &str, end: &str) -> String {
     let (before, rest) = code.split_once(start).expect(start);
     let (_, after) = rest.split_once(end).expect(end);
@@ -53,7 +53,7 @@ fn robots_give_the_code_of_those_declared_by_hand() {
     equals_the_declared_one("Panda");
 }
 
-/// Mass matrix, bias, energies and acceleration by Pinocchio, see `testbed/data/urdf/reference.py`.
+/// Compares mass matrix, bias, energies and acceleration with Pinocchio; see `testbed/data/urdf/reference.py`.
 fn equals_pinocchio(name: &str, changes: &str) {
     let text = std::fs::read_to_string(folder().join("reference.json")).expect("reference data");
     let robot = &serde_json::from_str::<Value>(&text).expect("valid JSON")[name];
@@ -107,7 +107,7 @@ fn equals_pinocchio(name: &str, changes: &str) {
         close("acceleration", &of("rhs")[positions.len()..], &numbers("acceleration"));
         potentials.push((of("potential")[0], sample["potential"].as_f64().expect("a number")));
     }
-    // where it is zero is a matter of taste
+    // the zero of the potential energy is arbitrary
     let (first, reference) = potentials[0];
     let size = potentials.iter().fold(0.0, |size: f64, (_, x)| size.max(x.abs()));
     for (ours, potential) in &potentials[1..] {

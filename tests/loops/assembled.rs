@@ -1,6 +1,6 @@
-//! Mechanisms of all kinds from random guesses: what is accepted is closed, with the orientation that is declared.
+//! Mechanisms of all kinds from random guesses: every accepted state is closed, with the declared orientation.
 //!
-//! Mechanisms of one kind are one declaration with other lengths.
+//! Mechanisms of one kind share a declaration and differ in lengths.
 
 use std::f64::consts::PI;
 
@@ -17,8 +17,10 @@ mechanism! {
     pub Pinned {
         params { a: m = 0.2, b: m = 0.5, c: m = 0.4, d: m = 0.6 }
         body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
-        body coupler on crank { mass: 1, inertia: 0.01, joint: revolute(z) at [a, 0, 0], coordinate: phi depends near -0.3 }
-        body rocker on ground { mass: 1, inertia: 0.01, joint: revolute(z) at [d, 0, 0], coordinate: psi depends near 1.6 }
+        body coupler on crank { mass: 1, inertia: 0.01, joint: revolute(z) at [a, 0, 0],
+            coordinate: phi depends near -0.3 }
+        body rocker on ground { mass: 1, inertia: 0.01, joint: revolute(z) at [d, 0, 0],
+            coordinate: psi depends near 1.6 }
         body pin on rocker { joint: revolute(z) at [c, 0, 0], coordinate: chi depends near -1.1 }
         close coupler at [b, 0, 0] to pin at [0, 0, 0]: fixed,
         point o on coupler at [b, 0, 0], point p on pin at [0, 0, 0],
@@ -44,7 +46,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same, closed by the joint in which the piston slides.
+    /// A slider-crank like `Offset`, closed by the joint in which the piston slides.
     pub Guided {
         params { a: m = 0.2, b: m = 0.5, high: m = 0 }
         body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
@@ -74,12 +76,15 @@ mechanism! {
 }
 
 mechanism! {
-    /// A crank, a rod with a ball at its end, and a rocker that slides along its axis too.
+    /// A crank, a rod with a ball at its end, and a rocker that also slides along its axis.
     pub Rscr {
-        body crank on ground { mass: 1, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z), coordinate: theta near 0.4 }
-        body rod on crank { mass: 1, com: [0.2, 0, 0], inertia: [0.01, 0.02, 0.02], joint: revolute([0, 0.6, 0.8]) at [0.2, 0, 0], coordinate: beta depends near 0.2 }
+        body crank on ground { mass: 1, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z),
+            coordinate: theta near 0.4 }
+        body rod on crank { mass: 1, com: [0.2, 0, 0], inertia: [0.01, 0.02, 0.02],
+            joint: revolute([0, 0.6, 0.8]) at [0.2, 0, 0], coordinate: beta depends near 0.2 }
         body block on ground { mass: 0.1, joint: prismatic(y) at [0.6, 0, 0.1], coordinate: s depends near 0.1 }
-        body rocker on block { mass: 1, com: [0, 0, 0.1], inertia: [0.01, 0.01, 0.01], joint: revolute(y), coordinate: gamma depends near 0.2 }
+        body rocker on block { mass: 1, com: [0, 0, 0.1], inertia: [0.01, 0.01, 0.01], joint: revolute(y),
+            coordinate: gamma depends near 0.2 }
         close rod at [0.5, 0, 0.1] to rocker at [0, 0, 0.2]: ball,
         point o on rod at [0.5, 0, 0.1], point p on rocker at [0, 0, 0.2],
         output apart: [o.x - p.x, o.y - p.y, o.z - p.z],
@@ -90,13 +95,17 @@ mechanism! {
 mechanism! {
     /// Two arms, an upright between them, and a tie rod.
     pub Wishbone {
-        body lower on ground { mass: 1, com: [0, 0.2, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(x), coordinate: theta near 0 }
-        body upper on ground { mass: 1, com: [0, 0.15, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(x) at [0, 0.05, 0.25], coordinate: up depends near 0.1 }
+        body lower on ground { mass: 1, com: [0, 0.2, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(x),
+            coordinate: theta near 0 }
+        body upper on ground { mass: 1, com: [0, 0.15, 0], inertia: [0.01, 0.01, 0.01],
+            joint: revolute(x) at [0, 0.05, 0.25], coordinate: up depends near 0.1 }
         body u on lower { joint: revolute(z) at [0, 0.4, 0], coordinate: cz depends near 0.05 }
         body v on u { joint: revolute(y), coordinate: cy depends near 0.05 }
-        body upright on v { mass: 2, com: [0, 0.05, 0.1], inertia: [0.02, 0.02, 0.02], joint: revolute(x), coordinate: cx depends near 0.05 }
+        body upright on v { mass: 2, com: [0, 0.05, 0.1], inertia: [0.02, 0.02, 0.02], joint: revolute(x),
+            coordinate: cx depends near 0.05 }
         body yoke on ground { joint: revolute(z) at [0.12, 0.05, 0.08], coordinate: tz depends near 0.02 }
-        body tie on yoke { mass: 0.3, com: [0, 0.2, 0], inertia: [0.01, 0.001, 0.01], joint: revolute(x), coordinate: tx depends near 0.02 }
+        body tie on yoke { mass: 0.3, com: [0, 0.2, 0], inertia: [0.01, 0.001, 0.01], joint: revolute(x),
+            coordinate: tx depends near 0.02 }
         close upright at [0, -0.02, 0.25] to upper at [0, 0.33, 0]: ball,
         close upright at [0.12, 0, 0.08] to tie at [0, 0.36, 0]: ball,
         point o on upright at [0, -0.02, 0.25], point p on upper at [0, 0.33, 0],
@@ -109,14 +118,18 @@ mechanism! {
 mechanism! {
     /// Two of the three arms of a delta robot, and a platform that keeps its orientation.
     pub Delta {
-        body first on ground { mass: 1, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(y) at [0.2, 0, 0], coordinate: alpha near 0.3 }
-        body second on ground { mass: 1, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(y) at [-0.1, 0.17, 0] rpy [0, 0, 2], coordinate: beta near 0.3 }
+        body first on ground { mass: 1, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01],
+            joint: revolute(y) at [0.2, 0, 0], coordinate: alpha near 0.3 }
+        body second on ground { mass: 1, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01],
+            joint: revolute(y) at [-0.1, 0.17, 0] rpy [0, 0, 2], coordinate: beta near 0.3 }
         body yoke on first { joint: revolute(y) at [0.2, 0, 0], coordinate: fy depends near 1 }
-        body rod on yoke { mass: 0.2, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z), coordinate: fz depends near 0.1 }
+        body rod on yoke { mass: 0.2, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z),
+            coordinate: fz depends near 0.1 }
         body along on ground { joint: prismatic(x), coordinate: x depends near 0.1 }
         body platform on along { mass: 1, joint: prismatic(z), coordinate: z depends near -0.5 }
         body fork on second { joint: revolute(y) at [0.2, 0, 0], coordinate: gy depends near 1 }
-        body bar on fork { mass: 0.2, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z), coordinate: gz depends near 0.1 }
+        body bar on fork { mass: 0.2, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z),
+            coordinate: gz depends near 0.1 }
         close rod at [0.5, 0, 0] to platform at [0.05, 0, 0]: ball,
         close bar at [0.5, 0, 0] to platform at [-0.03, 0.04, 0]: ball,
         point o on rod at [0.5, 0, 0], point p on platform at [0.05, 0, 0],
@@ -127,11 +140,13 @@ mechanism! {
 }
 
 mechanism! {
-    /// A rod between an arm in a ball joint and a block: it closes where the arm is turned.
+    /// A rod between an arm in a ball joint and a block: it closes only if the arm is turned.
     pub Arm {
-        body arm on ground { mass: 1, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: ball, orientation: o near [0, 0, 1.2] }
+        body arm on ground { mass: 1, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: ball,
+            orientation: o near [0, 0, 1.2] }
         body yoke on arm { joint: revolute(z) at [0.5, 0, 0], coordinate: alpha depends near 0.3 }
-        body rod on yoke { mass: 1, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: revolute(y), coordinate: beta depends near 0.1 }
+        body rod on yoke { mass: 1, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: revolute(y),
+            coordinate: beta depends near 0.1 }
         body block on ground { mass: 1, joint: prismatic(x) at [0, 0.9, 0], coordinate: s depends near 0.4 }
         close rod at [0.5, 0, 0] to block at [0, 0, 0]: ball,
         point e on rod at [0.5, 0, 0], point f on block at [0, 0, 0],
@@ -141,9 +156,10 @@ mechanism! {
 }
 
 mechanism! {
-    /// A stone on a telescope, which is flat where the stone is in its joint.
+    /// A stone on a telescope, which is singular where the stone is in its joint.
     pub Telescope {
-        body stone on ground { mass: 1, inertia: [0.1, 0.1, 0.1], joint: free, orientation: o, position: p near [0.3, 0.4, 0.1] }
+        body stone on ground { mass: 1, inertia: [0.1, 0.1, 0.1], joint: free, orientation: o,
+            position: p near [0.3, 0.4, 0.1] }
         body turret on ground { mass: 1, inertia: [0.1, 0.1, 0.1], joint: revolute(z), coordinate: a depends near 0.9 }
         body barrel on turret { mass: 1, inertia: [0.1, 0.1, 0.1], joint: revolute(y), coordinate: b depends near -0.2 }
         body rod on barrel { mass: 1, joint: prismatic(x), coordinate: s depends near 0.5 }
@@ -158,21 +174,24 @@ mechanism! {
     /// Four hinges whose axes meet in a point: five equations for two coordinates.
     pub Spherical {
         params { turned: rad = 1.2 }
-        body first on ground { mass: 1, com: [0, 0.1, 0.2], inertia: [0.1, 0.1, 0.1], joint: revolute(z), coordinate: theta near 0.5 }
-        body second on first { mass: 1, com: [0, 0.1, 0.2], inertia: [0.1, 0.1, 0.1], joint: revolute(z) rpy [0.5, 0, 0], coordinate: phi depends near 0.5 }
-        body third on second { mass: 1, com: [0, 0.1, 0.2], inertia: [0.1, 0.1, 0.1], joint: revolute(z) rpy [1, 0, 0], coordinate: psi depends near -1 }
+        body first on ground { mass: 1, com: [0, 0.1, 0.2], inertia: [0.1, 0.1, 0.1], joint: revolute(z),
+            coordinate: theta near 0.5 }
+        body second on first { mass: 1, com: [0, 0.1, 0.2], inertia: [0.1, 0.1, 0.1],
+            joint: revolute(z) rpy [0.5, 0, 0], coordinate: phi depends near 0.5 }
+        body third on second { mass: 1, com: [0, 0.1, 0.2], inertia: [0.1, 0.1, 0.1], joint: revolute(z) rpy [1, 0, 0],
+            coordinate: psi depends near -1 }
         close third at [0, 0, 0] rpy [0.9, 0, 0] to ground at [0, 0, 0] rpy [turned, 0, 0]: revolute(z),
         output third: rotation(third),
         generate: [rhs],
     }
 }
 
-/// How far a closure is from being closed: a distance, and by how much the entries of its rotations differ.
+/// Closure error: a distance, and the largest difference between the entries of the two rotations.
 type Gap = (f64, f64);
 
-/// How many of 100 guesses near a closed state, and of 100 anywhere, were accepted.
+/// Numbers of accepted guesses: of 100 near a closed state, and of 100 anywhere.
 ///
-/// Guesses are by `by` off near it, in each coordinate that depends and in each that does not.
+/// Guesses near the state are off by up to `by` in each coordinate, dependent or not.
 fn accepted<const N: usize>(
     name: &str,
     (closed, positions, by): ([f64; N], usize, f64),
@@ -209,8 +228,8 @@ fn apart(a: SMatrix<f64, 3, 3>, b: SMatrix<f64, 3, 3>) -> f64 {
     (a - b).amax()
 }
 
-/// Four-bars of every kind that Grashof's rule knows: where the shortest bar is the crank, the ground, the coupler, the
-/// rocker; a parallelogram, a kite; and two in which no bar turns all the way. With an angle of the crank of each.
+/// Four-bars of every kind in Grashof's rule, each with an angle of the crank. The shortest bar is the crank, the
+/// ground, the coupler, the rocker; then a parallelogram, a kite, and two in which no bar turns all the way.
 const FOUR_BARS: [([f64; 4], f64); 8] = [
     ([0.2, 0.5, 0.4, 0.6], 0.8),
     ([0.5, 0.45, 0.4, 0.15], 0.8),
@@ -247,7 +266,7 @@ fn four_bars_in_closed_form() {
     assert_eq!(counts.len(), 8);
     println!("{counts:?}");
     assert!(counts.iter().all(|[near, _]| *near == 100), "{counts:?}");
-    // those whose cranks turn all the way start anywhere
+    // those with fully rotating cranks start anywhere
     assert!([0, 1].iter().all(|&n| counts[n][1] == 100), "{counts:?}");
 }
 
@@ -412,7 +431,7 @@ fn linkages_of_more_bars() {
     }
 }
 
-/// Of seven mechanisms in space, and one that cannot close.
+/// Seven mechanisms in space, and one that cannot close.
 #[test]
 fn mechanisms_in_space() {
     macro_rules! space {
@@ -491,7 +510,7 @@ fn mechanisms_in_space() {
     assert_eq!(open, [0, 0]);
 }
 
-/// An orientation that the loop needs turned, from quaternions near that.
+/// A loop that requires another orientation of a ball joint, from quaternions near the closed one.
 #[test]
 fn loops_beyond_a_ball() {
     let model = Arm::new(ArmParams {}).expect("the parameters are physical");
@@ -520,7 +539,7 @@ fn loops_beyond_a_ball() {
     assert!(count >= 95, "{count}");
 }
 
-/// A position that the loop needs away from where its joint is.
+/// A loop that requires another position of a free body.
 #[test]
 fn loops_beyond_a_free_body() {
     let model = Telescope::new(TelescopeParams {}).expect("the parameters are physical");

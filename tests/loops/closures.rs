@@ -1,4 +1,4 @@
-//! States to start from: closed loops are closed, with the orientations that are declared.
+//! Initial conditions: closed loops must be closed, with the declared orientations.
 
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{StabilityError, equilibrium};
@@ -7,7 +7,7 @@ use pendulum_core::{EnsembleError, LoopGap, Name, Reason};
 use crate::coupled_loops::{Bennett, BennettParams};
 
 mechanism! {
-    /// A parallelogram that a third crank holds as well: four equations for three coordinates.
+    /// A parallelogram with a third, redundant crank: four equations for three coordinates.
     pub Par {
         params { l: m = 0.5, d: m = 0.8, e: m = 0.4, f: m = 0.5 }
         gravity: [0, -9.81, 0],
@@ -44,7 +44,7 @@ mechanism! {
     }
 }
 
-/// The gap of the loop that a start is refused for.
+/// Gap of the loop that rejects an initial condition.
 fn gap(reason: Reason) -> LoopGap {
     match reason {
         Reason::Open(gap) => gap,
@@ -60,7 +60,7 @@ fn bennett(other: f64) -> Bennett {
     Bennett::new(params).expect("the parameters are physical")
 }
 
-/// Newton's method comes to rest at the least sum of squares of equations that contradict each other.
+/// Newton's method converges to the least sum of squares of contradictory equations.
 #[test]
 fn a_loop_whose_equations_contradict_each_other_is_open() {
     let model = bennett(1.2);
@@ -71,18 +71,18 @@ fn a_loop_whose_equations_contradict_each_other_is_open() {
     let text = error.to_string();
     let start = "the loops do not close near this state: the loop that `third` and `ground` close is open by ";
     assert!(text.starts_with(start), "{text}");
-    // by less than a tenth of a millimetre
+    // open by less than a tenth of a millimetre
     let error = bennett(0.893)
         .assemble(0.0, [2.0, 2.0, -2.0, 1.0])
         .expect_err("it is open");
     let open = error.open.expect("a gap");
     assert!((1e-5..1e-3).contains(&open.by), "{error}");
-    // as it was until its lengths agree
+    // closed once its lengths agree
     let model = bennett(BennettParams::default().other);
     model.assemble(0.0, [2.0, 2.0, -2.0, 1.0]).expect("it closes");
 }
 
-/// A parallelogram whose third crank does not fit, where the corrections vanish.
+/// A parallelogram whose third crank does not fit, in a state where the corrections vanish.
 fn open() -> (Par, SVector<f64, 3>) {
     let params = ParParams {
         f: 0.6,
@@ -97,7 +97,7 @@ fn open() -> (Par, SVector<f64, 3>) {
     (model, x)
 }
 
-/// Every motion begins on closed loops: one, those of an ensemble, and what a reset goes on from.
+/// Every motion begins on closed loops: a single one, those of an ensemble, and after a reset.
 #[test]
 fn every_motion_starts_closed() {
     let (model, x) = open();
@@ -128,12 +128,12 @@ fn a_search_for_rest_starts_closed() {
     }
 }
 
-/// Into the other assembly of the first loop, in which the second is open.
+/// A reset to the other assembly of the first loop, in which the second is open.
 #[test]
 fn a_reset_goes_on_closed() {
     let par = Par::new(ParParams::default()).expect("the parameters are physical");
     let start = par.assemble(0.0, [0.5, 0.5, 1.0]).expect("it closes");
-    // where the corrections vanish
+    // a state where the corrections vanish
     let mut x = SVector::from([-0.3, -0.3, 1.0]);
     for _ in 0..200 {
         x[1] += 0.3 * par.loop_corrections(0.0, &x)[0];
@@ -171,7 +171,7 @@ fn a_redundant_crank_must_fit() {
     }
 }
 
-/// The equations of a weld also vanish a half turn off, and a third of a turn about the diagonal.
+/// The equations of a weld also vanish half a turn off, and a third of a turn about the diagonal.
 #[test]
 fn a_weld_keeps_the_declared_orientation() {
     let model = Weld3::new(Weld3Params {}).expect("the parameters are physical");
@@ -211,7 +211,7 @@ fn a_weld_keeps_the_declared_orientation() {
     }
 }
 
-/// What was closed to three digits is closed to all of them, also in single precision and after many turns.
+/// An initial condition closed to three digits is closed to all digits, also in single precision and after many turns.
 #[test]
 fn a_start_may_be_off_by_rounding() {
     let model = bennett(BennettParams::default().other);

@@ -1,4 +1,4 @@
-//! Closed loops that have no closed form: positions in the state that follow by their rates.
+//! Closed loops without a closed form: dependent positions in the state, integrated from their rates.
 
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
@@ -9,18 +9,23 @@ mechanism! {
     /// Three rods hold a plate, one of them on a crank.
     pub Plate {
         gravity: [0, -9.81, 0],
-        body crank on ground { solids: [rod(0.5, [0, 0, 0], [0.15, 0, 0])], joint: revolute(z), coordinate: theta near 0.8 }
+        body crank on ground { solids: [rod(0.5, [0, 0, 0], [0.15, 0, 0])], joint: revolute(z),
+            coordinate: theta near 0.8 }
         body rod on crank {
-            solids: [rod(0.3, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.15, 0, 0], coordinate: alpha depends near 0.2,
+            solids: [rod(0.3, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.15, 0, 0],
+                coordinate: alpha depends near 0.2,
         }
         body left on ground {
-            solids: [rod(0.4, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [-0.45, 0, 0], coordinate: beta depends near 1.8,
+            solids: [rod(0.4, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [-0.45, 0, 0],
+                coordinate: beta depends near 1.8,
         }
         body plate on left {
-            solids: [rod(1, [0, 0, 0], [1.45, -0.04, 0])], joint: revolute(z) at [0.5, 0, 0], coordinate: gamma depends near -1.7,
+            solids: [rod(1, [0, 0, 0], [1.45, -0.04, 0])], joint: revolute(z) at [0.5, 0, 0],
+                coordinate: gamma depends near -1.7,
         }
         body right on ground {
-            solids: [rod(0.9, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.7, 0.1, 0], coordinate: delta depends near 1.4,
+            solids: [rod(0.9, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.7, 0.1, 0],
+                coordinate: delta depends near 1.4,
         }
         close plate at [0.95, -0.15, 0] to rod at [0.4, 0, 0]: revolute(z),
         close plate at [1.45, -0.04, 0] to right at [0.5, 0, 0]: revolute(z),
@@ -38,9 +43,12 @@ mechanism! {
     pub Spatial {
         params { length: m = 0.815 }
         gravity: [0, 1, -9.81],
-        body crank on ground { solids: [disk(40, 0.15, [0, 0, 0]), rod(0.5, [0, 0, 0], [0.06, 0, 0.02])], joint: revolute(z), coordinate: theta near 0.8 }
-        body yoke on crank { mass: 0.1, inertia: [0.001, 0.002, 0.002], joint: revolute(z) at [0.06, 0, 0.02], coordinate: alpha depends near -0.5 }
-        body rod on yoke { mass: 0.4, com: [0.4, 0, 0], inertia: [0.001, 0.01, 0.01], joint: revolute(y), coordinate: beta depends near -0.6 }
+        body crank on ground { solids: [disk(40, 0.15, [0, 0, 0]), rod(0.5, [0, 0, 0], [0.06, 0, 0.02])],
+            joint: revolute(z), coordinate: theta near 0.8 }
+        body yoke on crank { mass: 0.1, inertia: [0.001, 0.002, 0.002], joint: revolute(z) at [0.06, 0, 0.02],
+            coordinate: alpha depends near -0.5 }
+        body rod on yoke { mass: 0.4, com: [0.4, 0, 0], inertia: [0.001, 0.01, 0.01], joint: revolute(y),
+            coordinate: beta depends near -0.6 }
         body rocker on ground {
             mass: 0.9, com: [0, 0.3, 0.1], inertia: [0.02, 0.01, 0.01],
             joint: revolute([1, 0, 0.02]) at [0.4, 0, 0.1], coordinate: gamma depends near 0.7, spring: (2, 0.4),
@@ -55,18 +63,21 @@ mechanism! {
 }
 
 mechanism! {
-    /// Bennett's linkage: four hinges in space that move, though three equations would do for what five say.
+    /// Bennett's linkage: four hinges in space that can move, since two of their five closing equations are redundant.
     pub Bennett {
         params { l: m = 1, skew: rad = 0.4, other: rad = 0.8928089789005025 }
         gravity: [0, 1, -9.81],
         body first on ground {
-            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0], coordinate: theta near 2,
+            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0],
+                coordinate: theta near 2,
         }
         body second on first {
-            solids: [rod(0.7, [0, 0, 0], [0.8, 0, 0])], joint: revolute(z) at [0.4, 0, 0] rpy [skew, 0, 0], coordinate: phi depends near 2,
+            solids: [rod(0.7, [0, 0, 0], [0.8, 0, 0])], joint: revolute(z) at [0.4, 0, 0] rpy [skew, 0, 0],
+                coordinate: phi depends near 2,
         }
         body third on second {
-            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0], coordinate: psi depends near -2,
+            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0],
+                coordinate: psi depends near -2,
         }
         close third at [0.4, 0, 0] rpy [skew, 0, 0] to ground: revolute(z),
         point p on third at [0.4, 0, 0], point r on third at [0.4, -l*sin(skew), l*cos(skew)],
@@ -78,19 +89,23 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same bodies without the last hinge: a force on its place, and a moment as couples in the frame of the body.
+    /// The bodies of `Bennett` without the last hinge: a force at its place, and a moment as couples in the frame of
+    /// the body.
     pub Cut {
         params { skew: rad = 0.4, other: rad = 0.8928089789005025 }
         input fx: N, input fy: N, input fz: N, input mx: N m, input my: N m, input mz: N m,
         gravity: [0, 1, -9.81],
         body first on ground {
-            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0], coordinate: theta,
+            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0],
+                coordinate: theta,
         }
         body second on first {
-            solids: [rod(0.7, [0, 0, 0], [0.8, 0, 0])], joint: revolute(z) at [0.4, 0, 0] rpy [skew, 0, 0], coordinate: phi,
+            solids: [rod(0.7, [0, 0, 0], [0.8, 0, 0])], joint: revolute(z) at [0.4, 0, 0] rpy [skew, 0, 0],
+                coordinate: phi,
         }
         body third on second {
-            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0], coordinate: psi,
+            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0],
+                coordinate: psi,
         }
         point p on third at [0.4, 0, 0],
         point xp on third at [0.9, 0, 0], point xm on third at [-0.1, 0, 0],
@@ -108,7 +123,7 @@ fn plate() -> Plate {
     Plate::new(PlateParams {}).expect("the parameters are physical")
 }
 
-/// Energy and closure along runs by methods of every kind.
+/// Checks energy and closure along motions by methods of every kind.
 macro_rules! moves {
     ($($test:ident: $model:ident of $n:literal, from $start:expr, for $time:expr, within $margin:expr;)*) => {$(
         #[test]
@@ -145,7 +160,7 @@ moves! {
     bennett_moves: Bennett of 4, from [2.0, 2.0, -2.0, 1.0], for 2.0, within 0.01..0.99;
 }
 
-/// The Jacobian of the equations against differences: off the constraint as well, where no equation is redundant.
+/// The Jacobian of the equations against differences. Off the constraint as well, where no equation is redundant.
 #[test]
 fn jacobians() {
     fn check<M: Jacobian<f64, N> + System<f64, N>, const N: usize>(model: &M, x: SVector<f64, N>) {
@@ -181,7 +196,7 @@ fn the_state_holds_what_follows_behind() {
     assert_eq!(model.rates(0.0, &x).as_slice(), [rates[1], rates[4]]);
 }
 
-/// A guess that closes nothing, lengths that do not reach, and a state that is open.
+/// A guess that closes nothing, lengths out of reach, and a state with an open loop.
 #[test]
 fn what_does_not_close_is_refused() {
     let short = Spatial::new(SpatialParams { length: 0.1 }).expect("the parameters are physical");
@@ -198,7 +213,7 @@ fn what_does_not_close_is_refused() {
     assert!(open.to_string().contains("as by `assemble`"), "{open}");
 }
 
-/// The motion ends at a toggle, and jumps to no other assembly.
+/// The motion ends at a singularity (toggle), and jumps to no other assembly.
 #[test]
 fn a_motion_ends_at_a_toggle() {
     let model = Spatial::new(SpatialParams { length: 0.88 }).expect("the parameters are physical");
@@ -238,7 +253,7 @@ fn a_motion_ends_at_a_toggle() {
     }
 }
 
-/// States of rest and their modes, against the energies along the coordinate that is free.
+/// States of rest and their modes, against the energies along the free coordinate.
 #[test]
 fn coupled_loops_come_to_rest() {
     const STEP: f64 = 1e-3;
@@ -268,7 +283,7 @@ fn coupled_loops_come_to_rest() {
             "{square} {stiffness} {inertia}"
         );
     }
-    // what follows is part of the shape
+    // the shape includes dependent coordinates
     let by = moved(STEP) - moved(-STEP);
     let along = first.shape / first.shape[Plate::THETA];
     for n in 1..5 {
@@ -277,7 +292,7 @@ fn coupled_loops_come_to_rest() {
     }
 }
 
-/// Exponents along the loop only: they add up to the loss of a friction that brakes the crank.
+/// Exponents along the loop only: their sum is the loss rate of a friction on the crank.
 #[test]
 fn exponents_keep_to_the_loop() {
     let model = plate();
@@ -285,12 +300,12 @@ fn exponents_keep_to_the_loop() {
     let lyapunov = Lyapunov::new().duration(20.0);
     let exponents = lyapunov.exponents::<2, 6>(&model, start).expect("it moves");
     let sum: f64 = exponents.values.iter().sum();
-    // the flow keeps volumes of coordinates and momenta, of which the rates are a bounded factor
+    // the flow preserves volumes of coordinates and momenta, and momenta are rates times a bounded factor
     assert!(sum.abs() < 0.2, "{:?}", exponents.values);
     assert!(lyapunov.exponents::<3, 6>(&model, start).is_err());
 }
 
-/// Lanes take the steps of single ones, bit for bit.
+/// Lanes take the same steps as single trajectories, bit for bit.
 #[test]
 fn lanes_close_the_same_loops() {
     let model = plate();
@@ -311,7 +326,7 @@ fn lanes_close_the_same_loops() {
     }
 }
 
-/// In the place of the last hinge its wrench makes the open chain move as the closed one.
+/// The wrench of the last hinge, applied in its place, moves the open chain like the closed one.
 #[test]
 fn wrenches_hold_the_loop() {
     let closed = Bennett::new(BennettParams::default()).expect("the parameters are physical");
@@ -342,7 +357,7 @@ fn wrenches_hold_the_loop() {
 }
 
 mechanism! {
-    /// The wheels of a locomotive, as two rods that turn with the first: one holds the beam, the other adds nothing.
+    /// The wheels of a locomotive, as two rods that turn with the first: one holds the beam, the other is redundant.
     pub Coupled {
         gravity: [0, -9.81, 0],
         body left on ground { solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z), coordinate: alpha near 0.3 }
@@ -361,7 +376,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same, where the middle one follows by itself.
+    /// `Coupled` with a middle rod that follows directly, without a loop.
     pub Following {
         gravity: [0, -9.81, 0],
         body left on ground { solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z), coordinate: alpha near 0.3 }
@@ -378,7 +393,7 @@ mechanism! {
     }
 }
 
-/// A loop that holds what another one holds already is no mistake.
+/// A loop that repeats the constraint of another one is no error.
 #[test]
 fn a_loop_may_add_nothing() {
     let coupled = Coupled::new(CoupledParams::default()).expect("the parameters are physical");

@@ -1,4 +1,4 @@
-//! Closed loops against reference data that was made without screws and without closed forms: positions, rates and accelerations from a
+//! Closed loops against reference data made without screws and closed forms: positions, rates and accelerations from a
 //! tree, its closures and their null space, to 20 digits.
 
 use std::f64::consts::TAU;
@@ -49,7 +49,7 @@ fn assert_close(what: &str, ours: &[f64], reference: &[f64]) {
     }
 }
 
-/// The nearest of the angles that differ by whole turns.
+/// Angle closest to `to` among those that differ by whole turns.
 fn nearest(angle: f64, to: f64) -> f64 {
     angle - TAU * ((angle - to) / TAU).round()
 }
@@ -67,7 +67,8 @@ macro_rules! agrees {
             for sample in data["samples"].as_array().expect("a list") {
                 let [q, qd, qdd] = ["q", "qd", "qdd"].map(|key| numbers(&sample[key]));
                 let x = SVector::<f64, N>::from_fn(|n, _| if n < D { q[free[n]] } else { qd[free[n - D]] });
-                let rest = |all: &[f64]| -> Vec<f64> { (0..all.len()).filter(|k| !free.contains(k)).map(|k| all[k]).collect() };
+                let rest = |all: &[f64]| -> Vec<f64> {
+                    (0..all.len()).filter(|k| !free.contains(k)).map(|k| all[k]).collect() };
                 let angles: Vec<usize> = $angles;
                 let expected = rest(&q);
                 let following = model.following(0.0, &x);
@@ -80,7 +81,8 @@ macro_rules! agrees {
                 let accelerations = numbers(&sample["independent_acceleration"]);
                 assert_close("accelerations", &rates.as_slice()[D..], &accelerations);
                 assert_close("accelerations that follow", model.following_rates_rate(0.0, &x).as_slice(), &rest(&qdd));
-                assert_close("energies", &[model.kinetic(0.0, &x), model.potential(0.0, &x)], &[number(&sample["kinetic"]), number(&sample["potential"])]);
+                assert_close("energies", &[model.kinetic(0.0, &x), model.potential(0.0, &x)],
+                    &[number(&sample["kinetic"]), number(&sample["potential"])]);
                 assert!(model.gaps(0.0, &x).amax() < 1e-15, "closed: {}", model.gaps(0.0, &x));
             }
         }
@@ -94,7 +96,7 @@ agrees! {
     andrews: Andrews, AndrewsParams, 1, angles (0..6).collect();
 }
 
-/// The motion that Andrews' mechanism is published with, from rest to 0.03 s: reference to 18 digits.
+/// The published motion of Andrews' mechanism, from rest to 0.03 s: reference to 18 digits.
 #[test]
 fn andrews_moves_as_published() {
     let data: Value = serde_json::from_str(include_str!("../../testbed/data/andrews.json")).expect("valid JSON");
@@ -137,12 +139,15 @@ mechanism! {
     pub Rocking {
         generate: [rhs, jacobian, energy, taylor, canonical],
         gravity: [0, -9.81, 0],
-        body crank on ground { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z), coordinate: theta near 0.8 }
+        body crank on ground { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z),
+            coordinate: theta near 0.8 }
         body coupler on crank {
-            solids: [rod(1, [0, 0, 0], [0.3, 0, 0])], joint: revolute(z) at [0.5, 0, 0], coordinate: phi depends near -0.5,
+            solids: [rod(1, [0, 0, 0], [0.3, 0, 0])], joint: revolute(z) at [0.5, 0, 0],
+                coordinate: phi depends near -0.5,
         }
         body rocker on ground {
-            solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.4,
+            solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.6, 0, 0],
+                coordinate: psi depends near 1.4,
         }
         close coupler at [0.3, 0, 0] to rocker at [0.5, 0, 0]: revolute(z),
         output margin: margin(coupler, rocker),
@@ -151,8 +156,8 @@ mechanism! {
 }
 
 mechanism! {
-    /// A slider-crank, of which the slider is in the state: at a dead centre the crank may turn either way, and the
-    /// motion of the slider does not tell which.
+    /// A slider-crank with the slider in the state. At a dead centre the crank may turn either way, and the motion of
+    /// the slider does not determine which.
     pub DeadCentre {
         generate: [rhs, jacobian, energy, taylor, canonical],
         body crank on ground { mass: 0.5, inertia: 5e-3, joint: revolute(z), coordinate: theta depends near 1 }
@@ -166,14 +171,15 @@ mechanism! {
     }
 }
 
-/// That adaptive methods end at a toggle, alone as in lanes.
+/// Checks that adaptive methods stop at a singularity (toggle), alone and in lanes.
 macro_rules! end_at_toggle {
     ($($method:ident)*, of $model:ident from $start:expr, by $tolerance:expr, $check:ident) => {$(
         let method = $method::new().rtol($tolerance).atol($tolerance).max_steps(2000);
         let alone = $check(stringify!($method), method.solve(&$model, 0.0, 5.0, $start), 0.0);
         let starts = [SVector::from($start); 5];
         for isa in Isa::available() {
-            let Err(EnsembleError::Stopped { stopped, x }) = method.ensemble_on(isa, &[$model], 0.0, 5.0, &starts) else {
+            let Err(EnsembleError::Stopped { stopped, x }) = method.ensemble_on(isa, &[$model], 0.0, 5.0,
+                &starts) else {
                 panic!("{} goes on in lanes on {isa:?}", stringify!($method));
             };
             assert_eq!(stopped.len(), starts.len());
@@ -185,7 +191,7 @@ macro_rules! end_at_toggle {
     )*};
 }
 
-/// A motion ends where a loop is flat: nothing jumps to another assembly, by whichever method.
+/// A motion ends where a loop is flat: no method jumps to another assembly.
 #[test]
 fn a_motion_ends_at_a_toggle() {
     let rocking = Rocking::new(RockingParams::default()).expect("the parameters are physical");
@@ -201,8 +207,8 @@ fn a_motion_ends_at_a_toggle() {
                     let (t, x) = error.solution.last();
                     assert_eq!(bodies, $names, "{method}: {error}");
                     assert!((margin - $model.margin(t, &x)).abs() < 1e-14, "{method}: {error}");
-                    // the margin is the sine of an angle, which falls to zero within two steps, or within one as the
-                    // root of what is left
+                    // the margin is the sine of an angle; it falls to zero within two steps, or within one as the root
+                    // of the remainder
                     let [angle, rate_of_sine] = [margin.asin(), $model.loop_margins(t, &x).1.amax()];
                     let within = h * rate_of_sine / angle.cos();
                     let nearest = 0.02 + 2.0 * within.max((h * rate).sqrt());
@@ -227,10 +233,10 @@ fn a_motion_ends_at_a_toggle() {
         };
     }
     ends!(rocking, ["coupler", "rocker"], from 0.8, [3.0], [1e-2, 1e-3, 1e-6, 1e-10]);
-    // the fastest turns by more than half a turn within a step
+    // the fastest start turns by more than half a turn within a step
     ends!(parallelogram, ["beam", "right"], from 0.1, [1.0, 2.0, 15.0], [1e-2, 1e-3, 1e-6, 1e-10]);
     let slider_crank = DeadCentre::new(DeadCentreParams::default()).expect("the parameters are physical");
-    // the whole way to the dead centre is 0.06 m
+    // the whole path to the dead centre is 0.06 m long
     ends!(slider_crank, ["rod", "slider"], from 0.34, [0.1, 0.5, 1.0, 4.0], [1e-4, 1e-6, 1e-10]);
     let flat = rocking.flat_event().terminal();
     let ended = Vern9::new()
@@ -240,7 +246,7 @@ fn a_motion_ends_at_a_toggle() {
     assert!((rocking.margin(t, &x) - 0.1).abs() < 1e-12);
 }
 
-/// A start beyond the reach of a loop names the loop.
+/// An initial condition beyond the reach of a loop names the loop.
 #[test]
 fn a_loop_that_cannot_close_is_named() {
     let rocking = Rocking::new(RockingParams::default()).expect("the parameters are physical");
@@ -266,7 +272,7 @@ fn a_loop_that_cannot_close_is_named() {
 }
 
 mechanism! {
-    /// A linkage on a body that moves freely, beside a driven joint and one that follows what follows.
+    /// A linkage on a free body, beside a driven joint and one that follows a dependent joint.
     pub Flying {
         gravity: [0, 0.5, -9.81],
         body craft on ground {
@@ -285,10 +291,12 @@ mechanism! {
             joint: revolute(z) at [0.7, 0, 0.2], coordinate: psi depends near 1.6,
         }
         body rotor on craft {
-            mass: 0.3, com: [0.02, 0, 0], inertia: [0.001, 0.001, 0.002], joint: revolute(x) at [0, 0.3, 0], motion: 4 rad/s * t,
+            mass: 0.3, com: [0.02, 0, 0], inertia: [0.001, 0.001, 0.002], joint: revolute(x) at [0, 0.3, 0],
+                motion: 4 rad/s * t,
         }
         body gear on craft {
-            mass: 0.2, com: [0.05, 0, 0], inertia: [0.001, 0.001, 0.001], joint: revolute(y) at [0, 0, 0.4], motion: 2*psi,
+            mass: 0.2, com: [0.05, 0, 0], inertia: [0.001, 0.001, 0.001], joint: revolute(y) at [0, 0, 0.4],
+                motion: 2*psi,
         }
         close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
         force theta: 0.7,
@@ -305,7 +313,7 @@ fn a_linkage_flies() {
     let start = SVector::from([
         0.1, 0.2, 0.3, 0.8, 0.0, 0.6, 0.0, 0.9, 0.3, -0.2, 0.1, 0.5, -0.4, 0.8, 2.0,
     ]);
-    // what the state is in the order of its layout, and the energy against the work of the force and of the drive
+    // order of the state in its layout, and the energy against the work of the force and of the drive
     assert_eq!(
         (Flying::P_X, Flying::O, Flying::THETA, Flying::DOT_THETA),
         (0, 3, 7, 14)
@@ -339,16 +347,18 @@ fn a_linkage_flies() {
 }
 
 mechanism! {
-    /// A four-bar that drives a slider beside it, with forces on what follows.
+    /// A four-bar that drives a slider beside it, with forces on dependent bodies.
     pub Lengths {
         params { a: m = 0.2, b: m = 0.5, c: m = 0.4, d: m = 0.6, l: m = 0.9, k: N/m = 30, m: kg = 1.1 }
         gravity: [0, -9.81, 0],
-        body crank on ground { solids: [rod(0.5, [0, 0, 0], [a, 0, 0])], joint: revolute(z), coordinate: theta near 0.8 }
+        body crank on ground { solids: [rod(0.5, [0, 0, 0], [a, 0, 0])], joint: revolute(z),
+            coordinate: theta near 0.8 }
         body coupler on crank {
             solids: [rod(m, [0, 0, 0], [b, 0, 0])], joint: revolute(z) at [a, 0, 0], coordinate: phi depends near -0.3,
         }
         body rocker on ground {
-            solids: [rod(0.9, [0, 0, 0], [c, 0, 0])], joint: revolute(z) at [d, 0, 0], coordinate: psi depends near 1.6, friction: 0.05,
+            solids: [rod(0.9, [0, 0, 0], [c, 0, 0])], joint: revolute(z) at [d, 0, 0],
+                coordinate: psi depends near 1.6, friction: 0.05,
         }
         body rod on rocker {
             solids: [rod(0.3, [0, 0, 0], [l, 0, 0])], joint: revolute(z) at [c, 0, 0], coordinate: chi depends near -2,
@@ -363,7 +373,7 @@ mechanism! {
     }
 }
 
-/// What follows does so by the parameters as well.
+/// Dependent coordinates also vary with the parameters.
 #[test]
 fn loops_are_derived_by_their_lengths() {
     let params = LengthsParams::default();

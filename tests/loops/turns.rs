@@ -1,4 +1,4 @@
-//! Angles that follow from closed loops count their turns: springs, potentials and torques on them conserve energy.
+//! Dependent angles of closed loops count their turns: springs, potentials and torques on them conserve energy.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +16,8 @@ mechanism! {
             coordinate: phi depends near -0.3, spring: (k, 0),
         }
         body rocker on ground {
-            solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6,
+            solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.6, 0, 0],
+                coordinate: psi depends near 1.6,
         }
         close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
         output phi: phi,
@@ -25,7 +26,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Two circles that meet, of any lengths.
+    /// Two intersecting circles, of any lengths.
     pub Bars {
         params { a: m = 0.2, b: m = 0.5, c: m = 0.4, d: m = 0.6, k: N m = 1, rest: rad = 0 }
         gravity: [0, -9.81, 0],
@@ -51,7 +52,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same loop, closed by a weld to a pin: no triangle.
+    /// The loop of `Motor`, closed by a weld to a pin: not a triangle.
     pub Welded {
         params { a: m = 0.2, k: N m = 1 }
         gravity: [0, -9.81, 0],
@@ -61,7 +62,8 @@ mechanism! {
             coordinate: phi depends near -0.3, spring: (k, 0),
         }
         body rocker on ground {
-            solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6,
+            solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.6, 0, 0],
+                coordinate: psi depends near 1.6,
         }
         body pin on rocker { joint: revolute(z) at [0.4, 0, 0], coordinate: chi depends near -1.1 }
         close coupler at [0.5, 0, 0] to pin at [0, 0, 0]: fixed,
@@ -69,12 +71,13 @@ mechanism! {
 }
 
 mechanism! {
-    /// A rod that slides through a block that turns, and a crank that slides in a slot.
+    /// A rod that slides through a rotating block, and a crank that slides in a slot.
     pub Slots {
         params { a: m = 0.2, d: m = 0.5, k: N m = 1 }
         gravity: [0, -9.81, 0],
         body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
-        body lever on ground { solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [-d, 0, 0], coordinate: psi depends near 0.3, spring: (k, 0) }
+        body lever on ground { solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [-d, 0, 0],
+            coordinate: psi depends near 0.3, spring: (k, 0) }
         body block on lever { mass: 0.1, joint: prismatic(x), coordinate: s depends near 0.6 }
         close block at [0, 0.05, 0] to crank at [a, 0, 0]: revolute(z),
         point o on block at [0, 0.05, 0], point p on crank at [a, 0, 0],
@@ -89,7 +92,8 @@ mechanism! {
     pub Slider {
         gravity: [0, -9.81, 0],
         body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
-        body rod on crank { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.8, spring: (0.3, 0) }
+        body rod on crank { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.2, 0, 0],
+            coordinate: phi depends near -0.8, spring: (0.3, 0) }
         body piston on ground { mass: 1, joint: prismatic(x) at [0, 0.1, 0], coordinate: s depends near 0.6 }
         close rod at [0.5, 0, 0] to piston at [0, 0, 0]: revolute(z),
         output rod: phi,
@@ -97,15 +101,19 @@ mechanism! {
 }
 
 mechanism! {
-    /// A dyad on the coupler of a four-bar: the third vector of its triangle leads, or none does.
+    /// A dyad on the coupler of a four-bar: either the third vector of its triangle leads, or none does.
     pub SixBar {
         params { far: m = 1.5, high: m = 0, long: m = 0.9, k: N m = 0.5 }
         gravity: [0, -9.81, 0],
         body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
-        body coupler on crank { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
-        body rocker on ground { solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
-        body arm on coupler { solids: [rod(0.4, [0, 0, 0], [1, 0, 0])], joint: revolute(z) at [0.25, 0.1, 0], coordinate: chi depends near -0.6, spring: (k, 0) }
-        body swing on ground { solids: [rod(0.4, [0, 0, 0], [long, 0, 0])], joint: revolute(z) at [far, high, 0], coordinate: omega depends near 1.9, spring: (k, 0) }
+        body coupler on crank { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.2, 0, 0],
+            coordinate: phi depends near -0.3 }
+        body rocker on ground { solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.6, 0, 0],
+            coordinate: psi depends near 1.6 }
+        body arm on coupler { solids: [rod(0.4, [0, 0, 0], [1, 0, 0])], joint: revolute(z) at [0.25, 0.1, 0],
+            coordinate: chi depends near -0.6, spring: (k, 0) }
+        body swing on ground { solids: [rod(0.4, [0, 0, 0], [long, 0, 0])], joint: revolute(z) at [far, high, 0],
+            coordinate: omega depends near 1.9, spring: (k, 0) }
         close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
         close arm at [1, 0, 0] to swing at [long, 0, 0]: revolute(z),
         point o on coupler at [0.5, 0, 0], point p on rocker at [0.4, 0, 0],
@@ -116,7 +124,7 @@ mechanism! {
     }
 }
 
-/// The energy along a motion through so many turns of the first coordinate, in which a jump by one turn would show.
+/// Checks the energy along a motion through `turns` turns of the first coordinate. A jump by one turn would change it.
 macro_rules! conserves {
     ($model:expr, $start:expr, $turns:expr, $stored:expr) => {{
         let (model, start, stored) = ($model, SVector::from($start), $stored);
@@ -139,7 +147,7 @@ fn nothing<M, X>(_: &M, _: &X) -> f64 {
     0.0
 }
 
-/// The motion of the report: 6.68 J became 3752 J in a minute.
+/// The motion of the bug report: 6.68 J became 3752 J in a minute.
 #[test]
 fn a_spring_winds_up_with_the_coupler() {
     let model = Motor::new(MotorParams::default()).expect("the parameters are physical");
@@ -158,7 +166,7 @@ fn a_spring_winds_up_with_the_coupler() {
     }
 }
 
-/// Springs, potentials, torques and what `let` names, through a thousand turns.
+/// Springs, potentials, torques and `let` expressions, through a thousand turns.
 #[test]
 fn energy_is_conserved_through_a_thousand_turns() {
     let motor = Motor::new(MotorParams { k: 1e-8 }).expect("the parameters are physical");
@@ -198,7 +206,7 @@ fn loops_without_a_closed_form_wind_up() {
     let start = welded.assemble(0.0, [0.8, -0.3, 1.6, -1.1, 12.0]).expect("it closes");
     let (_, x) = conserves!(welded, start, 1000.0, nothing);
     assert!(x[1] < -6000.0, "{x}");
-    // the closed form counts alike
+    // the closed form counts the same turns
     let motor = Motor::new(MotorParams { k: 1e-8 }).expect("the parameters are physical");
     assert!((motor.phi(0.0, &SVector::from([x[0], x[4]])) - x[1]).abs() < 1e-9);
 }
@@ -216,8 +224,7 @@ fn slides_wind_up() {
     assert!(slider.rod(t, &x).abs() < TAU);
 }
 
-/// Along many turns of the crank an output moves by the integral of its rate: Simpson's rule, from one small step to
-/// the next.
+/// Along many turns of the crank an output changes by the integral of its rate, by Simpson's rule over each small step.
 #[test]
 fn outputs_are_continuous() {
     let follow = |outputs: &dyn Fn(f64) -> [[f64; 2]; 2], name: &str| {
@@ -238,7 +245,7 @@ fn outputs_are_continuous() {
         }
         before[0]
     };
-    // the crank the shortest and the ground the shortest; lengths that are parameters, so that the longer leads
+    // first the crank is shortest, then the ground; lengths are parameters and decide which vector leads
     for ([a, b, c, d], turns) in [
         ([0.2, 0.5, 0.4, 0.6], [-1.0, 0.0]),
         ([0.5, 0.45, 0.4, 0.15], [0.0, 1.0]),
@@ -275,7 +282,7 @@ fn outputs_are_continuous() {
     );
 }
 
-/// Side by side as alone, and in single precision.
+/// Lanes count turns like scalars, also in single precision.
 #[test]
 fn lanes_count_alike() {
     let models = [0.0, 0.5, 1.0].map(|k| Motor::new(MotorParams { k: k * 1e-3 }).expect("the parameters are physical"));
@@ -301,8 +308,8 @@ fn lanes_count_alike() {
     }
 }
 
-/// The pivot of the dyad within the curve of the coupler, so that it turns with the crank, though no vector leads: the
-/// motion ends before its springs would jump.
+/// The pivot of the dyad is within the coupler curve, so that the dyad turns with the crank although no vector leads.
+/// The motion ends before its springs would jump.
 #[test]
 fn turns_that_do_not_follow_from_the_state_end_a_motion() {
     let params = SixBarParams {
@@ -330,13 +337,13 @@ fn turns_that_do_not_follow_from_the_state_end_a_motion() {
             model.energy(t, x)
         );
     }
-    // where the ground leads, they are counted
+    // turns are counted where the ground leads
     let model = SixBar::new(SixBarParams::default()).expect("the parameters are physical");
     assert_eq!(
         model.turn_margins(0.0, &SVector::from([0.8, 6.0])).0.as_slice(),
         [1.0, 1.0]
     );
     Vern9::new().solve(&model, 0.0, 5.0, [0.8, 12.0]).expect("it moves on");
-    // a torsion spring counts turns, so that the state of a crank is not the same after one
+    // a torsion spring counts turns, so a full turn of the crank changes the state
     assert!(!Motor::LAYOUT.slots[0].periodic);
 }

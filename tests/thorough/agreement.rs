@@ -1,7 +1,7 @@
-//! Ends of rough scenes by one method against those by another, from random starts.
+//! Final states of rough scenes by one method against those by another, from random initial conditions.
 //!
-//! `PENDULUM_ROUGH=4000 cargo test --release -p tests --features thorough agreement -- --nocapture` tries more of them, and shows
-//! how many agree. `PENDULUM_SEED` is the first seed.
+//! `PENDULUM_ROUGH=4000 cargo test --release -p tests --features thorough agreement -- --nocapture` tries more scenes
+//! and prints the number that agree. `PENDULUM_SEED` is the first seed.
 
 use nalgebra::{DMatrix, DVector, SVector};
 use pendulum_core::hybrid::{Hybrid, MAX_CONSTRAINTS};
@@ -13,19 +13,19 @@ use testbed::random::{Random, each_seed, number};
 
 use super::rough::{folding_start, gap, pushed_start, restitution, walled_start, within};
 
-/// How many of each scene are tried where no other number is given.
+/// Default number of random cases for each scene.
 const DEFAULT: u64 = 200;
 const DURATION: f64 = 2.0;
 const TOLERANCE: f64 = 1e-9;
 const REFERENCE: f64 = 1e-12;
-/// By how much the second of two impacts is too far away to be one with the first, in m or rad.
+/// Distance of the second of two impacts beyond which they are separate, in m or rad.
 const LATER: f64 = 1e-13;
-/// Of what rebounds elastically, again and again.
+/// Maximum number of steps for a motion with repeated elastic rebounds.
 const MOST_STEPS: usize = 1_000_000;
 
 pub(crate) fn row_start(seed: u64) -> (Row, SVector<f64, 6>) {
     let mut random = Random::new(seed);
-    // what nothing brakes comes back to where it was, where it grazes
+    // an undamped motion returns to where it was, and grazes there
     let f1 = random.between(0.01, 2.0);
     let mut friction = || [0.0, random.between(0.0, 2.0), random.between(0.0, 20.0)][random.below(3)];
     let (f2, f3) = (friction(), friction());
@@ -85,7 +85,7 @@ pub(crate) fn boxed_start(seed: u64) -> (Boxed, SVector<f64, 4>) {
     (model, start)
 }
 
-/// A motion by one of seven methods.
+/// Motion by one of seven methods.
 fn solve<S, const N: usize>(
     which: u64,
     model: &S,
@@ -117,11 +117,11 @@ where
 
 #[derive(Debug)]
 struct Tally {
-    /// Starts with impacts whose order decides and is not known.
+    /// Number of cases with impacts whose order is ambiguous.
     ambiguous: usize,
-    /// Those of them that end elsewhere in the other order, by more than ten tolerances.
+    /// Number of these whose final states differ by more than ten tolerances between the two orders.
     decided: usize,
-    /// The largest difference of two ends, in tolerances times the sensitivity, and the seed.
+    /// Largest difference of two final states, in tolerances times the sensitivity, and its seed.
     worst: (f64, u64),
     deepest: f64,
     impacts: usize,
@@ -139,8 +139,8 @@ impl Tally {
     }
 }
 
-/// Follows both orders of two impacts at once, each time from where one of the gaps is not closed yet: how far the ends
-/// are apart.
+/// Distance of the final states for the two orders of a simultaneous pair of impacts. Each order starts from a state in
+/// which one of the gaps is not closed yet.
 fn between_orders<S, const N: usize>(model: &S, solution: &Solution<f64, N>) -> Option<f64>
 where
     S: Jacobian<f64, N> + Hybrid<f64, N> + TaylorSeries<f64, N>,
@@ -149,7 +149,7 @@ where
     let impact = solution.impacts().iter().find(|impact| impact.t == ambiguity.t)?;
     let orders: [usize; 2] = ambiguity.constraints().collect::<Vec<_>>().try_into().ok()?;
     let (laws, measures) = (model.laws(), model.measures(impact.t, &impact.before));
-    // what touches besides stays where it is
+    // other contacts stay closed
     let apart = |n: usize| {
         let [low, high] = [laws[n].low, laws[n].high].map(|limit| limit.map(|limit| (measures[n][0] - limit).abs()));
         low.into_iter().chain(high).fold(f64::INFINITY, f64::min)
@@ -175,7 +175,7 @@ where
     Some((first - second).norm())
 }
 
-/// Compares the end by one method with that by Vern9 within a thousandth of the tolerance.
+/// Compares the final state by one method with that by Vern9 at a thousandth of the tolerance.
 fn compare<S, const N: usize>(seed: u64, (model, start): (S, SVector<f64, N>)) -> Tally
 where
     S: Jacobian<f64, N> + Hybrid<f64, N> + Canonical<f64, N> + TaylorSeries<f64, N>,
@@ -197,7 +197,7 @@ where
     tally.impacts = found.impacts().len();
     if !found.ambiguities().is_empty() || !expected.ambiguities().is_empty() {
         tally.ambiguous = 1;
-        // friction and further impacts may make up for the order
+        // friction and further impacts may cancel the effect of the order
         if let Some(apart) = between_orders(&model, &expected) {
             println!("seed {seed}: {:?}, ends {apart:e} apart", expected.ambiguities());
             tally.decided = usize::from(apart > 10.0 * TOLERANCE);
@@ -208,7 +208,7 @@ where
         |t: f64, x: SVector<f64, N>| transition(&model, t, DURATION, x, TOLERANCE).map(|(_, matrix)| matrix.norm());
     let apart = (found.end() - expected.end()).norm() / (1.0 + expected.end().norm());
     let mut sensitivity = from(0.0, start).expect("tangents");
-    // the end may be more sensitive to errors that are made on the way
+    // the final state may be more sensitive to errors made on the way
     if apart > TOLERANCE * (1.0 + sensitivity) {
         let points = expected.t().len();
         for point in [points / 4, points / 2, 3 * points / 4] {

@@ -1,5 +1,5 @@
-//! Each trajectory of an ensemble is bit for bit what it is alone: on each instruction set, in rounds of lanes that are
-//! full or not, and whatever happens to its neighbours.
+//! Each trajectory of an ensemble equals the trajectory solved alone, bit for bit: on each instruction set, in full and
+//! partial rounds of lanes, and whatever happens in neighbouring lanes.
 
 use std::collections::BTreeSet;
 use std::process::Command;
@@ -11,7 +11,7 @@ use pendulum_core::{Cast, EnsembleError, Reason};
 use testbed::linkages::{Parallelogram, ParallelogramParams};
 
 mechanism! {
-    /// A pendulum that a torque may drive to infinity within a finite time.
+    /// A pendulum that a torque may drive to infinity in finite time.
     Driven {
         params { k: N m = 0 }
         generate: [rhs, jacobian, energy, taylor, canonical],
@@ -23,7 +23,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A pendulum that friction holds, between two stops.
+    /// A pendulum held by friction, between two stops.
     Braked {
         generate: [rhs, jacobian, energy, taylor, canonical],
         gravity: [0, -9.81, 0],
@@ -34,7 +34,7 @@ mechanism! {
     }
 }
 
-/// The number of lanes in a register.
+/// Kernel that returns the number of lanes in a register.
 struct CountLanes;
 
 impl Kernel<f64> for CountLanes {
@@ -45,21 +45,21 @@ impl Kernel<f64> for CountLanes {
     }
 }
 
-/// Numbers of trajectories that fill rounds of `lanes`, or all but one lane, or one lane more.
+/// Numbers of trajectories that fill rounds of `lanes`, leave one lane empty, or exceed them by one.
 fn counts(lanes: usize) -> BTreeSet<usize> {
     let w = lanes.max(1);
     let all = [1, w - 1, w, w + 1, 2 * w - 1, 3 * w + 1];
     all.into_iter().filter(|&count| count > 0).collect()
 }
 
-/// The last state, and where and why a trajectory stopped that did.
+/// Last state of a trajectory, with the time and reason if it stopped early.
 type End = ([u64; 2], Option<(f64, Reason)>);
 
 fn bits(x: &SVector<f64, 2>) -> [u64; 2] {
     (*x).map(f64::to_bits).into()
 }
 
-/// Lists the ends of an ensemble.
+/// Ends of an ensemble.
 fn ends(ended: Result<Vec<SVector<f64, 2>>, EnsembleError<f64, 2>>) -> Vec<End> {
     let (x, stopped) = match ended {
         Ok(x) => (x, Vec::new()),
@@ -71,10 +71,10 @@ fn ends(ended: Result<Vec<SVector<f64, 2>>, EnsembleError<f64, 2>>) -> Vec<End> 
     x.iter().enumerate().map(end).collect()
 }
 
-/// Compares ensembles of a scene with its trajectories alone; returns how many of those stop early.
+/// Compares ensembles of a scene with its trajectories solved alone, and returns the number of those that stop early.
 ///
-/// The method takes `registers` side by side; 0 where trajectories go one by one. From `start(n)` the trajectory `n` of
-/// the model `models[n % models.len()]` starts.
+/// The method advances `registers` registers side by side, or single trajectories if this is 0. Trajectory `n` of the
+/// model `models[n % models.len()]` starts from `start(n)`.
 fn assert_alone<A, M>(
     method: A,
     registers: usize,
@@ -118,7 +118,7 @@ where
     [alone.iter().filter(|(_, stopped)| stopped.is_some()).count(), most]
 }
 
-/// Calls a macro for each method, with the registers that it takes side by side where nobody observes.
+/// Calls a macro for each method, with the number of registers that it advances side by side without observers.
 macro_rules! each_method {
     ($scene:ident) => {
         $scene!(Rk4::new(0.02), 4);

@@ -1,4 +1,4 @@
-//! Lyapunov exponents of many trajectories, in lanes: bit for bit those of each alone.
+//! Lyapunov exponents of many trajectories in lanes, bit for bit equal to those of each trajectory alone.
 
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::Isa;
@@ -7,7 +7,7 @@ use pendulum_core::{CastJacobian, Reason};
 use testbed::random::Random;
 
 mechanism! {
-    /// Chaotic where friction is small and the moment is large.
+    /// Chaotic if friction is small and the moment is large.
     Rods {
         params { gamma: N m s, moment: N m }
         gravity: [0, -9.81, 0],
@@ -20,7 +20,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// It escapes to infinity within a finite time.
+    /// A cart that escapes to infinity in finite time.
     Escaping {
         params { k: N/m^3 }
         body cart on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: k*s^3 }
@@ -28,7 +28,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Its Jacobian is infinite at the origin, where it may rest.
+    /// A cart whose Jacobian is infinite at the origin, where it may rest.
     Rooted {
         body cart on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: -sqrt(1 N^2/m*abs(s)) }
     }
@@ -49,7 +49,7 @@ mechanism! {
     }
 }
 
-/// What is found of each alone, and in lanes of all instruction sets: the same.
+/// Asserts that exponents of single trajectories and in lanes of all instruction sets are identical.
 fn assert_same<const K: usize, M, const N: usize>(lyapunov: Lyapunov, models: &[M], starts: &[SVector<f64, N>])
 where
     M: CastJacobian<N> + Jacobian<f64, N>,
@@ -63,7 +63,7 @@ where
             .ensemble_on::<K, _, _>(isa, models, starts)
             .expect("valid settings");
         for (n, (found, alone)) in found.iter().zip(&alone).enumerate() {
-            // as text, in which numbers that are none are the same
+            // compare as text, in which NaNs are equal
             assert_eq!(format!("{found:?}"), format!("{alone:?}"), "trajectory {n} on {isa:?}");
         }
         assert_eq!(found.len(), starts.len());

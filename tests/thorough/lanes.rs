@@ -1,4 +1,4 @@
-//! Lanes against scalars, bit for bit, on every instruction set that the machine has.
+//! Lanes against scalars, bit for bit, on every instruction set of the machine.
 
 use std::fmt::Debug;
 
@@ -13,13 +13,13 @@ use testbed::random::Random;
 use testbed::robots::{Ur5, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-/// The same number, or both none.
+/// True for identical numbers, and for two NaNs.
 fn same<T: Float>(ours: T, theirs: T) -> bool {
     let (ours, theirs) = (ours.to_f64(), theirs.to_f64());
     ours.to_bits() == theirs.to_bits() || ours.is_nan() && theirs.is_nan()
 }
 
-/// Every operation in lanes `V`, on pairs of numbers that each have a lane.
+/// Every operation in lanes `V`, on pairs of numbers with one lane for each.
 struct Operations<'a, T>(&'a [(T, T)]);
 
 impl<T: Float + Debug> Kernel<T> for Operations<'_, T> {
@@ -28,7 +28,7 @@ impl<T: Float + Debug> Kernel<T> for Operations<'_, T> {
     fn run<V: Lanes<Scalar = T>>(self) {
         macro_rules! check {
             ($($operation:expr;)*) => { $( {
-                /// Both for a scalar and for lanes.
+                /// Operation on scalars or on lanes.
                 fn operation<R: Real>(a: R, b: R) -> R {
                     let operation: fn(R, R) -> R = $operation;
                     operation(a, b)
@@ -37,7 +37,8 @@ impl<T: Float + Debug> Kernel<T> for Operations<'_, T> {
                     let result = operation(V::from_fn(|i| numbers[i].0), V::from_fn(|i| numbers[i].1));
                     for (i, &(a, b)) in numbers.iter().enumerate() {
                         let (ours, theirs) = (result.lane(i), operation(a, b));
-                        assert!(same(ours, theirs), "{} of {a:?}, {b:?}: {ours:?}, not {theirs:?}", stringify!($operation));
+                        assert!(same(ours, theirs), "{} of {a:?}, {b:?}: {ours:?}, not {theirs:?}",
+                            stringify!($operation));
                     }
                 }
             } )* };
@@ -74,7 +75,7 @@ impl<T: Float + Debug> Kernel<T> for Operations<'_, T> {
     }
 }
 
-/// Numbers of all kinds, mixed so that those of different kinds are neighbours.
+/// Numbers of all kinds, mixed so that neighbours differ in kind.
 fn numbers<T: Float>() -> Vec<(T, T)> {
     let special = [
         0.0,
@@ -113,7 +114,7 @@ fn every_operation_gives_what_it_gives_for_a_scalar() {
     }
 }
 
-/// A kernel on registers in pairs.
+/// Kernel on pairs of registers.
 struct Twice<K>(K);
 
 impl<T: Float, K: Kernel<T>> Kernel<T> for Twice<K> {
@@ -124,7 +125,7 @@ impl<T: Float, K: Kernel<T>> Kernel<T> for Twice<K> {
     }
 }
 
-/// Pendulums that differ in every parameter, and starts.
+/// Pendulums that differ in every parameter, and initial conditions.
 fn pendulums(count: usize) -> (Vec<DoublePendulum>, Vec<SVector<f64, 4>>) {
     let mut random = Random::new(2);
     let model = |random: &mut Random| {
@@ -144,7 +145,7 @@ fn pendulums(count: usize) -> (Vec<DoublePendulum>, Vec<SVector<f64, 4>>) {
     (models, starts.collect())
 }
 
-/// An ensemble on all instruction sets against trajectories one by one.
+/// Compares an ensemble on all instruction sets with trajectories solved one by one.
 fn assert_ensemble<A, M, T, const N: usize>(method: A, models: &[M], (t0, t1): (T, T), starts: &[SVector<T, N>])
 where
     A: Ensemble<M, T, N> + Method<M::In<T>, T, N>,
@@ -166,7 +167,7 @@ where
 
 #[test]
 fn pendulums_that_differ() {
-    // more than one group, and one that is not full
+    // more than one group, the last of them partial
     let (models, starts) = pendulums(45);
     let single: Vec<_> = starts.iter().map(|x| x.map(|x| x as f32)).collect();
     macro_rules! assert_ensembles {
@@ -195,7 +196,7 @@ fn pendulums_that_differ() {
 }
 
 mechanism! {
-    /// A pendulum whose friction comes and goes.
+    /// A pendulum whose friction varies in time.
     Braked {
         params { brake: N m s }
         gravity: [0, -9.81, 0],
@@ -219,20 +220,20 @@ fn the_stiff_beside_the_free() {
         assert_ensemble(method, &models, (0.0, 4.0), &starts);
         let swings = || Event::new(|_, x: &SVector<f64, 2>| x[1]);
         let hangs = Event::new(|t, x: &SVector<f64, 2>| if t > 1.0 { x[0].abs() - 0.1 } else { 1.0 });
-        // those with the last go out of their lanes on the way
+        // trajectories with the terminal event leave their lanes early
         let events = [[swings(), swings().rising()], [swings(), hangs.terminal()]];
         assert_observed(method, &models, (0.0, 2.0), &starts, &events);
         let switches = |n: usize| {
             let alone = method.solve(&models[n], 0.0, 4.0, starts[n]).expect("regular");
             alone.statistics().switches
         };
-        // there and back with each pulse of the brake that is strong enough
+        // switches forth and back with each pulse of the brake that is strong enough
         assert_eq!(switches(0), 0);
         assert!(switches(44) >= 6, "{}", switches(44));
     }
 }
 
-/// `x'' = -sign(x) - x' / 10 + push sign(sin(7 t))`: forces that jump, in each lane at times of its own.
+/// `x'' = -sign(x) - x' / 10 + push sign(sin(7 t))`: forces that jump, at different times in each lane.
 #[derive(Clone, Copy, Debug)]
 struct Jolted<T = f64>(T);
 
@@ -281,10 +282,10 @@ fn forces_that_jump() {
         assert_ensemble(Tsit5::new().rtol(1e-9).atol(1e-9), &models, span, &starts);
         assert_ensemble(Vern7::new(), &models, span, &starts);
         assert_ensemble(Vern9::new(), &models, span, &starts);
-        // the derivative by the time is a central difference, in each lane about a time of its own
+        // the time derivative is a central difference, about a different time in each lane
         assert_ensemble(Rodas5P::new(), &models, span, &starts);
     }
-    // A jump is met by steps that are rejected.
+    // steps across a jump are rejected
     let alone = Rk45::new().solve(&models[0], 0.0, 3.0, starts[0]).expect("regular");
     assert!(alone.statistics().rejected > 10);
 }
@@ -453,14 +454,14 @@ fn bad_input() {
     assert_eq!(what(1, 3, -0.1, 1.0), Some("h"));
     assert_eq!(what(1, 3, f64::NAN, 1.0), Some("h"));
     assert_eq!(what(1, 3, 1e-18, 1.0), Some("h"));
-    // also where nothing is integrated, and before models are counted
+    // also if nothing is integrated, and before models are counted
     assert_eq!(what(0, 0, -0.1, 1.0), Some("h"));
     assert_eq!(what(2, 3, -0.1, 1.0), Some("h"));
     assert_eq!(what(1, 3, 0.1, f64::INFINITY), Some("t1"));
     for (models, starts) in [(1, 3), (3, 3), (1, 0), (0, 0)] {
         assert_eq!(what(models, starts, 0.1, 1.0), None);
     }
-    // settings are looked at before anything is integrated, also where one goes after the other
+    // settings are checked before anything is integrated, also without lanes
     let wrong = Radau5::new()
         .rtol(-1.0)
         .ensemble(&[Burst(0.1)], 0.0, 1.0, &[SVector::from([1.0])]);
@@ -557,7 +558,7 @@ fn a_singular_matrix_stops_its_trajectory_alone() {
     check(Fixed::<Rosenbrock<HairerWanner4, 6>>::new(0.125));
 }
 
-/// What observers keep of an ensemble, against trajectories one by one.
+/// Compares the records of observers of an ensemble with trajectories solved one by one.
 fn assert_observed<A, M, T, const N: usize>(
     method: A,
     models: &[M],
@@ -613,7 +614,7 @@ fn observers_see_what_solutions_keep() {
             [turns(), passes().rising()],
             [turns(), passes().terminal()],
             [turns().falling().terminal(), passes()],
-            // goes alone
+            // solved without lanes
             [turns().reset(|_, x| -x), passes()],
         ]
     }
@@ -634,7 +635,7 @@ fn observers_see_what_solutions_keep() {
         Rk4::new(0.01);
     }
     assert_observed(Rk45::new().max_steps(30), &models, (0.0, 2.0), &starts, &events());
-    // steps that are rejected
+    // rejected steps
     let jolted: Vec<_> = (0..20).map(|n| Jolted(0.1 + 0.04 * f64::from(n))).collect();
     let starts: Vec<_> = (0..20)
         .map(|n| SVector::from([0.1 * f64::from(n) - 1.0, 0.5]))
@@ -643,11 +644,11 @@ fn observers_see_what_solutions_keep() {
     assert_observed(Tsit5::new(), &jolted, (0.0, 3.0), &starts, &[[never(), never()]]);
     assert_observed(Rodas5P::new(), &jolted, (0.0, 3.0), &starts, &[[never(), never()]]);
     assert_observed(Auto::new(), &jolted, (0.0, 3.0), &starts, &[[never(), never()]]);
-    // an event that is not a number, from the start on and on the way
+    // an event that is NaN from the start, or from a later time on
     let nowhere = |from: f64| Event::new(move |t: f64, _: &SVector<f64, 2>| if t < from { 1.0 } else { f64::NAN });
     let events = [[never(), never()], [never(), nowhere(0.0)], [never(), nowhere(1.5)]];
     assert_observed(Tsit5::new(), &jolted, (0.0, 3.0), &starts, &events);
-    // and trajectories that burst
+    // trajectories that diverge
     let models: Vec<_> = (0..9).map(|n| Burst(0.2 * f64::from(n))).collect();
     let starts = [SVector::from([1.0]); 9];
     let never = || Event::new(|_, _: &SVector<f64, 1>| 1.0);
@@ -656,7 +657,7 @@ fn observers_see_what_solutions_keep() {
     assert_observed(Auto::new(), &models, (0.0, 2.0), &starts, &[[never(), never()]]);
 }
 
-/// Looks at every third step.
+/// Observer that requests the dense output of every third step.
 struct Third(usize, Vec<SVector<f64, 4>>);
 
 impl Observer<f64, 4> for Third {

@@ -1,4 +1,5 @@
-//! What takes long to build or to run: every method in lanes, the promises of steps for all sizes, and many random scenes.
+//! Tests that take long to build or to run: every method in lanes, the promised operations of steps for all sizes, and
+//! many random scenes.
 //!
 //! `cargo test -p tests --features thorough --test thorough`
 #![forbid(unsafe_code)]

@@ -1,7 +1,7 @@
-//! Rough scenes: joints that stick, stops and walls together, from random starts.
+//! Rough scenes: joints that stick, stops and walls together, from random initial conditions.
 //!
-//! `PENDULUM_ROUGH=10000 cargo test --release -p tests --features thorough rough -- --nocapture` tries more of them, and shows the
-//! worst; `PENDULUM_SEED` is the first seed. What fails is printed with its seed.
+//! `PENDULUM_ROUGH=10000 cargo test --release -p tests --features thorough rough -- --nocapture` tries more scenes and
+//! prints the largest errors; `PENDULUM_SEED` is the first seed. Failures are printed with their seed.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
@@ -13,7 +13,7 @@ use pendulum_core::{Canonical, TaylorSeries};
 use testbed::random::{Random, each_seed, number};
 
 mechanism! {
-    /// A double pendulum with dry axles, of which the lower one has stops.
+    /// A double pendulum with dry axles; the lower one has stops.
     pub Folding {
         params { m: kg, l: m, mu: N m, more: N m, low: N m, e: 1 }
         generate: [rhs, jacobian, energy, taylor, canonical],
@@ -49,7 +49,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Two rods on a slide, all of it with friction, and a wall that moves to and fro.
+    /// Two rods on a slide, all with friction, and a wall that moves to and fro.
     pub Pushed {
         params { m: kg, mu_s: N, mu_a: N m, mu_b: N m, more: N m, room: m, w: rad/s, e: 1, wall_e: 1 }
         generate: [rhs, jacobian, energy, taylor, canonical],
@@ -70,25 +70,27 @@ mechanism! {
     }
 }
 
-/// The energy of a state, in a scene in which none is added.
+/// Energy of a state, for a scene without energy input.
 type EnergyOf<'a, const N: usize> = Option<&'a dyn Fn(&SVector<f64, N>) -> f64>;
 
-/// How many of each scene are tried where no other number is given.
+/// Default number of random cases for each scene.
 const DEFAULT: u64 = 12;
-/// Seeds from this one on are those of Taylor's and of Gauss's methods.
+/// First seed for the Taylor and Gauss methods.
 const OTHERS: u64 = 1 << 32;
 const DURATION: f64 = 20.0;
 const TOLERANCE: f64 = 1e-9;
 const MOST_STEPS: usize = 40_000;
 
-/// What was seen, of one start or of many.
+/// Results of one motion or of many.
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
-    /// The deepest at the ends of steps, relative to the size of positions, and within them.
+    /// Maximum penetration at the ends of steps, relative to the size of positions.
     deepest: f64,
+    /// Maximum penetration within steps.
     deepest_within: f64,
-    /// The most that a step, and a change of the mode, has added to the energy.
+    /// Maximum energy gained in a step.
     gained: f64,
+    /// Maximum energy gained in a mode switch.
     gained_at_once: f64,
     steps: usize,
     modes: usize,
@@ -109,7 +111,7 @@ impl Seen {
     }
 }
 
-/// The least distance from a limit.
+/// Minimum distance from a limit.
 pub(crate) fn gap<S: Hybrid<f64, N>, const N: usize>(model: &S, t: f64, x: &SVector<f64, N>) -> f64 {
     let measures = model.measures(t, x);
     let distances = measures
@@ -119,7 +121,7 @@ pub(crate) fn gap<S: Hybrid<f64, N>, const N: usize>(model: &S, t: f64, x: &SVec
     distances.flatten().fold(f64::INFINITY, f64::min)
 }
 
-/// The forces along what is held, where they are determined: `-A^-1 a` by elimination.
+/// Forces along the held constraints, where they are determined: `-A^-1 a` by elimination.
 fn holding<S: Hybrid<f64, N>, const N: usize>(
     model: &S,
     mode: &Mode,
@@ -160,7 +162,7 @@ fn holding<S: Hybrid<f64, N>, const N: usize>(
     Some(forces)
 }
 
-/// That the mode is one in which the state can be.
+/// Checks that the mode is consistent with the state.
 fn check_mode<S: Hybrid<f64, N>, const N: usize>(model: &S, mode: &Mode, t: f64, x: &SVector<f64, N>) {
     let (laws, measures) = (model.laws(), model.measures(t, x));
     let forces = holding(model, mode, &laws, t, x);
@@ -189,7 +191,7 @@ fn check_mode<S: Hybrid<f64, N>, const N: usize>(model: &S, mode: &Mode, t: f64,
     }
 }
 
-/// Goes along a motion, and checks all of it.
+/// Follows a motion and checks all of it.
 fn follow<S, M, const N: usize>(
     (model, method): (&S, &M),
     energy: EnergyOf<'_, N>,
@@ -264,7 +266,7 @@ where
     seen
 }
 
-/// Follows a motion by one method after the other.
+/// Follows a motion with one method, chosen by the seed.
 fn follow_by_one<S, const N: usize>(seed: u64, model: &S, energy: EnergyOf<'_, N>, start: SVector<f64, N>) -> Seen
 where
     S: Jacobian<f64, N> + Hybrid<f64, N> + Canonical<f64, N> + TaylorSeries<f64, N>,
@@ -275,7 +277,7 @@ where
             follow((model, &method), energy, start, TOLERANCE)
         }};
     }
-    // the other methods came later: the starts that were difficult are known by seed
+    // the other methods have seeds of their own, so that known difficult cases keep theirs
     match seed.checked_sub(OTHERS).map(|seed| seed % 3) {
         Some(0) => return by!(Taylor),
         Some(1) => return follow((model, &Gauss4::new(1.0 / 256.0)), energy, start, 1e-5),
@@ -293,12 +295,12 @@ where
     }
 }
 
-/// A restitution: none, all, or some.
+/// Random restitution: none, full, or partial.
 pub(crate) fn restitution(random: &mut Random) -> f64 {
     [0.0, 1.0, random.between(0.0, 0.5), random.between(0.0, 0.95)][random.below(4)]
 }
 
-/// A state within the limits, from ranges of each component.
+/// State within the limits, from ranges of each component.
 pub(crate) fn within<S: Hybrid<f64, N>, const N: usize>(
     random: &mut Random,
     model: &S,
@@ -429,11 +431,17 @@ fn pushed_rods_are_followed() {
     all_are_followed("pushed", pushed);
 }
 
-/// Radau's ends that Newton's method leaves beyond a limit, walls that were not moved to, contacts that gave way to a
-/// force at its limit, forces that passed theirs shortly before another end, joints that held what stood at a wall,
-/// hits between the places that are looked at, ends of a mode that come in another order than it seemed, hits that only
-/// the polynomial of a step shows, walls that hold a joint, ends far from where they seemed to be, walls that moved what had come to a limit. Joints that
-/// only seem to rest with a wall: at a dead point, and beside a wall that moves.
+/// Regression tests, each a case that once failed:
+///
+/// - Radau steps whose Newton iterations end beyond a limit,
+/// - steps that missed a moving wall,
+/// - contacts that opened against a force at its limit,
+/// - forces that passed their limits shortly before another end of a mode,
+/// - joints that held a body standing at a wall,
+/// - hits between the sampled points of a step, and hits visible only in its polynomial,
+/// - ends of a mode in another order than predicted, or far from their predicted times,
+/// - walls that hold a joint, and walls that moved a body resting at a limit,
+/// - joints that appear to rest against a wall but do not: at a dead point, and beside a moving wall.
 #[test]
 fn difficult_starts_are_followed() {
     for seed in [4, 88, 270, 1423] {

@@ -1,4 +1,4 @@
-//! What steps take at most: counted operations against those that the methods promise, and stack.
+//! Upper limits of a step: counted operations against the limits that methods promise, and stack.
 
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -14,7 +14,7 @@ use testbed::mechanisms::Tree;
 use testbed::robots::{Ur5, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-/// A number that counts what is done with it.
+/// Number that counts the operations applied to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 struct Counted(f64);
 
@@ -84,7 +84,9 @@ impl Real for Counted {
         (count(SINCOS, sin), Self(cos))
     }
 
-    functions! { tan(); exp(); ln(); sqrt(); tanh(); abs(); signum(); at_least(low); at_most(high); atan2(x); powf(exponent); }
+    functions! {
+        tan(); exp(); ln(); sqrt(); tanh(); abs(); signum(); at_least(low); at_most(high); atan2(x); powf(exponent);
+    }
 }
 
 impl Lanes for Counted {
@@ -139,7 +141,7 @@ impl LaneElement for Counted {
     }
 }
 
-/// The operations of what `f` does.
+/// Operations spent in `f`.
 fn spent(f: impl FnOnce()) -> Operations {
     let before = COUNT.get();
     f();
@@ -154,7 +156,7 @@ fn spent(f: impl FnOnce()) -> Operations {
     )
 }
 
-/// The operations of the third step.
+/// Operations of the third step.
 fn counted<M, S, const N: usize>(method: &M, model: &S) -> Operations
 where
     M: Method<S, Counted, N>,
@@ -174,7 +176,7 @@ fn row(o: Operations) -> [usize; 5] {
     [o.additions, o.multiplications, o.divisions, o.sincos, o.functions]
 }
 
-/// No more than is promised, and not much less: what is chosen in double precision is not counted.
+/// Asserts that operations stay within the limit but near it: control in double precision is not counted.
 fn assert_most(counted: Operations, most: Operations, what: &str) {
     for (counted, most) in std::iter::zip(row(counted), row(most)) {
         assert!(counted <= most && most <= counted + 40, "{what}: {counted} of {most}");
@@ -191,7 +193,7 @@ fn a_small_stack_is_enough() {
     }
     macro_rules! each {
         ($kib:literal: $($method:expr),*) => { $(
-            // An overflow ends the whole program.
+            // a stack overflow ends the whole program
             let thread = std::thread::Builder::new().stack_size($kib << 10).spawn(|| run(&$method));
             thread.expect("a thread").join().expect(stringify!($method));
         )* };
@@ -247,10 +249,10 @@ fn a_power_series_takes_what_its_orders_take() {
     check(&model.cast::<Counted>(), &Ur5::COST);
 }
 
-/// The equations `x' = -rate x`, which count as much as they are said to.
+/// Equations `x' = -rate x`, which count as many operations as specified.
 struct Charged<const N: usize> {
     rate: f64,
-    /// The part of the Jacobian that is given for all of it from the time 1 on: iterations take longer with less.
+    /// Fraction of the Jacobian returned from the time 1 on: iterations converge more slowly if it is smaller.
     given: f64,
     rhs: Operations,
     jacobian: Operations,
@@ -305,7 +307,7 @@ impl<const N: usize> Jacobian<Counted, N> for Charged<N> {
     }
 }
 
-/// With the state itself as canonical variables.
+/// The state itself serves as canonical variables.
 impl<const N: usize> Canonical<Counted, N> for Charged<N> {
     fn canonical(&self, _t: Counted, x: &SVector<Counted, N>) -> (SVector<Counted, N>, SVector<Counted, N>) {
         charge(self.rhs);
@@ -336,7 +338,7 @@ impl<const N: usize> TaylorSeries<Counted, N> for Charged<N> {
     }
 }
 
-/// The operations of the first step to 10 by which the statistics change as they should; none if there is no such step.
+/// Operations of the first step up to time 10 whose change of statistics is wanted, if there is one.
 fn spent_where<M, S, const N: usize>(
     method: &M,
     model: &S,
@@ -364,7 +366,7 @@ where
     None
 }
 
-/// A step of the method of Radau with all of its iterations and both estimates of its error, all but its control.
+/// Operations of a Radau step with all of its iterations and both error estimates, without its control.
 fn spent_by_radau<const N: usize>() -> Option<Operations> {
     let tolerance = Tolerance {
         rtol: Counted(1e-6),
@@ -391,7 +393,7 @@ fn spent_by_radau<const N: usize>() -> Option<Operations> {
             x1,
         };
         scheme.accept(&mode, &step, Accepted::All, &mut work);
-        // once for a doubt
+        // after one attempt, the next one also computes the second error estimate
         scheme.attempt(&mode, (t1, &x1), (t2, &mut x2), &mut work).ok()?;
         let before = work;
         let mut arrived = false;
@@ -405,7 +407,7 @@ fn spent_by_radau<const N: usize>() -> Option<Operations> {
     })
 }
 
-/// What a method promises more than it takes, which must be the same in systems of all sizes.
+/// Excess of the promised operations over the counted ones, which must be the same for systems of all sizes.
 fn excess(what: &str, of: [(Option<Operations>, Operations); 4]) -> [isize; 5] {
     let of = of.map(|(counted, most)| {
         let counted = row(counted.unwrap_or_else(|| panic!("no such step of {what}")));
@@ -441,8 +443,8 @@ macro_rules! excess {
     };
 }
 
-/// The counts are those of the code but for what is computed in double precision, or not in every step. That does not
-/// grow with the size of a system: each loop over its components is counted to the last operation.
+/// Counts are those of the code except for control in double precision and work that some steps skip. These do not grow
+/// with the size of a system: each loop over its components is counted to the last operation.
 #[test]
 fn what_a_step_promises_and_does_not_take_is_the_same_for_all_sizes() {
     let any = |_, _| true;
@@ -500,15 +502,15 @@ fn what_a_step_promises_and_does_not_take_is_the_same_for_all_sizes() {
     );
 }
 
-/// A step of a method of Gauss with all of its iterations.
+/// Operations of a step of a Gauss method with all of its iterations.
 fn spent_by_gauss<const STAGES: usize, const N: usize>() -> Option<Operations>
 where
     Fixed<Gauss<STAGES>>: Method<Charged<N>, Counted, N>,
 {
-    // not the first step, which starts from a straight line
+    // skip the first step, whose prediction is a straight line
     let takes_all =
         |before: Statistics, after: Statistics| before.accepted > 0 && after.iterations == before.iterations + 100;
-    // An iteration leaves about 1 / given - 1 of the error: 0.7 takes 100 to the level of rounding.
+    // an iteration leaves about 1 / given - 1 of the error: at 0.7, 100 iterations reach rounding errors
     let mut shares = (0..100).map(|share| 0.61 - 4e-4 * f64::from(share));
     shares.find_map(|given| {
         spent_where(

@@ -1,6 +1,6 @@
 //! Every function of a program against the oracle.
 //!
-//! What is solved for is put into the equations that it solves, so that errors do not depend on the condition of the
+//! Solutions are substituted into the equations that they solve, so that errors do not depend on the condition of the
 //! mass matrix.
 
 use std::collections::BTreeMap;
@@ -15,13 +15,13 @@ use testbed::trees::{Oracle, Tree};
 
 use super::evaluate::{Evaluator, Place};
 
-/// The largest error of each function.
+/// Largest error of each function.
 pub(super) type Worst = BTreeMap<&'static str, f64>;
 
-/// The highest order of the series that is compared.
+/// Highest compared order of the series.
 const ORDER: usize = 6;
 
-/// Where a tree is compared.
+/// Random points at which a tree is compared.
 pub(super) fn places(tree: &Tree, random: &mut Random) -> Vec<Place> {
     let n = tree.dof();
     let mut list = |count: usize| -> Vec<f64> { (0..count).map(|_| random.between(-2.0, 2.0)).collect() };
@@ -35,11 +35,11 @@ pub(super) fn places(tree: &Tree, random: &mut Random) -> Vec<Place> {
         .collect()
 }
 
-/// The condition of the mass matrix whose diagonal is scaled to one.
+/// Condition number of the mass matrix scaled to unit diagonal.
 pub(super) fn condition(tree: &Tree, place: &Place) -> f64 {
     let n = tree.dof();
     let a = Oracle::with_defaults(tree, &place.inputs).mass_matrix(place.t, &place.state[..n]);
-    // of arms that are zero but for rounding
+    // lever arms that are zero up to rounding errors
     let rounding = tree.masses_behind().into_iter().map(|mass| mass * 1e-24);
     if rounding.enumerate().any(|(k, rounding)| a[k][k] <= rounding) {
         return f64::INFINITY;
@@ -52,7 +52,7 @@ pub(super) fn condition(tree: &Tree, place: &Place) -> f64 {
     values.max() / values.min()
 }
 
-/// The errors of a program in several places.
+/// Errors of a program at several places.
 pub(super) fn errors(tree: &Tree, program: &Program, places: &[Place]) -> Worst {
     let mut worst = Worst::new();
     let program = Evaluator::new(program, &tree.parameters);
@@ -62,22 +62,22 @@ pub(super) fn errors(tree: &Tree, program: &Program, places: &[Place]) -> Worst 
     worst
 }
 
-/// What is right in a place.
+/// Expected values at a place.
 pub(super) struct Comparison<'a> {
     tree: &'a Tree,
     pub(super) oracle: Oracle<'a, f64>,
     pub(super) place: &'a Place,
     pub(super) n: usize,
     pub(super) mass_matrix: Vec<Vec<f64>>,
-    /// The size of the forces along each coordinate.
+    /// Magnitude of the forces along each coordinate.
     pub(super) size: Vec<f64>,
 }
 
-/// What is derived by.
+/// Variable of a derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum By {
     Time,
-    /// A component of the state.
+    /// Component of the state.
     State(usize),
     Parameter(usize),
     Input(usize),
@@ -107,7 +107,8 @@ impl<'a> Comparison<'a> {
         &self.place.state[self.n..]
     }
 
-    /// What the masses behind each joint can make of rates and gravity in arms of 1 m, and the forces of the declaration.
+    /// Magnitude of the forces along each coordinate: from the masses behind the joint at these rates and gravity, with
+    /// arms of 1 m, and from the forces of the declaration.
     fn sizes(&self) -> Vec<f64> {
         let gravity: f64 = self.tree.gravity.iter().map(|g| g.value.abs()).sum();
         let rate = self.qd().iter().fold(1.0, |largest: f64, rate| largest.max(rate.abs()));
@@ -192,13 +193,13 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// `|A| |x|`
+    /// Product `|A| |x|`.
     pub(super) fn spread(&self, x: &[f64]) -> Vec<f64> {
         let row = |row: &Vec<f64>| row.iter().zip(x).map(|(a, x)| (a * x).abs()).sum();
         self.mass_matrix.iter().map(row).collect()
     }
 
-    /// The errors of the energies.
+    /// Errors of the energies.
     fn energies(&self, program: &Evaluator<'_>) -> [f64; 2] {
         let theirs = self.oracle.energies(self.place.t, self.q(), self.qd());
         let size: f64 = self.size.iter().sum::<f64>() + self.tree.mass();
@@ -208,7 +209,7 @@ impl<'a> Comparison<'a> {
         })
     }
 
-    /// The error of the rates of the state, in the equations that they solve.
+    /// Error of the state's rates, in the equations that they solve.
     pub(super) fn of_rates(&self, rates: &[f64]) -> f64 {
         let (t, n, q, qd) = (self.place.t, self.n, self.q(), self.qd());
         let qdd = &rates[n..];
@@ -218,7 +219,7 @@ impl<'a> Comparison<'a> {
         if same { largest(rows) } else { f64::NAN }
     }
 
-    /// The error of the derivatives of these rates by the state, column by column.
+    /// Error of the derivatives of these rates with respect to the state, column by column.
     pub(super) fn of_jacobian(&self, rates: &[f64], jacobian: &[f64]) -> f64 {
         let n = self.n;
         let columns = jacobian.chunks(2 * n).enumerate().map(|(j, column)| {
@@ -263,7 +264,7 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// The oracle, the time and the state, with a derivative.
+    /// Oracle, time and state, seeded with a derivative.
     pub(super) fn seeded(&self, by: By) -> (Oracle<'a, Dual>, Dual, Vec<Dual>) {
         let dual = |x: f64, own: By| Dual::new(x, f64::from(u8::from(own == by)));
         let list = |list: &[f64], own: fn(usize) -> By| -> Vec<Dual> {
@@ -274,7 +275,7 @@ impl<'a> Comparison<'a> {
         (oracle, dual(self.place.t, By::Time), list(&self.place.state, By::State))
     }
 
-    /// The derivative of `A qdd + b - Q`.
+    /// Derivative of `A qdd + b - Q`.
     fn slope(&self, qdd: &[f64], by: By) -> Vec<f64> {
         let (oracle, time, state) = self.seeded(by);
         let qdd: Vec<Dual> = qdd.iter().map(|&x| Dual::from_f64(x)).collect();
@@ -282,7 +283,7 @@ impl<'a> Comparison<'a> {
         left.into_iter().map(|left| left.slope).collect()
     }
 
-    /// What `A x + slope` leaves.
+    /// Relative residual of `A x + slope`.
     fn residual(&self, qdd: &[f64], x: &[f64], slope: &[f64]) -> f64 {
         let (spread, around) = (self.spread(x), self.spread(qdd));
         let rows = (0..self.n).map(|k| {
@@ -327,7 +328,7 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// The coefficients of the motion: each pass makes one more of them right.
+    /// Coefficients of the motion: each pass corrects one more of them.
     fn series(&self) -> Vec<Vec<f64>> {
         const LENGTH: usize = ORDER + 1;
         let n = self.n;
@@ -347,13 +348,14 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// The largest of some numbers; NaN if one of them is.
+/// Maximum of numbers, or NaN if one of them is NaN.
 pub(super) fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     let larger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
     numbers.into_iter().fold(0.0, larger)
 }
 
-/// The largest difference of two series, each order measured at the end of a step as long as the series of both reaches.
+/// Largest difference of two series, each order weighted by a step as long as the range in which the whole series
+/// converges.
 fn difference(ours: &[Vec<f64>], theirs: &[Vec<f64>]) -> f64 {
     let size = |k: usize| largest(theirs[k].iter().map(|x| x.abs()));
     let last = theirs.len() - 1;

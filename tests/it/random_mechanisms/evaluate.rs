@@ -1,17 +1,17 @@
-//! A program as numbers: every block statement by statement, as a printer would write it.
+//! Numeric evaluation of a program: every block statement by statement, as a printer would write it.
 
 use pendulum_codegen::program::{Block, Coefficient, Let, Program, Shape, Term, Unary, Variable};
 use pendulum_core::Real;
 
-/// A program with numbers for its parameters.
+/// Program with values for its parameters.
 pub(crate) struct Evaluator<'p> {
     program: &'p Program,
     constants: Vec<f64>,
-    /// The friction that slips, of each constraint.
+    /// Kinetic friction of each constraint.
     friction: Vec<f64>,
 }
 
-/// Where it is evaluated.
+/// Point of evaluation.
 #[derive(Clone, Debug)]
 pub(crate) struct Place {
     pub(crate) t: f64,
@@ -22,7 +22,7 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// All of it, one after the other.
+    /// All numbers in a row.
     pub(crate) fn numbers(&self) -> Vec<f64> {
         [&[self.t], &self.state[..], &self.accelerations, &self.inputs].concat()
     }
@@ -42,7 +42,7 @@ impl<'p> Evaluator<'p> {
         let mut rest = numbers.iter();
         let friction = program.constraints.iter().map(|constraint| {
             let slipping = rest.next().copied().expect("a number");
-            // friction at rest, the numbers of impacts, and limits
+            // static friction, the two numbers of impacts, and limits
             let others = 3 + usize::from(constraint.low) + usize::from(constraint.high);
             rest.nth(others - 1).expect("its other numbers");
             slipping
@@ -55,7 +55,7 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// The results of a routine, one list for each shape; of symmetric matrices all entries.
+    /// Results of a routine, one list for each shape, with all entries of symmetric matrices.
     pub(crate) fn routine(&self, name: &str, place: &Place) -> Option<Vec<Vec<f64>>> {
         let routine = self.program.routine(name)?;
         let all = values(&routine.block, |variable| self.read(variable, place));
@@ -75,14 +75,14 @@ impl<'p> Evaluator<'p> {
         Some(results.collect())
     }
 
-    /// The results of all routines, one after the other.
+    /// Concatenated results of all routines.
     pub(crate) fn all(&self, place: &Place) -> Vec<f64> {
         let routines = self.program.routines.iter();
         let results = routines.flat_map(|routine| self.routine(&routine.name, place));
         results.flatten().flatten().collect()
     }
 
-    /// The coefficients of the motion in powers of the time, from the state on.
+    /// Coefficients of the motion in powers of time, from the state on.
     pub(crate) fn series(&self, place: &Place, order: usize) -> Option<Vec<Vec<f64>>> {
         let series = self.program.series.as_ref()?;
         let (length, products) = (self.program.layout.len(), series.products);
@@ -128,8 +128,8 @@ impl<'p> Evaluator<'p> {
     }
 }
 
-/// The sum of the products of order `k`, in the order in which generated code adds them: those in the middle with even
-/// and with odd numbers, then the first and the last.
+/// Sum of the products of order `k`, in the order of generated code: interior products with even and with odd numbers,
+/// then the first and the last.
 fn interior_sum(k: usize, product: impl Fn(usize) -> f64) -> f64 {
     let every_other = |first: usize| {
         (first..k.saturating_sub(1))
@@ -144,7 +144,7 @@ fn interior_sum(k: usize, product: impl Fn(usize) -> f64) -> f64 {
     }
 }
 
-/// The results of a block.
+/// Results of a block.
 fn values(block: &Block, read: impl Fn(Variable) -> f64) -> Vec<f64> {
     let mut locals = vec![f64::NAN; block.names.len()];
     for code in &block.lets {

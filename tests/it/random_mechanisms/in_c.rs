@@ -1,4 +1,4 @@
-//! Emitted C against the numbers that the statements of the program give, bit for bit.
+//! Emitted C code against the values of the program's statements, bit for bit.
 
 use std::fs;
 
@@ -7,10 +7,10 @@ use pendulum_codegen::program::Program;
 use super::evaluate::{Evaluator, Place};
 use crate::c_code::{ORDER, folder, results};
 
-/// Compares the results in these places and at rest; false where there is no compiler.
+/// Compares the results at these places and at rest. Returns false if there is no compiler.
 ///
 /// # Errors
-/// The first result that differs.
+/// Returns the first result that differs.
 pub(super) fn same(name: &str, program: &Program, parameters: &[f64], places: &[Place]) -> Result<bool, String> {
     let Some(folder) = folder(name) else {
         return Ok(false);

@@ -1,8 +1,8 @@
-//! Random mechanisms: what is generated for them against equations of motion that share nothing with the generator.
+//! Random mechanisms: generated code against equations of motion that are independent of the generator.
 //!
-//! `PENDULUM_MECHANISMS=5000 cargo test --release -p tests --test it random_mechanisms -- --nocapture` tries more of
-//! them, and shows the worst errors; `PENDULUM_SEED` is the first seed. What fails is printed with its seed. Every
-//! eighth is also printed as C, compiled and run; with `PENDULUM_C=1` every one is.
+//! `PENDULUM_MECHANISMS=5000 cargo test --release -p tests --test it random_mechanisms -- --nocapture` tries more
+//! mechanisms and prints the largest errors; `PENDULUM_SEED` is the first seed. Failures are printed with their seed.
+//! Every eighth mechanism is also printed as C, compiled and run; with `PENDULUM_C=1` every one is.
 
 mod compare;
 mod declared;
@@ -19,25 +19,25 @@ use pendulum_codegen::program::Program;
 use testbed::random::{Random, each_seed, number};
 use testbed::trees::{Kind, Name, Tree};
 
-/// The condition of a mass matrix, its coordinates scaled alike, beyond which a scene is left out: digits are lost
-/// whoever computes.
+/// Maximum condition number of a mass matrix scaled to unit diagonal. Worse scenes are skipped: they lose digits in any
+/// computation.
 const WORST_CONDITION: f64 = 1e6;
-/// Beyond this it counts as singular.
+/// Condition number beyond which the mass matrix counts as singular.
 const SINGULAR: f64 = 1e12;
 
-/// How many mechanisms of a kind are tried where no other number is given.
+/// Default number of random mechanisms of each kind.
 const DEFAULT: u64 = 10;
 
-/// Of how many one is also compared in C, where no other number is given.
+/// Default interval of mechanisms that are also compared in C.
 const ONE_IN_C: u64 = 8;
 
-/// What came of one draw.
+/// Outcome of one random mechanism.
 enum Tried {
-    /// It agrees, maybe in C too.
+    /// Agrees with the oracle, and in C if compared there.
     Agrees { errors: Worst, in_c: bool },
-    /// Its mass matrix is singular, and it was refused for that.
+    /// Rejected for its singular mass matrix.
     Refused,
-    /// Its mass matrix is close to singular.
+    /// Skipped for its nearly singular mass matrix.
     LeftOut,
 }
 
@@ -51,7 +51,7 @@ fn uneven_masses_move_as_newton_and_euler_say() {
     agree(Kind::Uneven, 1e-10);
 }
 
-/// What came of many draws.
+/// Outcomes of many random mechanisms.
 #[derive(Default)]
 struct Tally {
     agree: u64,
@@ -102,7 +102,7 @@ impl Tally {
 
 fn tried(seed: u64, kind: Kind, tolerance: f64) -> Result<Tried, String> {
     let mut random = Random::new(seed ^ 0xABCD);
-    // small ones are as likely to show a mistake, and quick
+    // small mechanisms are as likely to reveal an error, and fast
     let most = match random.between(0.0, 1.0) {
         0.0..0.75 => 2,
         0.75..0.97 => 3,
@@ -125,7 +125,7 @@ fn tried(seed: u64, kind: Kind, tolerance: f64) -> Result<Tried, String> {
             .copied()
             .filter(|word| match *word {
                 "parameter_jacobian" => !tree.parameters.is_empty(),
-                // of motions whose forces are known
+                // only for motions without inputs
                 "canonical" | "taylor" => tree.inputs.is_empty(),
                 _ => true,
             })
@@ -161,7 +161,10 @@ fn tried(seed: u64, kind: Kind, tolerance: f64) -> Result<Tried, String> {
     }
 }
 
-/// What came of a program; what is wrong with it, if anything is.
+/// Outcome for a program.
+///
+/// # Errors
+/// Returns a description of the differences.
 fn compared(
     name: &str,
     tree: &Tree,
@@ -188,8 +191,8 @@ fn shown(errors: &Worst) -> String {
     errors.collect::<Vec<_>>().join(", ")
 }
 
-/// The tree without what an error calls useless: a number of a mass on the axis that it turns about, an input that
-/// pushes where nothing can move, an event where nothing does.
+/// Returns the tree without an item that an error reports as useless: a parameter of a mass on its own axis, an input
+/// whose force moves nothing, an event of a constant.
 fn without_useless(tree: &Tree, errors: &str) -> Option<Tree> {
     let quoted = |end: &str| errors.split_once(end)?.0.rsplit('`').next();
     if let Some(name) = quoted("` changes nothing") {
@@ -205,7 +208,7 @@ fn without_useless(tree: &Tree, errors: &str) -> Option<Tree> {
     Some(tree.without_event(event.parse().ok()?))
 }
 
-/// What is generated: all of it for small trees, something of it for others.
+/// Words of `generate`: many for small trees, some for others.
 fn words(tree: &Tree, random: &mut Random) -> Vec<&'static str> {
     let mut words = vec!["rhs", "mass_matrix", "bias", "momentum", "inverse_dynamics", "energy"];
     let part = if tree.dof() < 3 { 0.7 } else { 0.25 };

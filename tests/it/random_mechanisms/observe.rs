@@ -7,13 +7,13 @@ use nalgebra::{DMatrix, DVector};
 use super::compare::{By, Comparison, largest};
 use super::evaluate::Evaluator;
 
-/// What is right of all outputs, component by component.
+/// Expected values of all outputs, component by component.
 struct Observed {
     values: Vec<f64>,
     rates: Vec<f64>,
-    /// What the rates are summed from, and by how much they differ when accelerations are rounded.
+    /// Magnitude of the terms of the rates, and their change if accelerations are rounded.
     of_rates: Vec<f64>,
-    /// Their derivatives by each component of the state.
+    /// Derivatives with respect to each component of the state.
     by_state: Vec<Vec<f64>>,
 }
 
@@ -51,7 +51,7 @@ impl Comparison<'_> {
         compare(["outputs", "output_rates", "outputs_and_jacobian"], 0..first);
     }
 
-    /// What is right of outputs that have these values.
+    /// Expected results for outputs with these values.
     fn right(&self, values: Vec<f64>) -> Observed {
         let (t, n, q, qd) = (self.place.t, self.n, self.q(), self.qd());
         let slopes = |by: By| -> Vec<f64> {
@@ -76,8 +76,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// What accelerations differ by if the forces that they solve differ by their own size: this, times the rounding of
-    /// a number, is how exact whoever computes them can know them.
+    /// Change of the accelerations if their forces change by their own magnitude. Times the unit roundoff, this is the
+    /// attainable accuracy of the accelerations.
     fn rounding(&self, qdd: &[f64]) -> Vec<f64> {
         let matrix = DMatrix::from_fn(self.n, self.n, |i, j| self.mass_matrix[i][j]);
         let inverse = matrix.try_inverse().expect("a regular mass matrix").abs();
@@ -91,7 +91,7 @@ impl Comparison<'_> {
     }
 }
 
-/// The largest error, relative to a component, to 1, and to what else it is summed from.
+/// Largest error, relative to the component, to 1, and to the further terms `more` of its sum.
 fn error(ours: &[f64], theirs: &[f64], more: &[f64]) -> f64 {
     assert_eq!(ours.len(), theirs.len(), "all components");
     let rows = ours.iter().zip(theirs).zip(more);

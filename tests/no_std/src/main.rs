@@ -1,6 +1,7 @@
 //! A double pendulum without `std` and without a heap: a model, and each kind of method step by step.
 //!
-//! It exits with 0 if all methods agree, and with a number that says which does not. `check` runs it, and looks for what must not be in it.
+//! It exits with 0 if all methods agree, and otherwise with a number that identifies the failure. `check` runs it, and
+//! searches it for symbols that must not be in it.
 #![no_std]
 #![no_main]
 
@@ -10,13 +11,14 @@ use pendulum_core::Reason;
 use pendulum_core::prelude::*;
 
 mechanism! {
-    /// Two plates on axles with friction. Events and shapes are for `std`, and leave no trace here.
+    /// Two plates on axles with friction. Events and shapes require `std`, and leave no trace here.
     pub DoublePendulum {
         params { m: kg = 1, inertia: kg m^2 = 1, l: m = 1, gamma: N m s = 0.1 }
         gravity: [0, -9.8, 0],
         generate: [rhs, jacobian, energy, taylor, canonical, shapes],
         shape plate { mass: m, com: [0, -l, 0], inertia: inertia }
-        body upper on ground: plate { joint: revolute(z), coordinate: theta1, torque: -gamma * 1 rad/s * tanh(qd * 1 s) }
+        body upper on ground: plate { joint: revolute(z), coordinate: theta1,
+            torque: -gamma * 1 rad/s * tanh(qd * 1 s) }
         body lower on upper: plate { joint: revolute(z) at [0, -l, 0], coordinate: theta2 absolute, friction: gamma }
         event bottom: theta1,
         output height: cos(theta1),
@@ -24,7 +26,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A cart under a force that the program decides.
+    /// A cart under a force chosen by the program.
     pub Cart {
         input push: N,
         body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, torque: push }
@@ -34,12 +36,12 @@ mechanism! {
 const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
 const END: f64 = 2.0;
 
-/// The end of the motion by a method.
+/// Final state of the motion by a method.
 fn end<M: Method<DoublePendulum, f64, 4>>(method: &M, model: &DoublePendulum) -> Result<SVector<f64, 4>, Reason> {
     method.stepper(model, 0.0, END, START)?.run()
 }
 
-/// The place that differs, or 0.
+/// Number of the first failure, or 0.
 fn run() -> Result<u8, Reason> {
     let Ok(model) = DoublePendulum::new(DoublePendulumParams::default()) else {
         return Ok(1);
@@ -66,7 +68,7 @@ fn run() -> Result<u8, Reason> {
             return Ok(place);
         }
     }
-    // The first time at the bottom, step by step: its function is there, and the states within a step.
+    // the first time at the bottom, step by step: the event function and the dense output are available
     let mut stepper = Tsit5::new().stepper(&model, 0.0, END, START)?;
     while let Some(step) = stepper.step()? {
         if model.bottom(step.t1, &step.x1) > 0.0 {
@@ -90,7 +92,7 @@ fn run() -> Result<u8, Reason> {
     Ok(21)
 }
 
-/// A loop of fixed steps in single precision, as a controller would run it.
+/// A loop of fixed steps in single precision, as in a controller.
 fn controlled() -> Result<u8, Reason> {
     let Ok(cart) = Cart::new(CartParams {}) else {
         return Ok(30);
@@ -112,13 +114,13 @@ extern "C" fn main() -> i32 {
     run().map_or(99, i32::from)
 }
 
-// The start of a program, `memcpy` and the like, which a controller has from its own runtime.
+// Program start, `memcpy` and the like, which a controller has from its own runtime.
 #[link(name = "c")]
 unsafe extern "C" {
     safe fn abort() -> !;
 }
 
-/// The installed `core` was built to unwind, and names it. Nothing unwinds here.
+/// The installed `core` was built with unwinding, and refers to this symbol. Nothing unwinds here.
 #[unsafe(no_mangle)]
 extern "C" fn rust_eh_personality() {}
 
