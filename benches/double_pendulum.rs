@@ -1,6 +1,8 @@
-//! The generated right-hand side and Jacobian of Eq. 22 beside the hand-written ones: `cargo bench --bench double_pendulum`.
+//! Generated right-hand side and Jacobian of Eq. 22 compared with hand-written ones:
+//! `cargo bench --bench double_pendulum`.
 //!
-//! The last lines are ratios of times taken in turns, which hold on a noisy machine better than the times themselves.
+//! The last lines are ratios of times measured in turn, which are more reliable on a noisy machine than the times
+//! themselves.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -11,9 +13,9 @@ use pendulum_core::prelude::*;
 use testbed::eq22::Eq22;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-/// Evaluations between two looks at the clock.
+/// Number of evaluations between two readings of the clock.
 const BATCH: usize = 1000;
-/// Pairs of batches; the ratio is the median over them.
+/// Number of pairs of batches; the ratio is their median.
 const PAIRS: usize = 2001;
 
 fn main() {
@@ -43,7 +45,7 @@ fn state() -> SVector<f64, 4> {
     SVector::from([0.7, -1.2, 0.4, 2.1])
 }
 
-/// The median ratio of the times of two functions, measured in turns.
+/// Median ratio of the times of two functions, measured in turn.
 fn ratio<A, B>(first: impl Fn() -> A, second: impl Fn() -> B) -> f64 {
     let mut ratios: Vec<f64> = (0..PAIRS)
         .map(|_| time(&first).as_secs_f64() / time(&second).as_secs_f64())

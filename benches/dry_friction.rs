@@ -1,6 +1,7 @@
-//! Double pendulums with dry friction until they rest, beside smooth ones: `cargo bench --bench dry_friction`.
+//! Double pendulums with dry friction until they rest, compared with smooth ones: `cargo bench --bench dry_friction`.
 //!
-//! `-- COUNT` takes another number of starts than 10,000. One core; the steps are counted on some of the starts.
+//! `-- COUNT` sets the number of initial conditions, by default 10,000. Runs on one core; steps are counted for a
+//! sample of the initial conditions.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -12,7 +13,7 @@ use pendulum_core::Cast;
 use pendulum_core::prelude::*;
 
 mechanism! {
-    /// Two equal rods of 1 kg and 1 m, with dry and viscous friction in both axles.
+    /// Two equal rods of 1 kg and 1 m, with dry and viscous friction in both joints.
     Dry {
         gravity: [0, -9.81, 0],
         shape arm { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
@@ -24,7 +25,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same with viscous friction alone.
+    /// Like `Dry`, but with viscous friction alone.
     Smooth {
         gravity: [0, -9.81, 0],
         shape arm { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
@@ -35,7 +36,7 @@ mechanism! {
     }
 }
 
-/// The number of starts on which steps are counted.
+/// Number of initial conditions for which steps are counted.
 const SAMPLE: usize = 500;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -55,14 +56,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Angles that cover the square evenly.
+/// Initial angles that cover the square evenly.
 fn starts(count: usize) -> Vec<SVector<f64, 4>> {
     let angle = |n: usize, ratio: f64| TAU * ((n as f64 * ratio).fract() - 0.5);
     let start = |n| [angle(n, 0.754_877_666), angle(n, 0.569_840_291), 0.0, 0.0];
     (0..count).map(|n| start(n).into()).collect()
 }
 
-/// Steps per second alone and in lanes.
+/// Measures steps per second, alone and in lanes.
 fn measure<M>(name: &str, (model, t1): (&M, f64), count: usize) -> Result<(), Box<dyn Error>>
 where
     M: Cast<4, In<f64> = M> + System<f64, 4>,

@@ -1,6 +1,6 @@
-//! Ensembles beside the same trajectories one by one: `cargo bench --bench ensembles`.
+//! Ensembles compared with the same trajectories one by one: `cargo bench --bench ensembles`.
 //!
-//! One core. Each figure is the median of ratios of times that were taken in turns.
+//! Runs on one core. Each number is the median of ratios of times measured in turn.
 
 use std::error::Error;
 use std::fmt::Debug;
@@ -25,11 +25,12 @@ mechanism! {
     }
 }
 
-/// Rounds, and trajectories in each.
+/// Number of rounds.
 const ROUNDS: usize = 9;
+/// Number of trajectories in each round.
 const COUNT: usize = 128;
 const T1: f64 = 10.0;
-/// How many states are kept.
+/// Number of stored states.
 const SAMPLES: usize = 100;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -37,11 +38,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     compare("Tsit5", &Tsit5::new(), &loose)?;
     compare("Vern9", &Vern9::new().rtol(1e-10).atol(1e-10), &loose)?;
     compare("Rk4", &Rk4::new(0.01), &loose)?;
-    // what joins them hardly bends
+    // nearly rigid connection
     compare("Rodas5P", &Rodas5P::new(), &ensemble(1e5, 1e3)?)
 }
 
-/// Models and starts.
+/// Models and initial states.
 type Members = (Vec<Rods>, Vec<SVector<f64, 4>>);
 
 fn ensemble(k: f64, c: f64) -> Result<Members, Box<dyn Error>> {
@@ -57,7 +58,7 @@ fn ensemble(k: f64, c: f64) -> Result<Members, Box<dyn Error>> {
     Ok((models, (0..COUNT).map(start).collect()))
 }
 
-/// The states at some times.
+/// Observer that samples the states at given times.
 #[derive(PartialEq)]
 struct Samples(Vec<SVector<f64, 4>>);
 
@@ -79,7 +80,7 @@ impl Observer<f64, 4> for Samples {
     }
 }
 
-/// How much longer trajectories take alone, by what is kept of them.
+/// Ratio of the times of single trajectories to the ensemble, for each kind of output.
 fn compare<A>(name: &str, method: &A, members: &Members) -> Result<(), Box<dyn Error>>
 where
     A: Method<Rods, f64, 4> + ObservedEnsemble<Rods, f64, 4>,
@@ -102,7 +103,7 @@ where
     Ok(())
 }
 
-/// The same with observers.
+/// Like [`compare`], but with observers.
 fn followed<A, O>(
     method: &A,
     (models, starts): &Members,
@@ -128,7 +129,7 @@ where
     )
 }
 
-/// The median ratio of the times of two functions that return the same, measured in turns.
+/// Median ratio of the times of two functions that return the same result, measured in turn.
 fn ratio<R: PartialEq, E: Debug, F: Debug>(
     alone: impl Fn() -> Result<R, E>,
     in_lanes: impl Fn() -> Result<R, F>,

@@ -1,7 +1,7 @@
-//! How long the generator takes: `cargo bench --bench expansion`.
+//! Run time of the generator: `cargo bench --bench expansion`.
 //!
-//! Inside the compiler the generator runs with the optimisation of build scripts and macros, which is none unless a profile says
-//! `[profile.dev.build-override] opt-level = 2`, as this workspace does.
+//! Inside the compiler the generator runs with the optimisation of build scripts and macros, which is none unless a
+//! profile sets `[profile.dev.build-override] opt-level = 2`, as this workspace does.
 
 use divan::Bencher;
 use testbed::source::{MECHANISMS, ROBOTS, SCENES, declaration};

@@ -1,4 +1,4 @@
-//! The programs of the README and of the book, which `cargo test` compiles and runs.
+//! Programs of the README and of the book, which `cargo test` compiles and runs.
 #![forbid(unsafe_code)]
 #![cfg(doctest)]
 

@@ -1,5 +1,5 @@
-//! The pages of the error codes: each code has one, whose wrong declarations have this error alone, and whose right ones
-//! have none.
+//! Tests of the pages on error codes: each code has a page; its wrong declarations have only this error, and its
+//! correct ones have none.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use pendulum_codegen::{Code, program_in};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
 
-/// The heading of a page, its code blocks, each with the words after its fence, and the messages that it quotes.
+/// Heading of a page, its code blocks, each with the words after its fence, and the messages that it quotes.
 #[derive(Default)]
 struct Page {
     heading: String,
@@ -45,7 +45,7 @@ impl Page {
         page
     }
 
-    /// What is wrong with the declarations of the page; files that they read are written into a folder.
+    /// Lists faults of the declarations of the page; files that they read are written into a folder.
     fn faults(&self, code: Code, folder: &Path) -> Vec<String> {
         let mut faults = Vec::new();
         let (mut wrong, mut right, mut all) = (0, 0, String::new());
@@ -77,14 +77,14 @@ impl Page {
     }
 }
 
-/// The message that a paragraph begins with in quotation marks, on one line.
+/// Message in quotation marks at the start of a paragraph, on one line.
 fn quote(paragraph: &str) -> Option<String> {
     let text = paragraph.trim_start().strip_prefix('"')?;
     let (quote, _) = text.split_once('"')?;
     Some(quote.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
-/// The messages about a declaration; none if it is accepted.
+/// Messages about a declaration; empty if it is accepted.
 fn messages(folder: &Path, declaration: &str) -> Vec<String> {
     let tokens = declaration.parse().expect("a declaration is made of tokens");
     match program_in(folder, tokens) {
@@ -93,7 +93,7 @@ fn messages(folder: &Path, declaration: &str) -> Vec<String> {
     }
 }
 
-/// Whether the first line of a message ends in a code.
+/// True if the first line of a message ends in a code.
 fn ends_in(message: &str, code: Code) -> bool {
     let fact = message.lines().next().unwrap_or_default();
     fact.ends_with(&format!(" [{code}]"))

@@ -1,4 +1,4 @@
-//! Links between the Markdown files of the repository: the files that they name exist, and so do the headings.
+//! Tests of links between the Markdown files of the repository: the linked files and headings exist.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
-/// What of a page others may refer to, and what it refers to.
+/// Anchors of a page, and its links.
 #[derive(Default)]
 struct Page {
     anchors: BTreeSet<String>,
@@ -37,7 +37,7 @@ impl Page {
     }
 }
 
-/// The anchor of a heading, as GitHub and mdBook make it.
+/// Anchor of a heading, as made by GitHub and mdBook.
 fn anchor(heading: &str) -> String {
     let kept = heading
         .chars()
@@ -47,7 +47,7 @@ fn anchor(heading: &str) -> String {
         .collect()
 }
 
-/// All Markdown files below a folder that are not built.
+/// Collects all Markdown files below a folder, except build outputs.
 fn collect(folder: &Path, pages: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder)
         .expect("a folder")
@@ -71,7 +71,7 @@ fn links_lead_somewhere() {
     let mut followed = 0;
     for path in &pages {
         for link in Page::read(path).links {
-            // Links of rustdoc, and those to other sites, are not files.
+            // Links of rustdoc, and links to other sites, are not files.
             if link.contains("::") || link.contains("://") {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! An animated GIF of a double pendulum, drawn from the plates of its declaration.
+//! Animated GIF of a double pendulum, drawn from the plates of its declaration.
 //!
 //! `cargo run --release --example animation` writes `out/animation/double_pendulum.gif`.
 

@@ -1,7 +1,7 @@
 //! A pole on a cart, held upright by a linear-quadratic regulator.
 //!
-//! `cargo run --release --example cart_pole` linearises the model, finds the gain, compares the small motions with the whole one, and draws the
-//! motion from 30 degrees into `out/cart_pole/`.
+//! `cargo run --release --example cart_pole` linearises the model, computes the gain, compares small motions with the
+//! full model, and draws the motion from 30 degrees into `out/cart_pole/`.
 
 use std::error::Error;
 use std::path::Path;
@@ -12,7 +12,7 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::equilibrium;
 
 mechanism! {
-    /// A pole that is hinged to a cart; the angle is 0 upright.
+    /// A pole hinged to a cart; the angle is 0 upright.
     CartPole {
         params { cart: kg = 1, pole: kg = 0.2, l: m = 0.6, g: m/s^2 = 9.81 }
         input push: N,
@@ -29,7 +29,7 @@ mechanism! {
 type Matrix = SMatrix<f64, 4, 4>;
 type Gain = SMatrix<f64, 1, 4>;
 
-/// The end of the motion, in seconds.
+/// End time, in seconds.
 const T_END: f64 = 6.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -88,9 +88,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The gain `K` for which `u = -K x` minimises the integral of `x . Q x + r u^2`; none if there is no stabilising one.
+/// Gain `K` for which `u = -K x` minimises the integral of `x . Q x + r u^2`; `None` if there is no stabilising one.
 ///
-/// The sign of the Hamiltonian matrix gives the solution `P` of the Riccati equation (J. D. Roberts, Int. J. Control 32 (1980) 677).
+/// The solution `P` of the Riccati equation follows from the sign of the Hamiltonian matrix (J. D. Roberts, Int. J.
+/// Control 32 (1980) 677).
 fn lqr(a: &Matrix, b: &SMatrix<f64, 4, 1>, q: &Matrix, r: f64) -> Option<Gain> {
     let mut sign = SMatrix::<f64, 8, 8>::zeros();
     sign.fixed_view_mut::<4, 4>(0, 0).copy_from(a);
@@ -100,7 +101,7 @@ fn lqr(a: &Matrix, b: &SMatrix<f64, 4, 1>, q: &Matrix, r: f64) -> Option<Gain> {
     for _ in 0..40 {
         sign = 0.5 * (sign + sign.try_inverse()?);
     }
-    // [W12; W22 + I] P = -[W11 + I; W21], in the least squares sense.
+    // [W12; W22 + I] P = -[W11 + I; W21], by least squares.
     let mut left = sign.fixed_columns::<4>(4).into_owned();
     let mut right = -sign.fixed_columns::<4>(0);
     for i in 0..4 {

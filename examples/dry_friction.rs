@@ -1,8 +1,8 @@
-//! When and where a double pendulum with dry and viscous friction stops.
+//! Time and place at which a double pendulum with dry and viscous friction comes to rest.
 //!
-//! `cargo run --release --example dry_friction` takes 200 x 200 starts on all cores, and draws into `out/dry_friction/`
-//! one motion until its rest, where all of them rest over where they start, and what friction can hold; `-- SIZE` takes
-//! another number along each side.
+//! `cargo run --release --example dry_friction` takes 200 x 200 initial conditions on all cores, and draws into
+//! `out/dry_friction/` one motion until its rest, the rest positions over the initial angles, and the region in which
+//! friction holds the pendulum; `-- SIZE` sets another number along each side.
 
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
@@ -17,7 +17,7 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::resting;
 
 mechanism! {
-    /// Two equal rods of 1 kg and 1 m with friction in both axles; both angles are from hanging.
+    /// Two equal rods of 1 kg and 1 m with friction in both axles; both angles are measured from hanging.
     Rods {
         params { mu1: N m = 1.5, mu2: N m = 0.6, gamma: N m s = 0.02 }
         gravity: [0, -9.81, 0],
@@ -31,9 +31,9 @@ mechanism! {
     }
 }
 
-/// By then all of them rest, in seconds.
+/// End time in seconds, by which all motions rest.
 const T_END: f64 = 60.0;
-/// The motion that is drawn.
+/// Initial condition of the motion that is drawn.
 const START: [f64; 4] = [2.0, -0.5, 0.0, 0.0];
 const HELD: RGBColor = RGBColor(230, 230, 230);
 
@@ -41,18 +41,18 @@ fn method() -> Vern7 {
     Vern7::new().rtol(1e-8).atol(1e-8)
 }
 
-/// The moments that hold the two axles against gravity.
+/// Moments that hold the two joints against gravity.
 fn loads(x: &SVector<f64, 4>) -> [f64; 2] {
     let below = 9.81 * 0.5 * x[Rods::THETA2].sin();
     [9.81 * 1.5 * x[Rods::THETA1].sin() + below, below]
 }
 
-/// An angle between -180 and 180 degrees.
+/// Reduces an angle to -180 to 180 degrees.
 fn degrees(angle: f64) -> f64 {
     (angle - TAU * (angle / TAU).round()).to_degrees()
 }
 
-/// One motion: the angles over time, and when each axle sticks.
+/// Figure of one motion: the angles over time, and the intervals in which each joint sticks.
 fn one_motion(model: &Rods) -> Result<Figure, Box<dyn Error>> {
     let solution = method().solve(model, 0.0, T_END, START)?;
     let modes = solution.modes();
@@ -102,7 +102,7 @@ fn one_motion(model: &Rods) -> Result<Figure, Box<dyn Error>> {
     })
 }
 
-/// The states at the end from starts over both angles, row by row.
+/// Final states for a grid of both initial angles, row by row.
 fn ends(model: &Rods, size: usize) -> Result<Vec<SVector<f64, 4>>, Box<dyn Error>> {
     // Cells are sampled at their centres.
     let angle = |i: usize| PI * ((2 * i + 1) as f64 / size as f64 - 1.0);
@@ -111,7 +111,7 @@ fn ends(model: &Rods, size: usize) -> Result<Vec<SVector<f64, 4>>, Box<dyn Error
         let ends = method().ensemble(from_ref(model), 0.0, T_END, &starts);
         ends.map_err(|error| error.to_string())
     };
-    // Each core takes rows in turns: neighbours take about as long.
+    // Rows are interleaved over the cores, since neighbours take about the same time.
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let mut rows = vec![Vec::new(); size];
     std::thread::scope(|scope| {
@@ -135,7 +135,7 @@ fn ends(model: &Rods, size: usize) -> Result<Vec<SVector<f64, 4>>, Box<dyn Error
     Ok(rows.concat())
 }
 
-/// The angles at rest over those at the start.
+/// Angles at rest over the initial angles.
 fn map(ends: &[SVector<f64, 4>], size: usize) -> Atlas {
     let axis = |label: &str| Axis::linear(label, -180.0..180.0);
     let angles = |name: &str, coordinate: usize, most: f64| Map {
@@ -159,21 +159,22 @@ fn map(ends: &[SVector<f64, 4>], size: usize) -> Atlas {
     }
 }
 
-/// Whether both rods point downward.
+/// True if both rods point downward.
 fn hangs(x: &SVector<f64, 4>) -> bool {
     x[Rods::THETA1].cos() > 0.0 && x[Rods::THETA2].cos() > 0.0
 }
 
-/// What friction can hold, as the model says, compared with what gravity asks; and the places of rest in it.
+/// Region in which friction holds the pendulum, from the model and compared with the closed form, and the rest
+/// positions in it.
 fn held(model: &Rods, ends: &[SVector<f64, 4>]) -> Result<Figure, Box<dyn Error>> {
     let [mu1, mu2] = [model.params().mu1, model.params().mu2];
     let hanging = resting(model, [0.0; 4])?;
     let [lowest, highest] = hanging.interval(model, Rods::THETA2, 1.0)?;
     let (mut left, mut right, mut error) = (Vec::new(), Vec::new(), 0.0_f64);
     for n in 0..=40 {
-        // Beside the ends, where rounding decides.
+        // Slightly inside the ends, where rounding decides.
         let theta2 = 0.999_999 * (lowest + (highest - lowest) * f64::from(n) / 40.0);
-        // Where the upper axle carries nothing, it holds if any place does.
+        // At this angle the upper joint carries no load, so friction holds it there if it does at any angle.
         let theta1 = (-theta2.sin() / 3.0).asin();
         let across = resting(model, [theta1, theta2, 0.0, 0.0])?;
         let [from, to] = across.interval(model, Rods::THETA1, 1.0)?;

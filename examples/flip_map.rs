@@ -1,7 +1,7 @@
-//! When a double pendulum first flips, over the two angles from which it is released.
+//! Time of the first flip of a double pendulum, over its two initial angles.
 //!
-//! `cargo run --release --example flip_map` takes 200 x 200 starts on all cores, and draws the map into `out/flip_map/`;
-//! `-- SIZE` takes another number along each side.
+//! `cargo run --release --example flip_map` takes 200 x 200 initial conditions on all cores, and draws the map into
+//! `out/flip_map/`; `-- SIZE` sets another number along each side.
 
 use std::error::Error;
 use std::f64::consts::PI;
@@ -13,7 +13,7 @@ use charts::page::Picture;
 use pendulum_core::prelude::*;
 
 mechanism! {
-    /// Two equal rods of 1 m without friction; both angles are from hanging.
+    /// Two equal rods of 1 m without friction; both angles are measured from hanging.
     Rods {
         gravity: [0, -9.81, 0],
         generate: [rhs, taylor],
@@ -23,12 +23,12 @@ mechanism! {
     }
 }
 
-/// How long each motion is watched, in seconds.
+/// Duration of each motion, in seconds.
 const T_END: f64 = 30.0;
 
-/// The time of the first flip of either rod; infinite if none flips.
+/// Time of the first flip of either rod; infinite if none flips.
 fn first_flip(model: &Rods, theta1: f64, theta2: f64) -> Result<f64, String> {
-    // The cosine of half an angle vanishes where its rod points straight up.
+    // The cosine of half an angle vanishes if the rod points straight up.
     let upright = |i: usize| Event::new(move |_t, x: &SVector<f64, 4>| (0.5 * x[i]).cos()).terminal();
     let method = Taylor::new().rtol(1e-8).atol(1e-8);
     let events = [upright(Rods::THETA1), upright(Rods::THETA2)];
@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             .collect::<Result<Vec<_>, _>>()
     };
 
-    // Each core takes rows in turns: neighbours take about as long.
+    // Rows are interleaved over the cores, since neighbours take about the same time.
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let mut rows = vec![Vec::new(); size];
     std::thread::scope(|scope| {

@@ -1,7 +1,7 @@
-//! A heavy top, whose axis draws cusps, loops and waves.
+//! Heavy top whose axis draws cusps, loops and waves.
 //!
-//! `cargo run --release --example heavy_top` follows three starts of one top, checks what its motion keeps, and draws the way of its axis into
-//! `out/heavy_top/`.
+//! `cargo run --release --example heavy_top` integrates three initial conditions of one top, checks the conserved
+//! quantities, and draws the path of its axis into `out/heavy_top/`.
 
 use std::error::Error;
 use std::path::Path;
@@ -11,7 +11,7 @@ use charts::page::{BLUE, Picture};
 use pendulum_core::prelude::*;
 
 mechanism! {
-    /// A disk on a rod without mass, which turns about its lower end.
+    /// A disk on a massless rod that rotates about its lower end.
     HeavyTop {
         params { m: kg = 0.5, l: m = 0.1, r: m = 0.05, g: m/s^2 = 9.81 }
         gravity: [0, 0, -g],
@@ -26,16 +26,17 @@ mechanism! {
     }
 }
 
-/// The end of the motion, in seconds.
+/// End time, in seconds.
 const T_END: f64 = 2.0;
-/// The spin about the axis, in rad/s, and how far this leans at the start, in rad.
+/// Spin about the axis, in rad/s.
 const SPIN: f64 = 240.0;
+/// Initial angle of the axis from the vertical, in rad.
 const LEAN: f64 = 0.5;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let top = HeavyTop::new(HeavyTopParams::default())?;
     println!("{}", HeavyTop::EQUATIONS);
-    // slow precession takes m g l / (I spin); the axis starts at rest, against it, or ahead of it
+    // slow precession is m g l / (I spin); the axis starts at rest, against the precession, or ahead of it
     let HeavyTopParams { m, l, r, g } = HeavyTopParams::default();
     let precession = m * g * l / (m * r * r / 2.0 * SPIN);
     let starts = [
@@ -79,12 +80,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A top that leans over from the vertical to -y, and turns about the vertical at this rate beside its spin.
+/// Initial state: leaning from the vertical to -y, and rotating about the vertical at this rate besides the spin.
 fn start(precession: f64) -> SVector<f64, 7> {
     let (sine, cosine) = (LEAN / 2.0).sin_cos();
     let mut x = SVector::zeros();
     (x[HeavyTop::O], x[HeavyTop::O + 1]) = (cosine, sine);
-    // the vertical in the frame of the body
+    // the vertical in body coordinates
     x[HeavyTop::DOT_O + 1] = precession * LEAN.sin();
     x[HeavyTop::DOT_O + 2] = SPIN;
     x

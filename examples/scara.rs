@@ -1,7 +1,7 @@
-//! A SCARA arm whose tool draws a star, by computed torque.
+//! SCARA arm whose tool draws a star, with computed-torque control.
 //!
-//! `cargo run --release --example scara` solves for the joints along the path, lets inverse dynamics find the torques, and draws path and errors
-//! into `out/scara/`.
+//! `cargo run --release --example scara` solves the inverse kinematics along the path, computes the torques by inverse
+//! dynamics, and draws path and errors into `out/scara/`.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -12,7 +12,7 @@ use charts::page::{BLUE, GREY, Picture, VERMILION};
 use pendulum_core::prelude::*;
 
 mechanism! {
-    /// Two links that turn about vertical axes, and a quill that slides down.
+    /// Two links that rotate about vertical axes, and a quill that slides down.
     Scara {
         params { m1: kg = 4, m2: kg = 3, m3: kg = 1, l1: m = 0.35, l2: m = 0.3, g: m/s^2 = 9.81 }
         input tau1: N m,
@@ -37,19 +37,19 @@ mechanism! {
 
 type Joints = SVector<f64, 3>;
 
-/// The time of one turn around the star, in seconds.
+/// Duration of one turn around the star, in seconds.
 const T_END: f64 = 6.0;
-/// Both poles of the error of each joint, in 1/s.
+/// Double pole of the error of each joint, in 1/s.
 const POLE: f64 = 12.0;
 
-/// Where the tool should be, in metres: a curve with five tips.
+/// Desired position of the tool, in metres: a curve with five tips.
 fn star(t: f64) -> [f64; 2] {
     let turn = TAU * t / T_END;
     let radius = 0.11 + 0.035 * (5.0 * turn).cos();
     [0.42 + radius * turn.cos(), 0.1 + radius * turn.sin()]
 }
 
-/// The joints that bring the tool there, with the elbow on the right.
+/// Joint coordinates for this position of the tool, with the elbow on the right.
 fn joints(params: &ScaraParams, t: f64) -> Joints {
     let ([x, y], ScaraParams { l1, l2, .. }) = (star(t), *params);
     let b = ((x * x + y * y - l1 * l1 - l2 * l2) / (2.0 * l1 * l2)).acos();
@@ -57,7 +57,7 @@ fn joints(params: &ScaraParams, t: f64) -> Joints {
     Joints::new(a, b, -0.05)
 }
 
-/// The tool of an arm.
+/// Position of the tool.
 fn tool(params: &ScaraParams, x: &SVector<f64, 6>) -> [f64; 2] {
     let (a, b) = (x[Scara::A], x[Scara::A] + x[Scara::B]);
     [
@@ -70,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let params = ScaraParams::default();
     let arm = Scara::new(params)?;
     let controlled = arm.with_inputs(|t, x| {
-        // Rates and accelerations of the path by central differences: right to about 1e-7 of theirs.
+        // Rates and accelerations of the path by central differences, with a relative error of about 1e-7.
         let dt = 1e-3;
         let [before, now, after] = [t - dt, t, t + dt].map(|t| joints(&params, t));
         let (rate, acceleration) = ((after - before) / (2.0 * dt), (after - 2.0 * now + before) / (dt * dt));

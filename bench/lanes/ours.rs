@@ -1,6 +1,7 @@
-//! RK4 on double pendulums: one after the other, and in the lanes of each instruction set.
+//! RK4 on double pendulums: one after another, and in the lanes of each instruction set.
 //!
-//! All functions have the form of those of the peers: `count` starts of four numbers in, their final states out.
+//! All functions have the same signature as those of the peers: they read `count` initial states of four numbers and
+//! write the final states.
 
 use std::ffi::c_long;
 
@@ -21,7 +22,7 @@ mechanism! {
 const METHOD: fn() -> Rk4 = || Rk4::new(0.01);
 const END: f64 = 10.0;
 
-/// The parameters are known when the program runs, not before.
+/// Hides the parameters from the optimiser, so that they are known only at run time.
 fn model() -> DoublePendulum {
     let params = std::hint::black_box(DoublePendulumParams {
         m: 1.0,
@@ -59,10 +60,10 @@ fn lanes<T: LaneElement>(name: &str, starts: &[[f64; 4]], ends: &mut [[f64; 4]])
 macro_rules! functions {
     ($($name:ident: $body:expr;)*) => { $(
         /// # Safety
-        /// There are `count` starts and room for as many ends.
+        /// `starts` points to `count` states, and `ends` to room for as many.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name(starts: *const [f64; 4], ends: *mut [f64; 4], count: c_long) {
-            // SAFETY: as the caller promises.
+            // SAFETY: guaranteed by the caller.
             let (starts, ends) = unsafe {
                 (
                     std::slice::from_raw_parts(starts, count as usize),

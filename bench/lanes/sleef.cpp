@@ -1,5 +1,5 @@
-// RK4, h = 0.01, on double pendulums with m = I = c = d = 1, g = 9.8 and no friction, in angles from the vertical: AVX-512
-// intrinsics, and the sines and cosines of SLEEF. Constants are folded by hand, multiplications and additions fused.
+// RK4, h = 0.01, on double pendulums with m = I = c = d = 1, g = 9.8 and no friction, in absolute angles: AVX-512
+// intrinsics with the sines and cosines of SLEEF. Constants are folded by hand, multiplications and additions are fused.
 #include <immintrin.h>
 #include <sleef.h>
 
@@ -15,12 +15,12 @@ inline V k(double x) { return _mm512_set1_pd(x); }
 inline V mul(V a, V b) { return _mm512_mul_pd(a, b); }
 inline V fma(V a, V b, V c) { return _mm512_fmadd_pd(a, b, c); }
 
-// Sine and cosine to 1.0 and to 3.5 units in the last place.
+// Sine and cosine with errors up to 1.0 and 3.5 ulps.
 inline Sleef___m512d_2 sincos10(V x) { return Sleef_sincosd8_u10(x); }
 inline Sleef___m512d_2 sincos35(V x) { return Sleef_sincosd8_u35(x); }
 typedef Sleef___m512d_2 Sincos(V);
 
-// Of GROUPS groups of eight lanes, interleaved so that one computes while another waits for its results.
+// Right-hand side of GROUPS groups of eight lanes, interleaved to hide latencies.
 template <Sincos *SINCOS, int GROUPS>
 inline __attribute__((always_inline)) void rhs(const State (&x)[GROUPS], State (&f)[GROUPS]) {
   for (int g = 0; g < GROUPS; g++) {
@@ -42,7 +42,7 @@ inline State plus(const State &x, V h, const State &f) {
   return {fma(h, f.a, x.a), fma(h, f.b, x.b), fma(h, f.u, x.u), fma(h, f.v, x.v)};
 }
 
-// `count` trajectories, a multiple of 8 GROUPS.
+// Integrates `count` trajectories, a multiple of 8 GROUPS.
 template <Sincos *SINCOS, int GROUPS>
 void solve(const double (*starts)[4], double (*ends)[4], long count) {
   const V whole = k(0.01), half = k(0.005), third = k(0.01 / 3), sixth = k(0.01 / 6);

@@ -1,7 +1,7 @@
-"""Follows linkages and a top with MuJoCo, Pinocchio, CVODES by CasADi, and heyoka.
+"""Simulates linkages and a top with MuJoCo, Pinocchio, CVODES by CasADi, and heyoka.
 
-Argument: a folder with `task.json`, into which `results.json` goes. What is timed has been called before. A peer that is not installed is
-left out.
+Argument: a folder with `task.json`, into which `results.json` is written. Timed functions have been called before. Peers
+that are not installed are left out.
 """
 
 import json
@@ -13,7 +13,7 @@ import numpy as np
 
 
 def timed(call, rounds=5):
-    """The least time of some rounds, and the last result."""
+    """Minimum time of some rounds, and the last result."""
     times = []
     for _ in range(rounds):
         since = time.perf_counter()
@@ -47,7 +47,7 @@ BARS = """
 
 
 def gap(q):
-    """How far the ends of the loop are apart."""
+    """Distance between the ends of the loop."""
     a, b, c = q[0], q[0] + q[1], q[2]
     x = 0.2 * np.cos(a) + 0.5 * np.cos(b) - 0.6 - 0.4 * np.cos(c)
     y = 0.2 * np.sin(a) + 0.5 * np.sin(b) - 0.4 * np.sin(c)
@@ -147,7 +147,7 @@ def pinocchio(task):
                     "scene": "bars",
                     "name": f"Pinocchio {pin.__version__}, {kind}",
                     "setting": step,
-                    # of the calls alone, from Python
+                    # time of the calls alone, from Python
                     "seconds": seconds / calls * count,
                     "evaluations": count,
                     "end": [float(motion[-1, 0]), float(v[0])],
@@ -158,7 +158,7 @@ def pinocchio(task):
 
 
 def casadi(task):
-    """Andrews' mechanism as seven bodies, whose accelerations are solved with six multipliers."""
+    """Andrews' mechanism as seven bodies, whose accelerations are solved together with six multipliers."""
     import casadi as ca
 
     scene = task["andrews"]
@@ -234,7 +234,7 @@ def heyoka(task):
 
     w, x, y, z, a, b, c = hy.make_vars("w", "x", "y", "z", "a", "b", "c")
     across, along, moment = 0.234375 + 15.0, 0.46875, 15.0 * 9.81
-    # the direction of the weight in the body, times the arm
+    # direction of the weight in body coordinates, times the arm
     tx = moment * 2.0 * (y * z + w * x)
     ty = -moment * 2.0 * (x * z - w * y)
     equations = [

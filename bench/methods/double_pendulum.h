@@ -1,4 +1,4 @@
-/* The generated model, and what every integration takes and gives. */
+/* The generated model, and the input and output of every integration. */
 #pragma once
 
 #ifdef __cplusplus
@@ -13,17 +13,17 @@ void double_pendulum_jacobian(const void *model, const double x[4], double colum
 }
 #endif
 
-/* Each function integrates `count` tasks in a row. They are equal, so that its solver is made once, and only started anew. */
+/* Each function integrates `count` equal tasks in a row, so its solver is created once and only restarted. */
 typedef struct {
     double tolerance, gamma, t1, h0, x0[4];
 } Task;
 
 typedef struct {
-    /* Not the end of the task where the integration failed. */
+    /* Time reached; less than the end of the task if the integration failed. */
     double t, x[4], evaluations;
 } End;
 
 #define EXPORT __attribute__((visibility("default")))
 
-/* Evaluations after which an integration is given up. */
+/* Maximum number of evaluations of an integration. */
 #define PATIENCE 3000000

@@ -1,6 +1,6 @@
-"""Times heyoka's Taylor integrators on the scenes that come in JSON, one trajectory at a time and eight in a batch.
+"""Times heyoka's Taylor integrators on scenes given in JSON, one trajectory at a time and eight in a batch.
 
-Arguments: the scenes, and where the results go. The time of a call that integrates over no time is measured and taken off.
+Arguments: the scenes, and the output file. The time of a call that integrates over no time is measured and subtracted.
 """
 
 import json
@@ -11,7 +11,7 @@ import time
 import heyoka as hy
 import numpy as np
 
-# Seconds for all settings of a scene together, and the least number of rounds.
+# Time budget for all settings of a scene together, in seconds, and minimum number of rounds.
 BUDGET, ROUNDS = 6.0, 31
 
 
@@ -66,7 +66,7 @@ def seconds(run, end):
 
 
 def measure(scene, make):
-    """Ends and times of all tolerances, in turns."""
+    """Final states and times for all tolerances, measured in turn."""
     runs, points = [], []
     for tolerance in scene["tolerances"]:
         run, state, size = make(scene, tolerance)

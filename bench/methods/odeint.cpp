@@ -38,7 +38,7 @@ struct Jacobian {
     }
 };
 
-/* As `integrate_adaptive`, but with an end to patience. */
+/* Like `integrate_adaptive`, but with a maximum number of evaluations. */
 template <class Stepper, class System, class State>
 double march(Stepper stepper, System system, const Pendulum &pendulum, State &x, const Task &task) {
     double t = 0.0, h = task.h0;

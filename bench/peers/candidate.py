@@ -1,10 +1,10 @@
-"""What the Rust side gets to know of a peer's code: a file that exports `symbol`, and its counted operations."""
+"""Description of a peer's code for the Rust side: a file that exports `symbol`, and its operation counts."""
 
 import json
 from dataclasses import asdict, dataclass
 from importlib import metadata
 
-# One function for a row of states. Both sides evaluate one state after the other, and hand each result over to memory.
+# Function over a row of states. Both sides evaluate one state after another, and store each result in memory.
 LOOP = """
 #ifdef __cplusplus
 extern "C"
@@ -20,7 +20,7 @@ __attribute__((visibility("default"))) void {symbol}(const double *x, double *ou
 
 @dataclass
 class Operations:
-    """As in the crate's `Operations`; a sine or a cosine alone counts as a pair."""
+    """Counts like the crate's `Operations`; a single sine or cosine counts as a pair."""
 
     additions: int = 0
     multiplications: int = 0
@@ -44,7 +44,7 @@ class Candidate:
 
 
 class Folder:
-    """Where the files go, and the list of them."""
+    """Output folder and list of files."""
 
     def __init__(self, path):
         self.path, self.candidates, self.notes = path, [], []
@@ -52,7 +52,7 @@ class Folder:
         path.mkdir(parents=True, exist_ok=True)
 
     def add(self, model, function, peer, form, source, operations):
-        """A candidate with a file of its own, whose function is `run`."""
+        """Adds a candidate with its own file, whose function is `run`."""
         file = "_".join([model, function, peer, form]).lower()
         file = "".join(letter if letter.isalnum() else "_" for letter in file) + ".c"
         self.write(file, source)
@@ -62,7 +62,7 @@ class Folder:
         (self.path / file).write_text(source)
 
     def note(self, text):
-        """A line for the user: what was left out, and why."""
+        """Adds a line for the user on a left-out item and the reason."""
         self.notes.append(text)
 
     def version(self, package):

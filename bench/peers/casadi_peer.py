@@ -1,4 +1,4 @@
-"""C code by CasADi: several forms of the same dynamics, since none is the fastest for every model."""
+"""C code by CasADi: several forms of the same dynamics, as none is the fastest for all models."""
 
 import casadi as cs
 import featherstone
@@ -33,7 +33,7 @@ def robot_forms(robot):
 
 
 def flying_forms(robot):
-    """The state as the generated code has it, with place and speed along the axes of the ground."""
+    """Converts the state of the generated code, with position and velocity in the ground frame."""
     joints = len(robot.bodies) - 1
     x = cs.SX.sym("x", 13 + 2 * joints)
     q, v = x[3 : 7 + joints], cs.vertcat(cs.SX(3, 1), x[10 + joints :])
@@ -49,7 +49,7 @@ def flying_forms(robot):
 
 
 def point_forms(robot):
-    """Name, state, position and its Jacobian: derivatives of two graphs, and the columns that textbooks have for them."""
+    """Name, state, position and its Jacobian: by derivatives of two graphs, and by the textbook formula of the columns."""
     count = len(robot.bodies)
     x = cs.SX.sym("x", 2 * count)
     q = x[:count]
@@ -66,7 +66,7 @@ def point_forms(robot):
 
 
 def forms(x, rows, torques, applied, articulated):
-    """Name, state, qdd and its Jacobian (or none) for each form; `torques(qdd)` are what the accelerations take."""
+    """Name, state, qdd and its Jacobian (or none) for each form; `torques(qdd)` computes inverse dynamics."""
     count = x.shape[0] // 2
     factor = featherstone.Factor(rows)
     composite = factor.solve(applied - torques(cs.SX.zeros(count)))
@@ -74,7 +74,7 @@ def forms(x, rows, torques, applied, articulated):
     yield "CRBA + LDLt", x, composite, None
     yield "d(ABA)", x, articulated, cs.jacobian(articulated, x)
     yield "d(CRBA + LDLt)", x, composite, cs.jacobian(composite, x)
-    # From M dqdd = -dRNEA at fixed qdd; forward and backward differentiation make graphs of different length.
+    # From M dqdd = -dRNEA at fixed qdd; forward and reverse differentiation yield graphs of different size.
     a = cs.SX.sym("a", count)
     lacking = applied - torques(a)
     for name, derivative in [
@@ -85,7 +85,7 @@ def forms(x, rows, torques, applied, articulated):
 
 
 def pendulum_forms(p):
-    """In absolute angles. The recursions have relative ones, of which the second is the difference."""
+    """Forms in absolute angles. The recursions use relative angles; the second is the difference."""
     x = cs.SX.sym("x", 4)
     relative = cs.vertcat(x[0], x[1] - x[0], x[2], x[3] - x[2])
     chain = double_pendulum(p)
@@ -110,7 +110,7 @@ def pendulum_forms(p):
 
 
 def lagrange(p, x, expanded):
-    """The textbook's matrix and forces."""
+    """Mass matrix and forces of the textbooks."""
     mass, c, d = p["m"], p["c"], p["d"]
     mixed = mass * c * d
     s1, s2 = cs.sin(x[0]), cs.sin(x[1])
@@ -137,10 +137,10 @@ def lagrange(p, x, expanded):
 
 
 def add(folder, model, forms, derived="jacobian"):
-    """`derived` is what a form with a Jacobian is called."""
+    """Adds the forms; `derived` names the forms with a Jacobian."""
     for form, x, values, jacobian in forms:
         outputs = values if jacobian is None else cs.vertcat(values, cs.vec(cs.densify(jacobian)))
-        # The graph has been simplified while it was built; this time inverses are to stay.
+        # The graph was simplified while it was built; here inverses must be preserved.
         cs.GlobalOptions.setSimplificationOnTheFly(False)
         function = cs.Function("f", [x], [cs.densify(cs.cse(outputs))])
         cs.GlobalOptions.setSimplificationOnTheFly(True)

@@ -1,8 +1,8 @@
-"""The standard algorithms on CasADi's scalar graphs: Newton and Euler's recursion, composite and articulated bodies.
+"""The standard algorithms on CasADi's scalar graphs: recursive Newton-Euler, composite and articulated bodies.
 
 After R. Featherstone, Rigid Body Dynamics Algorithms (2008), chapters 5 to 8. The PyPI wheel of Pinocchio has no bindings
 to CasADi, so the graphs are built here. All quantities are in the frame of their body, as in Pinocchio, and all joints are
-revolute, but that of a first body that moves freely: it has a quaternion, and rates in its own frame.
+revolute, except for a floating first body: it has a quaternion, and rates in its own frame.
 """
 
 import casadi as cs
@@ -13,7 +13,7 @@ def vector(values):
 
 
 def skew(a):
-    """The matrix of the cross product with `a`."""
+    """Matrix of the cross product with `a`."""
     return cs.vertcat(
         cs.horzcat(0, -a[2], a[1]),
         cs.horzcat(a[2], 0, -a[0]),
@@ -22,7 +22,7 @@ def skew(a):
 
 
 def scaled(inverse, a):
-    """The product with an inverse, kept: by itself, CasADi makes a division `x / d` of each `(1 / d) x`."""
+    """Product with an inverse, which CasADi would otherwise simplify from `(1 / d) x` to a division `x / d`."""
     a = cs.sparsify(a)
     cs.GlobalOptions.setSimplificationOnTheFly(False)
     product = inverse * a
@@ -31,12 +31,12 @@ def scaled(inverse, a):
 
 
 def symmetric(a):
-    """The lower triangle of `a` on both sides: what is computed above it is dropped."""
+    """Mirrors the lower triangle of `a`, and discards the upper one."""
     return cs.tril2symm(cs.tril(a))
 
 
 class Link:
-    """The numbers of a body, and the rotation from its frame to its parent's."""
+    """Parameters of a body, and the rotation from its frame to its parent's."""
 
     def __init__(self, body, q):
         self.parent = body.parent
@@ -60,7 +60,7 @@ class Link:
 
 
 def of_quaternion(q):
-    """The rotation from the frame of a body, by its unit quaternion, the scalar part first."""
+    """Rotation from the frame of a body by its unit quaternion, scalar part first."""
     w, x, y, z = (q[n] for n in range(4))
     return cs.vertcat(
         cs.horzcat(1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
@@ -70,7 +70,7 @@ def of_quaternion(q):
 
 
 def links(robot, q):
-    """The positions are those of the joints, behind the quaternion of a body that flies."""
+    """Splits the positions into the quaternion of a floating body and the joint angles."""
     if not robot.flies:
         return [Link(body, q[n]) for n, body in enumerate(robot.bodies)]
     first, *others = robot.bodies
@@ -99,24 +99,24 @@ def carried(links, point):
 
 
 def rates_of(links, v):
-    """Those of each joint; the first body that flies has two vectors, along and about its axes."""
+    """Splits a vector by joints; a floating first body has two vectors, along and about its axes."""
     if not links[0].flies:
         return [v[n] for n in range(len(links))]
     return [(v[:3], v[3:6])] + [v[6 + n] for n in range(len(links) - 1)]
 
 
 def whirl_of(rate, turning):
-    """The acceleration of a point at `p` is that of the origin and `whirl p`."""
+    """Matrix `whirl` for which a point at `p` has the acceleration of the origin plus `whirl p`."""
     return skew(turning) + (rate @ rate.T - cs.dot(rate, rate) * cs.SX.eye(3))
 
 
 def inverse_dynamics(robot, links, qd, qdd):
-    """Newton and Euler's recursion (RNEA): the torques of the joints."""
+    """Recursive Newton-Euler algorithm (RNEA): joint torques."""
     motions = []
     qd, qdd = rates_of(links, qd), rates_of(links, qdd)
     for n, link in enumerate(links):
         if link.flies:
-            # its speed changes nothing
+            # independent of its linear velocity
             rate, turning, pull = qd[n][1], qdd[n][1], qdd[n][0] - link.turn.T @ vector(robot.gravity)
             motions.append((rate, turning, pull, whirl_of(rate, turning)))
             continue
@@ -149,7 +149,7 @@ def inverse_dynamics(robot, links, qd, qdd):
 
 
 def mass_matrix(links):
-    """Composite rigid bodies (CRBA): the lower triangle as rows."""
+    """Composite rigid bodies (CRBA): rows of the lower triangle."""
     count = len(links)
     composite = [[link.mass, link.moment, link.inertia] for link in links]
     before = 5 if links[0].flies else 0
@@ -187,7 +187,7 @@ def mass_matrix(links):
 
 
 class Factor:
-    """`M = L^T D L`, from the tips to the root, which keeps the zeros of trees."""
+    """Factorisation `M = L^T D L` from the tips to the root, which preserves the sparsity of trees."""
 
     def __init__(self, rows):
         rows = [list(row) for row in rows]
@@ -215,12 +215,12 @@ class Factor:
 
 
 def articulated(robot, links, qd, tau):
-    """Articulated bodies (ABA): the accelerations of the joints. Inertias are blocks: turning, mixed, shifting."""
+    """Articulated bodies (ABA): joint accelerations. Inertias are blocks: rotation, coupling, translation."""
     count = len(links)
     rates, drifts, inertias, biases = [], [], [], []
     qd = rates_of(links, qd)
     for n, link in enumerate(links):
-        # the speed of a body that flies changes nothing
+        # independent of the linear velocity of a floating body
         spin = qd[n][1] if link.flies else link.axis * qd[n]
         rate, speed = spin, cs.SX(3, 1)
         if link.parent >= 0:
@@ -254,7 +254,7 @@ def articulated(robot, links, qd, tau):
         (drift, slide), share = drifts[n], inverse * rest
         torque = torque + turning @ drift + mixed @ slide + u * share
         force = force + mixed.T @ drift + shifting @ slide + v * share
-        # Into the parent's frame, and to its origin.
+        # transform to the parent's frame and origin
         turn, cross = link.turn, skew(link.at)
         shifting = symmetric(turn @ shifting @ turn.T)
         mixed = turn @ mixed @ turn.T

@@ -11,7 +11,7 @@ from pathlib import Path
 import robot
 from candidate import Folder
 
-# Module, package on PyPI, what it is for.
+# Module, package on PyPI, purpose.
 PEERS = [
     ("casadi", "casadi", "CasADi's C code"),
     ("sympy", "sympy", "SymPy's C code"),
@@ -53,7 +53,7 @@ def main():
 
 
 def headers():
-    """Where wheels built with cmeel put their C++ headers."""
+    """Header folder of wheels built with cmeel."""
     spec = importlib.util.find_spec("pinocchio")
     return next(parent for parent in Path(spec.origin).parents if parent.name == "cmeel.prefix") / "include"
 

@@ -1,4 +1,4 @@
-"""C++ that calls Pinocchio's own algorithms. It needs the headers alone, which the PyPI wheel brings along."""
+"""C++ that calls Pinocchio's own algorithms. It needs only the headers, which the PyPI wheel includes."""
 
 from candidate import Candidate, loop
 from robot import double_pendulum
@@ -86,7 +86,7 @@ POINT_SETUP = """  static Held held = make();
   Eigen::Matrix<double, 6, N> jacobian = Eigen::Matrix<double, 6, N>::Zero();
   Vector q;
 """
-# For a Jacobian with the axes of the ground at the point, `computeFrameJacobian` places the frame, too.
+# For a Jacobian at the point in ground axes, `computeFrameJacobian` also updates the frame.
 POINT = """    q = Eigen::Map<const Vector>(x);
     pinocchio::computeFrameJacobian(held.model, held.data, q, frame, pinocchio::LOCAL_WORLD_ALIGNED, jacobian);
     Eigen::Map<Eigen::Vector3d>{out} = held.data.oMf[frame].translation();
@@ -96,7 +96,7 @@ FILE = "pinocchio.cpp"
 
 
 def write(folder, robots, p):
-    # One file, since the headers take the compiler a minute.
+    # A single file, as the headers take a minute to compile.
     parts = [HEAD]
     for robot in robots:
         parts.append(add(folder, robot, "", READ, RHS.format(absolute=""), JACOBIAN))

@@ -1,4 +1,4 @@
-"""Open chains and trees of revolute joints, read from the tests' reference data, so that all sides hold the same numbers."""
+"""Open chains and trees of revolute joints, read from the tests' reference data, so that all peers use the same numbers."""
 
 import json
 from dataclasses import dataclass
@@ -26,10 +26,10 @@ class Robot:
     gravity: list
     bodies: list
     point: list | None = None  # in the frame of the last body
-    flies: bool = False  # whether the first body moves freely
+    flies: bool = False  # true if the first body is floating
 
 
-# The points whose positions and Jacobians are asked for, as in `src/peers/flange.rs`.
+# Points whose positions and Jacobians are measured, as in `src/peers/flange.rs`.
 POINTS = {"ur5": [0, 0.0823, 0]}
 
 
@@ -51,7 +51,7 @@ def robot(data):
 
 
 def flying(path):
-    """The robot of a URDF file, whose root moves freely; links that are fixed are part of what carries them."""
+    """Reads a robot with floating root from a URDF file; fixed links are merged into their parents."""
     root = ElementTree.parse(path).getroot()
     links = {link.get("name"): link for link in root.iter("link")}
     joints = list(root.iter("joint"))
@@ -117,7 +117,7 @@ def join(body, mass, com, inertia):
 
 
 def double_pendulum(p):
-    """Its chain in relative angles, without the friction of the axles."""
+    """The chain of the double pendulum in relative angles, without friction."""
     still = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
     inertia = [[0, 0, 0], [0, 0, 0], [0, 0, p["inertia"]]]
     bodies = [
@@ -127,7 +127,7 @@ def double_pendulum(p):
 
 
 def half_turns(text):
-    """An angle such as `-pi/2`, in units of pi."""
+    """Parses an angle such as `-pi/2`, in units of pi."""
     text = str(text)
     if "pi" not in text:
         if float(text) != 0:
@@ -138,13 +138,13 @@ def half_turns(text):
 
 
 def exact(function, angle):
-    """Sine or cosine of an angle in units of pi; whole numbers at quarter turns, with no 1e-17 to multiply along."""
+    """Sine or cosine of an angle in units of pi; exact integers at quarter turns, without residues of 1e-17."""
     value = function(pi * float(angle))
     return round(value) if (2 * angle).denominator == 1 else value
 
 
 def matrix(rpy):
-    """The rotation of a URDF's roll, pitch and yaw."""
+    """Rotation matrix of a URDF's roll, pitch and yaw."""
     (sr, cr), (sp, cp), (sy, cy) = ((exact(sin, angle), exact(cos, angle)) for angle in rpy)
     return [
         [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],

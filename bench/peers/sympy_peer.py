@@ -1,4 +1,4 @@
-"""C code by SymPy: Kane's method, common subexpressions taken out, printed."""
+"""C code by SymPy: Kane's method with common subexpression elimination."""
 
 import sympy as sp
 from candidate import Operations, loop
@@ -10,7 +10,7 @@ JACOBIAN_LEFT_OUT = (
     "nine times those of CasADi's."
 )
 
-# Squares as products: the printer's `pow` is a call.
+# Print squares as products: `pow` is a call.
 POWERS = C99CodePrinter(
     {
         "user_functions": {
@@ -31,7 +31,7 @@ def write(folder, robots, p):
 
 
 def spatial(folder, robot):
-    """Mass matrix and forces by Kane's method. They are solved step by step: expanded quotients would swell."""
+    """Mass matrix and forces by Kane's method. They are solved in steps: expanded quotients would explode in size."""
     matrix, forces, x = kane_robot(robot)
     count = len(robot.bodies)
     lower = [matrix[n, k] for n in range(count) for k in range(n + 1)]
@@ -46,7 +46,7 @@ def spatial(folder, robot):
     qdd = sp.symbols(f"a0:{count}")
     lacking = (forces - matrix * sp.Matrix(qdd)).jacobian(x)
     known, results = sp.cse([*lower, *forces, *lacking], symbols=sp.numbered_symbols("t"))
-    # What needs qdd comes after the solution.
+    # Expressions with qdd come after the solution.
     late, early, waiting = set(qdd), [], []
     for name, e in known:
         if e.free_symbols & late:
@@ -58,20 +58,20 @@ def spatial(folder, robot):
     factor = Factor(steps, results[: len(lower)])
     solution = factor.solve(results[len(lower) : len(lower) + count])
     steps.taken += [*zip(qdd, solution), *waiting]
-    # The entries stand row by row.
+    # The entries are stored row by row.
     derivative = sp.Matrix(count, 2 * count, results[len(lower) + count :])
     columns = [entry for n in range(2 * count) for entry in factor.solve(derivative[:, n])]
     finish(folder, robot.name, "jacobian", "M^-1 d(f - M qdd)", x, steps.taken, [*solution, *columns])
 
 
 class Steps:
-    """Assignments, one after the other."""
+    """List of assignments in order."""
 
     def __init__(self, taken):
         self.taken, self.names = list(taken), sp.numbered_symbols("s")
 
     def hold(self, e):
-        """A name for the value, if it is not a name or a number already."""
+        """Returns a name for the value, unless it is a name or a number already."""
         if e.is_Atom:
             return e
         name = next(self.names)
@@ -80,7 +80,7 @@ class Steps:
 
 
 class Factor:
-    """`M = L^T D L`, from the tip to the root; `lower` is the lower triangle, row by row."""
+    """Factorisation `M = L^T D L` from the tip to the root; `lower` is the lower triangle, row by row."""
 
     def __init__(self, steps, lower):
         entries = iter(lower)
@@ -141,7 +141,7 @@ def kane_robot(robot):
 
 
 def vector(values, frame):
-    # Whole numbers stay whole: a factor 1.0 would not vanish.
+    # Keep integers: a factor 1.0 would not vanish.
     return sum((sp.nsimplify(v) if v == int(v) else sp.Float(v)) * e for v, e in zip(values, frame) if v) or Vector(0)
 
 
@@ -154,7 +154,7 @@ def pendulum(folder, p):
         add(folder, "rhs", "Kane" + name, x, qdd)
         add(folder, "rhs", "Kane, LU" + name, x, a.LUsolve(f))
         add(folder, "jacobian", "d(Kane)" + name, x, qdd, qdd.jacobian(x))
-        # From M dqdd = df - dM qdd, with qdd as symbols that are put in after the derivative.
+        # From M dqdd = df - dM qdd, with symbols for qdd that are substituted after the differentiation.
         symbols = sp.Matrix(sp.symbols("a1 a2"))
         lacking = (f - a * symbols).jacobian(x)
         adjugate = sp.Matrix([[a[1, 1], -a[0, 1]], [-a[1, 0], a[0, 0]]])

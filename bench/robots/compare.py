@@ -2,7 +2,7 @@
 
 `compare.py files` prints the folder, and each URDF file with its root link. `compare.py compare FOLDER` reads `task.json` there, compiles
 the C code beside it, and writes `errors.json`: for each robot the largest error of the accelerations and the energies at
-random states, relative to the largest of each state, and the largest force that is left when the accelerations are put
+random states, relative to the largest of each state, and the largest residual force when the accelerations are inserted
 into Pinocchio's equations, relative to the largest force in them.
 """
 
@@ -35,7 +35,7 @@ def files():
 
 
 def repaired(model):
-    """Makes second moments of mass below zero zero, those about the centre of mass."""
+    """Clamps negative second moments of mass about the centre of mass to zero."""
     for n, body in enumerate(model.inertias):
         second = np.trace(body.inertia) / 2 * np.eye(3) - body.inertia
         values, axes = np.linalg.eigh(second)
@@ -45,11 +45,11 @@ def repaired(model):
 
 
 def robot(task):
-    """The robot of a file without dry friction, with the joints held that were, and its root free where it was."""
+    """Reads a robot without dry friction, with joints locked and root floating as in the generated model."""
     root = ET.parse(ROBOTS / task["file"]).getroot()
     reference.trim(root)
     for element in root.iter():
-        # Pinocchio's parser has no white space behind a number
+        # Pinocchio's parser rejects white space behind a number
         element.attrib.update({name: value.strip() for name, value in element.attrib.items()})
     for joint in root.iter("joint"):
         if (dynamics := joint.find("dynamics")) is not None:
@@ -63,8 +63,8 @@ def robot(task):
 
 
 def sampled(robot, random, change):
-    """Joints of one coordinate. Those that mimic others are moved by `q = G q' + offset`, with the coordinates q' that are
-    left: the matrix is `G^T A G`, the bias `G^T b`. Pinocchio's own joints that mimic must follow earlier ones."""
+    """Samples for joints of one coordinate. Mimic joints follow `q = G q' + offset`, with the independent coordinates q':
+    the matrix is `G^T A G`, the bias `G^T b`. (Pinocchio's own mimic joints must follow earlier ones.)"""
     free = ET.fromstring(ET.tostring(robot))
     for joint in free.iter("joint"):
         if (mimic := joint.find("mimic")) is not None:
@@ -79,7 +79,7 @@ def sampled(robot, random, change):
     by_name = {joint.get("name"): joint for joint in moving}
 
     def followed(joint):
-        """The coordinate that a joint follows, by what factor, and with what offset."""
+        """Coordinate that a joint follows, with the factor and the offset."""
         mimic = joint.find("mimic")
         if mimic is None:
             return column[joint.get("name")], 1.0, 0.0
@@ -140,7 +140,7 @@ def compare(folder, task):
         accelerations, theirs = np.array(out[size - dof :]), np.array(sample["acceleration"])
         energies = np.array([call(model, zero, state) for call in (code.robot_kinetic, code.robot_potential)])
         expected = np.array([sample["kinetic"], sample["potential"]])
-        # Pinocchio's potential energy has nothing that stands still
+        # Pinocchio's potential energy excludes fixed bodies
         first = energies - expected if first is None else first
         energies[1] -= first[1]
         matrix = np.zeros((dof, dof))
@@ -164,7 +164,7 @@ def main():
     for task in json.loads((folder / "task.json").read_text()):
         try:
             errors[task["file"]] = compare(folder, task)
-        except Exception as wrong:  # Pinocchio refuses a file, for example
+        except Exception as wrong:  # for example if Pinocchio rejects a file
             errors[task["file"]] = {"refused": str(wrong).splitlines()[0]}
         print(task["file"], errors[task["file"]], flush=True)
     (folder / "errors.json").write_text(json.dumps(errors))

@@ -1,16 +1,16 @@
-//! Numbers whose sines and cosines, or divisions, cost nearly nothing, to see what the rest of a function takes.
+//! Numbers with nearly free sines and cosines, or divisions, to measure the cost of the other operations.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use pendulum_core::real::Real;
 
-/// An `f64` that without `SINES` has `x / 2` for the sine and `x + 1/4` for the cosine, and without `DIVISIONS` multiplies instead;
-/// the results mean nothing.
+/// An `f64` with cheap replacements: without `SINES`, the sine is `x / 2` and the cosine `x + 1/4`; without
+/// `DIVISIONS`, division multiplies. The results are meaningless.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(transparent)]
 pub(crate) struct Cheap<const SINES: bool = false, const DIVISIONS: bool = true>(pub f64);
 
-/// The same in C, for the peers: included before all else.
+/// C version of the replacements, for the peers; included before all other code.
 pub(crate) const IN_C: &str = "\
 #include <math.h>
 static inline double cheap_sin(double x) { return 0.5 * x; }
@@ -99,7 +99,7 @@ impl<const SINES: bool, const DIVISIONS: bool> Real for Cheap<SINES, DIVISIONS> 
         }
     }
 
-    // Those of `f64` are computed together.
+    // `f64` computes both pairs together.
     #[inline(always)]
     fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
         if SINES {

@@ -1,4 +1,4 @@
-//! C and C++, compiled into shared libraries.
+//! Compilation of C and C++ into shared libraries.
 
 use std::collections::hash_map::DefaultHasher;
 use std::error::Error;
@@ -9,13 +9,13 @@ use std::process::Command;
 use std::sync::Mutex;
 use std::thread;
 
-/// One call of a compiler.
+/// A compiler call.
 #[derive(Clone, PartialEq, Eq)]
 pub(crate) struct Job {
     pub source: PathBuf,
     pub compiler: String,
     pub flags: Vec<String>,
-    /// C to include before all else.
+    /// C code to include before all other code.
     pub before: Option<&'static str>,
 }
 
@@ -24,7 +24,7 @@ impl Job {
         format!("{} {}", self.compiler, self.flags.join(" "))
     }
 
-    /// Compiles, unless the same library is there from an earlier run.
+    /// Compiles the library, unless the same one exists from an earlier run.
     fn library(&self) -> Result<PathBuf, String> {
         let text = fs::read(&self.source).map_err(|error| format!("{}: {error}", self.source.display()))?;
         let mut hasher = DefaultHasher::new();
@@ -56,7 +56,7 @@ impl Job {
     }
 }
 
-/// The libraries of all jobs in their order, made by as many compilers at a time as there are processors.
+/// Compiles the libraries of all jobs, in order, with as many compilers in parallel as there are processors.
 pub(crate) fn compile(jobs: &[Job]) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     let done: Mutex<Vec<Option<Result<PathBuf, String>>>> = Mutex::new(vec![None; jobs.len()]);
     let next = std::sync::atomic::AtomicUsize::new(0);

@@ -1,4 +1,4 @@
-//! Models that are declared, expanded, compiled and loaded while a measurement runs.
+//! Models that are expanded, compiled and loaded at run time.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::rust::Rust;
 
-/// A declaration, with numbers for those of its parameters that have none of their own.
+/// Declaration, with values for those parameters that have no default.
 #[derive(Clone)]
 pub(crate) struct Declaration {
     pub name: String,
@@ -19,7 +19,7 @@ pub(crate) struct Declaration {
 }
 
 impl Declaration {
-    /// That of a model in a Rust source, but with a list of its own of what to generate.
+    /// Reads the declaration of a model from a Rust source, with another `generate` list.
     pub(crate) fn read(source: &str, name: &str, generate: &str) -> Result<Self, Box<dyn Error>> {
         let tokens: TokenStream = source.parse()?;
         let text = tokens
@@ -52,7 +52,7 @@ impl Declaration {
         Ok(program(self.tokens()?).map_err(|errors| format!("{}: {errors}", self.name))?)
     }
 
-    /// The Rust that the macro makes of it, and the least time that this took of several.
+    /// Expands the declaration to Rust, and returns the text with the minimum time of several expansions.
     pub(crate) fn expand(&self, budget: Duration) -> Result<(String, Duration), Box<dyn Error>> {
         let (mut text, mut least) = (String::new(), Duration::MAX);
         let all = Instant::now();
@@ -62,7 +62,7 @@ impl Declaration {
             let items = expand(tokens);
             least = least.min(start.elapsed());
             if round == 0 {
-                // The compiler takes long over long lines.
+                // The compiler is slow on long lines.
                 text = items.to_string().replace("; ", ";\n");
             } else if all.elapsed() > budget {
                 break;
@@ -71,14 +71,14 @@ impl Declaration {
         Ok((text, least))
     }
 
-    /// The source of a library with the functions, each of which takes states and leaves the last result.
+    /// Source of a library with the functions, each of which evaluates given states and stores the last result.
     pub(crate) fn source(&self, items: &str, functions: &[&str]) -> String {
         let Self { name, parameters, .. } = self;
         let fields: String = parameters
             .iter()
             .map(|(name, value)| format!("{name}: {value:?}, "))
             .collect();
-        // Those of a model that has a number for each.
+        // Defaults are used only if all parameters have one.
         let rest = if parameters.is_empty() {
             "..Default::default()"
         } else {
@@ -111,7 +111,7 @@ pub unsafe extern \"C\" fn {function}(states: *const [f64; N], out: *mut f64, co
         source
     }
 
-    /// The least time of the compiler, of several, and the library of the last.
+    /// Compiles the source repeatedly; returns the minimum time and the last library.
     pub(crate) fn compile(
         &self,
         rust: &Rust,
@@ -129,5 +129,5 @@ pub unsafe extern \"C\" fn {function}(states: *const [f64; N], out: *mut f64, co
     }
 }
 
-/// Expansions after which the least time does not get less.
+/// Maximum number of expansions, beyond which the minimum time does not improve.
 const MOST: usize = 20;

@@ -1,4 +1,4 @@
-//! Closed loops and a top, beside MuJoCo, Pinocchio, CVODES and heyoka.
+//! Closed loops and a top, compared with MuJoCo, Pinocchio, CVODES and heyoka.
 
 use std::error::Error;
 use std::fs;
@@ -31,13 +31,14 @@ mechanism! {
     }
 }
 
-/// The start of the four-bar: the angle of the crank and its rate; how long it is followed, in s, and the steps of those that take equal ones.
+/// Initial angle and rate of the crank of the four-bar, and the duration, in s.
 const BARS: ([f64; 2], f64) = ([0.8, 10.0], 2.0);
+/// Step sizes of methods with fixed steps, in s.
 const STEPS: [f64; 2] = [1e-3, 1e-4];
 const TOLERANCES: [f64; 3] = [1e-6, 1e-8, 1e-10];
 const TOP_TOLERANCES: [f64; 4] = [1e-8, 1e-10, 1e-12, 1e-14];
 
-/// What was seen of one setting of one program.
+/// Measurement of one setting of a program.
 #[derive(Deserialize)]
 struct Measured {
     scene: String,
@@ -81,7 +82,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A motion, what the peers must know of it, and what ours take for it.
+/// Motion with its declaration for the peers and the measurements of our methods.
 struct Scene {
     name: &'static str,
     title: String,
@@ -105,7 +106,7 @@ impl Scene {
     }
 }
 
-/// The least time of some rounds of several calls each.
+/// Minimum time over some rounds of several calls each.
 fn least(mut call: impl FnMut()) -> f64 {
     const CALLS: u32 = 20;
     let mut least = f64::INFINITY;
@@ -117,17 +118,17 @@ fn least(mut call: impl FnMut()) -> f64 {
     least
 }
 
-/// What a method takes for a motion.
+/// Cost and result of a method for a motion.
 struct Taken<const N: usize> {
     seconds: f64,
     evaluations: usize,
     end: SVector<f64, N>,
-    /// The largest on the way.
+    /// Largest gap along the motion.
     gap: f64,
 }
 
 impl<const N: usize> Taken<N> {
-    /// Of a line of the results: these numbers of the state are compared.
+    /// Makes a row of the results; the components `compared` of the state are compared.
     fn measured(self, name: &str, setting: f64, compared: &[usize]) -> Measured {
         Measured {
             scene: String::new(),
@@ -141,7 +142,7 @@ impl<const N: usize> Taken<N> {
     }
 }
 
-/// A method on a system over some time.
+/// Integrates a system with a method.
 fn follow<A, S, const N: usize>(
     method: &A,
     system: &S,
@@ -221,7 +222,7 @@ fn andrews(root: &Path) -> Result<Scene, Box<dyn Error>> {
             .and_then(|text| text.parse::<f64>().ok())
             .ok_or("no number")
     };
-    // the published order has two pairs of angles the other way around
+    // two pairs of angles are swapped in the published order
     const ORDER: [usize; 7] = [0, 1, 2, 4, 3, 6, 5];
     let start: Vec<f64> = (0..2)
         .flat_map(|half| ORDER.map(|n| 7 * half + n))
@@ -258,7 +259,8 @@ fn andrews(root: &Path) -> Result<Scene, Box<dyn Error>> {
         name: "andrews",
         title: format!("Andrews' mechanism to t = {end} s, angle and rate of the driven body; gaps in m:"),
         task: json!({
-            "bodies": bodies.collect::<Vec<_>>(), "loops": own["loops"], "springs": own["springs"], "torque": own["torque"],
+            "bodies": bodies.collect::<Vec<_>>(), "loops": own["loops"], "springs": own["springs"],
+            "torque": own["torque"],
             "start": start, "end": end, "tolerances": TOLERANCES,
         }),
         exact,

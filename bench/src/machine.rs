@@ -1,9 +1,9 @@
-//! What the figures were measured on.
+//! Description of the machine of the measurements.
 
 use std::fs;
 use std::process::Command;
 
-/// Lines that belong above every table.
+/// Header lines of every table.
 pub(crate) fn describe() -> Vec<String> {
     vec![
         format!("date: {}", says("date", &["+%F"])),
@@ -12,7 +12,7 @@ pub(crate) fn describe() -> Vec<String> {
     ]
 }
 
-/// The first line that a program prints, or that it is missing.
+/// First line of the output of a program, or a note that it is missing.
 pub(crate) fn says(program: &str, arguments: &[&str]) -> String {
     let output = Command::new(program).args(arguments).output();
     let text = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned());
@@ -33,7 +33,7 @@ fn processor() -> String {
     format!("{name}{family}, {cores} cores in sight")
 }
 
-/// The widest instructions that this program was compiled for.
+/// Widest instruction set that this program was compiled for.
 fn wide() -> &'static str {
     if cfg!(target_feature = "avx512f") {
         "for this processor (AVX-512)"

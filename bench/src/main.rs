@@ -1,4 +1,5 @@
-//! Measurements of the generated code and of the methods beside their peers, each written as a table and a chart into `out/`.
+//! Measurements of the generated code and of the methods compared with their peers, each written as a table and a chart
+//! into `out/`.
 
 mod cheap;
 mod compile;
@@ -23,7 +24,7 @@ use std::process::ExitCode;
 
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
-/// What can be measured: `cargo run --release -- NAME`.
+/// All measurements: `cargo run --release -- NAME`.
 const MEASUREMENTS: [(&str, Measurement); 8] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),

@@ -1,8 +1,8 @@
-//! The Python that has the peers.
+//! Path of the Python with the peers.
 
 use std::path::{Path, PathBuf};
 
-/// `$PYTHON`, or that of the environment beside the README, or the system's.
+/// `$PYTHON`, otherwise the Python of the environment beside the README, otherwise of the system.
 pub(crate) fn python(root: &Path) -> PathBuf {
     let local = root.join(".venv/bin/python");
     match std::env::var_os("PYTHON") {

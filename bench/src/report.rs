@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A table in Markdown; all columns but the first few, of words, are aligned to the right.
+/// A table in Markdown; all columns but the first `words` ones are aligned to the right.
 pub(crate) fn table(head: &[&str], words: usize, rows: &[Vec<String>]) -> String {
     let line = |cells: Vec<&str>| format!("| {} |\n", cells.join(" | "));
     let rule = (0..head.len())
@@ -21,7 +21,7 @@ pub(crate) fn list(lines: &[String]) -> String {
     lines.iter().map(|line| format!("- {line}\n")).collect()
 }
 
-/// Three significant digits; nothing for what was not measured.
+/// Formats three significant digits; empty if not measured.
 pub(crate) fn number(value: Option<f64>) -> String {
     match value {
         None => String::new(),

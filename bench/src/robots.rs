@@ -1,4 +1,4 @@
-//! The robot files of example-robot-data: which are read, and whether Pinocchio has the same motion.
+//! Robot files of example-robot-data: which ones can be read, and whether their motion agrees with Pinocchio.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -17,8 +17,8 @@ use crate::machine;
 use crate::python::python;
 use crate::report::{list, number, table, write};
 
-/// Ways to read a file, from the least on: a name, words behind its path, and a body of the scene, in which `{root}` is the
-/// root link.
+/// Ways to read a file, beginning with the simplest: a name, options after its path, and a body of the scene, in which
+/// `{root}` stands for the root link.
 const WAYS: [(&str, &str, &str); 5] = [
     ("as it is", "", ""),
     ("`without dry_friction`", ", without dry_friction", ""),
@@ -31,7 +31,7 @@ const WAYS: [(&str, &str, &str); 5] = [
     ),
 ];
 
-/// The errors of a robot against Pinocchio, relative; or why Pinocchio has none.
+/// Relative errors of a robot compared with Pinocchio; or the reason why Pinocchio rejects it.
 #[derive(Deserialize)]
 struct Compared {
     accelerations: Option<f64>,
@@ -40,16 +40,16 @@ struct Compared {
     refused: Option<String>,
 }
 
-/// A file of a robot.
+/// Robot file.
 struct File {
-    /// Its path in the folder of all.
+    /// Path relative to the folder of all files.
     name: String,
     path: PathBuf,
-    /// The link that hangs on none, if there is a link.
+    /// Link without a parent, if there is a link.
     root: Option<String>,
 }
 
-/// A robot as it was read.
+/// Robot that was read.
 struct Taken {
     way: usize,
     program: Program,
@@ -109,7 +109,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The folder of all files, then each with its root.
+/// The folder of all files, then each file with its root.
 fn files(text: &str) -> Result<Vec<File>, Box<dyn Error>> {
     let mut lines = text.lines();
     let robots = Path::new(lines.next().ok_or("no folder")?);
@@ -123,7 +123,7 @@ fn files(text: &str) -> Result<Vec<File>, Box<dyn Error>> {
     Ok(files.collect())
 }
 
-/// A file in the first way in which it is read, or the errors of the last without a free root.
+/// Reads a file in the first way that succeeds; otherwise returns the errors of the last way without a free root.
 fn take(file: &File) -> Result<Result<Taken, Errors>, Box<dyn Error>> {
     let mut refused = None;
     for (way, (_, words, body)) in WAYS.iter().enumerate() {
@@ -140,7 +140,7 @@ fn take(file: &File) -> Result<Result<Taken, Errors>, Box<dyn Error>> {
     Ok(Err(refused.expect("the errors of a way")))
 }
 
-/// The scene of a file.
+/// Expands the scene of a file.
 fn declared(file: &File, words: &str, body: &str) -> Result<Result<Program, Errors>, Box<dyn Error>> {
     let folder = file.path.parent().ok_or("no folder")?;
     let name = file.path.file_name().and_then(|name| name.to_str()).ok_or("no name")?;
@@ -150,10 +150,10 @@ fn declared(file: &File, words: &str, body: &str) -> Result<Result<Program, Erro
     Ok(program_in(folder, text.parse()?))
 }
 
-/// Writes the C code of a robot, and tells Pinocchio what it is.
+/// Writes the C code of a robot, and returns its description for Pinocchio.
 fn task(file: &File, taken: &Taken, folder: &Path, name: String) -> Result<Value, Box<dyn Error>> {
     let (_, words, body) = WAYS[taken.way];
-    // what is compared has no dry friction
+    // compare without dry friction
     let without = match words.contains("without") {
         true => None,
         false => Some(

@@ -1,4 +1,4 @@
-//! Rust compiled into shared libraries by calls of `rustc` alone: what it depends on has been built before.
+//! Compilation of Rust into shared libraries by calls of `rustc` alone, with prebuilt dependencies.
 
 use std::error::Error;
 use std::fs;
@@ -8,23 +8,23 @@ use std::time::{Duration, Instant};
 
 use serde::Deserialize;
 
-/// For which processors code is compiled.
+/// Target processors of compiled code.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Processors {
-    /// All of this kind, as by a plain `cargo build --release`.
+    /// All processors of this architecture, as in a plain `cargo build --release`.
     All,
-    /// This one, as the rest of the measurements.
+    /// The processor of this machine, as in the other measurements.
     This,
 }
 
-/// A compiler with `pendulum_core` at hand.
+/// Compiler with `pendulum_core` as a dependency.
 pub(crate) struct Rust {
     folder: PathBuf,
     core: PathBuf,
     processors: Processors,
 }
 
-/// A line of what cargo says of its work.
+/// Line of cargo's JSON messages.
 #[derive(Deserialize)]
 struct Message {
     #[serde(default)]
@@ -55,7 +55,7 @@ impl Processors {
 }
 
 impl Rust {
-    /// Builds `pendulum_core` in release, in a crate of its own below `build`, unless it is there from an earlier run.
+    /// Builds `pendulum_core` in release mode, in a separate crate below `build`, unless it exists from an earlier run.
     pub(crate) fn new(root: &Path, build: &Path, processors: Processors) -> Result<Self, Box<dyn Error>> {
         let folder = build.join("rust").join(processors.name());
         fs::create_dir_all(folder.join("src"))?;
@@ -67,7 +67,7 @@ impl Rust {
             root.join("../pendulum-core").canonicalize()?
         );
         fs::write(folder.join("Cargo.toml"), manifest)?;
-        // The versions of the measurements themselves.
+        // same versions as in the measurements
         fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock"))?;
         let mut command = Command::new("cargo");
         command
@@ -90,7 +90,7 @@ impl Rust {
         })
     }
 
-    /// The shared library `name` from a source, and how long the compiler took.
+    /// Compiles the shared library `name` from a source; also returns the time of the compiler.
     pub(crate) fn library(&self, name: &str, source: &str) -> Result<(PathBuf, Duration), Box<dyn Error>> {
         let (input, library) = (
             self.folder.join(format!("{name}.rs")),
@@ -111,7 +111,7 @@ impl Rust {
             .arg("-o")
             .arg(&library)
             .current_dir(&self.folder);
-        // A library that this process has loaded is not written over.
+        // Remove the file first: overwriting it would corrupt a library that this process has loaded.
         match fs::remove_file(&library) {
             Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(error.into()),
             _ => {}

@@ -1,4 +1,4 @@
-//! Sweeps over many starts, beside heyoka's batches and Numba's parallel loops.
+//! Sweeps over many initial conditions, compared with heyoka's batches and Numba's parallel loops.
 
 use std::error::Error;
 use std::fmt::Debug;
@@ -18,10 +18,11 @@ use crate::machine;
 use crate::python::python;
 use crate::report::{list, number, table, write};
 
-/// Trajectories of a sweep, and how long each is, in seconds: not so long that errors would grow beyond all bounds.
+/// Number of trajectories of a sweep.
 const TRAJECTORIES: usize = 40_000;
+/// Duration of a trajectory, in seconds: short enough that errors do not grow beyond all bounds.
 const END: f64 = 3.0;
-/// How many are compared with the exact ends; their median error is shown.
+/// Number of trajectories compared with the exact ends; their median error is shown.
 const COMPARED: usize = 100;
 const STEPS: usize = 300;
 const TOLERANCES: [f64; 3] = [1e-6, 1e-9, 1e-12];
@@ -33,7 +34,7 @@ struct Task {
     settings: Vec<(&'static str, f64)>,
 }
 
-/// What `peers.py` writes of a setting.
+/// Output of `peers.py` for one setting.
 #[derive(Deserialize)]
 struct Measured {
     kind: String,
@@ -122,7 +123,7 @@ fn pendulum() -> Result<DoublePendulum, ParameterError> {
     })
 }
 
-/// The least time of three, and the first ends.
+/// Minimum time of three runs, and the first final states.
 fn ours<X>(method: X) -> Result<(f64, Vec<State>), Box<dyn Error>>
 where
     X: Ensemble<DoublePendulum, f64, 4> + Debug + Sync,

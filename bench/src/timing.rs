@@ -1,17 +1,17 @@
-//! Times of several functions taken in turns, so that whatever disturbs the machine meets all of them.
+//! Times of several functions measured in turn, so that disturbances of the machine affect all of them.
 
 use std::time::{Duration, Instant};
 
-/// Rounds below which a median says little, and above which it does not get better.
+/// Number of rounds, clamped to this range: a median of fewer is unreliable, and more do not improve it.
 const ROUNDS: [usize; 2] = [31, 4001];
 
-/// The times of one function, in nanoseconds per evaluation, round by round.
+/// Times of one function, in nanoseconds per evaluation, one per round.
 pub(crate) struct Times(Vec<f64>);
 
-/// Passes of a function before its time is taken, so that caches and branch prediction are its own, and passes that are timed.
+/// Number of untimed passes, which warm up caches and branch prediction, and number of timed passes.
 const PASSES: [usize; 2] = [3, 4];
 
-/// Runs the functions in rounds for about as long as `budget`; one pass of a function is that many evaluations.
+/// Runs the functions in rounds for about the time `budget`; one pass of a function makes `evaluations` evaluations.
 pub(crate) fn in_turns(functions: &[&dyn Fn()], evaluations: usize, budget: Duration) -> Vec<Times> {
     let start = Instant::now();
     functions.iter().for_each(|function| {
@@ -21,7 +21,7 @@ pub(crate) fn in_turns(functions: &[&dyn Fn()], evaluations: usize, budget: Dura
     let rounds = rounds.clamp(ROUNDS[0], ROUNDS[1]);
     let mut times: Vec<Times> = functions.iter().map(|_| Times(Vec::with_capacity(rounds))).collect();
     for round in 0..rounds {
-        // Each comes first in some round, and after each other one equally often is not worth the trouble.
+        // Each function comes first in some round; balancing all orders would not be worth the effort.
         for n in 0..functions.len() {
             let which = (n + round) % functions.len();
             let nanoseconds = 1e9 * time(functions[which]).as_secs_f64();
@@ -47,12 +47,12 @@ impl Times {
         median(self.0.clone())
     }
 
-    /// The median over the rounds of this time less the other one of the same round.
+    /// Median over the rounds of the difference of this time and the other one.
     pub(crate) fn minus(&self, other: &Self) -> f64 {
         median(self.0.iter().zip(&other.0).map(|(a, b)| a - b).collect())
     }
 
-    /// The median over the rounds of this time divided by the other one of the same round.
+    /// Median over the rounds of the ratio of this time to the other one.
     pub(crate) fn over(&self, other: &Self) -> f64 {
         median(self.0.iter().zip(&other.0).map(|(a, b)| a / b).collect())
     }

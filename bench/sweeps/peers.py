@@ -1,7 +1,7 @@
-"""Times heyoka's batches and Numba's parallel loops on the sweep that comes in a folder.
+"""Times heyoka's batches and Numba's parallel loops on a sweep given in a folder.
 
-Arguments: the folder, which holds `starts.bin` (four numbers a trajectory) and `task.json`, and where the results go.
-Each is called once before it is timed, which compiles it.
+Arguments: the folder, which holds `starts.bin` (four numbers a trajectory) and `task.json`, and the output file.
+Each function is called once before it is timed, which compiles it.
 """
 
 import copy
@@ -15,7 +15,7 @@ import numpy as np
 
 
 def timed(call, rounds=3):
-    """The least time of some rounds, and the last result."""
+    """Minimum time of some rounds, and the last result."""
     times = []
     for _ in range(rounds):
         since = time.perf_counter()
@@ -36,7 +36,7 @@ def heyoka(starts, end, tolerance, threads):
     size = hy.recommended_simd_size()
     integrator = hy.taylor_adaptive_batch(equations, np.zeros((4, size)), tol=tolerance, compact_mode=False)
 
-    # An integrator a thread: an ensemble would copy it for each batch, which takes longer than the batch.
+    # One integrator per thread: an ensemble would copy it for each batch, which takes longer than the batch.
     integrators = [copy.deepcopy(integrator) for _ in range(threads)]
 
     def run(batches):

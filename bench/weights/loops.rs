@@ -1,6 +1,7 @@
-//! Evaluations of a right-hand side one beside the other, or each after the last, with a further operation or without.
+//! Evaluations of a right-hand side, either independent or each depending on the previous one, with an inserted
+//! operation or without.
 //!
-//! `MODEL` and its number of state variables `N` stand before this, and the module `cheap`.
+//! `MODEL` and its number of state variables `N` are prepended to this file, and the module `cheap`.
 
 use cheap::Cheap;
 use std::ffi::c_long;
@@ -9,13 +10,13 @@ use std::hint::black_box;
 type Plain = Cheap<true, true>;
 
 unsafe fn given<'a>(states: *const [f64; N], count: c_long) -> &'a [[f64; N]] {
-    // SAFETY: the caller has that many states.
+    // SAFETY: the caller passes `count` states.
     unsafe { std::slice::from_raw_parts(states, count as usize) }
 }
 
 macro_rules! functions {
     ($($beside:ident $after:ident $jacobian:ident $sines:literal $divisions:literal;)*) => { $(
-        /// Evaluations that do not wait for each other.
+        /// Independent evaluations.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $beside(states: *const [f64; N], _: *mut f64, count: c_long) {
             type T = Cheap<$sines, $divisions>;
@@ -25,7 +26,7 @@ macro_rules! functions {
             }
         }
 
-        /// Each state depends on the derivative at the last one, component by component, as in an integration.
+        /// Each state depends on the derivative at the previous one, component by component, as in an integration.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $after(states: *const [f64; N], _: *mut f64, count: c_long) {
             type T = Cheap<$sines, $divisions>;
@@ -58,7 +59,7 @@ functions! {
 
 macro_rules! insertions {
     ($($on:ident $off:ident $beside:ident: $operation:expr;)*) => { $(
-        /// The operation between the accelerations and the rates that they give: on the critical path.
+        /// Inserts the operation between the accelerations and the rates computed from them: on the critical path.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $on(states: *const [f64; N], _: *mut f64, count: c_long) {
             let model = MODEL.cast::<Plain>();
@@ -68,12 +69,16 @@ macro_rules! insertions {
             for x in unsafe { given(states, count) } {
                 let e = operation(c + zero * (f[N / 2] + f[N - 1]), c);
                 let last = zero * (e.0 + e.1);
-                f = model.rhs(Cheap(0.0), &SVector::from_fn(|i, _| Cheap(x[i]) + if i < N / 2 { zero * f[i] } else { last }));
+                f = model.rhs(
+                    Cheap(0.0),
+                    &SVector::from_fn(|i, _| Cheap(x[i]) + if i < N / 2 { zero * f[i] } else { last }),
+                );
             }
             black_box(f);
         }
 
-        /// The operation on a number that was given with the state, and its result kept: nothing waits for it.
+        /// Applies the operation to a number given with the state, and stores the result: no later operation depends on
+        /// it.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $off(states: *const [f64; N], _: *mut f64, count: c_long) {
             let model = MODEL.cast::<Plain>();
@@ -87,7 +92,7 @@ macro_rules! insertions {
             black_box(f);
         }
 
-        /// The same where the evaluations do not wait for each other either.
+        /// Applies the operation with independent evaluations.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $beside(states: *const [f64; N], _: *mut f64, count: c_long) {
             let model = MODEL.cast::<Plain>();

@@ -1,4 +1,4 @@
-//! Moving pictures.
+//! Animations.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,8 @@ use gif::{Encoder, Frame, Repeat};
 use crate::page::{Picture, write};
 use crate::typeset::register_fonts;
 
-/// Writes `stem` with the ending gif, and says where: pictures of one size, `rate` in a second, again and again.
+/// Writes an endless animation to `stem` with the extension gif, and returns its path. All pictures have the same size;
+/// `rate` is their number per second.
 pub fn save_gif<P: Picture>(
     stem: &Path,
     rate: u32,
@@ -22,7 +23,7 @@ pub fn save_gif<P: Picture>(
     let mut encoder = Encoder::new(&mut file, width, height, &[])?;
     encoder.set_repeat(Repeat::Infinite)?;
     for picture in pictures {
-        // the slowest search for colours but ten: edges stay smooth
+        // speed 10 of the palette search keeps edges smooth
         let mut frame = Frame::from_rgb_speed(width, height, &picture.pixels()?, 10);
         // in hundredths of a second
         frame.delay = u16::try_from(100 / rate)?;

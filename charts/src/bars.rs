@@ -9,23 +9,23 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use crate::page::{BLUE, GREY, GRID, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::scale::Scale;
 
-/// Panels of bars; all of a column share their axis. A logarithmic axis has no zero for bars to begin at: there they
-/// are dots.
+/// Panels of bars; all panels of a column share their axis. On a logarithmic axis dots replace the bars, as it has no
+/// zero.
 pub struct Bars {
     pub title: String,
     pub subtitle: String,
-    /// Powers of ten in equal distances; or from zero.
+    /// True for a logarithmic axis, false for a linear one from zero.
     pub logarithmic: bool,
     pub columns: Vec<String>,
-    /// A caption, and the bars of the panel in each column.
+    /// Caption, and the bars of the panel in each column.
     pub rows: Vec<(String, Vec<Vec<Bar>>)>,
 }
 
 pub struct Bar {
     pub label: String,
-    /// What was not measured has no bar, but words.
+    /// Length of the bar; if not measured, a text replaces the bar.
     pub value: Option<f64>,
-    /// Highlighted.
+    /// True to highlight the bar.
     pub ours: bool,
 }
 
@@ -36,8 +36,9 @@ const CAPTION: f64 = 52.0;
 const BAR: f64 = 30.0;
 const GAP: f64 = 22.0;
 const FOOTER: f64 = 40.0;
-/// For the names, and for the number beside the longest bar.
+/// Width of the names.
 const NAMES: f64 = 138.0;
+/// Width of the number beside the longest bar.
 const NUMBERS: f64 = 76.0;
 
 const PALE: RGBColor = RGBColor(150, 156, 162);
@@ -48,13 +49,13 @@ impl Bars {
         HEAD + rows + FOOTER + MARGIN
     }
 
-    /// The left edge of a column's axis, and its length.
+    /// Left edge of a column's axis, and its length.
     fn axis(&self, column: usize) -> (f64, f64) {
         let wide = (f64::from(WIDTH) - 2.0 * MARGIN) / self.columns.len() as f64;
         (MARGIN + column as f64 * wide + NAMES, wide - NAMES - NUMBERS)
     }
 
-    /// What holds all bars of a column.
+    /// Scale that includes all bars of a column.
     fn scale(&self, column: usize) -> Scale {
         let values = || {
             self.rows
@@ -148,7 +149,7 @@ impl Picture for Bars {
     }
 }
 
-/// A row is as high as its fullest panel.
+/// Height of a row, determined by its fullest panel.
 fn row_height(panels: &[Vec<Bar>]) -> f64 {
     CAPTION + GAP + BAR * panels.iter().map(Vec::len).max().unwrap_or(0) as f64
 }

@@ -14,30 +14,30 @@ pub use crate::line::{Line, Stroke};
 use crate::page::{GREY, GRID, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::scale::power_of_ten;
 
-/// Panels that share the axes in each column, so that they can be compared at sight.
+/// Panels that share the axes of each column, for direct comparison.
 pub struct Figure {
     pub title: String,
     pub subtitle: String,
-    /// In pixels.
+    /// Width and height, in pixels.
     pub size: (u32, u32),
     pub legend: Vec<(Line, String)>,
     pub columns: Vec<Column>,
     pub rows: Vec<Row>,
 }
 
-/// The axes of the panels below each other, and what distinguishes these panels from those of other columns.
+/// Column of panels with common axes and a title.
 pub struct Column {
     pub title: String,
     pub x: Axis,
     pub y: Axis,
 }
 
-/// Panels beside each other. Each has the caption, and the title of its column, for a title.
+/// Row of panels. The title of each panel is the caption of its row and the title of its column.
 pub struct Row {
     pub caption: String,
-    /// The keys of the lines that only this row has, above its panels.
+    /// Legend of the lines that only this row has, above its panels.
     pub legend: Vec<(Line, String)>,
-    /// The curves of the panel in each column.
+    /// Curves of the panel in each column.
     pub panels: Vec<Vec<Curve>>,
 }
 
@@ -47,17 +47,17 @@ pub struct Axis {
     pub label: String,
     pub scale: Scale,
     pub range: Range<f64>,
-    /// About how many ticks.
+    /// Approximate number of ticks.
     pub ticks: usize,
 }
 
-/// What the numbers of an axis are.
+/// Meaning of the numbers on an axis.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Scale {
     Linear,
     /// Logarithms to base ten.
     Decades,
-    /// The same with the opposite sign: small values are to the right.
+    /// Negated logarithms to base ten: small values are to the right.
     Falling,
 }
 
@@ -84,7 +84,7 @@ impl Picture for Figure {
 }
 
 impl Figure {
-    /// The same figure, of the height that makes one unit as long on both axes of the first column.
+    /// Sets the height such that both axes of the first column have the same scale.
     #[must_use]
     pub fn with_equal_scales(mut self) -> Self {
         let length = |axis: &Axis| axis.range.end - axis.range.start;
@@ -94,7 +94,7 @@ impl Figure {
         self
     }
 
-    /// The width of a panel with its labels, in pixels.
+    /// Width of a panel with its labels, in pixels.
     fn column(&self) -> f64 {
         (f64::from(self.size.0) - 2.0 * MARGIN) / self.columns.len() as f64
     }
@@ -149,7 +149,7 @@ impl Figure {
             let outside = |point: &(f64, f64)| !(x.shows(point.0) && y.shows(point.1));
             for run in points.split(outside).filter(|run| !run.is_empty()) {
                 if label.is_some() {
-                    // One by one: where a curve turns back, its corner would be a long spike.
+                    // Segment by segment: a joined corner would be a long spike where a curve turns back.
                     run.windows(2).try_for_each(|ends| line.draw(plot, ends.to_vec()))?;
                 } else {
                     line.draw(plot, run.to_vec())?;
@@ -163,7 +163,7 @@ impl Figure {
         draw_labels(area, plot, &curves)
     }
 
-    /// The space to the right of each panel.
+    /// Space to the right of each panel.
     fn right(&self) -> f64 {
         let curves = self.rows.iter().flat_map(|row| row.panels.iter().flatten());
         curves.fold(
@@ -172,7 +172,7 @@ impl Figure {
         )
     }
 
-    /// The axis of x is named once, below each column of panels.
+    /// Labels the x axis once, below each column of panels.
     fn draw_x_labels<B: DrawingBackend>(&self, page: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
     where
         B::ErrorType: 'static,
@@ -198,7 +198,7 @@ impl Column {
 }
 
 impl Row {
-    /// Panels without a caption.
+    /// A row without a caption.
     pub fn new(panels: Vec<Vec<Curve>>) -> Self {
         Self {
             caption: String::new(),
@@ -207,7 +207,7 @@ impl Row {
         }
     }
 
-    /// The height of what stands above the panels, in pixels.
+    /// Height of the legend above the panels, in pixels.
     fn head(&self) -> f64 {
         if self.legend.is_empty() { 0.0 } else { LEGEND }
     }
@@ -223,12 +223,12 @@ impl Row {
     }
 }
 
-/// The space that the head of a page takes.
+/// Height of the head of a page.
 pub(crate) fn head(legend: &[(Line, String)]) -> f64 {
     if legend.is_empty() { 80.0 } else { 138.0 }
 }
 
-/// The head of a white page: title, subtitle, and the keys of lines.
+/// Draws the head of a white page: title, subtitle and legend.
 pub(crate) fn draw_head<B: DrawingBackend>(
     page: &DrawingArea<B, Shift>,
     (title, subtitle): (&str, &str),
@@ -244,7 +244,7 @@ where
 }
 
 impl Axis {
-    /// An axis of numbers.
+    /// A linear axis.
     pub fn linear(label: &str, range: Range<f64>) -> Self {
         Self {
             label: label.to_owned(),
@@ -254,7 +254,7 @@ impl Axis {
         }
     }
 
-    /// An axis of the logarithms of numbers to base ten; the range is of logarithms as well.
+    /// An axis of logarithms to base ten; the range is of logarithms as well.
     pub fn decades(label: &str, range: Range<f64>) -> Self {
         Self {
             scale: Scale::Decades,
@@ -266,9 +266,9 @@ impl Axis {
         self.range.start <= value && value <= self.range.end
     }
 
-    /// What stands beside a tick: a number with a true minus sign, or a power of ten; nothing between powers of ten.
+    /// Label of a tick: a number with a true minus sign, or a power of ten; empty between powers of ten.
     pub(crate) fn tick(&self, value: f64) -> String {
-        // The sum rounds off what is left of steps like 0.1, and turns -0 into 0.
+        // The sum removes rounding errors of steps like 0.1, and turns -0 into 0.
         let value = (value * 1e9).round() / 1e9 + 0.0;
         let value = match self.scale {
             Scale::Linear => return value.to_string().replace('-', "\u{2212}"),
@@ -294,7 +294,7 @@ impl Curve {
     }
 }
 
-/// Space for the parts of the page, in pixels of the picture.
+/// Height of the legend of a row; like all lengths below in pixels of the picture.
 const LEGEND: f64 = 52.0;
 const CAPTION: f64 = 56.0;
 const TICKS: f64 = 36.0;

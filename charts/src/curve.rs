@@ -2,11 +2,11 @@
 
 use crate::line::Line;
 
-/// Some points; outside of the axes the curve is interrupted.
+/// Points joined by a line, which is interrupted outside of the axes.
 #[derive(Clone)]
 pub struct Curve {
     pub line: Line,
     pub points: Vec<(f64, f64)>,
-    /// What stands beside the last point; the points of such a curve have dots.
+    /// Text beside the last point; the points of curves with a label are marked by dots.
     pub label: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! Maps in the style of the charts: a number at each place of a plane, as a colour.
+//! Heat maps in the style of the charts: a number at each point of a plane, as a colour.
 
 use std::error::Error;
 
@@ -10,13 +10,13 @@ use crate::chart::{Axis, Curve, LABELS, Line, draw_head, head};
 use crate::page::{GREY, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::palette::viridis;
 
-/// Maps in rows and columns, each with axes and a colour bar of its own.
+/// Maps in rows and columns, each with its own axes and colour bar.
 pub struct Atlas {
     pub title: String,
     pub subtitle: String,
-    /// The keys of the lines on the maps.
+    /// Legend of the lines on the maps.
     pub legend: Vec<(Line, String)>,
-    /// How many maps are beside each other.
+    /// Number of maps per row.
     pub columns: usize,
     pub maps: Vec<Map>,
 }
@@ -25,15 +25,13 @@ pub struct Atlas {
 pub struct Map {
     pub x: Axis,
     pub y: Axis,
-    /// What the colours are; the label is the caption of the map. Numbers beyond the range have the colours of its
-    /// ends.
+    /// Axis of the colours; its label is the caption of the map. Numbers beyond the range are clamped.
     pub colors: Axis,
-    /// How many colours there are.
+    /// Number of colours.
     pub steps: usize,
-    /// The numbers of cells of one size, row by row from below, and from the left in each; those that are NaN stay
-    /// white.
+    /// Numbers of equal cells, row by row from the bottom, and from the left in each row; NaN is white.
     pub cells: Vec<f64>,
-    /// How many cells are beside each other.
+    /// Number of cells per row.
     pub across: usize,
     /// Lines on top of the colours.
     pub curves: Vec<Curve>,
@@ -98,7 +96,7 @@ impl Map {
         self.draw_bar(&bar)
     }
 
-    /// The cells, whose edges lie on whole pixels.
+    /// Draws the cells, whose edges lie on whole pixels.
     fn fill<B: DrawingBackend>(&self, plot: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
     where
         B::ErrorType: 'static,
@@ -116,7 +114,7 @@ impl Map {
         Ok(())
     }
 
-    /// The colour bar, to the right of the map.
+    /// Draws the colour bar, to the right of the map.
     fn draw_bar<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
     where
         B::ErrorType: 'static,
@@ -147,7 +145,7 @@ impl Map {
         Ok(())
     }
 
-    /// The colour of the step that a value is in.
+    /// Colour of the step that contains a value.
     fn color(&self, value: f64) -> RGBColor {
         let range = &self.colors.range;
         let last = (self.steps - 1) as f64;
@@ -156,9 +154,11 @@ impl Map {
     }
 }
 
-/// The parts of a map in pixels of the picture: each side of the plane, and the space above, below, and to the right of
-/// it.
+/// Side of the square map; like all lengths below in pixels of the picture.
 const SIDE: f64 = 540.0;
+/// Space above the map.
 const CAPTION: f64 = 56.0;
+/// Space below the map.
 const BELOW: f64 = 84.0;
+/// Space to the right of the map.
 const BAR: f64 = 140.0;

@@ -11,17 +11,18 @@ use crate::curve::Curve;
 use crate::page::{px, text, width as page_width};
 
 const EM: f64 = 21.0;
-/// From one line to the next, and from a point to its label, in pixels of the picture.
+/// Distance of lines, in pixels of the picture.
 const LINE: f64 = 25.0;
+/// Distance from a point to its label, in pixels of the picture.
 const GAP: f64 = 12.0;
 
-/// A label on its way to a place where it covers no other.
+/// Label whose position is adjusted until it covers no other.
 struct Label<'c> {
     curve: &'c Curve,
     name: &'c str,
-    /// The last point of the curve.
+    /// Last point of the curve.
     from: (i32, i32),
-    /// Where the text starts.
+    /// Start of the text.
     at: (i32, i32),
     width: i32,
 }
@@ -76,7 +77,7 @@ where
     Ok(())
 }
 
-/// Moves labels that lie on one another apart, up and down alike: neighbours share what is missing until nothing is.
+/// Moves overlapping labels apart: neighbours move by half of the missing distance each, until none overlap.
 fn part(labels: &mut [Label<'_>]) {
     labels.sort_by_key(|label| label.from.1);
     for _ in 0..200 {
@@ -99,7 +100,7 @@ fn part(labels: &mut [Label<'_>]) {
     }
 }
 
-/// Keeps labels below `top`, and those that are pushed by it below one another.
+/// Moves labels below `top`, and labels that overlap these further down.
 fn stay_below(top: i32, labels: &mut [Label<'_>]) {
     for n in 0..labels.len() {
         let (above, rest) = labels.split_at_mut(n);

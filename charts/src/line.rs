@@ -1,4 +1,4 @@
-//! How curves look, and the keys that say so.
+//! Line styles and their legends.
 
 use std::error::Error;
 
@@ -9,7 +9,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::page::{INK, px, text, width, write_line};
 
-/// How a curve looks.
+/// Style of a curve.
 #[derive(Clone, Copy)]
 pub struct Line {
     pub color: RGBColor,
@@ -18,14 +18,14 @@ pub struct Line {
     pub stroke: Stroke,
 }
 
-/// What is drawn of the points of a curve.
+/// Drawn parts of a curve.
 #[derive(Clone, Copy)]
 pub enum Stroke {
     Solid,
     Dashed,
-    /// The points alone.
+    /// Only the points.
     Dots,
-    /// The area that they surround.
+    /// The enclosed area.
     Area,
 }
 
@@ -52,7 +52,7 @@ impl Line {
         }
     }
 
-    /// What a legend shows: of dots a large one, of an area a piece.
+    /// Draws the symbol in a legend: a large dot for dots, a rectangle for an area.
     fn draw_key<B: DrawingBackend>(
         self,
         page: &DrawingArea<B, Shift>,
@@ -70,7 +70,7 @@ impl Line {
         }
     }
 
-    /// The same line, three fifths of the way to white.
+    /// The line in a lighter colour, three fifths of the way to white.
     pub fn lighter(self) -> Self {
         let RGBColor(r, g, b) = self.color;
         let [r, g, b] = [r, g, b].map(|part| part + (255 - part) / 5 * 3);
@@ -101,7 +101,7 @@ impl Line {
     }
 }
 
-/// The keys of lines, beside each other from `(x, y)` on, in pixels of the drawing.
+/// Draws a legend from `(x, y)` to the right, in pixels of the drawing.
 pub(crate) fn draw_legend<B: DrawingBackend>(
     page: &DrawingArea<B, Shift>,
     legend: &[(Line, String)],

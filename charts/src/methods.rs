@@ -1,9 +1,9 @@
-//! How the methods look, in the charts of all examples.
+//! Line styles of the methods, in the charts of all examples.
 
 use crate::chart::Line;
 use crate::page::{BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION};
 
-/// What the lines are.
+/// Legend of the line styles.
 pub fn legend() -> Vec<(Line, String)> {
     [
         (Line::solid(INK), "explicit methods"),
@@ -13,7 +13,7 @@ pub fn legend() -> Vec<(Line, String)> {
     .into()
 }
 
-/// How the curve of a method looks, in all charts.
+/// Line style of a method, in all charts.
 pub fn line(name: &str) -> Line {
     match name {
         "Rk4" => Line::solid(GREY),

@@ -1,4 +1,4 @@
-//! A picture drawn once, written as SVG and as PNG, in the style of all charts.
+//! Pictures that are drawn once and written as SVG and as PNG, in the style of all charts.
 
 use std::error::Error;
 use std::fs;
@@ -10,7 +10,7 @@ pub use plotters::style::RGBColor;
 
 use crate::typeset::{FAMILY, LINE_PER_EM, Typeset, register_fonts};
 
-/// Colours that people with any colour vision can tell apart (Okabe and Ito, 2008).
+/// Colours that are distinguishable with any colour vision (Okabe and Ito, 2008).
 pub const BLUE: RGBColor = RGBColor(0, 114, 178);
 pub const VERMILION: RGBColor = RGBColor(213, 94, 0);
 pub const GREEN: RGBColor = RGBColor(0, 158, 115);
@@ -22,20 +22,20 @@ pub const INK: RGBColor = RGBColor(34, 34, 34);
 pub const GREY: RGBColor = RGBColor(95, 95, 95);
 pub const GRID: RGBColor = RGBColor(226, 226, 226);
 
-/// Space around the page, in pixels of the picture.
+/// Margin of the page, in pixels of the picture.
 pub const MARGIN: f64 = 36.0;
 
-/// What can be drawn.
+/// Drawable picture.
 pub trait Picture {
-    /// In pixels.
+    /// Width and height, in pixels.
     fn size(&self) -> (u32, u32);
 
-    /// Draws on a page whose lengths are those of [`px`].
+    /// Draws on a page whose lengths are given by [`px`].
     fn draw<B: DrawingBackend>(&self, page: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
     where
         B::ErrorType: 'static;
 
-    /// Writes `stem` with the endings svg and png, and says where.
+    /// Writes `stem` with the extensions svg and png, and returns the paths.
     fn save(&self, stem: &Path) -> Result<[PathBuf; 2], Box<dyn Error>> {
         register_fonts()?;
         Ok([
@@ -44,14 +44,14 @@ pub trait Picture {
         ])
     }
 
-    /// Writes `stem` with the ending png alone, and says where: for what is made of too many parts for an SVG.
+    /// Writes only `stem` with the extension png, and returns its path: for pictures with too many parts for an SVG.
     fn save_png(&self, stem: &Path) -> Result<PathBuf, Box<dyn Error>> {
         register_fonts()?;
         write(stem, "png", &self.png()?)
     }
 
-    /// plotters draws on whole pixels; in a drawing several times too large, scaled down by its view box, they do not
-    /// show.
+    /// Draws the SVG. As plotters rounds to whole pixels, the drawing is several times larger, and its view box scales
+    /// it down.
     fn svg(&self) -> Result<String, Box<dyn Error>> {
         let (width, height) = self.size();
         let fine = (width * FINENESS, height * FINENESS);
@@ -68,7 +68,7 @@ pub trait Picture {
         encode(&self.pixels()?, self.size())
     }
 
-    /// Red, green and blue of each pixel: drawn as large as the SVG and averaged down, which makes the edges smooth.
+    /// Red, green and blue of each pixel: drawn as large as the SVG and averaged down, which antialiases the edges.
     fn pixels(&self) -> Result<Vec<u8>, Box<dyn Error>> {
         let (width, height) = self.size();
         let fine = (width * FINENESS, height * FINENESS);
@@ -87,10 +87,10 @@ pub(crate) fn write(stem: &Path, ending: &str, contents: &[u8]) -> Result<PathBu
     Ok(path)
 }
 
-/// How many pixels of the drawing make one of the picture, in each direction.
+/// Pixels of the drawing per pixel of the picture, in each direction.
 const FINENESS: u32 = 4;
 
-/// A length in pixels of the drawing, from one in pixels of the picture.
+/// Converts a length from pixels of the picture to pixels of the drawing.
 pub fn px(length: f64) -> i32 {
     (length * f64::from(FINENESS)).round() as i32
 }
@@ -99,7 +99,7 @@ pub fn width(width: f64) -> u32 {
     px(width).unsigned_abs()
 }
 
-/// Text whose em has that many pixels of the picture.
+/// Text style with an em in pixels of the picture.
 pub fn text(em: f64, color: RGBColor) -> TextStyle<'static> {
     styled(em, color, FontStyle::Normal)
 }
@@ -108,7 +108,7 @@ pub fn bold(em: f64) -> TextStyle<'static> {
     styled(em, INK, FontStyle::Bold)
 }
 
-/// Writes a line that begins at `(x, y)`, or says that it does not fit.
+/// Writes a line that begins at `(x, y)`; returns an error if it does not fit.
 pub(crate) fn write_line<B: DrawingBackend>(
     area: &DrawingArea<B, Shift>,
     line: &str,
@@ -133,7 +133,7 @@ fn styled(em: f64, color: RGBColor, style: FontStyle) -> TextStyle<'static> {
     text
 }
 
-/// Averages squares of `FINENESS` by `FINENESS` pixels; `width` is that of the large picture.
+/// Averages squares of `FINENESS` by `FINENESS` pixels; `width` is the width of the large picture.
 fn shrink(pixels: &[u8], width: usize) -> Vec<u8> {
     let fineness = FINENESS as usize;
     let mut small = Vec::with_capacity(pixels.len() / (fineness * fineness));
@@ -155,7 +155,7 @@ fn encode(pixels: &[u8], (width, height): (u32, u32)) -> Result<Vec<u8>, Box<dyn
     let mut encoder = png::Encoder::new(&mut file, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::High);
-    // Plain colours beside each other pack best as they are.
+    // Uniform colours compress best without a filter.
     encoder.set_filter(png::Filter::NoFilter);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels)?;

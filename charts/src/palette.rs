@@ -1,12 +1,12 @@
-//! Colours for numbers.
+//! Colour map.
 
 use plotters::style::RGBColor;
 
-/// The colour of a number from 0 (dark blue) to 1 (yellow); those outside have the colour of the nearer end.
+/// Colour of a number from 0 (dark blue) to 1 (yellow); other numbers are clamped.
 ///
-/// Lightness rises evenly, so that the order can be told at sight, with any colour vision, and in grey: sixteen colours
-/// of viridis at equal distances (N. Smith, S. van der Walt, "A Better Default Colormap for Matplotlib", SciPy 2015),
-/// and straight lines between them.
+/// Lightness increases evenly, so that the order is visible with any colour vision, and in grey: sixteen equidistant
+/// colours of viridis (N. Smith, S. van der Walt, "A Better Default Colormap for Matplotlib", SciPy 2015), interpolated
+/// linearly.
 pub(crate) fn viridis(value: f64) -> RGBColor {
     let last = VIRIDIS.len() - 1;
     let place = value.clamp(0.0, 1.0) * last as f64;

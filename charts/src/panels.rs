@@ -1,4 +1,4 @@
-//! Small panels with logarithmic axes, in rows and columns, with the powers of x to compare a slope with.
+//! Small panels with logarithmic axes, in rows and columns, with powers of x as guides for the slope.
 
 use std::error::Error;
 
@@ -10,23 +10,23 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use crate::page::{GREY, GRID, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::scale::{Scale, label};
 
-/// Panels of which all share the axis of x, and those of a column that of y.
+/// Panels that all share the x axis; the panels of a column share the y axis.
 pub struct Panels {
     pub title: String,
     pub subtitle: String,
-    /// Colour, width and name of a line, in rows.
+    /// Rows of a colour, width and name of a line.
     pub legend: Vec<Vec<(RGBColor, f64, String)>>,
     pub x: String,
-    /// The first and the last are the ends of the axis.
+    /// Marked values; the first and the last are the ends of the axis.
     pub x_ticks: Vec<f64>,
     /// Width and height of a panel, in pixels of the picture.
     pub panel: (f64, f64),
     pub columns: Vec<Column>,
-    /// A caption, and the curves of the panel in each column.
+    /// Caption, and the curves of the panel in each column.
     pub rows: Vec<(String, Vec<Vec<Curve>>)>,
 }
 
-/// Panels below each other.
+/// Column of panels.
 pub struct Column {
     pub label: String,
 }
@@ -35,9 +35,9 @@ pub struct Curve {
     pub color: RGBColor,
     pub width: f64,
     pub points: Vec<(f64, f64)>,
-    /// Exponents of the powers that are drawn through the first point.
+    /// Exponents of the powers drawn through the first point.
     pub guides: Vec<i32>,
-    /// Stands above the first point.
+    /// Text above the first point.
     pub name: String,
 }
 
@@ -50,7 +50,7 @@ const CAPTION: f64 = 54.0;
 const FOOTER: f64 = 96.0;
 const BETWEEN: f64 = 48.0;
 
-/// A panel on the page, and its axes.
+/// Panel on the page with its axes.
 struct Frame {
     left: f64,
     top: f64,
@@ -81,7 +81,7 @@ impl Panels {
         }
     }
 
-    /// The height of what stands above the panels.
+    /// Height of the space above the panels.
     fn head(&self) -> f64 {
         HEAD + LEGEND * self.legend.len() as f64
     }
@@ -125,7 +125,7 @@ impl Panels {
         };
         let ((_, right), (_, highest)) = (frame.x.ends(), frame.y.ends());
         for &power in &curve.guides {
-            // As far as the panel reaches.
+            // Clip the line at the edges of the panel.
             let exponent = f64::from(power);
             let end = right.min(x * (highest / y).powf(1.0 / exponent));
             let top = y * (end / x).powf(exponent);
@@ -137,7 +137,7 @@ impl Panels {
                 GREY.stroke_width(width(1.0)),
             ))?;
             let name = ["n", "n²", "n³"].get(power as usize - 1).copied().unwrap_or_default();
-            // Beside its end; where that is cut off at the top, below it.
+            // Beside the end of the line, or below it if the line is cut off at the top.
             let down = if top < 0.999 * highest { 0.0 } else { 9.0 };
             let beside = text(18.0, GREY).pos(Pos::new(HPos::Left, VPos::Center));
             page.draw_text(name, &beside, (ends[1].0 + px(6.0), ends[1].1 + px(down)))?;

@@ -1,16 +1,16 @@
-//! Where values stand on an axis.
+//! Scales of axes.
 
-/// An axis between two values.
+/// Axis between two values.
 #[derive(Clone, Copy)]
 pub(crate) enum Scale {
-    /// Powers of ten in equal distances.
+    /// Logarithmic between two values.
     Logarithmic(f64, f64),
-    /// From zero to this.
+    /// Linear from zero to this value.
     Linear(f64),
 }
 
 impl Scale {
-    /// Between the nearest powers of ten that hold all values.
+    /// Logarithmic scale between the nearest powers of ten that include all values.
     pub(crate) fn around(values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = values.fold((f64::INFINITY, 0.0_f64), |(low, high), value| {
             (low.min(value), high.max(value))
@@ -23,7 +23,7 @@ impl Scale {
         }
     }
 
-    /// Where a value stands: 0 at the low end, 1 at the high one.
+    /// Position of a value: 0 at the low end, 1 at the high one.
     pub(crate) fn part(self, value: f64) -> f64 {
         match self {
             Self::Logarithmic(low, high) => (value / low).ln() / (high / low).ln(),
@@ -31,7 +31,7 @@ impl Scale {
         }
     }
 
-    /// The ends.
+    /// Ends of the axis.
     pub(crate) fn ends(self) -> (f64, f64) {
         match self {
             Self::Logarithmic(low, high) => (low, high),
@@ -39,7 +39,7 @@ impl Scale {
         }
     }
 
-    /// The marked values, with their number or without.
+    /// Marked values, and whether each has a label.
     pub(crate) fn ticks(self) -> Vec<(f64, bool)> {
         match self {
             Self::Logarithmic(low, high) => {
@@ -64,7 +64,7 @@ impl Scale {
     }
 }
 
-/// A number in digits as far as they are read at sight, beyond that as a power of ten, which it must be.
+/// Label of a number: in digits if they are easy to read, otherwise as a power of ten, which the number must be.
 pub(crate) fn label(value: f64) -> String {
     let power = value.log10().round() as i32;
     if value == 0.0 || (-1..5).contains(&power) {

@@ -1,7 +1,7 @@
-//! Text for bitmaps, set as a browser sets that of an SVG.
+//! Text of bitmaps, laid out like the text of an SVG in a browser.
 //!
-//! What plotters does by itself (0.3.7) leaves out the space that a font wants beside each glyph, and puts the lines
-//! higher than in its SVG.
+//! The layout of plotters (0.3.7) omits the spacing that a font prescribes beside each glyph, and puts the lines higher
+//! than in its SVG.
 
 use std::error::Error;
 
@@ -11,16 +11,16 @@ use plotters::style::text_anchor::{HPos, VPos};
 use plotters::style::{FontStyle, register_font};
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
 
-/// What the charts are set in: the first is at hand here, and one of them in each browser.
+/// Font families of the charts: the first is bundled, and every browser has one of them.
 pub(crate) const FAMILY: &str = "Inter, Helvetica, Arial, sans-serif";
 
-/// plotters gives the height of a line for the size of a text; its SVG counts this much for an em.
+/// plotters takes the height of a line as the size of a text; its SVG divides it by this factor for the em.
 pub(crate) const LINE_PER_EM: f64 = 1.24;
 
 const REGULAR: &[u8] = include_bytes!("../fonts/Inter-Regular.otf");
 const BOLD: &[u8] = include_bytes!("../fonts/Inter-SemiBold.otf");
 
-/// Tells plotters how wide the glyphs are.
+/// Registers the fonts with plotters, which needs the widths of the glyphs.
 pub(crate) fn register_fonts() -> Result<(), Box<dyn Error>> {
     for (style, font) in [(FontStyle::Normal, REGULAR), (FontStyle::Bold, BOLD)] {
         register_font(FAMILY, style, font).map_err(|_| "the font is not readable")?;
@@ -28,7 +28,7 @@ pub(crate) fn register_fonts() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A bitmap with better text.
+/// Bitmap backend with better text layout.
 pub(crate) struct Typeset<'a>(pub BitMapBackend<'a>);
 
 impl DrawingBackend for Typeset<'_> {
@@ -89,7 +89,7 @@ impl DrawingBackend for Typeset<'_> {
 fn font<S: BackendTextStyle>(style: &S) -> Result<PxScaleFont<FontRef<'static>>, InvalidFont> {
     let bold = matches!(style.style(), FontStyle::Bold);
     let font = FontRef::try_from_slice(if bold { BOLD } else { REGULAR })?;
-    // A scale counts the height of a line, not the em.
+    // The scale refers to the height of a line, not to the em.
     let line = font.height_unscaled() / font.units_per_em().ok_or(InvalidFont)?;
     Ok(font.into_scaled(em(style) * line))
 }
@@ -98,7 +98,7 @@ fn em<S: BackendTextStyle>(style: &S) -> f32 {
     (style.size() / LINE_PER_EM) as f32
 }
 
-/// Where the line of `text` begins on its base line, seen from the anchor: the same offsets as in plotters' SVG.
+/// Start of `text` on its base line, relative to the anchor: the same offsets as in plotters' SVG.
 fn start<S: BackendTextStyle>(font: &PxScaleFont<FontRef<'_>>, text: &str, style: &S) -> (f32, f32) {
     let em = em(style);
     let width: f32 = text.chars().map(|c| font.h_advance(font.glyph_id(c))).sum();
@@ -116,7 +116,7 @@ fn start<S: BackendTextStyle>(font: &PxScaleFont<FontRef<'_>>, text: &str, style
     (x, y)
 }
 
-/// The height of the letter x in ems.
+/// Height of the letter x, in ems.
 const X_HEIGHT: f32 = 0.546;
 
 /// Calls `draw(x, y, coverage)` for the pixels of a line that begins at `(x, y)`.

@@ -1,4 +1,5 @@
-// Fig. 2 of H. Williams, "A compound double pendulum with friction" (2023), by the classical Runge-Kutta method: CSV for each friction.
+// Fig. 2 of H. Williams, "A compound double pendulum with friction" (2023), by the classical Runge-Kutta method: prints
+// CSV for each friction.
 //
 //     cargo run --example emitted -- --c testbed/src/scenes.rs
 //     cc -std=c99 -O2 -ffp-contract=off -Iout/emitted examples/emitted_c/fig2.c out/emitted/double_pendulum.c -lm -o out/emitted/fig2

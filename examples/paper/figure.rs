@@ -1,4 +1,4 @@
-//! Figure 2 of the paper: angles and rates for three strengths of friction.
+//! Figure 2 of the paper: angles and rates for three values of friction.
 
 use std::error::Error;
 
@@ -10,27 +10,34 @@ use charts::page::{BLUE, VERMILION};
 const UPPER: Line = Line::solid(BLUE);
 const LOWER: Line = Line::dashed(VERMILION);
 
-/// Points for each curve: enough for it to look smooth.
+/// Number of points for each curve, enough for a smooth line.
 const POINTS: u32 = 800;
 
-/// One row of panels for each solution, named by its friction.
+/// Figure with a row of panels for each solution, named by its friction.
 pub(crate) fn figure2(runs: &[(f64, Solution<f64, 4>)], t_end: f64) -> Result<Figure, Box<dyn Error>> {
     let rows = runs.iter().map(|(gamma, solution)| row(*gamma, solution, t_end));
     Ok(Figure {
         title: "Compound double pendulum with friction, released from rest at θ₁ = 0°, θ₂ = 4°".to_owned(),
-        subtitle:
-            "After Williams (2023), Fig. 2: equal plates, m = 1 kg, inertia 1 kg m², c = d = 1 m; g = 9.8 m/s²; γ₁ = γ₂ = γ"
-                .to_owned(),
+        subtitle: "After Williams (2023), Fig. 2: equal plates, m = 1 kg, inertia 1 kg m², c = d = 1 m; g = 9.8 m/s²; \
+                   γ₁ = γ₂ = γ"
+            .to_owned(),
         size: (1600, 1500),
         legend: vec![
             (UPPER, "upper plate: θ₁ and dθ₁/dt".to_owned()),
             (LOWER, "lower plate: θ₂ and dθ₂/dt".to_owned()),
         ],
-        columns: [("angles", "angle θ (°)", -4.6..4.6), ("rates", "rate dθ/dt (°/s)", -11.5..11.5)]
-            .map(|(title, label, range)| {
-                Column::new(title, Axis::linear("time t (s)", 0.0..t_end), Axis::linear(label, range))
-            })
-            .into(),
+        columns: [
+            ("angles", "angle θ (°)", -4.6..4.6),
+            ("rates", "rate dθ/dt (°/s)", -11.5..11.5),
+        ]
+        .map(|(title, label, range)| {
+            Column::new(
+                title,
+                Axis::linear("time t (s)", 0.0..t_end),
+                Axis::linear(label, range),
+            )
+        })
+        .into(),
         rows: rows.collect::<Result<_, _>>()?,
     })
 }

@@ -1,7 +1,7 @@
-//! Section 4 of the paper on real numbers: H. Williams, "A compound double pendulum with friction" (2023).
+//! Section 4 of the paper with numbers: H. Williams, "A compound double pendulum with friction" (2023).
 //!
-//! `cargo run --release --example paper` declares the pendulum, shows the generated equations beside the paper's Eq. 22,
-//! integrates the paper's three cases, compares where they end with reference trajectories, and draws Fig. 2.
+//! `cargo run --release --example paper` declares the pendulum, prints the generated equations beside the paper's Eq.
+//! 22, integrates the paper's three cases, compares the final states with reference trajectories, and draws Fig. 2.
 
 mod figure;
 
@@ -48,11 +48,11 @@ mechanism! {
     }
 }
 
-/// The end of the paper's Fig. 2, in seconds.
+/// End time of the paper's Fig. 2, in seconds.
 const T_END: f64 = 20.0;
 
-/// The paper's friction coefficients, in N m s and alike in both axles, each with the state at the end from `testbed/data/trajectories.json`:
-/// extrapolation in 45-digit arithmetic.
+/// The paper's friction coefficients, in N m s and equal in both joints, each with the final state from
+/// `testbed/data/trajectories.json`: extrapolation in 45-digit arithmetic.
 const CASES: [(f64, [f64; 4]); 3] = [
     (
         1.0,
@@ -101,7 +101,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Eq. 22, corrected: the left sides as in `EQUATIONS`, whose `theta'` are written `dot(theta)`.
+/// Eq. 22, corrected: the left sides as in `EQUATIONS`, where `theta'` is written `dot(theta)`.
 ///
 /// The paper prints theta2'^2 in b[theta2]; with that the energy is not conserved at gamma1 = gamma2 = 0.
 const EQ_22: [(&str, &str); 7] = [
@@ -117,7 +117,7 @@ const EQ_22: [(&str, &str); 7] = [
     ("Q[theta2]", "gamma2 (theta1' - theta2')"),
 ];
 
-/// Each generated term with that of Eq. 22 below it.
+/// Prints each generated term with the corresponding term of Eq. 22 below it.
 fn print_equations() {
     println!("The generated equations, and below each term that of Williams (2023), Eq. 22, corrected:");
     println!("two identical plates, whose centre of mass is as far from the axle as the other axle, c = d\n");
@@ -137,7 +137,7 @@ fn print_operations() {
     println!("  state Jacobian   {}\n", DoublePendulum::COST["jacobian"]);
 }
 
-/// Integrates the case with the friction `gamma` in both axles by two methods, and prints how well they did.
+/// Integrates the case with the friction `gamma` in both joints with two methods, and prints their errors.
 fn run(gamma: f64, reference: &SVector<f64, 4>) -> Result<Solution<f64, 4>, Box<dyn Error>> {
     let params = DoublePendulumParams {
         gamma1: gamma,
@@ -181,7 +181,7 @@ fn print_row(name: &str, x: &SVector<f64, 4>) {
     }
 }
 
-/// The energy above that of hanging at rest: with friction it only falls.
+/// Prints the energy above hanging at rest: with friction it only decreases.
 fn print_energy(pendulum: &DoublePendulum, solution: &Solution<f64, 4>) {
     let rest = pendulum.energy(0.0, &SVector::zeros());
     let energies: Vec<f64> = solution.points().map(|(t, x)| pendulum.energy(t, x) - rest).collect();

@@ -22,7 +22,7 @@
 //! # }
 //! ```
 //!
-//! Plane mechanisms are seen as they are, along the z axis; others from a place of their own ([`Drawing::seen_from`]).
+//! Planar mechanisms are viewed along the z axis; others from a direction of choice ([`Drawing::seen_from`]).
 #![forbid(unsafe_code)]
 
 mod still;
@@ -38,18 +38,18 @@ use pendulum_core::shapes::{Shape, Shapes};
 
 use still::{Bounds, Frame, Part, Still};
 
-/// Pictures in a second of an animation.
+/// Frame rate of an animation, in frames per second.
 const RATE: u32 = 25;
 
-/// Places of a trail in a second, and the fewest and the most of them.
+/// Points of a trail per second, and their minimum and maximum number.
 const TRAIL: (f64, f64, f64) = (100.0, 1500.0, 20_000.0);
 
-/// The motion of a model, to be drawn.
+/// Motion of a model, to be drawn.
 #[derive(Clone, Debug)]
 pub struct Drawing<'a, M, const N: usize> {
     model: &'a M,
     solution: &'a Solution<f64, N>,
-    /// From places in space to those in the picture.
+    /// Projection from space to the plane of the picture.
     view: Matrix2x3<f64>,
     ghosts: usize,
     speed: f64,
@@ -67,8 +67,8 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
         }
     }
 
-    /// Seen from far away in a direction of the ground frame, with the direction `up` upward in the picture: z and y by
-    /// default. The two have any length, and must not be parallel.
+    /// Sets the direction of view from far away, in the ground frame, and the direction `up` that points upward in the
+    /// picture: z and y by default. Both may have any length, and must not be parallel.
     #[must_use]
     pub fn seen_from(mut self, direction: [f64; 3], up: [f64; 3]) -> Self {
         let [direction, up] = [direction, up].map(|v| Vector3::from(v).normalize());
@@ -78,26 +78,26 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
         self
     }
 
-    /// How many earlier places of the bodies a picture shows beside the last one: 4 by default.
+    /// Sets the number of earlier positions of the bodies that a picture shows besides the last one: 4 by default.
     #[must_use]
     pub fn ghosts(mut self, ghosts: usize) -> Self {
         self.ghosts = ghosts;
         self
     }
 
-    /// How much faster than the motion its animation runs: 1 by default.
+    /// Sets the speed of the animation relative to the motion: 1 by default.
     #[must_use]
     pub fn speed(mut self, speed: f64) -> Self {
         self.speed = speed;
         self
     }
 
-    /// Writes a picture of the whole motion to `stem` with the endings svg and png, and says where: the bodies at the end, as
-    /// shadows at some times before, and the trails of the declared points.
+    /// Writes a picture of the whole motion to `stem` with the extensions svg and png, and returns the paths. It shows
+    /// the bodies at the end and, as shadows, at some earlier times, and the trails of the declared points.
     ///
     /// # Errors
     ///
-    /// Where a file cannot be written, or where the directions of the view are parallel.
+    /// If a file cannot be written, or if the directions of the view are parallel.
     pub fn picture(&self, stem: &Path) -> Result<[PathBuf; 2], Box<dyn Error>> {
         let trails = self.trails()?;
         let bounds = Bounds::of(&trails)?;
@@ -110,11 +110,11 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
         Still::new(&trails, bodies, bounds).save(stem)
     }
 
-    /// Writes an animation to `stem` with the ending gif, and says where: 25 pictures in a second, again and again.
+    /// Writes an endless animation to `stem` with the extension gif, at 25 frames per second, and returns its path.
     ///
     /// # Errors
     ///
-    /// Where the file cannot be written, where `speed` is not positive, or where the directions of the view are parallel.
+    /// If the file cannot be written, if `speed` is not positive, or if the directions of the view are parallel.
     pub fn animation(&self, stem: &Path) -> Result<PathBuf, Box<dyn Error>> {
         let (start, end) = self.span();
         let step = self.speed / f64::from(RATE);
@@ -145,13 +145,13 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
         times.map(|t| self.frame(t)).collect()
     }
 
-    /// The time at a part of the motion, from 0 to 1; at 1 it is the end itself, which rounding must not pass.
+    /// Time at a fraction of the motion, from 0 to 1; at 1 exactly the end, which rounding must not exceed.
     fn time(&self, part: f64) -> f64 {
         let (start, end) = self.span();
         (1.0 - part) * start + part * end
     }
 
-    /// What is seen at a time.
+    /// The frame at a time.
     fn frame(&self, t: f64) -> Result<Frame, Box<dyn Error>> {
         let x = self.solution.at(t)?;
         let part = |shape: Shape<'_>| Part {

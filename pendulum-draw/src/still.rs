@@ -1,4 +1,4 @@
-//! One picture of a mechanism.
+//! Still picture of a mechanism.
 
 use std::error::Error;
 
@@ -7,22 +7,24 @@ use pendulum_core::shapes::ShapeKind;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-/// The colours of bodies, in the order of the declaration.
+/// Colours of bodies, in the order of the declaration.
 const COLORS: [RGBColor; 6] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY];
 
-/// The longer side of a picture, and the least of the shorter one, in pixels; the space around what is seen.
+/// Longer side of a picture, in pixels.
 const LONGEST: f64 = 480.0;
+/// Minimum of the shorter side, in pixels.
 const SHORTEST: f64 = 240.0;
+/// Space around the drawing, in pixels.
 const MARGIN: f64 = 24.0;
 
-/// What is seen at a time.
+/// Bodies and other shapes at a time.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
     pub(crate) t: f64,
     pub(crate) parts: Vec<Part>,
 }
 
-/// A shape in the plane of the picture, in m.
+/// Shape in the plane of the picture, in m.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub(crate) name: String,
@@ -31,7 +33,7 @@ pub(crate) struct Part {
     pub(crate) radius: f64,
 }
 
-/// The least and the largest coordinates.
+/// Smallest and largest coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounds {
     low: [f64; 2],
@@ -39,7 +41,7 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    /// What all frames together take.
+    /// Bounds of all frames together.
     pub(crate) fn of(frames: &[Frame]) -> Result<Self, String> {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for part in frames.iter().flat_map(|frame| &frame.parts) {
@@ -64,9 +66,9 @@ impl Bounds {
 #[derive(Clone, Debug)]
 pub(crate) struct Still<'a> {
     trails: &'a [Frame],
-    /// In the order of time; all but the last are shadows.
+    /// In chronological order; all but the last are shadows.
     bodies: Vec<Frame>,
-    /// The bodies that have colours of their own.
+    /// Bodies with their own colours.
     names: Vec<String>,
     bounds: Bounds,
 }
@@ -88,14 +90,14 @@ impl<'a> Still<'a> {
         }
     }
 
-    /// Pixels of the picture in a metre.
+    /// Pixels of the picture per metre.
     fn scale(&self) -> f64 {
         let Bounds { low, high } = self.bounds;
         let longest = (high[0] - low[0]).max(high[1] - low[1]);
         (LONGEST - 2.0 * MARGIN) / longest.max(f64::MIN_POSITIVE)
     }
 
-    /// The size in pixels of the picture.
+    /// Size in pixels of the picture.
     fn extent(&self) -> [f64; 2] {
         let Bounds { low, high } = self.bounds;
         [0, 1].map(|axis| {
@@ -105,7 +107,7 @@ impl<'a> Still<'a> {
         })
     }
 
-    /// A point in pixels of the drawing.
+    /// Position of a point, in pixels of the drawing.
     fn place(&self, point: [f64; 2]) -> (i32, i32) {
         let (Bounds { low, high }, extent) = (self.bounds, self.extent());
         let from_middle = |axis: usize| self.scale() * (point[axis] - 0.5 * (low[axis] + high[axis]));
@@ -119,7 +121,7 @@ impl<'a> Still<'a> {
         points.iter().map(|&point| self.place(point)).collect()
     }
 
-    /// The colour of a body: by its place among those that are seen.
+    /// Colour of a body, by its index among the visible ones.
     fn color(&self, name: &str) -> RGBColor {
         let place = self.names.iter().position(|known| *known == name).unwrap_or(0);
         COLORS[place % COLORS.len()]
@@ -227,19 +229,19 @@ impl Picture for Still<'_> {
     }
 }
 
-/// Whether a kind is the solid of a body.
+/// True if a shape is the solid of a body.
 fn is_solid(kind: ShapeKind) -> bool {
     use ShapeKind::{Cuboid, Cylinder, Disk, Mass, Plate, Rod, Sphere};
     matches!(kind, Mass | Rod | Disk | Plate | Cuboid | Cylinder | Sphere)
 }
 
-/// The colour that a part of another gives on white.
+/// Blends a colour with white; `part` is its share.
 fn on_white(RGBColor(red, green, blue): RGBColor, part: f64) -> RGBColor {
     let [red, green, blue] = [red, green, blue].map(|of| (255.0 - part * (255.0 - f64::from(of))).round() as u8);
     RGBColor(red, green, blue)
 }
 
-/// The pieces of a line, of which none turns back: bitmaps have no line where it covers itself.
+/// Splits a line into pieces that do not turn back, since a bitmap shows no line where it covers itself.
 fn pieces(line: &[(i32, i32)]) -> Vec<&[(i32, i32)]> {
     let (mut pieces, mut from, mut ahead) = (Vec::new(), 0, (0, 0));
     for n in 1..line.len() {
@@ -256,7 +258,7 @@ fn pieces(line: &[(i32, i32)]) -> Vec<&[(i32, i32)]> {
     pieces
 }
 
-/// A line that is bent to and fro between two ends.
+/// Zigzag line between two ends.
 fn zigzag(from: (i32, i32), to: (i32, i32)) -> Vec<(i32, i32)> {
     const BENDS: i32 = 12;
     let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
@@ -274,7 +276,7 @@ fn zigzag(from: (i32, i32), to: (i32, i32)) -> Vec<(i32, i32)> {
     (0..=BENDS).map(place).collect()
 }
 
-/// The convex hull of points (Andrew 1979).
+/// Convex hull of points (Andrew 1979).
 fn hull(mut points: Vec<(i32, i32)>) -> Vec<(i32, i32)> {
     points.sort_unstable();
     points.dedup();

@@ -1,4 +1,4 @@
-//! Pictures and animations are written, or refused with a reason.
+//! Pictures and animations are written, or rejected with a reason.
 
 use std::error::Error;
 use std::fs;
@@ -9,7 +9,7 @@ use pendulum_core::shapes::{ShapeKind, Shapes};
 use pendulum_draw::Drawing;
 
 mechanism! {
-    /// One of each thing to see.
+    /// One of each kind of shape.
     Zoo {
         params { r: m = 0.1 }
         gravity: [0, -9.81, 0],
@@ -19,7 +19,8 @@ mechanism! {
         damper between tip and nail: 0.1,
         body arm on ground {
             solids: [
-                rod(0.1, [0, 0, 0], [0, -1, 0]), point(0.1, [0, -1, 0]), disk(0.2, r, [0.3, 0, 0]), sphere(0.1, r, [0, -0.5, 0]),
+                rod(0.1, [0, 0, 0], [0, -1, 0]), point(0.1, [0, -1, 0]),
+                disk(0.2, r, [0.3, 0, 0]), sphere(0.1, r, [0, -0.5, 0]),
                 plate(0.1, [[0, 0], [0.1, 0], [0, 0.1]]), cuboid(0.1, [0.2, 0.1, 0.3], [-0.3, 0, 0]),
                 cylinder(0.1, r, [0, 0, 0], [0, 0.3, 0]),
             ],
@@ -49,7 +50,7 @@ fn shapes_are_where_the_declaration_puts_them() -> Result<(), Box<dyn Error>> {
             .find(|shape| shape.kind == kind)
             .ok_or("a shape is missing")
     };
-    // a quarter of a turn takes (x, y) to (-y, x)
+    // a quarter turn maps (x, y) to (-y, x)
     let near = |shape: &pendulum_core::shapes::Shape, n: usize, place: [f64; 3]| {
         let apart = shape.points[n].coords - SVector::from(place);
         assert!(apart.norm() < 1e-15, "{shape:?}");
@@ -85,8 +86,8 @@ fn a_motion_becomes_a_picture_and_an_animation() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Carelessly rounded, the last place of the trail is past the end in the first span, that of the shadows in the second, and that of the
-/// animation in the third.
+/// With careless rounding, times would exceed the end: the last point of the trail in the first span, the shadows in
+/// the second, and the animation in the third.
 #[test]
 fn rounding_does_not_pass_the_end() -> Result<(), Box<dyn Error>> {
     let zoo = Zoo::new(ZooParams::default())?;
@@ -100,7 +101,7 @@ fn rounding_does_not_pass_the_end() -> Result<(), Box<dyn Error>> {
 }
 
 mechanism! {
-    /// A wheel that turns at its rate.
+    /// A freely rotating wheel.
     Wheel {
         body wheel on ground { solids: [disk(1, 1, [0, 0, 0])], joint: revolute(z), coordinate: theta }
         point rim on wheel at [1, 0, 0],
@@ -108,7 +109,8 @@ mechanism! {
     }
 }
 
-/// Bitmaps are filled where a line covers itself once, not twice: the trail of a wheel that turns and turns comes in pieces.
+/// A bitmap fills a line that covers itself only once, so the trail of a wheel that makes many turns is drawn in
+/// pieces.
 #[test]
 fn trails_cover_themselves() -> Result<(), Box<dyn Error>> {
     let wheel = Wheel::new(WheelParams {})?;
@@ -129,7 +131,7 @@ fn trails_cover_themselves() -> Result<(), Box<dyn Error>> {
         };
         pieces.push(places.map(place).collect::<Result<_, _>>()?);
     }
-    // those of the trail come first; the last line is the spoke of the disk
+    // the pieces of the trail come first; the last line is the spoke of the disk
     pieces.pop();
     assert!((5..=20).contains(&pieces.len()), "{}", pieces.len());
     let step = |pair: &[[f64; 2]]| [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
@@ -153,7 +155,7 @@ fn trails_cover_themselves() -> Result<(), Box<dyn Error>> {
 }
 
 mechanism! {
-    /// A ball joint and a free one.
+    /// A ball joint and a free joint.
     Loose {
         body arm on ground { solids: [sphere(1, 0.1, [0, 0, -1])], joint: ball, orientation: a }
         body stone on ground { solids: [sphere(1, 0.1, [0, 0, 0])], joint: free, orientation: b, position: p }

@@ -1,5 +1,5 @@
-//! Where a double pendulum with dry friction comes to rest, over the rates with which it is thrown from hanging, and
-//! after how many turns.
+//! Basins of rest of a double pendulum with dry friction: the resting place and the number of turns, over the initial
+//! rates with which the hanging pendulum is thrown.
 //!
 //! `cargo run --release --example basins_of_rest` takes 400 x 400 throws, `SIZE=2000` in the environment four million.
 //! The table and its picture are in `out/`.
@@ -15,7 +15,7 @@ use pendulum_core::prelude::*;
 use pendulum_sweep::{Axis, Sweep, Table};
 
 mechanism! {
-    /// Two equal rods of 1 kg and 1 m with friction in both axles; both angles are from hanging.
+    /// Two equal rods of 1 kg and 1 m with friction in both joints; both angles are measured from hanging.
     Rods {
         params { mu1: N m = 1.5, mu2: N m = 0.6 }
         gravity: [0, -9.81, 0],
@@ -27,7 +27,7 @@ mechanism! {
     }
 }
 
-/// By then all of them rest, in seconds.
+/// End time in seconds, by which all throws rest.
 const T_END: f64 = 60.0;
 /// The fastest throw, in rad/s.
 const FASTEST: f64 = 12.0;

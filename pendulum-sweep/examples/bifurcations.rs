@@ -1,5 +1,5 @@
-//! The bifurcation diagram of the driven pendulum with friction: the rates at which a Poincaré section meets its motion,
-//! over the amplitude of the drive.
+//! Bifurcation diagram of the driven pendulum with friction: the rates in a Poincaré section over the amplitude of the
+//! drive.
 //!
 //! `cargo run --release --example bifurcations` takes 4000 amplitudes, `SIZE=100000` in the environment a hundred
 //! thousand. The table and its picture are in `out/`.
@@ -14,8 +14,8 @@ use pendulum_core::prelude::*;
 use pendulum_sweep::{Axis, Sweep, Table};
 
 mechanism! {
-    /// The pendulum of Baker and Gollub, "Chaotic Dynamics" (1990), with the quality 2, driven at two thirds of its
-    /// frequency: that is 1 rad/s, and moments are in units of its weight.
+    /// Pendulum of Baker and Gollub, "Chaotic Dynamics" (1990), with quality factor 2, driven at two thirds of its
+    /// natural frequency. That frequency is 1 rad/s, and moments are in units of its weight.
     Driven {
         params { amplitude: N m }
         gravity: [0, -1, 0],
@@ -27,13 +27,15 @@ mechanism! {
     }
 }
 
-/// The period of the drive, in seconds.
+/// Period of the drive, in seconds.
 const PERIOD: f64 = 3.0 * std::f64::consts::PI;
-/// The periods that are left out, and those that are kept.
+/// Number of periods skipped as transient, and number of periods recorded.
 const PERIODS: [usize; 2] = [200, 100];
-/// The picture: amplitudes in N m and rates in rad/s, and cells across and up.
+/// Range of amplitudes in the picture, in N m.
 const AMPLITUDES: [f64; 2] = [1.0, 1.5];
+/// Range of rates in the picture, in rad/s.
 const RATES: [f64; 2] = [-0.5, 2.5];
+/// Number of cells of the picture, across and up.
 const CELLS: [usize; 2] = [500, 500];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -68,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
-    // of the points over a cell's amplitudes
+    // mean number of points in a column of cells
     let all = (size * PERIODS[1]) as f64 / CELLS[0] as f64;
     let cells = cells
         .into_iter()

@@ -1,5 +1,5 @@
-//! How chaotic a driven pendulum with friction is: the largest Lyapunov exponent over the amplitude and the frequency of
-//! the drive.
+//! Chaos of a driven pendulum with friction: the largest Lyapunov exponent over the amplitude and the frequency of the
+//! drive.
 //!
 //! `cargo run --release --example chaos_map` takes 400 x 400 drives, `SIZE=2000` in the environment four million. The
 //! table and its picture are in `out/`.
@@ -15,8 +15,8 @@ use pendulum_core::stability::Lyapunov;
 use pendulum_sweep::{Axis, Sweep, Table};
 
 mechanism! {
-    /// The pendulum of Baker and Gollub, "Chaotic Dynamics" (1990), with the quality 2. Its frequency is 1 rad/s, and
-    /// moments are in units of its weight.
+    /// Pendulum of Baker and Gollub, "Chaotic Dynamics" (1990), with quality factor 2. Its natural frequency is 1
+    /// rad/s, and moments are in units of its weight.
     Driven {
         params { amplitude: N m, frequency: rad/s }
         gravity: [0, -1, 0],
@@ -27,7 +27,7 @@ mechanism! {
     }
 }
 
-/// The axes of the map, in N m and in rad/s.
+/// Axes of the map, in N m and in rad/s.
 const AMPLITUDES: [f64; 2] = [0.9, 1.7];
 const FREQUENCIES: [f64; 2] = [0.3, 0.9];
 

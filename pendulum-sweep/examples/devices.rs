@@ -1,4 +1,4 @@
-//! How many steps a second each OpenCL device of this machine takes, beside all cores with their vector registers:
+//! Steps per second of each OpenCL device of this machine, compared with all cores and their SIMD lanes:
 //! `cargo run --release --features opencl --example devices`.
 
 use std::error::Error;
@@ -10,7 +10,7 @@ use pendulum_sweep::opencl::{Declared, Device};
 use pendulum_sweep::{Draw, Failure, Sweep, declared};
 
 declared! {
-    /// The compound double pendulum with friction of Williams (2023).
+    /// Compound double pendulum with friction of Williams (2023).
     DoublePendulum {
         params { gamma: N m s = 0.1 }
         gravity: [0, -9.8, 0],
@@ -73,10 +73,10 @@ declared! {
     }
 }
 
-/// Trajectories of each measurement.
+/// Number of trajectories of each measurement.
 const TRAJECTORIES: usize = 1 << 17;
 
-/// Steps a second of a method in an ensemble, from its second run on.
+/// Steps per second of a method in an ensemble, from its second run on.
 fn rate<M, const N: usize>(
     method: impl Ensemble<M, f64, N> + std::fmt::Debug + Sync,
     steps: usize,

@@ -1,8 +1,8 @@
-//! When a double pendulum first flips, over the two angles from which it is released: a map that may take hours.
+//! Time of the first flip of a double pendulum, over its two initial angles: a map that may take hours.
 //!
-//! `cargo run --release --example flip_map` takes 400 x 400 starts; `SIZE=4000` in the environment takes 16 million. Kill
-//! it, start it again: it goes on. `-- --shard 0/2` and `-- --shard 1/2` share the work between two processes, and
-//! `-- --merge` puts their results together. The table and its picture are in `out/`.
+//! `cargo run --release --example flip_map` takes 400 x 400 initial conditions; `SIZE=4000` in the environment takes 16
+//! million. A killed run continues when it is started again. `-- --shard 0/2` and `-- --shard 1/2` share the work
+//! between two processes, and `-- --merge` merges their results. The table and its picture are in `out/`.
 
 use std::error::Error;
 use std::f64::consts::PI;
@@ -15,20 +15,20 @@ use pendulum_core::prelude::*;
 use pendulum_sweep::{Axis, Sweep, Table};
 
 mechanism! {
-    /// Two equal rods of 1 m without friction; both angles are from hanging.
+    /// Two equal rods of 1 m without friction; both angles are measured from hanging.
     Rods {
         gravity: [0, -9.81, 0],
         generate: [rhs, taylor],
         shape arm { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
         body upper on ground: arm { joint: revolute(z), coordinate: theta1 }
         body lower on upper: arm { joint: revolute(z) at [0, -1, 0], coordinate: theta2 absolute }
-        // zero where the rod points straight up
+        // zero if the rod points straight up
         event upper_flips: cos(theta1/2),
         event lower_flips: cos(theta2/2),
     }
 }
 
-/// How long each motion is watched, in seconds.
+/// Duration of each motion, in seconds.
 const T_END: f64 = 30.0;
 
 fn main() -> Result<(), Box<dyn Error>> {

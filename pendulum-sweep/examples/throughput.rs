@@ -1,7 +1,8 @@
-//! What a sweep takes beyond the integration itself: the processor time of double pendulums, 100 steps of `Rk4` each,
-//! into a Parquet file, beside that of one group of lanes alone; and the most memory. Linux only.
+//! Overhead of a sweep over the integration itself: the processor time of a sweep over double pendulums (100 steps of
+//! `Rk4` each) into a Parquet file, compared with one group of lanes alone, and the peak memory. Linux only.
 //!
-//! `cargo run --release --example throughput` takes ten million, `POINTS=100000000` in the environment more.
+//! `cargo run --release --example throughput` takes ten million trajectories, `POINTS=100000000` in the environment
+//! more.
 
 use std::error::Error;
 use std::fs;
@@ -11,7 +12,7 @@ use pendulum_core::prelude::*;
 use pendulum_sweep::{Arguments, Draw, Sweep};
 
 mechanism! {
-    /// The compound double pendulum with friction of Williams (2023).
+    /// Compound double pendulum with friction of Williams (2023).
     DoublePendulum {
         params { gamma: N m s = 0.1 }
         gravity: [0, -9.8, 0],
@@ -26,10 +27,10 @@ mechanism! {
 
 const METHOD: fn() -> Rk4 = || Rk4::new(0.01);
 const T_END: f64 = 1.0;
-/// Trajectories of the group: as many as there are lanes of the widest registers, four registers deep.
+/// Trajectories of the group: the lanes of the widest registers, four registers deep.
 const GROUP: usize = 32;
 
-/// The processor time of all threads so far, in seconds.
+/// Processor time of all threads so far, in seconds.
 fn processor_time() -> Result<f64, Box<dyn Error>> {
     let stat = fs::read_to_string("/proc/self/stat")?;
     let fields: Vec<&str> = stat.rsplit(')').next().ok_or("no fields")?.split_whitespace().collect();
@@ -37,7 +38,7 @@ fn processor_time() -> Result<f64, Box<dyn Error>> {
     Ok(ticks / 100.0)
 }
 
-/// The most memory so far, in MB.
+/// Peak memory so far, in MB.
 fn most_memory() -> Result<f64, Box<dyn Error>> {
     let status = fs::read_to_string("/proc/self/status")?;
     let line = status
@@ -47,7 +48,7 @@ fn most_memory() -> Result<f64, Box<dyn Error>> {
     Ok(line.split_whitespace().nth(1).ok_or("no number")?.parse::<f64>()? / 1000.0)
 }
 
-/// The processor time of each trajectory in one group of lanes alone, in seconds.
+/// Processor time per trajectory in one group of lanes alone, in seconds.
 fn time_alone() -> Result<f64, Box<dyn Error>> {
     let models = [DoublePendulum::new(DoublePendulumParams::default())?];
     let starts: Vec<SVector<f64, 4>> = (0..GROUP)
@@ -90,7 +91,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         1e9 * after
     );
     println!(
-        "the sweep: {:.0} ns of processor time for each, {:.3} times that; {:.3e} a second, as {:.2} such groups; at most {:.0} MB",
+        "the sweep: {:.0} ns of processor time for each, {:.3} times that; {:.3e} a second, as {:.2} such groups; \
+         at most {:.0} MB",
         1e9 * time / points as f64,
         time / points as f64 / alone,
         points as f64 / wall,

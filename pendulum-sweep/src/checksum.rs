@@ -1,7 +1,8 @@
-//! Checksums of finished files: one flipped bit is noticed, wherever it is.
+//! Checksums of finished files, which detect every flipped bit.
 //!
-//! Each page of numbers has the CRC-32 that the format provides, for all who read it. In the metadata stands that of
-//! all bytes before the metadata, and that of the metadata themselves, in which its own digits count as zeros.
+//! Each page of numbers carries the CRC-32 that the Parquet format provides, for all readers. The metadata hold two
+//! more: the checksum of all bytes before the metadata, and the checksum of the metadata themselves, computed with its
+//! own digits as zeros.
 
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
@@ -12,15 +13,15 @@ use parquet::file::metadata::{KeyValue, ParquetMetaData, ParquetMetaDataReader};
 
 use crate::page::{MAGIC, broken, bytes_of_head, bytes_of_page, head_of_page, number, page_of_rows};
 
-/// The key of the metadata under which the checksums stand, each of eight digits.
+/// Key of the metadata entry with both checksums, of eight digits each.
 const KEY: &str = "pendulum-sweep checksums";
 const DIGITS: usize = 8;
 
-/// What to do about a damaged file.
+/// Advice to the user about a damaged file.
 const REMEDY: &str =
     "since the sweep wrote it, bits have changed: restore a copy, or remove the file and run the sweep again";
 
-/// The checksum of the bytes of a file up to some place.
+/// Running checksum of the bytes of a file from its start.
 #[derive(Clone, Default)]
 pub(crate) struct Sum {
     hasher: Hasher,
@@ -33,7 +34,7 @@ impl Sum {
         self.length += bytes.len() as u64;
     }
 
-    /// Adds zeros up to a place.
+    /// Adds zeros up to the offset `place`.
     pub(crate) fn add_zeros(&mut self, place: u64) {
         const ZEROS: [u8; 4096] = [0; 4096];
         while self.length < place {
@@ -42,13 +43,13 @@ impl Sum {
         }
     }
 
-    /// Adds so many bytes with this checksum.
+    /// Adds `length` bytes whose checksum is `sum`.
     pub(crate) fn add_sum(&mut self, sum: u32, length: u64) {
         self.hasher.combine(&Hasher::new_with_initial_len(sum, length));
         self.length += length;
     }
 
-    /// The entry of the metadata, without the checksum of these.
+    /// Returns the metadata entry, with zeros in place of the checksum of the metadata.
     pub(crate) fn entry(&self) -> KeyValue {
         let of_metadata = "0".repeat(DIGITS);
         KeyValue::new(
@@ -58,7 +59,7 @@ impl Sum {
     }
 }
 
-/// Writes the checksum of a footer into it: of the metadata and what follows them in the file.
+/// Writes the checksum of a footer (the metadata and the bytes that follow them) into the footer.
 pub(crate) fn seal(footer: &mut [u8]) -> io::Result<()> {
     let place = place_of_sums(footer).ok_or_else(|| broken("its checksums are missing"))? + DIGITS;
     let sum = crc32fast::hash(footer);
@@ -66,27 +67,27 @@ pub(crate) fn seal(footer: &mut [u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Where the checksums stand in a footer.
+/// Returns the offset of the checksums in a footer.
 fn place_of_sums(footer: &[u8]) -> Option<usize> {
-    // a byte for the field, and one for the length
+    // one byte for the field, and one for the length
     const BETWEEN: usize = 2;
     let key = footer.windows(KEY.len()).rposition(|part| part == KEY.as_bytes())?;
     let place = key + KEY.len() + BETWEEN;
     (place + 2 * DIGITS <= footer.len()).then_some(place)
 }
 
-/// A footer that has not changed.
+/// Footer whose checksum is correct.
 struct Footer {
-    /// Where it begins.
+    /// Offset of the footer in the file.
     start: u64,
-    /// The checksum of all bytes before it.
+    /// Checksum of all bytes before the footer.
     sum: u32,
 }
 
-/// Checks the footer of a file; of a file without checksums there is nothing to check.
+/// Checks the footer of a file. A file without checksums passes.
 ///
 /// # Errors
-/// If it has changed, or if the file could not be read.
+/// If the footer has changed, or if the file cannot be read.
 pub(crate) fn check_footer(path: &Path) -> io::Result<()> {
     footer(&mut File::open(path)?).map(drop)
 }
@@ -123,16 +124,16 @@ fn footer(file: &mut File) -> io::Result<Option<Footer>> {
     }
 }
 
-/// Checks a whole file; one without checksums, as earlier versions wrote it, is not checked.
+/// Checks a whole file. Files without checksums, as earlier versions wrote them, pass.
 ///
 /// # Errors
-/// If a bit of it has changed, or if it could not be read. The error says where, as far as that can be told.
+/// If a bit has changed, or if the file cannot be read. The error names the place, where it can be determined.
 pub(crate) fn check(path: &Path) -> io::Result<()> {
     let mut file = File::open(path)?;
     let footer = footer(&mut file)?;
     let metadata = ParquetMetaDataReader::new().parse_and_finish(&file)?;
     let Some(footer) = footer else {
-        // no change of a single bit takes away both the checksums of pages and those of the file
+        // no single flipped bit removes both the checksums of the pages and those of the file
         return match has_sums_of_pages(&mut file, &metadata)? {
             true => Err(broken(&format!("its checksums are damaged; {REMEDY}"))),
             false => Ok(()),
@@ -156,7 +157,7 @@ pub(crate) fn check(path: &Path) -> io::Result<()> {
     Err(broken(&format!("{place} is damaged; {REMEDY}")))
 }
 
-/// Whether the pages of numbers have checksums.
+/// Checks whether the pages of numbers have checksums.
 fn has_sums_of_pages(file: &mut File, metadata: &ParquetMetaData) -> io::Result<bool> {
     let Some(group) = metadata.row_groups().first().filter(|group| group.num_columns() > 2) else {
         return Ok(false);
@@ -166,7 +167,7 @@ fn has_sums_of_pages(file: &mut File, metadata: &ParquetMetaData) -> io::Result<
     let mut head = vec![0; expected.len()];
     file.seek(SeekFrom::Start(group.column(1).byte_range().0))?;
     file.read_exact(&mut head)?;
-    // all but the pieces of the checksum, and a bit at most of the rest
+    // count differing bits outside the bytes of the checksum; a single one may be the damage itself
     let differ = head.iter().zip(&expected).map(|(a, b)| (a ^ b).count_ones());
     let is_sum = expected
         .iter()
@@ -176,7 +177,7 @@ fn has_sums_of_pages(file: &mut File, metadata: &ParquetMetaData) -> io::Result<
     Ok(others.map(|(bits, _)| bits).sum::<u32>() <= 1)
 }
 
-/// The first column with numbers of which a page has changed, as a message names it.
+/// Returns the first column of numbers with a changed page, in words for a message.
 fn damaged(file: &mut File, metadata: &ParquetMetaData) -> io::Result<Option<String>> {
     let mut first = 0;
     for (n, group) in metadata.row_groups().iter().enumerate() {

@@ -1,25 +1,25 @@
-//! Jobs as programs.
+//! Jobs as command-line programs.
 
 use std::path::{Path, PathBuf};
 
 use crate::error::SweepError;
 use crate::job::{Job, Task};
 
-/// What the command line of a sweep says.
+/// Command-line arguments of a sweep.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Arguments {
-    /// `--out FILE`: another file.
+    /// `--out FILE`: output file, in place of the default.
     pub out: Option<PathBuf>,
-    /// `--shard I/N`: the share `I`, from 0, of `N`.
+    /// `--shard I/N`: computes share `I`, from 0, of `N`.
     pub share: Option<(usize, usize)>,
-    /// `--merge`: puts the file together from the shares.
+    /// `--merge`: assembles the file from the shards of all shares.
     pub merge: bool,
     /// `--threads N`.
     pub threads: Option<usize>,
-    /// `--quiet`: without progress.
+    /// `--quiet`: shows no progress.
     pub quiet: bool,
-    /// `--help`: only says how the program is used.
+    /// `--help`: only prints the usage.
     pub help: bool,
 }
 
@@ -31,10 +31,10 @@ const USAGE: &str = "usage: [--out FILE] [--shard I/N | --merge] [--threads N] [
   --help       shows this";
 
 impl Arguments {
-    /// Reads the arguments of a program, without its name.
+    /// Parses the arguments of a program, without the program's name.
     ///
     /// # Errors
-    /// [`SweepError::Invalid`] with a text on how to use them.
+    /// [`SweepError::Invalid`] with a usage text.
     pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Self, SweepError> {
         let mut parsed = Self::default();
         let mut arguments = arguments.into_iter();
@@ -75,22 +75,22 @@ impl Arguments {
 }
 
 impl<T: Task<K>, const K: usize> Job<T, K> {
-    /// Runs the job as its program was called, into a file where `--out` names no other, and prints what was done: see
-    /// [`Arguments`].
+    /// Runs the job according to the command line of the program and prints a summary; see [`Arguments`]. The output
+    /// goes to `path` unless `--out` names another file.
     ///
-    /// With the feature `mpi`, processes that `mpirun` has started share the shards, each as it is ready for the next
-    /// one. Where one fails all of them end.
+    /// With the feature `mpi`, processes started by `mpirun` share the shards; each takes the next shard when it has
+    /// finished one. If one process fails, all of them end.
     ///
     /// # Errors
-    /// [`SweepError::Invalid`] where the arguments are wrong, and those of [`obey`](Self::obey).
+    /// [`SweepError::Invalid`] if the arguments are wrong, and the errors of [`obey`](Self::obey).
     pub fn main(self, path: impl AsRef<Path>) -> Result<(), SweepError> {
         self.obey(Arguments::parse(std::env::args().skip(1))?, path)
     }
 
-    /// The same with arguments of the program's own choice.
+    /// Like [`main`](Self::main), but with arguments that the program supplies.
     ///
     /// # Errors
-    /// Those of [`run_to`](Self::run_to) and [`merge`](Self::merge).
+    /// The errors of [`run_to`](Self::run_to) and [`merge`](Self::merge).
     pub fn obey(mut self, arguments: Arguments, path: impl AsRef<Path>) -> Result<(), SweepError> {
         if arguments.help {
             println!("{USAGE}");

@@ -1,4 +1,4 @@
-//! Where the points of a sweep lie.
+//! Designs: the points of a sweep.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::error::SweepError;
 use crate::table::Column;
 
-/// Points with `K` numbers each; see the [crate](crate).
+/// Points of `K` numbers each; see the [crate](crate).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep<const K: usize> {
     pub(crate) name: String,
@@ -23,22 +23,22 @@ enum Design<const K: usize> {
 }
 
 impl<const K: usize> Sweep<K> {
-    /// All combinations of the values of some axes. The last axis runs fastest.
+    /// All combinations of the values of the axes. The last axis varies fastest.
     #[must_use]
     pub fn grid(name: &str, axes: [Axis; K]) -> Self {
         Self::new(name, Design::Grid(axes))
     }
 
-    /// Points one by one, with the names and units of their numbers.
+    /// Explicit points, with the names and units of their numbers.
     #[must_use]
     pub fn list(name: &str, columns: [(&str, &str); K], points: Vec<[f64; K]>) -> Self {
         let columns = columns.map(|(name, unit)| Column::new(name, unit));
         Self::new(name, Design::List(columns, points))
     }
 
-    /// Random points. Each number follows from the seed, its row and its column alone (the counter of `SplitMix64`: G. L.
-    /// Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014), so a longer sweep
-    /// begins with the points of a shorter one.
+    /// Random points. Each number depends only on the seed, its row and its column (the counter-based `SplitMix64`: G.
+    /// L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014), so a longer
+    /// sweep begins with the points of a shorter one.
     #[must_use]
     pub fn random(name: &str, draws: [Draw; K], points: usize, seed: u64) -> Self {
         Self::new(name, Design::Random(draws, points, seed))
@@ -49,7 +49,7 @@ impl<const K: usize> Sweep<K> {
         Self { name, design }
     }
 
-    /// How many points there are; `usize::MAX` where that is too small a number.
+    /// Number of points; `usize::MAX` on overflow.
     #[must_use]
     pub fn points(&self) -> usize {
         match &self.design {
@@ -61,7 +61,7 @@ impl<const K: usize> Sweep<K> {
         }
     }
 
-    /// A point.
+    /// Returns the point of a row.
     ///
     /// # Panics
     /// If `row` is not below [`points`](Self::points).
@@ -71,7 +71,7 @@ impl<const K: usize> Sweep<K> {
         self.points_of(row..row + 1)[0]
     }
 
-    /// Some points.
+    /// Returns the points of a range of rows.
     pub(crate) fn points_of(&self, rows: Range<usize>) -> Vec<[f64; K]> {
         let mut points = vec![[0.0; K]; rows.len()];
         match &self.design {
@@ -97,8 +97,8 @@ impl<const K: usize> Sweep<K> {
         points
     }
 
-    /// Rejects axes and draws with numbers that are not finite, such as a logarithmic axis from -1 to 1. A list may hold
-    /// any.
+    /// Rejects axes and draws with numbers that are not finite, such as a logarithmic axis from -1 to 1. Lists may hold
+    /// any numbers.
     pub(crate) fn check(&self) -> Result<(), SweepError> {
         let wrong = match &self.design {
             Design::Grid(axes) => {
@@ -119,7 +119,7 @@ impl<const K: usize> Sweep<K> {
         })
     }
 
-    /// What the numbers of a point are.
+    /// Names and units of the numbers of a point.
     #[must_use]
     pub fn columns(&self) -> Vec<Column> {
         match &self.design {
@@ -129,28 +129,42 @@ impl<const K: usize> Sweep<K> {
         }
     }
 
-    /// The design in full, from which each point can be found again.
+    /// Full description of the design, from which each point can be recomputed.
     pub(crate) fn declaration(&self) -> Value {
         match &self.design {
             Design::Grid(axes) => {
-                let axis = |axis: &Axis| json!({ "name": axis.column.name, "unit": axis.column.unit, "values": axis.spacing.declaration() });
+                let axis = |axis: &Axis| {
+                    json!({
+                        "name": axis.column.name, "unit": axis.column.unit, "values": axis.spacing.declaration(),
+                    })
+                };
                 json!({ "grid": axes.iter().map(axis).collect::<Vec<_>>() })
             }
             Design::List(columns, points) => {
                 let bits = points.iter().flatten().map(|number| number.to_bits());
                 // the points themselves are in the table
-                json!({ "list": columns.iter().map(|column| json!({ "name": column.name, "unit": column.unit })).collect::<Vec<_>>(),
-                    "points": points.len(), "digest": bits.fold(0, |digest, bits| mixed(digest ^ bits)) })
+                json!({
+                    "list": columns
+                        .iter()
+                        .map(|column| json!({ "name": column.name, "unit": column.unit }))
+                        .collect::<Vec<_>>(),
+                    "points": points.len(),
+                    "digest": bits.fold(0, |digest, bits| mixed(digest ^ bits)),
+                })
             }
             Design::Random(draws, points, seed) => {
-                let draw = |draw: &Draw| json!({ "name": draw.column.name, "unit": draw.column.unit, "law": format!("{:?}", draw.law) });
+                let draw = |draw: &Draw| {
+                    json!({
+                        "name": draw.column.name, "unit": draw.column.unit, "law": format!("{:?}", draw.law),
+                    })
+                };
                 json!({ "random": draws.iter().map(draw).collect::<Vec<_>>(), "points": points, "seed": seed })
             }
         }
     }
 }
 
-/// A number that takes some values on a grid.
+/// Axis of a grid: a number and the values that it takes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     column: Column,
@@ -166,26 +180,26 @@ enum Spacing {
 }
 
 impl Axis {
-    /// `count` evenly spaced values from `from` to `to`, both included; `from` alone where there is one.
+    /// `count` evenly spaced values from `from` to `to`, both included; only `from` if `count` is 1.
     #[must_use]
     pub fn linear(name: &str, unit: &str, from: f64, to: f64, count: usize) -> Self {
         Self::new(name, unit, Spacing::Linear([from, to], count))
     }
 
-    /// `count` values in a constant ratio from `from` to `to`, both included; `from` alone where there is one. Both ends
-    /// must have one sign, and not be zero.
+    /// `count` values in a constant ratio from `from` to `to`, both included; only `from` if `count` is 1. Both ends
+    /// must be nonzero and have the same sign.
     #[must_use]
     pub fn logarithmic(name: &str, unit: &str, from: f64, to: f64, count: usize) -> Self {
         Self::new(name, unit, Spacing::Logarithmic([from, to], count))
     }
 
-    /// The centres of `count` cells of equal size, as for a map.
+    /// Centres of `count` cells of equal size between `from` and `to`, as for a map.
     #[must_use]
     pub fn cells(name: &str, unit: &str, from: f64, to: f64, count: usize) -> Self {
         Self::new(name, unit, Spacing::Cells([from, to], count))
     }
 
-    /// Values one by one.
+    /// Explicit values.
     #[must_use]
     pub fn values(name: &str, unit: &str, values: impl Into<Vec<f64>>) -> Self {
         Self::new(name, unit, Spacing::Values(values.into()))
@@ -205,7 +219,7 @@ impl Spacing {
         }
     }
 
-    /// The value of a number below [`count`](Self::count).
+    /// Returns value number `n`, which is below [`count`](Self::count).
     fn at(&self, n: usize) -> f64 {
         match *self {
             Self::Linear([from, _], _) | Self::Logarithmic([from, _], _) if n == 0 => from,
@@ -237,18 +251,18 @@ impl Spacing {
     }
 }
 
-/// Whether all numbers between two are finite, and the difference is.
+/// Checks that both numbers and their difference are finite.
 fn is_finite_between([from, to]: [f64; 2]) -> bool {
     from.is_finite() && to.is_finite() && (to - from).is_finite()
 }
 
-/// Whether logarithms lead from one to the other.
+/// Checks that a logarithmic axis can connect two numbers.
 fn have_a_ratio([from, to]: [f64; 2]) -> bool {
     let ratio = to / from;
     from.is_finite() && to.is_finite() && ratio > 0.0 && ratio.is_finite()
 }
 
-/// A random number, independent of the others.
+/// Random number, independent of the others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draw {
     column: Column,
@@ -263,19 +277,19 @@ enum Law {
 }
 
 impl Draw {
-    /// Uniform from `from` up to `to`.
+    /// Uniform distribution from `from` up to `to`.
     #[must_use]
     pub fn uniform(name: &str, unit: &str, from: f64, to: f64) -> Self {
         Self::new(name, unit, Law::Uniform { from, to })
     }
 
-    /// Log-uniform between `from` and `to`, which have one sign, and are not zero.
+    /// Log-uniform distribution between `from` and `to`, which must be nonzero and have the same sign.
     #[must_use]
     pub fn logarithmic(name: &str, unit: &str, from: f64, to: f64) -> Self {
         Self::new(name, unit, Law::Logarithmic { from, to })
     }
 
-    /// Normal, with a mean and a standard deviation, which is not negative.
+    /// Normal distribution with a mean and a standard deviation, which must not be negative.
     #[must_use]
     pub fn normal(name: &str, unit: &str, mean: f64, deviation: f64) -> Self {
         Self::new(name, unit, Law::Normal { mean, deviation })
@@ -286,12 +300,12 @@ impl Draw {
         Self { column, law }
     }
 
-    /// The number at a count. Logarithms and sines are those of the core, with the same bits on every machine.
+    /// Returns the number at a counter. The core's own logarithms and sines give the same bits on every machine.
     #[inline(always)]
     fn at(&self, seed: u64, counter: u64) -> f64 {
         let share = |half: u64| {
             let bits = mixed(seed.wrapping_add(GOLDEN.wrapping_mul(2 * counter + half + 1)));
-            // an odd number of 2^-54: neither 0 nor 1
+            // an odd multiple of 2^-54, so neither 0 nor 1
             (2.0 * (bits >> 11) as f64 + 1.0) * 2.0_f64.powi(-54)
         };
         match self.law {
@@ -307,18 +321,18 @@ impl Draw {
 }
 
 impl Law {
-    /// Whether all numbers are.
+    /// Checks that all numbers this can yield are finite.
     fn is_finite(self) -> bool {
         match self {
             Self::Uniform { from, to } => is_finite_between([from, to]),
             Self::Logarithmic { from, to } => have_a_ratio([from, to]),
-            // no number is farther from the mean than nine deviations
+            // no number is farther from the mean than nine standard deviations
             Self::Normal { mean, deviation } => deviation >= 0.0 && (mean.abs() + 9.0 * deviation).is_finite(),
         }
     }
 }
 
-/// 2^64 over the golden ratio, odd.
+/// 2^64 divided by the golden ratio, odd.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// The output function of `SplitMix64`.
@@ -350,7 +364,7 @@ mod tests {
         assert_eq!([0, 1].map(|row| map.point(row)), [[0.25], [0.75]]);
     }
 
-    /// The first three outputs for the seed 1234567, of the authors' C code.
+    /// Compares with the first three outputs of the authors' C code for the seed 1234567.
     #[test]
     fn the_generator_is_splitmix64() {
         let seed = 1_234_567_u64;
@@ -379,7 +393,7 @@ mod tests {
             let square = numbers.iter().map(|number| (number - mean).powi(2)).sum::<f64>() / numbers.len() as f64;
             (mean, square.sqrt())
         };
-        // four standard errors, at least, of each
+        // tolerance: at least four standard errors of each
         let near = |(mean, deviation): (f64, f64), (m, d): (f64, f64)| {
             assert!(
                 (mean - m).abs() < 0.03 * d && (deviation - d).abs() < 0.03 * d,

@@ -1,8 +1,8 @@
-//! In what two sweeps differ.
+//! Comparison of the declarations of two sweeps.
 
 use serde_json::{Map, Value};
 
-/// Where another declaration differs from the own one, and how.
+/// Lists the places at which another declaration differs from this one, with both values.
 pub(crate) fn differences(own: &str, other: &str) -> Vec<String> {
     let read = |text: &str| serde_json::from_str(text).unwrap_or(Value::Null);
     let mut differs = Vec::new();
@@ -10,7 +10,7 @@ pub(crate) fn differences(own: &str, other: &str) -> Vec<String> {
     differs
 }
 
-/// Adds the differences at a place, such as `task.span[1]`.
+/// Adds the differences below a place, such as `task.span[1]`.
 fn add(place: &str, (own, other): (&Value, &Value), differs: &mut Vec<String>) {
     match (own, other) {
         (Value::Object(own), Value::Object(other)) => {
@@ -54,7 +54,7 @@ fn add(place: &str, (own, other): (&Value, &Value), differs: &mut Vec<String>) {
     }
 }
 
-/// The part of a text that begins a little before a place.
+/// Returns the part of a text that begins shortly before a place.
 fn excerpt(text: &str, place: usize) -> String {
     const BEFORE: usize = 20;
     const MOST: usize = 120;

@@ -1,4 +1,4 @@
-//! Final states, many at a time.
+//! Final states of many trajectories at a time.
 
 use std::fmt::{Debug, Display};
 use std::iter::repeat_n;
@@ -12,10 +12,10 @@ use crate::error::SweepError;
 use crate::job::{Chunk, Failure, Job, Task};
 use crate::table::Column;
 
-/// A number that a model and a state at a time determine.
+/// Number computed from a model, a time and a state.
 pub(crate) type Quantity<M, const N: usize> = Box<dyn Fn(&M, f64, &SVector<f64, N>) -> f64 + Send + Sync>;
 
-/// What [`Sweep::ends`] does.
+/// Task of [`Sweep::ends`].
 pub struct Ends<X, F, M, const N: usize> {
     method: X,
     span: (f64, f64),
@@ -24,10 +24,10 @@ pub struct Ends<X, F, M, const N: usize> {
 }
 
 impl<const K: usize> Sweep<K> {
-    /// The states that models reach from `span.0` to `span.1`, in the lanes of vector registers. `trial` makes the model
-    /// and the start of a point.
+    /// Integrates models from `span.0` to `span.1` in the SIMD lanes. `trial` builds the model and the initial state of
+    /// a point.
     ///
-    /// Kept are the time `t` that was reached, and the state there, by the names of its components.
+    /// The columns are the final time `t`, and the final state by the names of its components.
     pub fn ends<X, F, M, const N: usize>(self, method: X, span: (f64, f64), trial: F) -> Job<Ends<X, F, M, N>, K>
     where
         F: Fn([f64; K]) -> Result<(M, [f64; N]), Failure> + Sync,
@@ -45,7 +45,7 @@ impl<const K: usize> Sweep<K> {
 }
 
 impl<X, F, M, const K: usize, const N: usize> Job<Ends<X, F, M, N>, K> {
-    /// Keeps a number that the model and its final state determine as well.
+    /// Adds a column computed from the model and its final state.
     pub fn value(
         mut self,
         name: &str,
@@ -102,11 +102,11 @@ where
     }
 }
 
-/// The models and the starts of those points that have them.
+/// Models and initial states of the points for which `trial` succeeded.
 pub(crate) struct Trials<M, const N: usize> {
     pub(crate) models: Vec<M>,
     pub(crate) starts: Vec<SVector<f64, N>>,
-    /// The other points, and why they have none.
+    /// The remaining points, each with the error of `trial`.
     failures: Vec<(usize, Failure)>,
 }
 
@@ -132,8 +132,8 @@ impl<M, const N: usize> Trials<M, N> {
         trials
     }
 
-    /// Adds a row for each point: `width` numbers, which `row` adds of each model, and why it failed if it did; NaN where
-    /// there is none.
+    /// Appends a row for each point. `row` pushes the `width` numbers of a model and returns the reason if it failed;
+    /// points without a model get NaN.
     pub(crate) fn conclude<R: Display>(
         &self,
         chunk: &mut Chunk,
@@ -152,7 +152,7 @@ impl<M, const N: usize> Trials<M, N> {
     }
 }
 
-/// The model and the start of the first point that has them.
+/// Returns the model and the initial state of the first point for which `trial` succeeds.
 pub(crate) fn first_trial<M, const K: usize, const N: usize>(
     sweep: &Sweep<K>,
     trial: impl Fn([f64; K]) -> Result<(M, [f64; N]), Failure>,
@@ -161,8 +161,8 @@ pub(crate) fn first_trial<M, const K: usize, const N: usize>(
     trials.next().map(|(model, start)| (model, start.into()))
 }
 
-/// The first start, and the derivative near it (at the start it may vanish): they tell scenes apart that differ in their
-/// numbers.
+/// The first initial state, and the derivative near it (at the initial state itself it may vanish). They distinguish
+/// scenes that differ only in their numbers.
 pub(crate) fn of_first<S: System<f64, N>, const N: usize>(first: Option<(S, SVector<f64, N>)>, t0: f64) -> Value {
     first.map_or(Value::Null, |(system, start)| {
         let beside = SVector::from_fn(|n, _| start[n] + 0.1 * (n + 1) as f64);
@@ -171,7 +171,7 @@ pub(crate) fn of_first<S: System<f64, N>, const N: usize>(first: Option<(S, SVec
     })
 }
 
-/// The components of a state, by number where their names are not known.
+/// Components of a state, numbered if their names are unknown.
 pub(crate) fn of_state<const N: usize>(layout: Option<StateLayout<'_>>) -> Vec<Column> {
     let Some(layout) = layout else {
         return (0..N).map(|n| Column::new(&format!("x{n}"), "1")).collect();
@@ -185,7 +185,7 @@ pub(crate) fn of_state<const N: usize>(layout: Option<StateLayout<'_>>) -> Vec<C
     named.map(|(name, unit)| Column::new(&name, unit)).collect()
 }
 
-/// Whether it is the start of a trajectory that is wrong, and not a setting.
+/// True if the initial state of a trajectory is at fault, false for a setting.
 pub(crate) fn is_of_start(reason: &Reason) -> bool {
     !matches!(reason, Reason::InvalidInput { what, .. } if *what != "x0")
 }

@@ -1,4 +1,4 @@
-//! What can go wrong with a sweep as a whole.
+//! Errors of a sweep as a whole.
 
 use std::error::Error;
 use std::fmt;
@@ -7,34 +7,34 @@ use std::path::PathBuf;
 
 use pendulum_core::Reason;
 
-/// Why a sweep did not run, or did not reach its end. A trajectory that fails is a row with a reason, and no error.
+/// Error that stops a sweep or keeps it from starting. A failed trajectory is no error, but a row with a reason.
 ///
 /// `Debug` prints the same message as `Display`, for a `main` that returns the error.
 #[non_exhaustive]
 pub enum SweepError {
-    /// The design, the columns, the settings of the method or the arguments are not valid.
+    /// The design, the columns, the settings of the method or the arguments are invalid.
     Invalid(String),
     /// A file could not be read or written.
     File(PathBuf, io::Error),
-    /// There are results of another sweep at this place.
+    /// The path holds results of another sweep.
     Other {
-        /// Where.
+        /// The path.
         path: PathBuf,
-        /// Where the declarations differ, and how.
+        /// Differences between the declarations.
         differs: Vec<String>,
     },
-    /// Another process is at work on this file.
+    /// Another process is working on this file.
     Busy(PathBuf),
-    /// A device could not be used, or not for this.
+    /// A device cannot be used, or not for this scene.
     #[cfg(feature = "opencl")]
     Device(String),
-    /// Shards are missing, which other shares have to compute.
+    /// Shards that belong to other shares are missing.
     Incomplete {
-        /// How many there are.
+        /// Number of shards present.
         present: usize,
-        /// Of how many.
+        /// Total number of shards.
         of: usize,
-        /// The first one that is missing.
+        /// Index of the first missing shard.
         missing: usize,
     },
 }
@@ -61,7 +61,8 @@ impl fmt::Display for SweepError {
             Self::File(path, error) => write!(f, "{}: {error}", path.display()),
             Self::Busy(path) => write!(
                 f,
-                "another process is at work on {}; wait for it, give this sweep another name, or let both compute shares",
+                "another process is at work on {}; wait for it, give this sweep another name, or let both compute \
+                 shares",
                 path.display()
             ),
             Self::Other { path, differs } => write!(

@@ -1,4 +1,4 @@
-//! Lyapunov exponents, of many trajectories at a time.
+//! Lyapunov exponents of many trajectories at a time.
 
 use pendulum_core::stability::Lyapunov;
 use pendulum_core::{CastJacobian, Jacobian};
@@ -10,18 +10,18 @@ use crate::error::SweepError;
 use crate::job::{Chunk, Failure, Job, Task};
 use crate::table::Column;
 
-/// What [`Sweep::exponents`] does: the `E` largest exponents of models with `N` states.
+/// Task of [`Sweep::exponents`]: the `E` largest exponents of models with `N` states.
 pub struct Exponents<F, const E: usize, const N: usize> {
     lyapunov: Lyapunov,
     trial: F,
 }
 
 impl<const K: usize> Sweep<K> {
-    /// The `E` largest [Lyapunov exponents](pendulum_core::stability::Lyapunov) of models, in the lanes of vector
-    /// registers. `trial` makes the model and the start of a point.
+    /// The `E` largest [Lyapunov exponents](pendulum_core::stability::Lyapunov) of models, in the SIMD lanes. `trial`
+    /// builds the model and the initial state of a point.
     ///
-    /// Kept are `exponent` and `uncertainty`, both in 1/s; where there are several, `exponent 1`, `exponent 2` and so on,
-    /// then `uncertainty 1` and so on.
+    /// The columns are `exponent` and `uncertainty`, both in 1/s; if `E` is above 1, `exponent 1`, `exponent 2` and so
+    /// on, then `uncertainty 1` and so on.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -40,7 +40,9 @@ impl<const K: usize> Sweep<K> {
     /// }
     ///
     /// let table = Sweep::grid("chaos", [Axis::linear("a", "N m", 5.0, 15.0, 11)])
-    ///     .exponents::<1, _, _, _>(Lyapunov::new().duration(20.0), |[a]| Ok((Driven::new(DrivenParams { a })?, [0.1, 0.0])))
+    ///     .exponents::<1, _, _, _>(Lyapunov::new().duration(20.0), |[a]| {
+    ///         Ok((Driven::new(DrivenParams { a })?, [0.1, 0.0]))
+    ///     })
     ///     .quiet()
     ///     .run()?;
     /// assert!(table["exponent"].iter().all(|exponent| exponent.is_finite()));
@@ -98,5 +100,5 @@ where
     }
 }
 
-/// Where fewer are left than there are lanes, some of these are idle.
+/// Trajectories per chunk. When fewer trajectories than lanes remain, some lanes idle, so chunks are long.
 const CHUNK: usize = 128;

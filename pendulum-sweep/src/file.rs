@@ -1,4 +1,4 @@
-//! Tables as Parquet files.
+//! Parquet files of tables.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -27,12 +27,13 @@ use crate::error::SweepError;
 use crate::page::{MAGIC, broken, bytes_of_head, bytes_of_page, head_of_page, number, page_of_rows};
 use crate::table::{Column, Table};
 
-/// The keys of the metadata.
+/// Metadata key of the declaration.
 const DECLARATION: &str = "pendulum-sweep";
+/// Metadata key of the units.
 const UNITS: &str = "units";
 
-/// Some rows as they lie in a file: the numbers in one piece, each column a page, and apart from them the failures. The
-/// column `row` follows from the place of the part.
+/// Rows in the layout of the file: the numbers in one buffer with one page per column, and the failures apart from
+/// them. The column `row` follows from the position of the part.
 pub(crate) struct Part {
     rows: Range<usize>,
     numbers: Vec<u8>,
@@ -40,7 +41,7 @@ pub(crate) struct Part {
 }
 
 impl Part {
-    /// Rows whose numbers are still to be [kept](Self::keep); their bytes lie where `memory` did.
+    /// Creates a part whose numbers are still to be [stored](Self::keep), reusing the allocation `memory`.
     pub(crate) fn new(rows: Range<usize>, columns: usize, mut memory: Vec<u8>) -> Self {
         let head = head_of_page(rows.len(), 0);
         memory.resize(columns * bytes_of_page(rows.len()), 0);
@@ -54,7 +55,7 @@ impl Part {
         }
     }
 
-    /// Keeps the numbers of some rows, column by column, the first of which is number `row` of these.
+    /// Stores the numbers of some rows, column by column; `row` is the index of the first row within the part.
     pub(crate) fn keep(&mut self, row: usize, columns: impl IntoIterator<Item = impl IntoIterator<Item = f64>>) {
         let length = size_of::<f64>() * self.rows.len();
         let head = bytes_of_head(self.rows.len());
@@ -66,17 +67,17 @@ impl Part {
         }
     }
 
-    /// The failure of a row.
+    /// Records the failure of a row.
     pub(crate) fn fail(&mut self, row: usize, reason: String) {
         self.failures.insert(row, reason);
     }
 
-    /// How many rows failed.
+    /// Number of failed rows.
     pub(crate) fn failed(&self) -> usize {
         self.failures.len()
     }
 
-    /// The bytes of the numbers, all of which are [kept](Self::keep) by now, with the checksum of each page.
+    /// Completes the checksum of each page and returns the bytes. All numbers must have been [stored](Self::keep).
     pub(crate) fn numbers(&mut self) -> &[u8] {
         let rows = self.rows.len();
         for page in self.numbers.chunks_exact_mut(bytes_of_page(rows)) {
@@ -86,12 +87,12 @@ impl Part {
         &self.numbers
     }
 
-    /// The memory of the numbers, for others.
+    /// Returns the buffer of the numbers for reuse.
     pub(crate) fn into_memory(self) -> Vec<u8> {
         self.numbers
     }
 
-    /// The failures, as a Parquet file.
+    /// Encodes the failures as a Parquet file.
     pub(crate) fn failures(&self, empty: &Table) -> io::Result<Vec<u8>> {
         let mut file = Vec::new();
         let schema = Arc::new(schema_of(vec![failure()?])?);
@@ -112,36 +113,37 @@ impl Part {
     }
 }
 
-/// The most bytes that the numbers of so many rows take.
+/// Upper bound for the size of `rows` rows of numbers, in bytes.
 pub(crate) fn most_bytes(columns: usize, rows: usize) -> usize {
     const MOST_OF_HEAD: usize = 32;
     columns * (MOST_OF_HEAD + size_of::<f64>() * rows)
 }
 
-/// The declaration in the [failures](Part::failures) of a part, and how many bytes its numbers take.
+/// Returns the declaration in the [failures](Part::failures) of a part, and the size of its numbers in bytes.
 pub(crate) fn read_failures(failures: &Bytes, columns: usize) -> io::Result<(String, usize)> {
     let metadata = ParquetMetaDataReader::new().parse_and_finish(failures)?;
     let rows = number(metadata.file_metadata().num_rows())?;
     Ok((entry(&metadata, DECLARATION)?, columns * bytes_of_page(rows)))
 }
 
-/// The end of a file that has the numbers of all parts already: the columns `row` and `failure`, and the metadata.
+/// Writes the rest of a file that already has the numbers of all parts: the columns `row` and `failure`, and the
+/// metadata.
 pub(crate) struct Ending<'f> {
     file: BufWriter<&'f mut File>,
-    /// Where the next page is written.
+    /// Offset of the next page.
     end: usize,
-    /// That of all that is written.
+    /// Checksum of everything written so far.
     sum: Sum,
     properties: WriterProperties,
     schema: Arc<SchemaDescriptor>,
-    /// That of the failures of a part.
+    /// Options to read the failures of a part.
     of_failures: ParquetMetaDataOptions,
     rows: usize,
     groups: Vec<RowGroupMetaData>,
 }
 
 impl<'f> Ending<'f> {
-    /// Goes on at the end of a file with this checksum.
+    /// Continues at the end of a file whose checksum is `sum`.
     pub(crate) fn new(file: &'f mut File, empty: &Table, sum: Sum) -> io::Result<Self> {
         let of_failures = Arc::new(SchemaDescriptor::new(Arc::new(schema_of(vec![failure()?])?)));
         Ok(Self {
@@ -156,7 +158,7 @@ impl<'f> Ending<'f> {
         })
     }
 
-    /// Adds the next part, with its numbers from a place on and its [failures](Part::failures).
+    /// Adds the next part, given the offset of its numbers and its [failures](Part::failures).
     pub(crate) fn add(&mut self, place: usize, failures: &Bytes) -> io::Result<()> {
         let options = Some(self.of_failures.clone());
         let reader = ParquetMetaDataReader::new().with_metadata_options(options);
@@ -192,7 +194,7 @@ impl<'f> Ending<'f> {
         Ok(column.set_statistics(statistics).build()?)
     }
 
-    /// Writes the column `failure` as it lies in a file of its own.
+    /// Copies the column `failure` from its own file.
     fn failures(&mut self, column: &ColumnChunkMetaData, file: &Bytes) -> io::Result<ColumnChunkMetaData> {
         let (start, length) = column.byte_range();
         let (from, length) = (number(start)?, number(length)?);
@@ -204,7 +206,7 @@ impl<'f> Ending<'f> {
         Ok(placed.set_dictionary_page_offset(dictionary).build()?)
     }
 
-    /// A column that is one page of a part.
+    /// Metadata of a column that is one page of a part.
     fn one_page(
         &self,
         column: usize,
@@ -220,7 +222,7 @@ impl<'f> Ending<'f> {
             .set_data_page_offset(bytes.start as i64)
     }
 
-    /// Writes bytes: where they lie.
+    /// Writes bytes and returns their range in the file.
     fn write(&mut self, bytes: &[u8]) -> io::Result<Range<usize>> {
         self.file.write_all(bytes)?;
         self.sum.add(bytes);
@@ -229,7 +231,7 @@ impl<'f> Ending<'f> {
         Ok(start..self.end)
     }
 
-    /// Writes the metadata, with the checksums.
+    /// Writes the metadata with the checksums.
     pub(crate) fn finish(mut self) -> io::Result<()> {
         let mut entries = self.properties.key_value_metadata().cloned().unwrap_or_default();
         entries.push(self.sum.entry());
@@ -249,7 +251,7 @@ impl<'f> Ending<'f> {
     }
 }
 
-/// The columns of a file, with these numbers.
+/// Schema of a file with the columns `numbers`.
 fn schema(numbers: &[Column]) -> io::Result<Type> {
     let mut fields = vec![required("row", Physical::INT64)?];
     for column in numbers {
@@ -268,7 +270,7 @@ fn required(name: &str, physical: Physical) -> io::Result<TypePtr> {
     Ok(Arc::new(field.build()?))
 }
 
-/// The column of the failures.
+/// Field of the column `failure`.
 fn failure() -> io::Result<TypePtr> {
     let field = Type::primitive_type_builder("failure", Physical::BYTE_ARRAY)
         .with_repetition(Repetition::OPTIONAL)
@@ -291,17 +293,17 @@ fn properties(empty: &Table) -> WriterProperties {
         .set_compression(Compression::UNCOMPRESSED)
         .set_offset_index_disabled(true)
         .set_statistics_enabled(EnabledStatistics::Chunk)
-        // few failures differ
+        // there are few distinct failures
         .set_column_dictionary_enabled(ColumnPath::from("failure"), true)
         .set_key_value_metadata(Some(metadata))
         .build()
 }
 
 impl Table {
-    /// Reads a table that a sweep has written.
+    /// Reads a table written by a sweep.
     ///
     /// # Errors
-    /// [`SweepError::File`] if that is not possible, or if it is another kind of file.
+    /// [`SweepError::File`] if the file cannot be read or has another format.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, SweepError> {
         Self::read_file(path.as_ref())
     }
@@ -310,8 +312,8 @@ impl Table {
         read(path).map_err(SweepError::file(path))
     }
 
-    /// Writes the table as a Parquet file, with the same columns and metadata as [`run_to`](crate::Job::run_to). A file
-    /// of this name is replaced.
+    /// Writes the table as a Parquet file, with the same columns and metadata as [`run_to`](crate::Job::run_to). An
+    /// existing file is replaced.
     ///
     /// # Errors
     /// [`SweepError::File`].
@@ -325,19 +327,19 @@ impl Table {
     }
 }
 
-/// Writes a file that is complete or absent at any time, under another name at first. Where power fails, some of it may
-/// be missing.
+/// Writes a file under a temporary name and renames it when it is complete. After a power failure, part of it may be
+/// missing.
 pub(crate) fn replace(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let mut unfinished = path.as_os_str().to_owned();
     unfinished.push(format!(".{}.tmp", std::process::id()));
     let written = File::create(&unfinished).and_then(|mut file| write(&mut file));
     written.and_then(|()| fs::rename(&unfinished, path)).inspect_err(|_| {
-        // what is unfinished is of no use; the error says more than that it could not be removed
+        // an unfinished file is useless; the first error is more informative than a failure to remove it
         let _ = fs::remove_file(&unfinished);
     })
 }
 
-/// The most rows of a part: a page has to be shorter than 2 GiB.
+/// Maximum number of rows of a part: a page must be shorter than 2 GiB.
 pub(crate) const MOST_ROWS: usize = 1 << 20;
 
 fn write(file: &mut File, table: &Table) -> io::Result<()> {
@@ -416,7 +418,7 @@ fn read_column<D: DataType>(
     Ok(())
 }
 
-/// The declaration in a file, and how many rows it has.
+/// Returns the declaration in a file, and its number of rows.
 pub(crate) fn declaration(path: &Path) -> io::Result<(String, usize)> {
     let reader = SerializedFileReader::new(File::open(path)?)?;
     let metadata = reader.metadata();

@@ -1,4 +1,4 @@
-//! A sweep with what is done at its points.
+//! Jobs: a sweep and the task at its points.
 
 use std::collections::{BTreeMap, HashSet};
 use std::error::Error;
@@ -19,28 +19,28 @@ use crate::file::MOST_ROWS;
 use crate::shards::{Role, Shards};
 use crate::table::{Column, Table};
 
-/// Why something failed at a point; `?` converts any error into it, and `.into()` a text.
+/// Reason for a failure at a point; `?` converts any error into it, and `.into()` a text.
 pub type Failure = Box<dyn Error + Send + Sync>;
 
-/// What is done at the points of a sweep, and what is kept.
+/// Computation at the points of a sweep.
 pub trait Task<const K: usize>: Sync {
-    /// What is kept of each point, and everything that the results depend on besides the points, as far as it can be
-    /// written down: a sweep resumes only where this is unchanged.
+    /// Returns the columns of the results, and a description of everything that they depend on besides the points, as
+    /// far as it can be written down. A sweep resumes only if this description is unchanged.
     fn describe(&self, sweep: &Sweep<K>) -> (Vec<Column>, Value);
 
-    /// The results at some points.
+    /// Computes the results at some points.
     ///
     /// # Errors
-    /// [`SweepError::Invalid`] where settings are wrong at all points; the failure of one is part of the results.
+    /// [`SweepError::Invalid`] if settings are invalid at all points; a failure at one point is part of the results.
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError>;
 
-    /// The preferred number of points for each call of [`run`](Self::run).
+    /// Preferred number of points for each call of [`run`](Self::run).
     fn chunk(&self) -> usize {
         USUAL_CHUNK
     }
 }
 
-/// The results of some points.
+/// Results at some points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chunk {
     /// Row by row.
@@ -51,7 +51,7 @@ pub struct Chunk {
 }
 
 impl Chunk {
-    /// No rows, with memory for some.
+    /// An empty chunk with memory for `rows` rows.
     pub(crate) fn with_capacity(rows: usize, width: usize) -> Self {
         let numbers = Vec::with_capacity(rows * width);
         Self {
@@ -60,10 +60,10 @@ impl Chunk {
         }
     }
 
-    /// Adds a row: a number for each column.
+    /// Adds a row: one number for each column.
     ///
     /// # Panics
-    /// If the row has another length than those before.
+    /// If the length of the row differs from the earlier ones.
     pub fn push(&mut self, numbers: impl IntoIterator<Item = f64>) {
         self.push_row(|row| {
             row.extend(numbers);
@@ -71,7 +71,7 @@ impl Chunk {
         });
     }
 
-    /// Adds a row that a function adds to the numbers of others, with why it failed if it did.
+    /// Adds a row whose numbers a function appends; the function returns the reason if the row failed.
     pub(crate) fn push_row<R: fmt::Display>(&mut self, row: impl FnOnce(&mut Vec<f64>) -> Option<R>) {
         let before = self.numbers.len();
         if let Some(reason) = row(&mut self.numbers) {
@@ -86,10 +86,10 @@ impl Chunk {
         self.rows += 1;
     }
 
-    /// Adds the row of a point at which something failed, with what there is.
+    /// Adds the row of a point that failed, with the numbers that are available.
     ///
     /// # Panics
-    /// As [`push`](Self::push).
+    /// Like [`push`](Self::push).
     pub fn fail(&mut self, numbers: impl IntoIterator<Item = f64>, reason: impl fmt::Display) {
         self.push_row(|row| {
             row.extend(numbers);
@@ -97,7 +97,7 @@ impl Chunk {
         });
     }
 
-    /// All columns: first those of the points.
+    /// All columns, beginning with those of the points.
     fn columns<'a, const K: usize>(
         &'a self,
         points: &'a [[f64; K]],
@@ -111,7 +111,7 @@ impl Chunk {
     }
 }
 
-/// A sweep with what is done at its points; see the [crate](crate).
+/// A sweep and the task at its points; see the [crate](crate).
 #[must_use = "nothing is computed before `run`, `run_to` or `main`"]
 pub struct Job<T, const K: usize> {
     sweep: Sweep<K>,
@@ -123,40 +123,42 @@ pub struct Job<T, const K: usize> {
     version: String,
 }
 
-/// What was done.
+/// Summary of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Summary {
-    /// The rows of the sweep.
+    /// Number of rows of the sweep.
     pub rows: usize,
-    /// Those that were computed now; the others were there, or are left to other shares.
+    /// Number of rows computed in this run; the others existed already, or belong to other shares.
     pub computed: usize,
-    /// Those of them that failed.
+    /// Number of rows that failed in this run.
     pub failed: usize,
-    /// The time that it took.
+    /// Elapsed time.
     pub time: Duration,
-    /// Whether the file is complete.
+    /// True if the file is complete.
     pub complete: bool,
 }
 
-/// Row numbers are exact below this one, whatever reads them.
+/// Upper bound for the number of points: smaller row numbers are exact in `f64`, for all readers.
 const MOST_POINTS: usize = 1 << 53;
-/// More than any machine has cores.
+/// Maximum number of threads, above the number of cores of any machine.
 const MOST_THREADS: usize = 4096;
-/// How many points are computed at a time, where nothing else is better.
+/// Default number of points per chunk.
 const USUAL_CHUNK: usize = 256;
-/// Chunks in a shard at least, where the number of its rows is not given, and how many shards there are at most.
+/// Minimum number of chunks in a shard, unless the number of its rows is given.
 const SHARD: usize = 16;
+/// Default maximum number of shards.
 const USUAL_SHARDS: usize = 4096;
-/// With more columns than this there are fewer shards, down to [`LEAST_SHARDS`].
+/// Number of columns above which there are fewer shards, down to [`LEAST_SHARDS`].
 const USUAL_COLUMNS: usize = 16;
+/// Minimum of the default maximum number of shards.
 const LEAST_SHARDS: usize = 64;
-/// The most groups of rows in a Parquet file.
+/// Maximum number of row groups in a Parquet file.
 const MOST_SHARDS: usize = i16::MAX as usize;
 
 impl<const K: usize> Sweep<K> {
-    /// Numbers that a function finds at each point, under names with units. Anything can be done there: a method and
-    /// its settings may follow from the point as well.
+    /// Columns computed by a function at each point. The function may do anything: choose a method and its settings by
+    /// the point, for example.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -188,7 +190,7 @@ impl<const K: usize> Sweep<K> {
         self.job(Each { columns, find })
     }
 
-    /// Any task.
+    /// A job with any task.
     pub fn job<T: Task<K>>(self, task: T) -> Job<T, K> {
         Job {
             sweep: self,
@@ -203,9 +205,10 @@ impl<const K: usize> Sweep<K> {
 }
 
 impl<T: Task<K>, const K: usize> Job<T, K> {
-    /// The rows of each shard: what a kill loses at most, for each core. Default: 4096, more for methods that integrate
-    /// more trajectories at a time, and more where there would be more than 4096 shards, or fewer if there are more than
-    /// 16 columns: what each shard adds to the file is kept in memory while it is put together. At most 2^20.
+    /// Number of rows per shard, at most 2^20. A killed job loses at most one shard per core. The default is 4096. It
+    /// is larger for methods that integrate more trajectories at a time, and where there would be more than 4096
+    /// shards, or fewer if there are more than 16 columns: while the file is assembled, the entries that each shard
+    /// adds are kept in memory.
     pub fn rows_per_shard(mut self, rows: usize) -> Self {
         self.shard = Some(rows.clamp(1, MOST_ROWS));
         self
@@ -220,26 +223,26 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         self.shard.unwrap_or_else(|| usual().max(SHARD * chunk).min(MOST_ROWS))
     }
 
-    /// Computes only each `of`-th shard, from `index` on, which is below `of`: for other processes, on this machine or
-    /// another one, that compute the others. The file is put together by [`merge`](Self::merge).
+    /// Computes only every `of`-th shard, beginning with `index`, which must be below `of`. Other processes, on this
+    /// machine or another one, compute the others, and [`merge`](Self::merge) assembles the file.
     pub fn share(mut self, index: usize, of: usize) -> Self {
         self.share = (index, of);
         self
     }
 
-    /// How many threads there are. Default, or 0: one for each core.
+    /// Sets the number of threads. The default, 0, means one per core.
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = threads;
         self
     }
 
-    /// Shows no progress.
+    /// Hides the progress bar.
     pub fn quiet(mut self) -> Self {
         self.quiet = true;
         self
     }
 
-    /// Names the version of your own code. A sweep cannot see what its functions do: give it another version when you
+    /// Names the version of your own code. A sweep cannot detect changes in its functions: set another version when you
     /// change them.
     pub fn version(mut self, version: &str) -> Self {
         version.clone_into(&mut self.version);
@@ -249,8 +252,8 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// Computes all rows.
     ///
     /// # Errors
-    /// [`SweepError::Invalid`], also for a [share](Self::share), which belongs into a file, and where there is not enough
-    /// memory for the table.
+    /// [`SweepError::Invalid`], also for a [share](Self::share), which needs a file, and if there is not enough memory
+    /// for the table.
     pub fn run(&self) -> Result<Table, SweepError> {
         let mut empty = self.empty()?;
         if self.share.1 > 1 {
@@ -286,11 +289,11 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         Ok(table.into_inner().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Computes all rows into a Parquet file, by way of shards in the folder `PATH.shards` beside it: a job that was
-    /// killed goes on with those that are missing. Nothing is computed where the file is there.
+    /// Computes all rows into a Parquet file. Intermediate results are shards in the folder `PATH.shards` beside the
+    /// file; a killed job continues with the missing shards. If the file exists, nothing is computed.
     ///
-    /// The file has the column `row`, those of the points, what was kept, and `failure`, a text or null. Its metadata
-    /// hold the units and the declaration.
+    /// The columns of the file are `row`, the columns of the points, the results, and `failure`, a text or null. The
+    /// metadata hold the units and the declaration.
     ///
     /// # Errors
     /// Any [`SweepError`]. A [share](Self::share) that ends before the others is not an error.
@@ -317,7 +320,8 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         })
     }
 
-    /// The summary of what computes shards: how many rows, how many of them failed, and whether the file is complete.
+    /// Times a computation and returns its summary; `compute` returns the number of rows, the number of failed rows,
+    /// and whether the file is complete.
     fn timed(
         &self,
         path: &Path,
@@ -378,10 +382,10 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         })
     }
 
-    /// Puts the file together from the shards of all shares.
+    /// Assembles the file from the shards of all shares.
     ///
     /// # Errors
-    /// [`SweepError::Incomplete`] where shards are missing, and those of [`run_to`](Self::run_to).
+    /// [`SweepError::Incomplete`] if shards are missing, and the errors of [`run_to`](Self::run_to).
     pub fn merge(&self, path: impl AsRef<Path>) -> Result<(), SweepError> {
         let shards = self.shards(path.as_ref())?;
         if !shards.are_begun() && !shards.is_merged()? {
@@ -435,7 +439,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         Err(SweepError::Invalid(wrong.to_owned()))
     }
 
-    /// The table without rows, of a job that can run.
+    /// Checks the job and returns its table without rows.
     fn empty(&self) -> Result<Table, SweepError> {
         self.check()?;
         let of_points = self.sweep.columns();
@@ -475,7 +479,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         })
     }
 
-    /// Computes and writes a shard: how many of its rows failed.
+    /// Computes and writes a shard, and returns the number of its rows that failed.
     fn write(&self, shards: &Shards<'_>, n: usize, progress: &ProgressBar) -> Result<usize, SweepError> {
         let shard = Mutex::new(shards.begin(n));
         self.rows(shards.rows(n), progress, |first, points, chunk| {
@@ -491,14 +495,15 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         Ok(failed)
     }
 
-    /// Computes some rows in chunks on all threads, and keeps each chunk, with the number of its first row among these.
+    /// Computes rows in chunks on all threads, and passes each chunk to `keep` with the index of its first row within
+    /// `rows`.
     fn rows(
         &self,
         rows: Range<usize>,
         progress: &ProgressBar,
         keep: impl Fn(usize, &[[f64; K]], Chunk) + Sync,
     ) -> Result<(), SweepError> {
-        // where there is little to do, all threads do some of it
+        // smaller chunks if there are few rows, so that all threads have work
         let size = self.task.chunk().min(rows.len().div_ceil(rayon::current_num_threads()));
         let compute = |first: usize| {
             let of_chunk = first..rows.end.min(first + size);
@@ -521,7 +526,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             .install(work)
     }
 
-    /// A bar on the terminal.
+    /// Progress bar on the terminal.
     fn progress(&self, rows: usize) -> ProgressBar {
         if self.quiet {
             return ProgressBar::hidden();
@@ -529,19 +534,19 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         let template = "{bar:40} {human_pos} of {human_len}, {rate} a second, {eta} left";
         let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
         let rate = |state: &ProgressState, text: &mut dyn fmt::Write| {
-            // a text that takes no more is not shown
+            // ignore errors of the text, which is then not shown
             let _ = write!(text, "{}", HumanCount(state.per_sec() as u64));
         };
         ProgressBar::new(rows as u64).with_style(style.with_key("rate", rate))
     }
 }
 
-/// What is locked, also by a thread that has panicked: then all will.
+/// Locks a mutex, even after a panic in another thread: then the whole job panics anyway.
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// What [`Sweep::each`] does.
+/// Task of [`Sweep::each`].
 pub struct Each<F, const Q: usize> {
     columns: [Column; Q],
     find: F,

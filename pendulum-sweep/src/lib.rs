@@ -1,17 +1,17 @@
-//! Sweeps over millions of trajectories, on all cores. A sweep that is killed resumes where it stopped.
+//! Sweeps over millions of trajectories, on all cores. A killed sweep resumes where it stopped.
 //!
-//! A [`Sweep`] is a design: a [grid](Sweep::grid), a [list](Sweep::list) or [random](Sweep::random) points. What is done
-//! at each point, and what is kept of it, is one of
+//! A [`Sweep`] is a design: a [grid](Sweep::grid), a [list](Sweep::list) or [random](Sweep::random) points. The task at
+//! each point is one of
 //!
-//! - [`ends`](Sweep::ends): final states, in the lanes of vector registers;
-//! - [`trajectories`](Sweep::trajectories): states at times, extrema and events, with every method, and
-//!   [in lanes](Job::in_lanes) where that is possible;
+//! - [`ends`](Sweep::ends): final states, in the SIMD lanes;
+//! - [`trajectories`](Sweep::trajectories): states at given times, extrema and events, with every method, and
+//!   [in lanes](Job::in_lanes) where possible;
 //! - [`exponents`](Sweep::exponents): Lyapunov exponents, in lanes as well;
-//! - [`each`](Sweep::each): numbers that a function of your own finds.
+//! - [`each`](Sweep::each): numbers computed by a function of your own.
 //!
-//! The [`Job`] that this makes runs on all cores. [`Job::run`] returns a [`Table`]; [`Job::run_to`] writes a Parquet file
-//! in shards, each of which is complete or absent. A number has the same bits with any number of threads and of
-//! shares, and the file has the same bytes, interrupted or not.
+//! The resulting [`Job`] runs on all cores. [`Job::run`] returns a [`Table`]; [`Job::run_to`] writes a Parquet file in
+//! shards, each of which is complete or absent. Every number has the same bits for any number of threads and shares,
+//! and the file has the same bytes, interrupted or not.
 //!
 //! ```
 //! use pendulum_core::prelude::*;
@@ -67,7 +67,7 @@ pub use job::{Chunk, Each, Failure, Job, Summary, Task};
 pub use table::{Column, Table};
 pub use trajectories::Trajectories;
 
-/// The programs of the README.
+/// Programs of the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,29 +1,29 @@
-//! The bytes of a Parquet file that are written without the library: pages of numbers.
+//! Pages of numbers in a Parquet file, written without the library.
 
 use std::error::Error;
 use std::io;
 use std::ops::Range;
 
-/// What a Parquet file begins with.
+/// Magic number at the start of a Parquet file.
 pub(crate) const MAGIC: [u8; 4] = *b"PAR1";
 
-/// The bytes that a page of so many rows takes.
+/// Size of a page of `rows` rows, in bytes.
 pub(crate) fn bytes_of_page(rows: usize) -> usize {
     bytes_of_head(rows) + size_of::<f64>() * rows
 }
 
-/// The bytes before the numbers of a page.
+/// Size of the header of a page, in bytes.
 pub(crate) fn bytes_of_head(rows: usize) -> usize {
     head_of_page(rows, 0).len()
 }
 
-/// What is before the numbers of a page with this checksum.
+/// Header of a page of numbers with a checksum.
 pub(crate) fn head_of_page(rows: usize, checksum: u32) -> Vec<u8> {
     const PLAIN: usize = 0;
     header_of_page(rows, size_of::<f64>() * rows, PLAIN, checksum)
 }
 
-/// A `PageHeader` of `parquet.thrift` in Thrift's compact protocol; it has one length for all checksums.
+/// Encodes a `PageHeader` of `parquet.thrift` in Thrift's compact protocol. Its length is the same for all checksums.
 fn header_of_page(rows: usize, bytes: usize, encoding: usize, checksum: u32) -> Vec<u8> {
     const I32: u8 = 5;
     const STRUCT: u8 = 12;
@@ -33,16 +33,16 @@ fn header_of_page(rows: usize, bytes: usize, encoding: usize, checksum: u32) -> 
         field(head, 1, I32);
         push_varint(head, 2 * number);
     };
-    // a data page, and its size with and without compression
+    // the kind (data page), and the size with and without compression
     for number in [0, bytes, bytes] {
         integer(&mut head, number);
     }
-    // CRC-32 as a signed number, in all of the pieces that one may have
+    // CRC-32 as a signed number, padded to the maximum length of five bytes
     field(&mut head, 1, I32);
     let checksum = (checksum << 1) ^ ((checksum as i32 >> 31) as u32);
     head.extend((0..5).map(|piece| (checksum >> (7 * piece)) as u8 & 0x7f | if piece < 4 { 0x80 } else { 0 }));
     field(&mut head, 1, STRUCT);
-    // the numbers, and levels that would be RLE
+    // number of rows, encoding, and RLE for both kinds of levels
     for number in [rows, encoding, 3, 3] {
         integer(&mut head, number);
     }
@@ -50,7 +50,7 @@ fn header_of_page(rows: usize, bytes: usize, encoding: usize, checksum: u32) -> 
     head
 }
 
-/// A number in pieces of seven bits, the lowest first.
+/// Appends a number in groups of seven bits, the lowest first.
 fn push_varint(bytes: &mut Vec<u8>, mut number: usize) {
     while number >= 0x80 {
         bytes.push(number as u8 | 0x80);
@@ -59,18 +59,18 @@ fn push_varint(bytes: &mut Vec<u8>, mut number: usize) {
     bytes.push(number as u8);
 }
 
-/// The page of numbers that follow one another, by their differences: `DELTA_BINARY_PACKED`.
+/// Page of consecutive numbers, stored as differences (`DELTA_BINARY_PACKED`).
 pub(crate) fn page_of_rows(rows: &Range<usize>) -> Vec<u8> {
     const DELTA_BINARY_PACKED: usize = 5;
     const BLOCK: usize = 128;
     const MINIBLOCKS: usize = 4;
     let mut numbers = Vec::new();
-    // signed numbers are doubled
+    // signed numbers are doubled (zigzag)
     for number in [BLOCK, MINIBLOCKS, rows.len(), 2 * rows.start] {
         push_varint(&mut numbers, number);
     }
     for _ in 0..rows.len().saturating_sub(1).div_ceil(BLOCK) {
-        // the least difference, and how many bits each one takes beyond it
+        // minimum difference (1, doubled), and zero further bits for each miniblock
         push_varint(&mut numbers, 2);
         numbers.extend([0; MINIBLOCKS]);
     }
@@ -84,7 +84,7 @@ pub(crate) fn page_of_rows(rows: &Range<usize>) -> Vec<u8> {
     page
 }
 
-/// A number of a file, which may be too large for this machine.
+/// Converts a number of a file, which may be too large for this machine.
 pub(crate) fn number<T: TryInto<usize, Error: Error + Send + Sync + 'static>>(number: T) -> io::Result<usize> {
     number.try_into().map_err(io::Error::other)
 }

@@ -1,4 +1,4 @@
-//! The processes of `mpirun`, which share the shards of a job.
+//! Processes of `mpirun`, which share the shards of a job.
 
 use std::sync::Mutex;
 use std::thread::{scope, sleep};
@@ -13,18 +13,18 @@ use mpi::traits::*;
 
 use crate::error::SweepError;
 
-/// How long the first rank waits between two looks for messages.
+/// Interval at which the first rank polls for messages.
 const PAUSE: Duration = Duration::from_millis(2);
-/// In place of the number of a shard: there is none left.
+/// Message in place of the index of a shard: none is left.
 const NONE_LEFT: i64 = -1;
 
-/// All processes, as long as this lives.
+/// MPI environment with all processes; dropping it finalizes MPI.
 pub(crate) struct Ranks {
     world: SimpleCommunicator,
     _universe: Universe,
 }
 
-/// Ends all ranks where one panics: it would wait for the others at its end, and these for its work.
+/// Aborts all ranks if one panics. Otherwise it would wait for the others in the finalization, and they for its work.
 impl Drop for Ranks {
     fn drop(&mut self) {
         if std::thread::panicking() {
@@ -34,7 +34,7 @@ impl Drop for Ranks {
 }
 
 impl Ranks {
-    /// None where the program was started alone.
+    /// Initializes MPI; returns `None` if the program was started alone.
     pub(crate) fn of_program() -> Option<Self> {
         let (universe, _) = mpi::initialize_with_threading(Threading::Funneled)?;
         let world = universe.world();
@@ -48,18 +48,18 @@ impl Ranks {
         self.world.rank() == 0
     }
 
-    /// Waits for all others.
+    /// Waits for all other ranks.
     pub(crate) fn meet(&self) {
         self.world.barrier();
     }
 
-    /// The number of the first rank, on all of them.
+    /// Broadcasts the number of the first rank.
     pub(crate) fn of_first(&self, mut number: u32) -> u32 {
         self.world.process_at_rank(0).broadcast_into(&mut number);
         number
     }
 
-    /// The sum over all ranks, at the first one.
+    /// Returns the sum over all ranks, at the first one.
     pub(crate) fn sum(&self, number: usize) -> usize {
         let (own, mut sum) = (number as i64, 0_i64);
         let first = self.world.process_at_rank(0);
@@ -71,14 +71,14 @@ impl Ranks {
         usize::try_from(sum).unwrap_or(0)
     }
 
-    /// Ends all processes.
+    /// Prints an error and ends all processes.
     pub(crate) fn abort(&self, error: &SweepError) -> ! {
         eprintln!("rank {}: {error}", self.world.rank());
         self.world.abort(1)
     }
 
-    /// Does the work of all shards, each on one rank, which asks for the next one as it ends; `work` returns its rows,
-    /// which the first rank shows.
+    /// Distributes the shards over the ranks; each rank requests the next shard when it has finished one. `work`
+    /// returns the number of rows of a shard, which the first rank adds to the progress bar.
     pub(crate) fn share(
         &self,
         shards: Vec<usize>,
@@ -109,7 +109,7 @@ impl Ranks {
             while others > 0 {
                 let Some((message, status)) = self.world.any_process().immediate_matched_probe() else {
                     if own.is_finished() && waiting.lock().is_ok_and(|waiting| waiting.len() > 0) {
-                        break; // with an error, which ends all
+                        break; // the rank's own thread failed, which ends all ranks
                     }
                     sleep(PAUSE);
                     continue;

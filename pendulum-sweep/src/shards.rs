@@ -1,13 +1,12 @@
-//! The shards of a file: each complete or absent.
+//! Shards of a file, each complete or absent.
 //!
-//! The numbers of all shards, which are most of what is written, lie in one file from the beginning, each shard in a
-//! place of its own, so that they are written once. A small file tells that a shard is complete: it has the failures of
-//! the shard, and in its name the checksums of both. The big file becomes the table by adding to it what the small ones
-//! have.
+//! The numbers of all shards, which are most of the output, are written once: into one file, at a fixed offset for each
+//! shard. A small file marks a shard as complete. It has the failures of the shard, and the checksums of both files in
+//! its name. To merge, the contents of the small files are appended to the big one, which thereby becomes the table.
 //!
-//! A process that computes all shards, or makes the table of them, holds a lock, so that it is the only one; those that
-//! compute shares hold it together. Files of another sweep are never touched, locked or not: the declaration is in each
-//! small file, and its checksum in the name of the big one.
+//! A process that computes all shards, or merges them, holds an exclusive lock; processes that compute shares hold a
+//! shared lock. Files of another sweep are never touched, locked or not: each small file contains the declaration, and
+//! the name of the big one its checksum.
 
 use std::collections::BTreeMap;
 use std::ffi::{OsStr, OsString};
@@ -28,43 +27,43 @@ use crate::file::{self, Ending, Part};
 use crate::page::{MAGIC, bytes_of_page};
 use crate::table::Table;
 
-/// The file of a sweep, and the folder of its shards.
+/// File of a sweep, and the folder of its shards.
 pub(crate) struct Shards<'p> {
     path: &'p Path,
     folder: PathBuf,
-    /// The file with the numbers of all shards.
+    /// File with the numbers of all shards.
     numbers: PathBuf,
     points: usize,
     length: usize,
     pub(crate) count: usize,
-    /// The table without rows, with the declaration.
+    /// Table without rows, with the declaration.
     pub(crate) empty: Table,
-    /// Memory that shards have had: fresh memory would cost as much as to write it.
+    /// Buffers of finished shards, for reuse: fresh memory would cost as much time as writing the numbers.
     spare: Mutex<Vec<Vec<u8>>>,
-    /// Whether what was written could not go to the disk.
+    /// True if flushing to the disk has failed.
     is_lost: AtomicBool,
 }
 
-/// What a process does with the shards of a sweep.
+/// Access of a process to the shards of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
-    /// All of them, or the table.
+    /// Exclusive: computes all shards, or merges them.
     Alone,
-    /// Some of them, while others compute the rest.
+    /// Shared: computes some shards while others compute the rest.
     Share,
 }
 
-/// Holds the [`Role`] of this process for as long as it lives.
+/// Lock that holds the [`Role`] of this process until it is dropped.
 pub(crate) struct Lock {
     _file: File,
 }
 
 const DECLARATION: &str = "declaration.json";
 const LOCK: &str = "lock";
-/// Held for moments by those that find out which role they can have.
+/// Name of the lock file that is held briefly while a process acquires its role.
 const ENTRANCE: &str = "entrance";
 
-/// Shards begin at multiples of this many bytes: no two processes write to the same page of memory or block of a disk.
+/// Alignment of shards, in bytes: no two processes write to the same page of memory or block of a disk.
 const PAGE: usize = 4096;
 
 impl<'p> Shards<'p> {
@@ -89,18 +88,18 @@ impl<'p> Shards<'p> {
         })
     }
 
-    /// The rows of a shard.
+    /// Rows of a shard.
     pub(crate) fn rows(&self, n: usize) -> Range<usize> {
         n * self.length..self.points.min((n + 1) * self.length)
     }
 
-    /// Where the numbers of a shard begin.
+    /// Offset of the numbers of a shard.
     fn place(&self, n: usize) -> u64 {
         let room = file::most_bytes(self.empty.columns.len(), self.length.min(self.points));
         (PAGE + n * room.next_multiple_of(PAGE)) as u64
     }
 
-    /// Those of some shards that are not there. Broken ones are removed.
+    /// Returns those of `shards` that are missing. Removes broken ones.
     pub(crate) fn missing(&self, shards: impl Iterator<Item = usize>) -> Result<Vec<usize>, SweepError> {
         let present = self.present()?;
         let mut missing = Vec::new();
@@ -118,7 +117,7 @@ impl<'p> Shards<'p> {
         Ok(missing)
     }
 
-    /// Whether a shard has its checksums; it must be of this sweep.
+    /// Checks the checksums of a shard, which must belong to this sweep.
     fn is_whole(&self, n: usize, [of_failures, of_numbers]: [u32; 2], path: &Path) -> Result<bool, SweepError> {
         let failures = fs::read(path).map_err(SweepError::file(path))?;
         if crc32fast::hash(&failures) != of_failures {
@@ -131,7 +130,7 @@ impl<'p> Shards<'p> {
         Ok(crc32fast::hash(&numbers) == of_numbers)
     }
 
-    /// The shards that are there, broken or not, with the checksums that they should have.
+    /// Shards that exist, broken or not, with their expected checksums.
     fn present(&self) -> Result<BTreeMap<usize, [u32; 2]>, SweepError> {
         let entries = fs::read_dir(&self.folder).map_err(SweepError::file(&self.folder))?;
         let mut present = BTreeMap::new();
@@ -153,17 +152,17 @@ impl<'p> Shards<'p> {
         format!("{n:06}-{failures:08x}-{numbers:08x}.shard")
     }
 
-    /// The small file of a shard.
+    /// Path of the small file of a shard.
     fn path_of(&self, n: usize, sums: [u32; 2]) -> PathBuf {
         self.folder.join(Self::name(n, sums))
     }
 
-    /// Whether there is anything of the sweep but its file.
+    /// True if the folder holds a sweep in progress.
     pub(crate) fn are_begun(&self) -> bool {
         self.folder.join(DECLARATION).exists()
     }
 
-    /// Whether the file is there; it must be that of this sweep, as far as its metadata tell.
+    /// True if the file exists. Returns an error if its metadata belong to another sweep.
     pub(crate) fn is_merged(&self) -> Result<bool, SweepError> {
         if !self.path.exists() {
             return Ok(false);
@@ -178,14 +177,14 @@ impl<'p> Shards<'p> {
         Ok(true)
     }
 
-    /// Goes to work, in a folder that is made where there is none; not where the file is there already.
+    /// Acquires `role`, and creates the folder if necessary. Returns `None` if the file exists already.
     ///
     /// # Errors
-    /// [`SweepError::Busy`] where other processes do not allow this role, and [`SweepError::Other`].
+    /// [`SweepError::Busy`] if other processes hold a conflicting role, and [`SweepError::Other`].
     pub(crate) fn enter(&self, role: Role) -> Result<Option<Lock>, SweepError> {
         if !self.is_merged()? {
             let lock = self.open(role)?;
-            // another process may have come to its end meanwhile
+            // another process may have finished meanwhile
             if !self.is_merged()? {
                 return Ok(Some(lock));
             }
@@ -202,7 +201,7 @@ impl<'p> Shards<'p> {
             file.map_err(SweepError::file(path))
         };
         let (entrance, lock) = (file(&self.folder.join(ENTRANCE))?, file(&self.folder.join(LOCK))?);
-        // where the file system has no locks, it goes without
+        // proceed without locks if the file system has none
         let _ = entrance.lock();
         let is_held = |locked: Result<(), TryLockError>| matches!(locked, Err(TryLockError::WouldBlock));
         let is_alone = !is_held(lock.try_lock());
@@ -220,15 +219,15 @@ impl<'p> Shards<'p> {
         Ok(Lock { _file: lock })
     }
 
-    /// Writes the declaration, or sees that what is there is of this sweep. Where nobody else is at work, and there are
-    /// no shards yet, another one is replaced: nothing is lost.
+    /// Writes the declaration, or checks that the existing one is of this sweep. A different one is replaced if no
+    /// other process is at work and there are no shards yet, so that nothing is lost.
     fn declare(&self, is_alone: bool) -> Result<(), SweepError> {
         let path = self.folder.join(DECLARATION);
         let text = match fs::read_to_string(&path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(SweepError::File(path, error)),
             text => text.unwrap_or_default(),
         };
-        // a loss of power may leave an empty text
+        // a power failure may leave an empty file
         if text.is_empty() || is_alone && self.present()?.is_empty() {
             return file::replace(&path, |file| file.write_all(self.empty.declaration.as_bytes()))
                 .map_err(SweepError::file(&path));
@@ -236,7 +235,7 @@ impl<'p> Shards<'p> {
         self.compare(&self.folder, &text)
     }
 
-    /// A shard that is to be computed.
+    /// Creates the buffers of a shard to be computed.
     pub(crate) fn begin(&self, n: usize) -> Part {
         let memory = self.spare.lock().map_or(None, |mut spare| spare.pop());
         Part::new(self.rows(n), self.empty.columns.len(), memory.unwrap_or_default())
@@ -266,8 +265,8 @@ impl<'p> Shards<'p> {
         file.write_all(numbers)
     }
 
-    /// Does something that writes shards, while another thread sees that what is written goes to the disk: so nothing is
-    /// left to wait for at the end, and the memory of the system does not fill up.
+    /// Runs `work`, which writes shards, while another thread flushes the written data to the disk. This avoids a wait
+    /// at the end, and keeps the page cache small.
     pub(crate) fn flushed<R>(&self, work: impl FnOnce() -> Result<R, SweepError>) -> Result<R, SweepError> {
         let (done, until) = mpsc::channel();
         let (result, flushed) = thread::scope(|scope| {
@@ -284,7 +283,7 @@ impl<'p> Shards<'p> {
         result
     }
 
-    /// Writes to the disk, again and again, what there is.
+    /// Flushes periodically until the sender is dropped.
     fn flush(&self, until: Receiver<()>) -> io::Result<()> {
         const PERIOD: Duration = Duration::from_secs(1);
         let file = OpenOptions::new().write(true).open(&self.numbers)?;
@@ -296,7 +295,7 @@ impl<'p> Shards<'p> {
         Ok(())
     }
 
-    /// The numbers of a shard, as far as they are there.
+    /// Reads the numbers of a shard; the result is shorter if the file ends early.
     fn read(&self, n: usize, length: usize) -> io::Result<Vec<u8>> {
         let mut file = File::open(&self.numbers)?;
         file.seek(SeekFrom::Start(self.place(n)))?;
@@ -305,7 +304,7 @@ impl<'p> Shards<'p> {
         Ok(numbers)
     }
 
-    /// Makes the file of the shards.
+    /// Merges the shards into the file.
     pub(crate) fn merge(&self) -> Result<(), SweepError> {
         let present = self.present()?;
         if let Some(missing) = (0..self.count).find(|n| !present.contains_key(n)) {
@@ -338,7 +337,8 @@ impl<'p> Shards<'p> {
         self.clean()
     }
 
-    /// The checksum of the numbers of all shards where they lie: from the checksum of each, so that none is read again.
+    /// Checksum of the numbers of all shards at their offsets, combined from the checksum of each without reading them
+    /// again.
     fn sum(&self, present: &BTreeMap<usize, [u32; 2]>) -> Sum {
         let mut sum = Sum::default();
         sum.add(&MAGIC);
@@ -351,7 +351,7 @@ impl<'p> Shards<'p> {
         sum
     }
 
-    /// Gives the finished file its name, unless a file of this name has come meanwhile.
+    /// Renames the finished file to its final name, unless that exists by now.
     fn publish(&self) -> Result<(), SweepError> {
         if self.is_merged()? {
             return Ok(());
@@ -359,7 +359,7 @@ impl<'p> Shards<'p> {
         match fs::hard_link(&self.numbers, self.path) {
             Ok(()) => {}
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => return self.is_merged().map(drop),
-            // not all file systems have links
+            // not all file systems have hard links
             Err(_) => fs::rename(&self.numbers, self.path).map_err(SweepError::file(self.path))?,
         }
         #[cfg(unix)]
@@ -369,13 +369,13 @@ impl<'p> Shards<'p> {
             } else {
                 parent
             };
-            // the name goes to the disk before the shards are removed, where folders can be written by themselves
+            // flush the folder, where the system allows it, before the shards are removed
             let _ = File::open(parent).and_then(|folder| folder.sync_all());
         }
         Ok(())
     }
 
-    /// Removes what is left of the shards when the file is there, and nothing else.
+    /// Removes the remaining shards of this sweep once the file exists, and no other files.
     pub(crate) fn clean(&self) -> Result<(), SweepError> {
         let declaration = fs::read_to_string(self.folder.join(DECLARATION));
         if !declaration.is_ok_and(|text| text == self.empty.declaration) {
@@ -396,7 +396,7 @@ impl<'p> Shards<'p> {
             fs::remove_dir(&self.folder)
         };
         match remove() {
-            // another process may do the same; what is not of this sweep stays
+            // another process may do the same at the same time; files of other origin stay
             Err(error) if ![io::ErrorKind::NotFound, io::ErrorKind::DirectoryNotEmpty].contains(&error.kind()) => {
                 Err(SweepError::File(self.folder.clone(), error))
             }
@@ -404,7 +404,7 @@ impl<'p> Shards<'p> {
         }
     }
 
-    /// That a declaration is the one of this sweep, and else in what it differs.
+    /// Checks that a declaration is the one of this sweep; otherwise the error lists the differences.
     fn compare(&self, path: &Path, other: &str) -> Result<(), SweepError> {
         if other == self.empty.declaration {
             return Ok(());

@@ -1,12 +1,12 @@
-//! Results by name.
+//! Tables of results.
 
 use std::collections::BTreeMap;
 use std::ops::Index;
 
-/// What the numbers of a column are.
+/// Name and unit of a column.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Column {
-    /// Its name.
+    /// The name.
     pub name: String,
     /// The unit, as in `rad/s`; `1` for a pure number.
     pub unit: String,
@@ -21,10 +21,10 @@ impl Column {
     }
 }
 
-/// The results of a sweep: a row for each point, in order.
+/// Results of a sweep: a row for each point, in order.
 ///
-/// `table["angle"]` are the numbers of a column. Rows of trajectories that failed are there too: with the last good state
-/// where there is one, NaN elsewhere, and a reason.
+/// `table["angle"]` returns the numbers of a column. Rows of failed trajectories are included, with the last good state
+/// if there is one, NaN elsewhere, and a reason.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     pub(crate) columns: Vec<Column>,
@@ -35,32 +35,32 @@ pub struct Table {
 }
 
 impl Table {
-    /// How many rows there are.
+    /// Number of rows.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.rows
     }
 
-    /// What the columns are: first the numbers of the points, then what was kept.
+    /// All columns: first the numbers of the points, then the results.
     #[must_use]
     pub fn columns(&self) -> &[Column] {
         &self.columns
     }
 
-    /// The numbers of a column, if there is one of that name.
+    /// Numbers of a column, if there is one of that name.
     #[must_use]
     pub fn column(&self, name: &str) -> Option<&[f64]> {
         let place = self.columns.iter().position(|column| column.name == name)?;
         Some(&self.numbers[place])
     }
 
-    /// The rows that failed, and why.
+    /// Rows that failed, with the reasons.
     #[must_use]
     pub fn failures(&self) -> &BTreeMap<usize, String> {
         &self.failures
     }
 
-    /// The declaration of the sweep, with the versions of these crates, as JSON.
+    /// Declaration of the sweep, with the versions of these crates, as JSON.
     #[must_use]
     pub fn declaration(&self) -> &str {
         &self.declaration

@@ -1,4 +1,4 @@
-//! Whole trajectories, of which some numbers are kept.
+//! Results extracted from whole trajectories.
 
 use std::fmt::Debug;
 
@@ -15,10 +15,10 @@ use crate::error::SweepError;
 use crate::job::{Chunk, Failure, Job, Task};
 use crate::table::Column;
 
-/// An event of a model.
+/// Event of a model.
 type EventOf<M, const N: usize> = Box<dyn for<'m> Fn(&'m M) -> Event<'m, f64, N> + Send + Sync>;
 
-/// What [`Sweep::trajectories`] does.
+/// Task of [`Sweep::trajectories`].
 pub struct Trajectories<X, F, M, const N: usize> {
     method: X,
     span: (f64, f64),
@@ -26,11 +26,11 @@ pub struct Trajectories<X, F, M, const N: usize> {
     kept: Vec<Kept<M, N>>,
     events: Vec<EventOf<M, N>>,
     follow: Follow<X, M, N>,
-    /// How many are followed together.
+    /// Number of trajectories integrated together.
     together: usize,
 }
 
-/// Follows trajectories to their ends: why those failed that did.
+/// Integrates trajectories to their ends, and returns the reason for each one that failed.
 type Follow<X, M, const N: usize> = fn(
     &X,
     (f64, f64),
@@ -40,24 +40,24 @@ type Follow<X, M, const N: usize> = fn(
     &mut [Seen<'_, N>],
 ) -> Result<Vec<Option<Reason>>, SweepError>;
 
-/// What is kept of a trajectory besides its end.
+/// Results of a trajectory besides its end.
 enum Kept<M, const N: usize> {
     /// The states at these times.
     At(Vec<f64>),
     /// A quantity at the end.
     End(Column, Quantity<M, N>),
-    /// The extremum of a quantity, times 1 the largest and times -1 the least, and when it is reached.
+    /// The extremum of a quantity and its time: the maximum of the quantity times the factor 1, or -1 for the minimum.
     Extremum(Column, f64, Quantity<M, N>),
-    /// How often an event occurred, and when first.
+    /// The number of occurrences of an event, and the time of the first one.
     Event(String, usize),
 }
 
 impl<const K: usize> Sweep<K> {
-    /// The trajectories of models from `span.0` to `span.1`, by any method, one by one on each core, or
-    /// [in lanes](Job::in_lanes). `trial` makes the model and the start of a point.
+    /// Integrates models from `span.0` to `span.1` with any method, one by one on each core or
+    /// [in lanes](Job::in_lanes). `trial` builds the model and the initial state of a point.
     ///
-    /// Kept are the time `t` of the end, which terminal events make earlier, the state there by the names of its
-    /// components, and what is asked for.
+    /// The columns are the final time `t`, which terminal events make earlier, the final state by the names of its
+    /// components, and the results requested by the methods of the job.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -107,12 +107,12 @@ impl<const K: usize> Sweep<K> {
 }
 
 impl<X, F, M, const K: usize, const N: usize> Job<Trajectories<X, F, M, N>, K> {
-    /// Follows many trajectories at a time, in the lanes of vector registers, for models and methods that can; the
-    /// numbers have the same bits.
+    /// Integrates many trajectories at a time in the SIMD lanes, for models and methods that support it. The numbers
+    /// have the same bits.
     ///
-    /// Most is gained where ends and states at times are kept; events and extrema look into each step.
-    /// Trajectories with events that reset their state go one by one, and so do those of hybrid systems, and the
-    /// methods that [`Ensemble`](pendulum_core::Ensemble) names.
+    /// The speedup is largest for ends and states at given times; events and extrema evaluate the dense output of each
+    /// step. Trajectories are integrated one by one if they have events that reset the state, for hybrid systems, and
+    /// for the methods listed at [`Ensemble`](pendulum_core::Ensemble).
     pub fn in_lanes(mut self) -> Self
     where
         X: ObservedEnsemble<M, f64, N>,
@@ -122,12 +122,12 @@ impl<X, F, M, const K: usize, const N: usize> Job<Trajectories<X, F, M, N>, K> {
         self
     }
 
-    /// Keeps the states at these times, as `angle at 2 s`; NaN after the end.
+    /// Adds the states at these times, as `angle at 2 s`; NaN after the end.
     pub fn at(self, times: impl Into<Vec<f64>>) -> Self {
         self.keep(Kept::At(times.into()))
     }
 
-    /// Keeps a number that the model and its final state determine.
+    /// Adds a column computed from the model and its final state.
     pub fn value(
         self,
         name: &str,
@@ -137,8 +137,8 @@ impl<X, F, M, const K: usize, const N: usize> Job<Trajectories<X, F, M, N>, K> {
         self.keep(Kept::End(Column::new(name, unit), Box::new(value)))
     }
 
-    /// Keeps the largest value of a quantity, and when it is reached, as `t of height`: the largest of five places in
-    /// each step, sharpened to the dense output.
+    /// Adds the maximum of a quantity, and its time, as `t of height`. The maximum is sampled at five places in each
+    /// step and refined with the dense output.
     pub fn largest(
         self,
         name: &str,
@@ -148,7 +148,7 @@ impl<X, F, M, const K: usize, const N: usize> Job<Trajectories<X, F, M, N>, K> {
         self.keep(Kept::Extremum(Column::new(name, unit), 1.0, Box::new(value)))
     }
 
-    /// Keeps the least value in the same way.
+    /// Adds the minimum of a quantity, like [`largest`](Self::largest).
     pub fn least(
         self,
         name: &str,
@@ -158,8 +158,8 @@ impl<X, F, M, const K: usize, const N: usize> Job<Trajectories<X, F, M, N>, K> {
         self.keep(Kept::Extremum(Column::new(name, unit), -1.0, Box::new(value)))
     }
 
-    /// Keeps how often an event occurred, and when first, as `t of over`; NaN where it did not. Terminal ones end the
-    /// trajectory, and may reset it.
+    /// Adds the number of occurrences of an event, and the time of the first one, as `t of over`; NaN if there is none.
+    /// Terminal events end the trajectory, and may reset its state.
     pub fn event(
         mut self,
         name: &str,
@@ -245,7 +245,7 @@ impl<X, F, M, const N: usize> Trajectories<X, F, M, N> {
         1 + N + self.kept.iter().map(width).sum::<usize>()
     }
 
-    /// The times at which states are kept, in the order in which they are reached, with their places among all.
+    /// Sample times in the order in which they are reached, each with its index in the order of declaration.
     fn samples(&self) -> Vec<(f64, usize)> {
         let times = self.kept.iter().flat_map(|kept| match kept {
             Kept::At(times) => times.as_slice(),
@@ -257,7 +257,7 @@ impl<X, F, M, const N: usize> Trajectories<X, F, M, N> {
         samples
     }
 
-    /// The extrema of a trajectory that starts here.
+    /// Trackers of the extrema of a trajectory that starts here.
     fn extrema<'s>(&'s self, model: &'s M, start: SVector<f64, N>) -> Vec<Extremum<'s, N>> {
         let of_kept = self.kept.iter().filter_map(|kept| match kept {
             Kept::Extremum(_, sign, value) => {
@@ -269,7 +269,7 @@ impl<X, F, M, const N: usize> Trajectories<X, F, M, N> {
         of_kept.collect()
     }
 
-    /// The numbers that are kept of a trajectory.
+    /// Appends the results of a trajectory.
     fn keep_of(&self, model: &M, seen: &Seen<'_, N>, numbers: &mut Vec<f64>) {
         numbers.push(seen.t);
         numbers.extend(&seen.x);
@@ -343,16 +343,16 @@ where
     Ok(reasons)
 }
 
-/// What was seen of a trajectory.
+/// Observer that records a trajectory.
 struct Seen<'s, const N: usize> {
-    /// Where it has arrived.
+    /// Current time.
     t: f64,
     x: SVector<f64, N>,
     is_forward: bool,
-    /// The times of samples, with their places; the states of the first of them.
+    /// Sample times with their indices; `states` holds the samples so far.
     samples: &'s [(f64, usize)],
     states: Vec<[f64; N]>,
-    /// How often each event occurred, and when first.
+    /// Number of occurrences of each event, and the time of the first one.
     events: Vec<(usize, f64)>,
     extrema: Vec<Extremum<'s, N>>,
 }
@@ -372,13 +372,13 @@ impl<'s, const N: usize> Seen<'s, N> {
         }
     }
 
-    /// The next time at which the state is kept, if it is before a time.
+    /// The next sample time, if it is before `end`.
     fn sample_before(&self, end: f64) -> Option<f64> {
         let &(t, _) = self.samples.get(self.states.len())?;
         (if self.is_forward { t < end } else { t > end }).then_some(t)
     }
 
-    /// The states at all samples, in their places; NaN before the start and after the end.
+    /// States at all samples, in the order of declaration; NaN before the start and after the end.
     fn states(&self) -> Vec<[f64; N]> {
         let mut states = vec![[f64::NAN; N]; self.samples.len()];
         for (n, &(t, place)) in self.samples.iter().enumerate() {
@@ -425,19 +425,19 @@ impl<const N: usize> Observer<f64, N> for Seen<'_, N> {
     }
 }
 
-/// A quantity along a trajectory.
+/// Quantity along a trajectory.
 type Along<'s, const N: usize> = Box<dyn Fn(f64, &SVector<f64, N>) -> f64 + 's>;
 
-/// Where a quantity is largest so far.
+/// Running maximum of a quantity.
 struct Extremum<'s, const N: usize> {
     value: Along<'s, N>,
     t: f64,
     most: f64,
-    /// Between this place and those beside it at which the quantity was looked at.
+    /// Distance in time between the maximum and the samples beside it.
     width: f64,
-    /// The steps about it.
+    /// Dense output of the steps adjacent to the maximum.
     about: Solution<f64, N>,
-    /// Whether the next step is about it too, for it is where that begins.
+    /// True if the maximum is at the end of the last step, so that the next step is adjacent too.
     is_open: bool,
 }
 
@@ -454,7 +454,7 @@ impl<'s, const N: usize> Extremum<'s, N> {
         }
     }
 
-    /// Whether a value is more than all before, which may not be numbers.
+    /// True if `value` exceeds the maximum so far, or is the first one that is not NaN.
     fn is_more(&self, value: f64) -> bool {
         value > self.most || self.most.is_nan() && !value.is_nan()
     }
@@ -473,7 +473,7 @@ impl<'s, const N: usize> Extremum<'s, N> {
         let width = 0.25 * (step.t1 - step.t0);
         let mut is_here = false;
         for n in 1..=4 {
-            // the end as it is, before a reset
+            // the end of the step itself, before any reset
             let (t, x) = match n {
                 4 => (step.t1, step.x1),
                 _ => {
@@ -498,7 +498,7 @@ impl<'s, const N: usize> Extremum<'s, N> {
         self.is_open = is_here && self.t == step.t1;
     }
 
-    /// Where it is, by the golden section, and the value there.
+    /// Refines the maximum by golden-section search; returns its time and value.
     fn found(&self) -> (f64, f64) {
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let (mut t, mut most, mut width) = (self.t, self.most, self.width);

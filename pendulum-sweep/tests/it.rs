@@ -1,4 +1,4 @@
-//! Sweeps as their users see them.
+//! Integration tests of sweeps through the public interface.
 
 use std::error::Error;
 use std::fs;
@@ -25,7 +25,7 @@ mechanism! {
 
 type Outcome = Result<(), Box<dyn Error>>;
 
-/// An empty folder for a test.
+/// Creates an empty folder for a test.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = fs::remove_dir_all(&folder);
@@ -33,7 +33,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// A model and its start; a friction above 0.9 is refused by hand.
+/// Builds a model and its initial state; rejects a friction above 0.9.
 fn trial([a, gamma]: [f64; 2]) -> Result<(Rods, [f64; 4]), Failure> {
     if gamma > 0.9 {
         return Err("too much friction".into());
@@ -119,7 +119,7 @@ fn rows_are_what_they_are_alone_for_any_number_of_threads_and_shares() -> Outcom
     }
     assert_eq!((table.columns(), table.failures()), (read.columns(), read.failures()));
     assert_eq!(table.declaration(), read.declaration());
-    // what is there is not computed again, and what a kill has left of its shards is removed
+    // an existing file is not computed again, and leftover shards of a killed job are removed
     let left = whole.with_extension("parquet.shards");
     fs::create_dir(&left)?;
     fs::write(left.join("declaration.json"), table.declaration())?;
@@ -140,7 +140,7 @@ fn a_table_is_read_as_it_was_written() -> Outcome {
     Ok(())
 }
 
-/// Also where a shard ends with a block of row numbers, or one before or behind it.
+/// Covers shards that end with a block of row numbers, one row before it and one after it.
 #[test]
 fn rows_are_numbered_across_shards() -> Outcome {
     let folder = folder("numbered");
@@ -159,7 +159,7 @@ fn rows_are_numbered_across_shards() -> Outcome {
     Ok(())
 }
 
-/// What the children of the next test do.
+/// Runs in the child processes of the next test.
 #[test]
 fn child() -> Outcome {
     if let Some(path) = std::env::var_os("PENDULUM_SWEEP_TEST_FILE") {
@@ -207,7 +207,7 @@ fn a_sweep_that_is_killed_goes_on_and_ends_with_the_same_bytes() -> Outcome {
     Ok(())
 }
 
-/// A limit on the size of files is to a program what a full disk is.
+/// Simulates a full disk by a limit on the file size.
 #[cfg(unix)]
 #[test]
 fn a_full_disk_ends_in_an_error_and_the_sweep_goes_on() -> Outcome {
@@ -239,7 +239,7 @@ fn a_full_disk_ends_in_an_error_and_the_sweep_goes_on() -> Outcome {
     Ok(())
 }
 
-/// The shards beside a file, in order.
+/// Paths of the shards beside a file, in order.
 fn shards(path: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(path.with_extension("parquet.shards")).expect("the folder of the shards");
     let paths = entries.map(|entry| entry.expect("an entry").path());
@@ -258,7 +258,7 @@ fn a_broken_shard_is_computed_again() -> Outcome {
     for share in 0..2 {
         rods(450, 1.0).share(share, 2).run_to(&broken)?;
     }
-    // a single bit of the numbers, and an end that is missing
+    // a flipped bit in the numbers, and a truncated file
     let entries = fs::read_dir(broken.with_extension("parquet.shards"))?.flatten();
     let mut paths = entries.map(|entry| entry.path());
     let numbers = paths
@@ -295,7 +295,7 @@ fn a_flipped_bit_in_a_finished_file_is_noticed() -> Outcome {
             (random >> 33) as usize % (8 * whole.len())
         })
         .collect();
-    // and every bit at both ends, of which the last are those of the metadata
+    // and bits at both ends; the metadata are at the end
     places.extend(0..64);
     places.extend((8 * (whole.len() - 400)..8 * whole.len()).step_by(3));
     let (mut numbers, mut metadata) = (0, 0);
@@ -312,9 +312,9 @@ fn a_flipped_bit_in_a_finished_file_is_noticed() -> Outcome {
         metadata += usize::from(error.contains("its metadata are damaged"));
     }
     assert!(numbers > 100 && metadata > 100, "{numbers} {metadata}");
-    // the message says where
+    // the message names the place
     let mut bytes = whole.clone();
-    // the first shard begins there, with the column `start`
+    // the first shard begins at offset 4096, with the column `start`
     bytes[4096 + 100] ^= 4;
     fs::write(&path, &bytes)?;
     let error = job().merge(&path).expect_err("a flipped bit").to_string();
@@ -323,12 +323,12 @@ fn a_flipped_bit_in_a_finished_file_is_noticed() -> Outcome {
             && error.contains("run the sweep again"),
         "{error}"
     );
-    // the pages have checksums for readers of their own
+    // other readers check the checksums of the pages
     let error = Table::read(&path).expect_err("a flipped bit").to_string();
     assert!(error.contains("checksum"), "{error}");
     fs::write(&path, &whole)?;
     assert_eq!(job().run_to(&path)?.computed, 0);
-    // so has a table that was written by hand
+    // a table written by hand has checksums too
     Table::read(&path)?.write(&path)?;
     assert_eq!(job().run_to(&path)?.computed, 0);
     assert_eq!(Table::read(&path)?.rows(), 450);
@@ -394,7 +394,7 @@ fn another_sweep_is_not_overwritten() -> Outcome {
     Ok(())
 }
 
-/// A job that does something else while it is at work.
+/// A job that calls `act` while it runs.
 fn meanwhile(rows: usize, act: impl Fn() + Sync) -> Job<impl Task<1>, 1> {
     let act = move |[x]: [f64; 1]| {
         if x == 0.0 {
@@ -427,7 +427,7 @@ fn two_at_once_do_not_disturb_each_other() -> Outcome {
     })
     .run_to(&path)?;
     assert!(fs::read(&alone)? == fs::read(&path)?);
-    // shares go together, but not with another sweep, or with who computes all
+    // shares run together, but not with another sweep, nor with a process that computes all
     fs::remove_file(&path)?;
     let first = meanwhile(100, || {
         let other = meanwhile(50, || ())
@@ -454,12 +454,12 @@ fn nothing_of_others_is_touched() -> Outcome {
     let folder = folder("of_others");
     let [other, path] = ["other.parquet", "sweep.parquet"].map(|name| folder.join(name));
     meanwhile(50, || ()).run_to(&other)?;
-    // a file that comes while the sweep is at work
+    // a file that appears while the sweep runs
     let copy = || assert!(fs::copy(&other, &path).is_ok());
     let came = meanwhile(100, copy).run_to(&path);
     assert!(matches!(came, Err(SweepError::Other { .. })));
     assert!(fs::read(&other)? == fs::read(&path)?);
-    // now it is gone, there is nothing left to compute; what lies among the shards stays
+    // without that file nothing is left to compute; foreign files among the shards stay
     fs::remove_file(&path)?;
     let shards = path.with_extension("parquet.shards");
     fs::write(shards.join("precious.txt"), "text")?;
@@ -549,7 +549,7 @@ fn what_is_wrong_is_said() {
     let times = times.trajectories(Tsit5::new(), (0.0, 2.0), |[a]| trial([a, 0.1]));
     says(times.at([1.0, f64::NAN]).quiet().run(), "states are kept at NaN");
     let path = folder("wrong").join("sweep.parquet");
-    // a setting that is mended is that of another sweep, but nothing was computed
+    // a corrected setting makes another sweep, but nothing was computed before
     let span = rods(10, f64::INFINITY).run_to(&path).expect_err("no end");
     assert!(span.to_string().contains("a time must be finite"), "{span}");
     assert!(path.with_extension("parquet.shards").exists());
@@ -591,7 +591,7 @@ fn trajectories_keep_times_extrema_and_events() -> Outcome {
         .quiet()
         .run()?;
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-7, "{a} {b}");
-    // thrown up with v: back after v/5, highest v^2/20 after v/10
+    // thrown up with v: returns at v/5; maximum height v^2/20 at v/10
     for (row, v) in [(0, 2.0), (1, 4.0)] {
         near(table["height"][row], v * v / 20.0);
         near(table["t of height"][row], v / 10.0);
@@ -638,7 +638,7 @@ fn extrema_are_those_of_solutions() -> Outcome {
     Ok(())
 }
 
-/// The same sweep in lanes and one by one, which has all that trajectories can keep, and failures of all kinds.
+/// Checks extrema across the reset of an event, and of a quantity that is NaN at first.
 #[test]
 fn extrema_know_jumps_and_what_is_not_a_number() -> Outcome {
     let start = Sweep::list("rods", [("start", "rad")], vec![[1.0]]);
@@ -662,6 +662,7 @@ fn extrema_know_jumps_and_what_is_not_a_number() -> Outcome {
     Ok(())
 }
 
+/// Compares lanes with one-by-one integration, for all kinds of results and failures.
 #[test]
 fn trajectories_in_lanes_have_the_bits_of_those_alone() -> Outcome {
     fn same<X>(method: X, span: (f64, f64), keeps_all: bool) -> Outcome
@@ -801,8 +802,8 @@ fn samples_are_those_of_solutions() -> Outcome {
     Ok(())
 }
 
-/// Reads a file with whichever of polars and pandas there is, and prints its shape, the bits of a number, and how many
-/// failed.
+/// Reads a file with polars or pandas, whichever is installed, and prints its shape, the bits of a number, and the
+/// number of failures.
 const PYTHON: &str = "
 import struct, sys
 try:

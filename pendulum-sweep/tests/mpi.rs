@@ -1,4 +1,4 @@
-//! The same file from several processes: `cargo test --features mpi`; `mpirun` must be there.
+//! Sweeps in several processes give the same file: `cargo test --features mpi`, which needs `mpirun`.
 #![cfg(feature = "mpi")]
 
 use std::error::Error;
@@ -8,10 +8,10 @@ use std::process::Command;
 use pendulum_sweep::{Arguments, Axis, Failure, Sweep};
 
 const FILE: &str = "PENDULUM_SWEEP_MPI_FILE";
-/// What goes wrong in the second process.
+/// Environment variable: the kind of failure in the second process.
 const WRONG: &str = "PENDULUM_SWEEP_MPI_WRONG";
 
-/// What the children of the other tests do.
+/// Runs in the child processes of the other tests.
 #[test]
 fn child() -> Result<(), Box<dyn Error>> {
     let Some(path) = std::env::var_os(FILE) else {
@@ -36,7 +36,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Runs the test above with `ranks` processes.
+/// Runs the test above in `ranks` processes.
 fn mpirun(ranks: &str, path: &Path) -> Result<Command, Box<dyn Error>> {
     let mut command = Command::new("mpirun");
     command
@@ -49,7 +49,7 @@ fn mpirun(ranks: &str, path: &Path) -> Result<Command, Box<dyn Error>> {
     Ok(command)
 }
 
-/// What a command prints that ends well.
+/// Runs a command that must succeed, and returns its output.
 fn text_of(command: &mut Command) -> Result<String, Box<dyn Error>> {
     let output = command.output()?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();

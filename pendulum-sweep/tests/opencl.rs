@@ -1,4 +1,4 @@
-//! Ensembles on a device: `cargo test --features opencl`; skipped where there is no OpenCL.
+//! Ensembles on a device: `cargo test --features opencl`; skipped without OpenCL.
 #![cfg(feature = "opencl")]
 
 use std::error::Error;
@@ -9,7 +9,7 @@ use pendulum_sweep::opencl::{Declared, Device, KernelMethod};
 use pendulum_sweep::{Draw, Sweep, SweepError, declared};
 
 declared! {
-    /// Two rods, the lower one of any length, with names that are words of OpenCL C.
+    /// Two rods, the lower one of any length, with parameters named like keywords of OpenCL C.
     pub Double {
         params {
             /// The lower mass.
@@ -29,7 +29,7 @@ declared! {
 }
 
 declared! {
-    /// Flies off to infinity in finite time.
+    /// Diverges to infinity in finite time.
     Runaway {
         body cart on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: q*q*q*1 N/m^3 }
     }
@@ -41,7 +41,7 @@ declared! {
     }
 }
 
-/// The first device, or none, and the reason.
+/// Returns the first device; otherwise prints the reason.
 fn device() -> Option<Device> {
     let device = Device::first();
     device.inspect_err(|error| eprintln!("skipped: {error}")).ok()
@@ -68,7 +68,7 @@ fn doubles() -> Result<Vec<Double>, Box<dyn Error>> {
     (0..301).map(double).collect()
 }
 
-/// The trajectories that stopped, with all that is said of them, and where all of them ended.
+/// Descriptions of the stopped trajectories, and the final states of all.
 fn outcome<const N: usize>(ends: Result<Vec<SVector<f64, N>>, EnsembleError<f64, N>>) -> (Vec<String>, String) {
     let (stopped, x) = match ends {
         Ok(x) => (Vec::new(), x),
@@ -79,7 +79,7 @@ fn outcome<const N: usize>(ends: Result<Vec<SVector<f64, N>>, EnsembleError<f64,
     (stopped.iter().map(said).collect(), format!("{x:?}"))
 }
 
-/// The ensemble of a method is that of the device, bit for bit, in both directions of time.
+/// Checks that an ensemble on the CPU equals that on the device, bit for bit, in both directions of time.
 fn assert_same<X>(method: X)
 where
     X: std::fmt::Debug
@@ -102,7 +102,7 @@ where
 #[test]
 fn fixed_steps_have_the_same_bits() {
     assert_same(Rk4::new(0.01));
-    // a last step that is shorter, and one that takes what rounding leaves
+    // a shorter last step, and a last step that absorbs rounding
     assert_same(Rk4::new(0.007));
     assert_same(Rk4::new(3.0 / 171.0));
 }
@@ -137,7 +137,7 @@ fn trajectories_that_stop_say_why() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// As far from the exact ends as `f32` in Rust is.
+/// Checks that the errors are about those of `f32` in Rust.
 #[test]
 fn single_precision_is_that_of_f32() -> Result<(), Box<dyn Error>> {
     let Some(device) = device() else { return Ok(()) };

@@ -2,10 +2,10 @@
 
 Run in this folder, with sympy (and the mpmath that comes with it): `python3 mass_ratios.py`; it takes some seconds.
 
-The equations are Lagrange's, from positions of points and their velocities; a thin rod is what is between its ends. The inputs
+The equations are Lagrange's, from positions of points and their velocities; a thin rod is given by its ends. The inputs
 are the doubles in the file, taken as exact numbers. `condition` is the sum over all inputs p (parameters and state) of
-|p dqdd/dp| for each acceleration, by differences in 130-digit arithmetic: what relative errors of one unit in all inputs add up
-to.
+|p dqdd/dp| for each acceleration, by differences in 130-digit arithmetic: the change of the acceleration for relative
+errors of one unit in all inputs.
 """
 
 import json
@@ -21,7 +21,7 @@ QD = sp.symbols("v1:4")
 
 
 class Scene:
-    """Kinetic energy, potential energy and forces of joints are added up body by body."""
+    """Sums kinetic energy, potential energy and joint forces body by body."""
 
     def __init__(self, dof, names):
         self.q, self.qd = sp.Matrix(Q[:dof]), sp.Matrix(QD[:dof])
@@ -42,7 +42,7 @@ class Scene:
         self.potential += mass * up * (start + end)[-1] / 2
 
     def accelerations(self):
-        """A function of parameters and state."""
+        """Returns a function of parameters and state."""
         momentum = sp.Matrix([self.kinetic]).jacobian(self.qd).T
         lagrangian = sp.Matrix([self.kinetic - self.potential])
         rest = momentum.jacobian(self.q) * self.qd - lagrangian.jacobian(self.q).T - self.force
@@ -57,12 +57,12 @@ class Scene:
 
 
 def hanging(angle):
-    """The direction of a link in the plane, seen from its upper end: right, then up."""
+    """Direction of a link in the plane, from its upper end: right, then up."""
     return sp.Matrix([sp.sin(angle), -sp.cos(angle)])
 
 
 def points(count, relative=False):
-    """Points on a chain of rods without mass."""
+    """Point masses on a chain of massless rods."""
     n = range(1, count + 1)
     s = Scene(count, [f"m{k}" for k in n] + [f"l{k}" for k in n] + ["g"])
     masses, lengths, g = s.p[:count], s.p[count : 2 * count], s.p[-1]
@@ -75,7 +75,7 @@ def points(count, relative=False):
 
 
 def plates():
-    """Two plates with friction in the axles, angles from the ground."""
+    """Two plates with friction in the joints, in absolute angles."""
     s = Scene(2, "m1 m2 inertia1 inertia2 c1 c2 d g gamma1 gamma2".split())
     m1, m2, inertia1, inertia2, c1, c2, d, g, gamma1, gamma2 = s.p
     s.point(m1, c1 * hanging(s.q[0]), g)
@@ -87,7 +87,7 @@ def plates():
 
 
 def cart():
-    """A point on a rod without mass, on a cart."""
+    """A point mass on a massless rod, on a cart."""
     s = Scene(2, "m1 m2 l g".split())
     m1, m2, l, g = s.p
     pivot = sp.Matrix([s.q[0], 0])
@@ -115,12 +115,12 @@ def arm():
 RIGHT = 1.5707963267948966  # the double below a right angle
 HALF = 2 * RIGHT
 TWO = [
-    [0.7, -1.9, 1.3, -0.8],  # anywhere
+    [0.7, -1.9, 1.3, -0.8],  # generic
     [0.3, 0.30001, 0.4, -0.6],  # nearly aligned
     [0.3, 0.3, 0.5, -0.7],  # aligned
     [0.3, 0.3 + HALF, 0.5, -0.7],  # folded
     [1e-4, -2e-4, 0.3, 0.2],  # hanging almost at rest, with hardly any sensitivity to the angles
-    [RIGHT, RIGHT + 1e-9, 0.0, 0.0],  # aligned and level, where gravity hardly changes with the angles
+    [RIGHT, RIGHT + 1e-9, 0.0, 0.0],  # aligned and level, with minimal sensitivity of gravity to the angles
 ]
 TWO_RELATIVE = [
     [0.7, -2.6, 1.3, -2.1],
@@ -150,13 +150,13 @@ ARM = [
     [0.3, 1e-5, -2e-5, 0.4, -0.6, 0.1],  # the last rod hangs
     [0.3, 0.0, 0.0, 0.5, -0.7, 0.2],
     [0.3, HALF - 1e-5, 2e-5, 0.4, -0.6, 0.1],  # the last rod nearly on the axis of the first joint
-    [0.3, HALF, 0.0, 0.5, -0.7, 0.2],  # and on it
+    [0.3, HALF, 0.0, 0.5, -0.7, 0.2],  # the last rod on the axis of the first joint
 ]
 POINTS = {"m1": 1.0, "m2": 1.0, "l1": 1.1, "l2": 0.9, "g": 9.81}
 CHAIN = POINTS | {"m3": 1.0, "l3": 0.7}
 PLATES = dict(m1=1.0, m2=1.0, inertia1=0.3, inertia2=0.2, c1=0.6, c2=0.45, d=1.1, g=9.81, gamma1=0.1, gamma2=0.05)
 LAST_ARM = dict(m1=1.0, m2=0.8, m3=1.0, l1=0.5, l2=0.5, l3=0.7, g=9.81)
-# name, equations, parameters, which of them are multiplied by the ratio, states
+# name, equations, parameters, parameters that are multiplied by the ratio, states
 SCENES = [
     ("points", points(2), POINTS, ["m2"], TWO),
     ("points_relative", points(2, relative=True), POINTS, ["m2"], TWO_RELATIVE),

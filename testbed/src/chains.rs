@@ -1,6 +1,6 @@
-//! Chains of any length, as declarations; `generate` is what their code is to compute.
+//! Declarations of chains of any length; `generate` lists the code to generate.
 
-/// Links of one shape that turn about parallel axes.
+/// Declares a chain of equal links with parallel revolute axes.
 pub fn planar(n: usize, generate: &str) -> String {
     let bodies = (0..n).map(|k| {
         let (parent, at) = below(k, "[0, -1, 0]");
@@ -13,7 +13,7 @@ pub fn planar(n: usize, generate: &str) -> String {
     )
 }
 
-/// Bodies of any shape on joints that turn about z, y and x in turns.
+/// Declares a chain of bodies with arbitrary inertia, whose revolute axes alternate between z, y and x.
 pub fn spatial(n: usize, generate: &str) -> String {
     let bodies = (0..n).map(|k| {
         let (parent, at) = below(k, "[0.1, 0.05, 0.3]");

@@ -1,4 +1,4 @@
-//! Scenes in which impacts follow each other: blocks in a row between walls, and two rods in a box.
+//! Scenes with sequences of impacts: blocks in a row between walls, and two rods in a box.
 
 pendulum_core::mechanism! {
     /// Three blocks in a row between two walls, with a spring to the first.
@@ -21,7 +21,7 @@ pendulum_core::mechanism! {
 }
 
 pendulum_core::mechanism! {
-    /// Two rods, the tip of the lower one in a box without a lid.
+    /// Two rods; the tip of the lower one is in a box without a lid.
     pub Boxed {
         params { m: kg, l1: m, l2: m, g: m/s^2, mu: N m, room: m, deep: m, e: 1, ef: 1, es: 1 }
         generate: [rhs, jacobian, energy, taylor, canonical],

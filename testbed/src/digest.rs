@@ -1,6 +1,6 @@
-//! Digests of bytes that are the same on every machine and with every compiler.
+//! Hashes of bytes that are the same on every machine and with every compiler.
 
-/// FNV-1a, of 64 bits.
+/// FNV-1a hash of 64 bits.
 pub struct Digest(u64);
 
 impl Default for Digest {

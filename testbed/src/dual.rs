@@ -1,11 +1,11 @@
-//! Dual numbers: a value with one exact derivative. Generated code runs on them as on any `Real`, so its Jacobian can be checked
-//! to the last digits, without differences.
+//! Dual numbers: a value with one exact derivative. Generated code runs on them like on any `Real`, so its Jacobian can
+//! be checked to the last digits without finite differences.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use pendulum_core::real::Real;
 
-/// `value + slope e` with `e^2 = 0`. Over dual numbers it has a second derivative.
+/// `value + slope e` with `e^2 = 0`. Dual numbers over dual numbers have a second derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Dual<T = f64> {
     pub value: T,
@@ -79,7 +79,7 @@ impl<T: Real> Neg for Dual<T> {
     }
 }
 
-/// 1 where `a` is larger, 0 where `b` is, and a half where they are equal.
+/// Derivative of `max(a, b)` by `a`: 1 if `a` is larger, 0 if `b` is, 1/2 if they are equal.
 fn over<T: Real>(a: T, b: T) -> T {
     T::from_f64(0.5) + T::from_f64(0.5) * (a - b).signum()
 }

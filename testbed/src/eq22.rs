@@ -1,10 +1,12 @@
-//! The compound double pendulum with friction by hand: Williams (2023), Eq. 22, corrected, and for any `c` and `d`.
+//! The compound double pendulum with friction, coded by hand: Williams (2023), Eq. 22, corrected, and for any `c` and
+//! `d`.
 
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::Real;
 use pendulum_core::prelude::*;
 
-/// A plate: mass, inertia about the centre of mass, distance from its axle to the centre of mass, friction of that axle.
+/// Plate: mass, inertia about the centre of mass, distance from the joint to the centre of mass, friction of that
+/// joint.
 #[derive(Clone, Copy, Debug)]
 pub struct Plate {
     pub mass: f64,
@@ -13,14 +15,14 @@ pub struct Plate {
     pub friction: f64,
 }
 
-/// The double pendulum in absolute angles, `x = (theta1, theta2, omega1, omega2)`, with its parameters regrouped.
+/// Double pendulum in absolute angles, `x = (theta1, theta2, omega1, omega2)`, with regrouped parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Eq22<T = f64> {
-    /// `I1 + m1 c1^2 + m2 d^2` and `I2 + m2 c2^2`, on the diagonal of the mass matrix, and their product.
+    /// Diagonal of the mass matrix, `I1 + m1 c1^2 + m2 d^2` and `I2 + m2 c2^2`, and the product of the two.
     m11: T,
     m22: T,
     m11_m22: T,
-    /// `m2 d c2`, before the cosine in the mass matrix.
+    /// `m2 d c2`, the factor of the cosine in the mass matrix.
     mu: T,
     /// `(m1 c1 + m2 d) g` and `m2 c2 g`.
     weight1: T,
@@ -30,7 +32,7 @@ pub struct Eq22<T = f64> {
 }
 
 impl<T: Real> Eq22<T> {
-    /// `d` is the distance between the two axles of the upper plate.
+    /// Double pendulum of two plates; `d` is the distance between the two joints of the upper plate.
     pub fn new(upper: Plate, lower: Plate, d: f64, g: f64) -> Self {
         let m11 = upper.inertia + upper.mass * upper.c * upper.c + lower.mass * d * d;
         let m22 = lower.inertia + lower.mass * lower.c * lower.c;
@@ -46,7 +48,7 @@ impl<T: Real> Eq22<T> {
         }
     }
 
-    /// The paper's pendulum: two plates with `m = I = c = d = 1`, `g = 9.8` and the friction `gamma` in both axles.
+    /// Pendulum of the paper: two plates with `m = I = c = d = 1`, `g = 9.8` and the friction `gamma` in both joints.
     pub fn paper(gamma: f64) -> Self {
         let plate = Plate {
             mass: 1.0,
@@ -59,7 +61,7 @@ impl<T: Real> Eq22<T> {
 }
 
 impl<T: Real> System<T, 4> for Eq22<T> {
-    /// 33 additions and multiplications, 1 division, 2 sine-cosine pairs.
+    /// Takes 33 additions and multiplications, 1 division and 2 sine-cosine pairs.
     #[inline]
     fn rhs(&self, _t: T, x: &SVector<T, 4>) -> SVector<T, 4> {
         let (w1, w2) = (x[2], x[3]);
@@ -78,7 +80,7 @@ impl<T: Real> System<T, 4> for Eq22<T> {
 }
 
 impl<T: Real> Jacobian<T, 4> for Eq22<T> {
-    /// From `M da = df - dM a`, column by column.
+    /// Computed column by column from `M da = df - dM a`.
     fn jacobian(&self, t: T, x: &SVector<T, 4>) -> SMatrix<T, 4, 4> {
         let (zero, one, two) = (T::default(), T::from_f64(1.0), T::from_f64(2.0));
         let (w1, w2) = (x[2], x[3]);

@@ -1,21 +1,21 @@
-//! A trajectory as a sum of the modes of its linearisation.
+//! Fit of a trajectory by the modes of its linearisation.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use pendulum_core::stability::{Complex, Eigenmode, Spectrum, StabilityError};
 
-/// Times with the states there.
+/// Times, each with the state.
 pub type Samples = [(f64, SVector<f64, 4>)];
 
-/// The angles as `sum of Re(amplitude shape exp(eigenvalue t))`.
+/// Angles as `sum of Re(amplitude shape exp(eigenvalue t))`.
 #[derive(Clone, Debug)]
 pub struct ModalFit {
-    /// The modes, one of each complex pair, by rising frequency.
+    /// Modes, one of each complex pair, by increasing frequency.
     pub modes: Vec<Eigenmode<4>>,
-    /// How much there is of each.
+    /// Amplitude of each mode.
     pub amplitudes: Vec<Complex<f64>>,
 }
 
-/// The amplitudes with the least squares of what is left of the angles; the eigenvalues and shapes stay those of `spectrum`.
+/// Fits the amplitudes to the angles by least squares, with the eigenvalues and shapes of `spectrum`.
 pub fn fit(spectrum: &Spectrum<4>, samples: &Samples) -> ModalFit {
     let modes = swinging(spectrum);
     // The real part of `amplitude z` is linear in the two parts of the amplitude.
@@ -39,31 +39,32 @@ pub fn fit(spectrum: &Spectrum<4>, samples: &Samples) -> ModalFit {
 }
 
 impl ModalFit {
-    /// The angles that mode `n` has at the time `t`.
+    /// Contribution of mode `n` to the angles at the time `t`.
     pub fn angles(&self, n: usize, t: f64) -> [f64; 2] {
         let mode = &self.modes[n];
         let z = self.amplitudes[n] * (mode.eigenvalue * t).exp();
         [0, 1].map(|angle| (mode.shape[angle] * z).re)
     }
 
-    /// What the modes leave of the angles at a sample.
+    /// Residual of the angles at a sample.
     pub fn rest(&self, (t, x): &(f64, SVector<f64, 4>)) -> [f64; 2] {
         let modes = (0..self.modes.len()).map(|n| self.angles(n, *t));
         modes.fold([x[0], x[1]], |[a, b], [first, second]| [a - first, b - second])
     }
 
-    /// The largest of what is left.
+    /// Largest residual of all samples.
     pub fn residual(&self, samples: &Samples) -> f64 {
         let rests = samples.iter().flat_map(|sample| self.rest(sample));
         rests.fold(0.0, |most, rest| most.max(rest.abs()))
     }
 }
 
-/// The eigenvalues that the samples themselves have, which must be evenly spaced: those of the matrix that best leads from each state to the next
-/// (P. J. Schmid, "Dynamic mode decomposition of numerical and experimental data", Journal of Fluid Mechanics 656 (2010) 5-28).
+/// Eigenvalues of the motion itself, from evenly spaced samples: of the matrix that best maps each state to the next
+/// (P. J. Schmid, "Dynamic mode decomposition of numerical and experimental data", Journal of Fluid Mechanics 656
+/// (2010) 5-28).
 ///
 /// # Errors
-/// Those of [`Spectrum::of`].
+/// The errors of [`Spectrum::of`].
 pub fn eigenvalues_of(samples: &Samples) -> Result<Vec<Complex<f64>>, StabilityError> {
     let spacing = samples[1].0 - samples[0].0;
     let mut squares = SMatrix::<f64, 4, 4>::zeros();
@@ -81,7 +82,7 @@ pub fn eigenvalues_of(samples: &Samples) -> Result<Vec<Complex<f64>>, StabilityE
     Ok(modes.iter().map(|mode| mode.eigenvalue.ln() / spacing).collect())
 }
 
-/// One mode of each complex pair, by rising frequency.
+/// One mode of each complex pair, by increasing frequency.
 fn swinging(spectrum: &Spectrum<4>) -> Vec<Eigenmode<4>> {
     let modes = spectrum.modes().iter().copied();
     let mut modes: Vec<_> = modes.filter(|mode| mode.eigenvalue.im > 0.0).collect();

@@ -1,4 +1,4 @@
-//! What tests and studies share: scenes, reference data, number types and known failures.
+//! Shared parts of tests and studies: scenes, reference data, number types and known failures.
 #![forbid(unsafe_code)]
 #![allow(missing_docs, reason = "fields and functions whose names say what they are")]
 

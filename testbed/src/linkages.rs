@@ -1,6 +1,7 @@
-//! The closed loops of `testbed/data/loops.json`, declared.
+//! Declarations of the closed loops of `testbed/data/loops.json`.
 //!
-//! Each has the outputs `following`, what the loops determine, and `gaps`, the ends of each loop apart.
+//! Each has two outputs: `following`, the coordinates determined by the loops, and `gaps`, the distances between the
+//! two ends of each loop.
 
 use pendulum_core::mechanism;
 
@@ -56,7 +57,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Two cranks that carry one point by two bars.
+    /// Two cranks that carry a common point on two bars.
     pub FiveBar {
         gravity: [0, -9.81, 0],
         body left on ground {
@@ -136,7 +137,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A parallelogram, which is flat twice a turn.
+    /// A parallelogram, which is flat (singular) twice per turn.
     pub Parallelogram {
         generate: [rhs, jacobian, energy, taylor, canonical],
         gravity: [0, -9.81, 0],

@@ -1,7 +1,7 @@
-//! The scenes of `testbed/data/mass_ratios.json`: chains in which one body may be much lighter or heavier than the others.
+//! Scenes of `testbed/data/mass_ratios.json`: chains in which one body may be much lighter or heavier than the others.
 
 pendulum_core::mechanism! {
-    /// Two points on rods without mass, angles from the ground.
+    /// Two point masses on massless rods, in absolute angles.
     pub Points {
         params { m1: kg, m2: kg, l1: m, l2: m, g: m/s^2 }
         gravity: [0, -g, 0],
@@ -20,7 +20,7 @@ pendulum_core::mechanism! {
 }
 
 pendulum_core::mechanism! {
-    /// The same two points in joint angles.
+    /// Like `Points`, but in joint angles.
     pub RelativePoints {
         params { m1: kg, m2: kg, l1: m, l2: m, g: m/s^2 }
         gravity: [0, -g, 0],
@@ -39,7 +39,7 @@ pendulum_core::mechanism! {
 }
 
 pendulum_core::mechanism! {
-    /// A point on a rod without mass, on a cart.
+    /// A point mass on a massless rod, on a cart.
     pub Cart {
         params { m1: kg, m2: kg, l: m, g: m/s^2 }
         gravity: [0, -g, 0],
@@ -58,7 +58,7 @@ pendulum_core::mechanism! {
 }
 
 pendulum_core::mechanism! {
-    /// Three points on rods without mass, angles from the ground.
+    /// Three point masses on massless rods, in absolute angles.
     pub Chain {
         params { m1: kg, m2: kg, m3: kg, l1: m, l2: m, l3: m, g: m/s^2 }
         gravity: [0, -g, 0],

@@ -1,4 +1,4 @@
-//! The ten mechanisms of `testbed/data/mechanisms.json`, declared.
+//! Declarations of the ten mechanisms of `testbed/data/mechanisms.json`.
 
 use pendulum_core::mechanism;
 
@@ -25,7 +25,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// the same bodies in relative joint angles.
+    /// Like `Eq22`, but in joint angles.
     pub Eq22Joint {
         gravity: [0, -9.8, 0],
         generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
@@ -47,7 +47,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// c != d, different plates, centres of mass off the line of the axles.
+    /// Two different plates with c != d, whose centres of mass lie off the line of the joints.
     pub IrregularPlates {
         gravity: [0, -9.81, 0],
         generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
@@ -69,7 +69,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// five planar rods.
+    /// Five planar rods.
     pub Chain5 {
         gravity: [0, -9.81, 0],
         generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
@@ -112,7 +112,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// prismatic cart along x, pole about z.
+    /// Prismatic cart along x, pole about z.
     pub CartPole {
         gravity: [0, -9.81, 0],
         generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
@@ -134,7 +134,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// rotary arm about y (vertical), pendulum about the arm's x axis, full inertia.
+    /// Rotary arm about y (vertical), pendulum about the arm's x axis, full inertia.
     pub Furuta {
         gravity: [0, -9.81, 0],
         generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
@@ -156,7 +156,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// helical joint (pitch in m/rad) carrying a revolute one on a skew axis.
+    /// Helical joint (pitch in m/rad) that carries a revolute one on a skew axis.
     pub ScrewJoint {
         gravity: [0, 0, -9.81],
         generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
@@ -178,7 +178,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// spatial 3R arm.
+    /// Spatial 3R arm.
     pub Elbow3 {
         gravity: [0, 0, -9.81],
         generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
@@ -207,7 +207,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// branched: torso with two arms, one prismatic.
+    /// Branched: torso with two arms, one of them prismatic.
     pub Tree {
         gravity: [0, 0, -9.81],
         generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
@@ -243,7 +243,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// revolute then prismatic along the arm (the elastic pendulum without its spring).
+    /// Revolute, then prismatic along the arm (the elastic pendulum without its spring).
     pub SpringPendulumRig {
         gravity: [0, -9.81, 0],
         generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],

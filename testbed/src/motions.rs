@@ -1,4 +1,4 @@
-//! The reference motions of `testbed/data/motions.json`, which says how they were made, and their equations by hand.
+//! Reference motions of `testbed/data/motions.json`, which records their origin, and hand-written equations for them.
 
 use nalgebra::SVector;
 use pendulum_core::real::Real;
@@ -6,15 +6,15 @@ use pendulum_core::real::lanes::Lanes;
 use pendulum_core::{Cast, System};
 use serde_json::Value;
 
-/// A body that turns about a fixed point, with its states `[w, x, y, z, wx, wy, wz]` at some times.
+/// Motion of a body about a fixed point, with sampled states `[w, x, y, z, wx, wy, wz]`.
 #[derive(Clone, Debug)]
 pub struct Motion {
     pub x0: SVector<f64, 7>,
-    /// The state at each time.
+    /// Sample times, each with the state.
     pub states: Vec<(f64, SVector<f64, 7>)>,
 }
 
-/// The motion of that name.
+/// Loads the motion named `name`.
 pub fn motion(name: &str) -> Motion {
     let data: Value = serde_json::from_str(include_str!("../data/motions.json")).expect("motions.json is JSON");
     let motions = list(&data["motions"]);
@@ -42,12 +42,12 @@ fn number(value: &Value) -> f64 {
     value.as_str().and_then(|text| text.parse().ok()).expect("a number")
 }
 
-/// Euler's equations of a body that turns about a fixed point, its centre of mass on the z axis of its frame.
+/// Euler's equations of a body with a fixed point, whose centre of mass lies on the z axis of its frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Top<T = f64> {
-    /// About the fixed point.
+    /// Principal moments of inertia about the fixed point.
     pub inertia: [T; 3],
-    /// Mass, times gravity along -z, times the place of the centre of mass.
+    /// Mass, times gravity along -z, times the z coordinate of the centre of mass.
     pub weight: T,
     pub friction: T,
 }
@@ -65,7 +65,7 @@ impl Top {
         weight: -1.3 * 9.81 * 0.6,
         friction: 0.02,
     };
-    /// A body that tumbles about its middle axis.
+    /// A body that tumbles about its intermediate axis.
     pub const FREE: Self = Self {
         inertia: [2.0, 1.0, 0.3],
         weight: 0.0,
@@ -74,7 +74,7 @@ impl Top {
 }
 
 impl<T: Real> Top<T> {
-    /// Twice the kinetic energy, and the height of the centre of mass times its weight.
+    /// Twice the kinetic energy, and the potential energy.
     pub fn energies(&self, x: &SVector<T, 7>) -> [T; 2] {
         let [a, b, c] = self.inertia;
         let (w, q) = ([x[4], x[5], x[6]], [x[0], x[1], x[2], x[3]]);
@@ -88,7 +88,7 @@ impl<T: Real> System<T, 7> for Top<T> {
         let [a, b, c] = self.inertia;
         let [s, i, j, k, p, q, r] = x.data.0[0];
         let (half, two) = (T::from_f64(0.5), T::from_f64(2.0));
-        // the vertical in the frame of the body
+        // the vertical in body coordinates
         let [ux, uy] = [two * (i * k - s * j), two * (j * k + s * i)];
         let (weight, friction) = (self.weight, self.friction);
         SVector::from([

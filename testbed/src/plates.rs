@@ -1,7 +1,7 @@
-//! Planar chains with every number a parameter.
+//! Planar chains in which every number is a parameter.
 
 pendulum_core::mechanism! {
-    /// Two different plates whose centres of mass lie on the lines of their axles.
+    /// Two different plates whose centres of mass lie on the lines of their joints.
     pub Plates {
         params {
             m1: kg, m2: kg,
@@ -27,7 +27,7 @@ pendulum_core::mechanism! {
 }
 
 pendulum_core::mechanism! {
-    /// The same two plates in joint angles: the second angle is measured from the first body.
+    /// Like `Plates`, but in joint angles: the second angle is measured from the first body.
     pub RelativePlates {
         params {
             m1: kg, m2: kg,

@@ -1,7 +1,7 @@
-//! Truncated power series as a number type: the series of a motion from its right-hand side alone.
+//! Truncated power series as a number type: computes the series of a motion from its right-hand side alone.
 //!
-//! Slow and simple. Functions are composed with their own Taylor series about the first coefficient by Horner's rule, which shares no
-//! formula with recurrences.
+//! Slow and simple. Functions are composed with their own Taylor series about the first coefficient by Horner's rule,
+//! so no formula is shared with the recurrences of generated code.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use pendulum_core::Real;
 use pendulum_core::prelude::*;
 
-/// Coefficients kept where no other number of them is given.
+/// Default number of coefficients.
 pub const LENGTH: usize = 22;
 
 /// `sum_k self.0[k] h^k`
@@ -21,7 +21,7 @@ impl<const LENGTH: usize> Series<LENGTH> {
         Self(std::array::from_fn(coefficient))
     }
 
-    /// The series of a function of `self`, from its coefficients about `self.0[0]`.
+    /// Series of a function of `self`, given the Taylor coefficients of the function about `self.0[0]`.
     fn compose(self, coefficients: impl Fn(usize) -> f64) -> Self {
         let mut beyond = self;
         beyond.0[0] = 0.0;
@@ -30,13 +30,13 @@ impl<const LENGTH: usize> Series<LENGTH> {
             .fold(Self::default(), |sum, n| sum * beyond + Self::from_f64(coefficients(n)))
     }
 
-    /// From the values of a function's derivatives.
+    /// Like [`compose`](Self::compose), but given the values of the derivatives of the function.
     fn derivatives(self, value: impl Fn(usize) -> f64) -> Self {
         self.compose(|n| value(n) / (1..=n).map(|n| n as f64).product::<f64>())
     }
 }
 
-/// The coefficients of a motion: each pass through the right-hand side makes one more of them right.
+/// Coefficients of a motion. Each evaluation of the right-hand side makes one more coefficient correct.
 pub fn motion<S: System<Series, N>, const N: usize>(system: &S, t: f64, x: SVector<f64, N>) -> Vec<SVector<f64, N>> {
     let time = Series::from_fn(|k| [t, 1.0].get(k).copied().unwrap_or(0.0));
     let mut state = x.map(Series::from_f64);
@@ -83,7 +83,7 @@ impl<const LENGTH: usize> Div for Series<LENGTH> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        // Newton's iteration for the inverse doubles the number of right coefficients
+        // Newton's iteration for the inverse doubles the number of correct coefficients
         let (one, mut inverse) = (Self::from_f64(1.0), Self::from_f64(1.0 / other.0[0]));
         for _ in 0..5 {
             inverse += inverse * (one - other * inverse);
@@ -176,7 +176,7 @@ impl<const LENGTH: usize> Real for Series<LENGTH> {
         if self.0[0] > high.0[0] { high } else { self }
     }
 
-    /// The imaginary part of `ln(z)` about `z_0`, with `z = x + iy`.
+    /// Computed as the imaginary part of `ln(z)` about `z_0`, with `z = x + iy`.
     fn atan2(self, x: Self) -> Self {
         let (y0, x0) = (self.0[0], x.0[0]);
         let norm = Self::from_f64(x0 * x0 + y0 * y0);
@@ -203,8 +203,8 @@ impl<const LENGTH: usize> Real for Series<LENGTH> {
     }
 }
 
-/// The largest difference of two lists of coefficients, each component measured by its largest term at the end of a step as long as
-/// the series of both reaches: where the last terms are as large as the first.
+/// Largest difference of two lists of coefficients. Each term is evaluated at the step size at which the largest term
+/// equals the state, and measured in units of the largest term there.
 pub fn difference<const N: usize>(ours: &[SVector<f64, N>], theirs: &[SVector<f64, N>]) -> f64 {
     let size = |k: usize| theirs[k].amax();
     let last = theirs.len() - 1;

@@ -1,12 +1,12 @@
-//! Eq. 20, 22 and 24 to 26 for two equal plates with `c = d`, each as printed and as it should read.
+//! Eq. 20, 22 and 24 to 26 for two equal plates with `c = d`, each as printed and as corrected.
 //!
-//! A form is named after what is wrong with it. Eq. 25 is carried as printed for plates of 1 kg, where powers of `m`
-//! make no difference. The other slips of Eq. 25 and 26 are carried by variants: each is the right linearisation with
-//! one of them.
+//! The name of each form states its error. Eq. 25 is implemented as printed for plates of 1 kg, where powers of `m`
+//! make no difference. The other misprints of Eq. 25 and 26 are variants: the correct linearisation with one of the
+//! misprints each.
 
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2};
 
-/// The parameters of the paper's pendulum; the friction acts in the upper and in the lower axle.
+/// Parameters of the pendulum of the paper, with the friction of the upper and of the lower joint.
 #[derive(Clone, Copy, Debug)]
 pub struct Pendulum {
     pub m: f64,
@@ -18,7 +18,7 @@ pub struct Pendulum {
 }
 
 impl Pendulum {
-    /// The numbers of the paper's Fig. 2, with the friction of each axle.
+    /// Values of the paper's Fig. 2, with the friction of each joint.
     pub fn paper(gamma1: f64, gamma2: f64) -> Self {
         Self {
             m: 1.0,
@@ -30,7 +30,7 @@ impl Pendulum {
         }
     }
 
-    /// Eq. 22 as it should read: `x = (theta1, theta2, omega1, omega2)`, and its rate comes back.
+    /// Corrected Eq. 22: the derivative of `x = (theta1, theta2, omega1, omega2)`.
     pub fn eq22(&self, x: &SVector<f64, 4>) -> SVector<f64, 4> {
         let turn = self.turn(x);
         self.rhs(x, Vector2::new(turn * x[3] * x[3], -turn * x[2] * x[2]))
@@ -48,7 +48,8 @@ impl Pendulum {
         self.rhs(x, Vector2::new(turn * x[3], -turn * x[2]))
     }
 
-    /// What is left of the two lines of Eq. 22, the second as printed, where a motion has these accelerations: the left side less the right.
+    /// Residual (left side minus right side) of the two lines of Eq. 22, the second as printed, for given
+    /// accelerations.
     pub fn eq22b_printed_residual(&self, x: &SVector<f64, 4>, accelerations: Vector2<f64>) -> Vector2<f64> {
         let turn = self.turn(x);
         let velocity = Vector2::new(turn * x[3] * x[3], -turn * x[3] * x[3]);
@@ -88,12 +89,12 @@ impl Pendulum {
         ])
     }
 
-    /// Eq. 25 and 26 as they should read: the state matrix of small motions about hanging.
+    /// Corrected Eq. 25 and 26: state matrix of small motions about hanging.
     pub fn linear(&self) -> SMatrix<f64, 4, 4> {
         self.state_matrix(self.determinant(), self.damping(), self.stiffness())
     }
 
-    /// With the sign of `gamma1 theta1'` as printed in Eq. 24a: the friction of the upper axle drives.
+    /// With the sign of `gamma1 theta1'` as printed in Eq. 24a, with which the friction of the upper joint drives it.
     pub fn linear_with_sign_of_24a(&self) -> SMatrix<f64, 4, 4> {
         let mut damping = self.damping();
         damping[(0, 0)] = self.gamma2 - self.gamma1;
@@ -126,24 +127,24 @@ impl Pendulum {
         })
     }
 
-    /// With `m^2` in the place of `m` in the torques of gravity.
+    /// With `m^2` in place of `m` in the torques of gravity.
     pub fn linear_with_m_squared(&self) -> SMatrix<f64, 4, 4> {
         self.state_matrix(self.determinant(), self.damping(), self.stiffness() * self.m)
     }
 
-    /// With `m^3` in the place of `m` in the torques of gravity.
+    /// With `m^3` in place of `m` in the torques of gravity.
     pub fn linear_with_m_cubed(&self) -> SMatrix<f64, 4, 4> {
         self.state_matrix(self.determinant(), self.damping(), self.stiffness() * self.m * self.m)
     }
 
-    /// With the other sign before the gravity of the lower plate.
+    /// With the opposite sign of the gravity of the lower plate.
     pub fn linear_with_sign_of_gravity(&self) -> SMatrix<f64, 4, 4> {
         let mut stiffness = self.stiffness();
         stiffness[(1, 1)] = -stiffness[(1, 1)];
         self.state_matrix(self.determinant(), self.damping(), stiffness)
     }
 
-    /// With the other sign before the friction of the lower axle in the second line.
+    /// With the opposite sign of the friction of the lower joint in the second line.
     pub fn linear_with_sign_of_friction(&self) -> SMatrix<f64, 4, 4> {
         let mut damping = self.damping();
         damping[(1, 0)] = -damping[(1, 0)];

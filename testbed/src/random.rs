@@ -1,10 +1,10 @@
-//! Random numbers that are the same in every run.
+//! Reproducible random numbers.
 
 use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// A generator of uniform numbers (SplitMix64, Steele et al. 2014).
+/// Generator of uniform random numbers (SplitMix64, Steele et al. 2014).
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
@@ -13,18 +13,18 @@ impl Random {
         Self(seed)
     }
 
-    /// A number between `low` and `high`.
+    /// Returns a number between `low` and `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         let unit = (self.bits() >> 11) as f64 / (1u64 << 53) as f64;
         low + (high - low) * unit
     }
 
-    /// A whole number below `count`.
+    /// Returns an integer below `count`.
     pub fn below(&mut self, count: usize) -> usize {
         (self.bits() % count as u64) as usize
     }
 
-    /// One of a list.
+    /// Returns a random element of a list.
     pub fn of<'a, T>(&mut self, list: &'a [T]) -> &'a T {
         &list[self.below(list.len())]
     }
@@ -38,7 +38,7 @@ impl Random {
     }
 }
 
-/// So many cases, or a fourth of them, one at least, where the environment does not ask for all by `PENDULUM_THOROUGH`.
+/// Returns `cases` if the environment variable `PENDULUM_THOROUGH` is set, and otherwise a fourth of it, at least one.
 #[must_use]
 pub fn share(cases: usize) -> usize {
     if std::env::var_os("PENDULUM_THOROUGH").is_some() {
@@ -48,16 +48,16 @@ pub fn share(cases: usize) -> usize {
     }
 }
 
-/// A number that is given from outside.
+/// Reads a number from an environment variable.
 #[must_use]
 pub fn number(name: &str, default: u64) -> u64 {
     std::env::var(name).map_or(default, |text| text.parse().expect("a number"))
 }
 
-/// The stack of the compiler's thread, in which the generator runs.
+/// Stack size of each thread, in bytes: the same as in the compiler, as the generator runs there.
 const STACK: usize = 8 << 20;
 
-/// Tries seeds on all cores, and takes in the outcome of each.
+/// Calls `tried` for all seeds on all cores, and `take` with each outcome.
 pub fn each_seed<T>(seeds: Range<u64>, tried: impl Fn(u64) -> T + Sync, take: impl FnMut(u64, T) + Send) {
     let (next, take) = (AtomicU64::new(seeds.start), Mutex::new(take));
     let work = || {

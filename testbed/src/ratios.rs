@@ -1,5 +1,5 @@
-//! Accelerations for mass ratios from 1e-8 to 1e8 and how well conditioned they are: `testbed/data/mass_ratios.json`, which says how
-//! it was made. Beside it stand the generated right-hand sides of the same scenes.
+//! Accelerations for mass ratios from 1e-8 to 1e8 with their condition numbers, from `testbed/data/mass_ratios.json`,
+//! which records their origin, and the generated right-hand sides of the same scenes.
 
 use std::collections::BTreeMap;
 
@@ -10,49 +10,49 @@ use serde_json::Value;
 use crate::lopsided::*;
 use crate::plates::{Plates, PlatesParams};
 
-/// A scene with its samples.
+/// Scene with its samples.
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub name: String,
     pub samples: Vec<Sample>,
 }
 
-/// One state of a scene with one ratio of masses.
+/// State of a scene for one mass ratio.
 #[derive(Clone, Debug)]
 pub struct Sample {
     pub ratio: f64,
     pub parameters: Parameters,
     /// Coordinates, then rates.
     pub state: Vec<f64>,
-    /// To the nearest double, which is half a unit roundoff off.
+    /// Rounded to the nearest double, with an error of up to half an ulp.
     pub acceleration: Vec<f64>,
     /// For each acceleration, the sum over all parameters and state variables `p` of `|p dqdd/dp|`.
     pub condition: Vec<f64>,
 }
 
-/// The doubles that were taken for exact numbers.
+/// Parameters by name; the reference treats their doubles as exact.
 #[derive(Clone, Debug)]
 pub struct Parameters(BTreeMap<String, f64>);
 
-/// All scenes.
+/// Loads all scenes.
 pub fn scenes() -> Vec<Scene> {
     let data: Value = serde_json::from_str(include_str!("../data/mass_ratios.json")).expect("valid JSON");
     list(&data["scenes"]).iter().map(scene).collect()
 }
 
 impl Sample {
-    /// The largest change of an acceleration, in units of the largest acceleration, for relative changes of one unit in all
-    /// inputs.
+    /// Condition number: the largest change of an acceleration, relative to the largest acceleration, per unit of
+    /// relative change of all inputs.
     pub fn kappa(&self) -> f64 {
         largest(&self.condition) / largest(&self.acceleration)
     }
 
-    /// The error that the condition of the problem explains.
+    /// Relative error that the conditioning explains.
     pub fn bound(&self) -> f64 {
         f64::EPSILON * (1.0 + self.kappa())
     }
 
-    /// The largest error of `accelerations`, in units of the largest acceleration.
+    /// Largest error of `accelerations`, relative to the largest acceleration.
     pub fn error_of(&self, accelerations: &[f64]) -> f64 {
         let errors = accelerations
             .iter()
@@ -63,20 +63,20 @@ impl Sample {
 }
 
 impl Parameters {
-    /// The parameter of that name.
+    /// Returns the parameter named `name`.
     pub fn get(&self, name: &str) -> f64 {
         *self.0.get(name).unwrap_or_else(|| panic!("no parameter {name}"))
     }
 }
 
-/// The model of a type, with parameters from the data by name.
+/// Builds a model, with parameters from the data by name.
 macro_rules! model {
     ($model:ident, $params:ident { $($name:ident),* }, $given:expr) => {
         $model::new($params { $($name: $given.get(stringify!($name))),* }).expect("physical")
     };
 }
 
-/// What the generated right-hand side of the scene of that name gives for a sample.
+/// Accelerations of the generated right-hand side of a scene for a sample.
 pub fn generated(scene: &str, sample: &Sample) -> Vec<f64> {
     let (p, x) = (&sample.parameters, &sample.state);
     match scene {
@@ -185,12 +185,12 @@ fn numbers(value: &Value) -> Vec<f64> {
     list(value).iter().map(number).collect()
 }
 
-/// Digits stand in strings: they are more than a double holds, and `parse` gives the nearest one.
+/// Parses a number. The digits are strings, as they are more than a double holds; `parse` rounds to the nearest double.
 fn number(value: &Value) -> f64 {
     value.as_str().expect("digits").parse().expect("a number")
 }
 
-/// The largest magnitude; a value that is no number counts as that.
+/// Largest magnitude; NaN if any value is NaN.
 fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, value| {
         if value.is_nan() || value.abs() > most {

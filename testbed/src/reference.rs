@@ -1,9 +1,9 @@
-//! Reference data for models: energies, mass matrix, bias, acceleration and state Jacobian, made without screws.
+//! Reference data of models (energies, mass matrix, bias, acceleration and state Jacobian), derived without screws.
 
 use nalgebra::{SMatrix, SVector};
 use serde_json::Value;
 
-/// One sample of the reference.
+/// Sample of the reference data.
 pub struct Sample<const N: usize, const D: usize> {
     pub state: SVector<f64, N>,
     pub kinetic: f64,
@@ -14,7 +14,7 @@ pub struct Sample<const N: usize, const D: usize> {
     pub state_jacobian: SMatrix<f64, N, N>,
 }
 
-/// The samples of a mechanism or a robot.
+/// Loads the samples of a mechanism or a robot.
 pub fn samples<const N: usize, const D: usize>(name: &str) -> Vec<Sample<N, D>> {
     let files = [
         include_str!("../data/mechanisms.json"),
@@ -72,7 +72,7 @@ pub fn assert_close<const R: usize, const C: usize>(
     );
 }
 
-/// A test for each model: all that is generated against the reference, to `TOLERANCE`.
+/// Defines a test for each model that compares all generated functions with the reference, to `TOLERANCE`.
 #[macro_export]
 macro_rules! agrees {
     ($($test:ident: $model:ident, $dof:literal;)*) => {$(
@@ -81,23 +81,55 @@ macro_rules! agrees {
             const D: usize = $dof;
             const N: usize = 2 * D;
             let model = $model::new(Default::default()).expect("the parameters are physical");
-            let dual = $model::new(Default::default()).expect("the parameters are physical").cast::<$crate::dual::Dual>();
+            let dual = $model::new(Default::default())
+                .expect("the parameters are physical")
+                .cast::<$crate::dual::Dual>();
             assert_eq!($model::DOF, D);
             for sample in $crate::reference::samples::<N, D>(stringify!($test)) {
                 let (x, tolerance) = (&sample.state, TOLERANCE);
                 let scalar = |value: f64| SMatrix::<f64, 1, 1>::from([[value]]);
-                $crate::reference::assert_close("kinetic", tolerance, scalar(model.kinetic(0.0, x)), scalar(sample.kinetic));
-                $crate::reference::assert_close("potential", tolerance, scalar(model.potential(0.0, x)), scalar(sample.potential));
-                $crate::reference::assert_close("mass matrix", tolerance, model.mass_matrix(0.0, x), sample.mass_matrix);
+                $crate::reference::assert_close(
+                    "kinetic",
+                    tolerance,
+                    scalar(model.kinetic(0.0, x)),
+                    scalar(sample.kinetic),
+                );
+                $crate::reference::assert_close(
+                    "potential",
+                    tolerance,
+                    scalar(model.potential(0.0, x)),
+                    scalar(sample.potential),
+                );
+                $crate::reference::assert_close(
+                    "mass matrix",
+                    tolerance,
+                    model.mass_matrix(0.0, x),
+                    sample.mass_matrix,
+                );
                 $crate::reference::assert_close("bias", tolerance, model.bias(0.0, x), sample.bias);
                 let rates = x.fixed_rows::<D>(D).into_owned();
-                $crate::reference::assert_close("momentum", tolerance, model.momentum(0.0, x), sample.mass_matrix * rates);
-                // at the acceleration of the motion nothing else acts, so twice that takes the mass matrix times it
+                $crate::reference::assert_close(
+                    "momentum",
+                    tolerance,
+                    model.momentum(0.0, x),
+                    sample.mass_matrix * rates,
+                );
+                // inverse dynamics is 0 at the free acceleration, and so `M qdd` at twice the free acceleration
                 let taken = model.inverse_dynamics(0.0, x, &(2.0 * sample.acceleration));
-                $crate::reference::assert_close("inverse dynamics", tolerance, taken, sample.mass_matrix * sample.acceleration);
+                $crate::reference::assert_close(
+                    "inverse dynamics",
+                    tolerance,
+                    taken,
+                    sample.mass_matrix * sample.acceleration,
+                );
                 let rhs = model.rhs(0.0, x);
                 assert_eq!(rhs.fixed_rows::<D>(0), x.fixed_rows::<D>(D), "the rates come first");
-                $crate::reference::assert_close("acceleration", tolerance, rhs.fixed_rows::<D>(D).into_owned(), sample.acceleration);
+                $crate::reference::assert_close(
+                    "acceleration",
+                    tolerance,
+                    rhs.fixed_rows::<D>(D).into_owned(),
+                    sample.acceleration,
+                );
                 let (together, jacobian) = model.rhs_and_jacobian(0.0, x);
                 $crate::reference::assert_close("right-hand side", tolerance, together, rhs);
                 assert_eq!(jacobian, model.jacobian(0.0, x));
@@ -106,7 +138,12 @@ macro_rules! agrees {
                     let x = SVector::from_fn(|n, _| $crate::dual::Dual::new(x[n], if n == k { 1.0 } else { 0.0 }));
                     dual.rhs($crate::dual::Dual::default(), &x).map(|component| component.slope)
                 });
-                $crate::reference::assert_close("derivative", tolerance, model.jacobian(0.0, x), SMatrix::from_columns(&columns));
+                $crate::reference::assert_close(
+                    "derivative",
+                    tolerance,
+                    model.jacobian(0.0, x),
+                    SMatrix::from_columns(&columns),
+                );
                 assert!(model.mass_matrix(0.0, x).cholesky().is_some(), "the mass matrix is positive definite");
             }
         }

@@ -1,4 +1,4 @@
-//! The robots of `testbed/data/robots.json`, declared.
+//! Declarations of the robots of `testbed/data/robots.json`.
 
 use pendulum_core::mechanism;
 
@@ -47,7 +47,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The joints of UR5, and where its flange is.
+    /// Joints of the UR5, and the pose of its flange.
     pub Ur5Flange {
         generate: [],
         body b1 on ground { joint: revolute(z) at [0.0, 0.0, 0.089159], coordinate: q1 }

@@ -1,4 +1,4 @@
-//! The first scene, as every test and example uses it.
+//! The first scene, shared by tests and examples.
 
 pendulum_core::mechanism! {
     /// Two identical plates on axles with friction: Williams (2023), Eq. 22.

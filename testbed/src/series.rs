@@ -1,13 +1,14 @@
-//! Scenes whose power series are generated.
+//! Scenes with generated power series.
 
 use pendulum_core::mechanism;
 
 mechanism! {
-    /// Eq. 22 of Williams (2023): two plates on axles with friction.
+    /// Eq. 22 of Williams (2023): two plates on joints with friction.
     pub Pendulums {
         units: none,
         params {
-            m: kg = 1, inertia: kg m^2 = 1, c: m = 1, d: m = 1, g: m/s^2 = 9.8, gamma1: N m s = 0.1, gamma2: N m s = 0.1,
+            m: kg = 1, inertia: kg m^2 = 1, c: m = 1, d: m = 1, g: m/s^2 = 9.8,
+            gamma1: N m s = 0.1, gamma2: N m s = 0.1,
         }
         gravity: [0, -g, 0],
         generate: [taylor],
@@ -50,12 +51,15 @@ mechanism! {
             mass: 1, com: [0.1, -0.3, 0.2], inertia: [0.1, 0.12, 0.08, 0.01, 0.02, 0.005],
             joint: helical(z, pitch), coordinate: theta,
         }
-        body slider on nut { mass: 0.5, com: [0.02, 0.1, 0], inertia: [0.02, 0.03, 0.01], joint: prismatic(y), coordinate: u, spring: (30, -0.1) }
+        body slider on nut {
+            mass: 0.5, com: [0.02, 0.1, 0], inertia: [0.02, 0.03, 0.01],
+            joint: prismatic(y), coordinate: u, spring: (30, -0.1),
+        }
     }
 }
 
 mechanism! {
-    /// A slider alone: no product of series at all.
+    /// A single slider, whose series has no products at all.
     pub Spring {
         generate: [taylor],
         body slider on ground { mass: 2, joint: prismatic(x), coordinate: s, spring: (8, 0.5), friction: 0.3 }
@@ -63,7 +67,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The tangent.
+    /// Torque with the tangent.
     pub Tangent {
         units: none,
         gravity: [0, -9.81, 0],
@@ -77,7 +81,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The exponential, of a rate and of a product.
+    /// Torque with the exponential of a rate and of a product.
     pub Exponential {
         units: none,
         gravity: [0, -9.81, 0],
@@ -91,7 +95,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The logarithm.
+    /// Torque with the logarithm.
     pub Logarithm {
         units: none,
         gravity: [0, -9.81, 0],
@@ -105,7 +109,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The square root.
+    /// Torque with the square root.
     pub Root {
         units: none,
         gravity: [0, -9.81, 0],
@@ -119,7 +123,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Powers, whole and broken, positive and negative.
+    /// Torque with integer and fractional, positive and negative powers.
     pub Powers {
         units: none,
         gravity: [0, -9.81, 0],
@@ -127,13 +131,14 @@ mechanism! {
         body bob on ground {
             mass: 1.3, com: [0.1, -0.8, 0], inertia: 0.2,
             joint: revolute(z), coordinate: theta,
-            torque: (2 + cos(theta))^(-3/2) + dot(theta)^3 / 9 - (3 + theta)^(-2) + (2 + sin(theta))^(5/3) + (1 + theta^2)^(-1),
+            torque: (2 + cos(theta))^(-3/2) + dot(theta)^3 / 9 - (3 + theta)^(-2)
+                + (2 + sin(theta))^(5/3) + (1 + theta^2)^(-1),
         }
     }
 }
 
 mechanism! {
-    /// Quotients of and by what moves.
+    /// Torque with quotients whose numerator and denominator vary.
     pub Quotient {
         units: none,
         gravity: [0, -9.81, 0],
@@ -161,7 +166,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Torques between limits, of which one moves.
+    /// Torques clamped between limits, one of which varies.
     pub Clamped {
         units: none,
         gravity: [0, -9.81, 0],
@@ -189,7 +194,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Drag, and a spring that pulls one way.
+    /// Quadratic drag, and a one-sided spring.
     pub Drag {
         units: none,
         gravity: [0, -9.81, 0],
@@ -203,7 +208,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A law of time.
+    /// Torque that depends on the time.
     pub Driven {
         units: none,
         gravity: [0, -9.81, 0],

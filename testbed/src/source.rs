@@ -1,13 +1,13 @@
-//! The declarations as text, for the generator as a library.
+//! Source text of the declarations, for tests of the generator as a library.
 
 pub const SCENES: &str = include_str!("scenes.rs");
 pub const MECHANISMS: &str = include_str!("mechanisms.rs");
 pub const ROBOTS: &str = include_str!("robots.rs");
 
-/// What `mechanism! { .. }` holds for the model of that name.
+/// Returns the declaration of the model `name`: the contents of its `mechanism! { .. }`.
 ///
 /// # Panics
-/// If no such model is declared at the margin of the source.
+/// If no such model is declared without indentation in the source.
 pub fn declaration<'s>(source: &'s str, name: &str) -> &'s str {
     let head = format!(" {name} {{");
     declarations(source)
@@ -15,7 +15,7 @@ pub fn declaration<'s>(source: &'s str, name: &str) -> &'s str {
         .unwrap_or_else(|| panic!("no declaration of {name}"))
 }
 
-/// The inside of each `mechanism! { .. }` at the margin of a source.
+/// Returns the contents of each unindented `mechanism! { .. }` of a source.
 pub fn declarations(source: &str) -> impl Iterator<Item = &str> {
     source
         .split("mechanism! {\n")

@@ -1,24 +1,24 @@
-//! The reference trajectories of `testbed/data/trajectories.json`, which says how they were made.
+//! Reference trajectories of `testbed/data/trajectories.json`, which records their origin.
 
 use nalgebra::SVector;
 use serde_json::Value;
 
 use crate::eq22::{Eq22, Plate};
 
-/// A planar scene with its states at some times, to the nearest double.
+/// Planar scene with sampled states, rounded to the nearest double.
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub name: String,
     pub g: f64,
-    /// The angles, absolute and from the downward vertical, then their rates.
+    /// Initial angles, absolute and from the downward vertical, then their rates.
     pub x0: Vec<f64>,
     pub times: Vec<f64>,
-    /// The state at each of `times`.
+    /// State at each of `times`.
     pub states: Vec<Vec<f64>>,
     pub bodies: Vec<Body>,
 }
 
-/// A body of a scene; `d` is the distance between its two axles.
+/// Body of a scene; `d` is the distance between its two joints.
 #[derive(Clone, Copy, Debug)]
 pub struct Body {
     pub mass: f64,
@@ -28,7 +28,7 @@ pub struct Body {
     pub friction: f64,
 }
 
-/// The scene of that name.
+/// Loads the scene named `name`.
 pub fn scene(name: &str) -> Scene {
     scenes()
         .into_iter()
@@ -36,7 +36,7 @@ pub fn scene(name: &str) -> Scene {
         .unwrap_or_else(|| panic!("no scene {name}"))
 }
 
-/// All scenes.
+/// Loads all scenes.
 pub fn scenes() -> Vec<Scene> {
     let text = include_str!("../data/trajectories.json");
     let data: Value = serde_json::from_str(text).expect("trajectories.json is JSON");
@@ -44,29 +44,29 @@ pub fn scenes() -> Vec<Scene> {
 }
 
 impl Scene {
-    /// The initial state as an array.
+    /// Initial state as an array.
     pub fn start<const N: usize>(&self) -> [f64; N] {
         self.x0.as_slice().try_into().expect("length of the state")
     }
 
-    /// The reference states as arrays, each with its time.
+    /// Reference states as arrays, each with its time.
     pub fn points<const N: usize>(&self) -> Vec<(f64, [f64; N])> {
         let state = |state: &Vec<f64>| state.as_slice().try_into().expect("length of the state");
         let states = self.states.iter().map(state);
         self.times.iter().copied().zip(states).collect()
     }
 
-    /// The reference state at one of the times.
+    /// Returns the reference state at a sample time.
     ///
     /// # Panics
-    /// If `t` is none of them.
+    /// If `t` is not one of `times`.
     pub fn state<const N: usize>(&self, t: f64) -> SVector<f64, N> {
         let mut points = self.points().into_iter();
         let point = points.find(|point| point.0 == t);
         SVector::from(point.expect("a time of the scene").1)
     }
 
-    /// The hand-written model of a scene with two bodies.
+    /// Hand-written model of a scene with two bodies.
     pub fn eq22(&self) -> Eq22 {
         let [upper, lower] = self.bodies[..] else {
             panic!("{} has {} bodies", self.name, self.bodies.len())
@@ -110,7 +110,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     list(value).iter().map(number).collect()
 }
 
-/// A number, a decimal string, or degrees: "4deg" stands for the double nearest to 4 pi/180.
+/// Parses a number, a decimal string, or degrees: "4deg" stands for the double nearest to 4 pi/180.
 fn number(value: &Value) -> f64 {
     match value {
         Value::String(text) if text == "4deg" => 0.069_813_170_079_773_18,

@@ -1,9 +1,9 @@
-//! Whether all intrinsics were inlined where our code computes in lanes: each that was not would be a call for every operation.
+//! Check that all intrinsics are inlined in our code for lanes: any other would be a call for every operation.
 
 use std::path::Path;
 use std::process::Command;
 
-/// A line that says so; an error if there is no `objdump`, or an intrinsic that stands for itself.
+/// Returns a line of confirmation; an error if `objdump` is missing, or if an intrinsic is a separate function.
 pub(crate) fn intrinsics_are_inlined(library: &Path) -> Result<String, String> {
     let output = Command::new("objdump")
         .args(["--disassemble", "--demangle=rust", "--no-show-raw-insn"])
@@ -19,7 +19,7 @@ pub(crate) fn intrinsics_are_inlined(library: &Path) -> Result<String, String> {
                     "disassembly: {name} is a function of its own, which makes lanes slow"
                 ));
             }
-            // The functions in which the compiler may use the wider registers, with all that was inlined into them.
+            // The functions in which the compiler may use the wider registers, with all code inlined into them.
             inside = name.contains("::enter::avx") && name.contains("inside");
         } else if inside {
             instructions += usize::from(line.contains("%ymm") || line.contains("%zmm"));
@@ -33,7 +33,7 @@ pub(crate) fn intrinsics_are_inlined(library: &Path) -> Result<String, String> {
     ))
 }
 
-/// Whether a function is an intrinsic of the vector units.
+/// True if a function is an intrinsic of the vector units.
 fn intrinsic(name: &str) -> bool {
     name.contains("core_arch::x86") && name.contains("_mm")
 }

@@ -1,4 +1,5 @@
-//! Many trajectories on one core: double pendulums in the lanes of each instruction set, beside C++ with AVX-512 intrinsics and SLEEF.
+//! Many trajectories on one core: double pendulums in the lanes of each instruction set, compared with C++ with AVX-512
+//! intrinsics and SLEEF.
 
 mod disassembly;
 mod sides;
@@ -16,14 +17,14 @@ use sides::Side;
 use crate::machine;
 use crate::timing::in_turns;
 
-/// As many as the widest lanes take together, twice.
+/// Number of trajectories: twice as many as the widest interleaved lanes hold.
 const COUNT: usize = 64;
 const STEPS: usize = 1000;
 const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
 const BUDGET: Duration = Duration::from_secs(40);
 
-/// How far the C++ side may end from the scalar one, of the largest entry. It rounds differently, and in 10 s the motion magnifies
-/// a difference some hundred thousand times.
+/// Maximum difference of final states between the C++ side and the scalar one, relative to the largest entry. C++
+/// rounds differently, and in 10 s the motion magnifies a difference some hundred thousand times.
 const BOUND: f64 = 1e-9;
 
 #[derive(Serialize)]
@@ -33,19 +34,20 @@ pub(crate) struct Results {
     pub rows: Vec<Row>,
 }
 
-/// Million trajectory-steps a second.
+/// Throughput of a side, in million trajectory steps per second.
 #[derive(Serialize)]
 pub(crate) struct Row {
     pub side: String,
     pub number: &'static str,
     pub most: f64,
     pub median: f64,
-    /// Over that of one trajectory at a time, in the same number type: the median over the rounds, and of the most.
+    /// Ratio to one trajectory at a time, in the same number type: median over the rounds.
     pub ratio: f64,
+    /// Ratio of the highest throughputs.
     pub ratio_of_most: f64,
-    /// The largest difference from the end of a trajectory alone, of the largest entry.
+    /// Largest difference from the final state of a single trajectory, relative to the largest entry.
     pub difference: f64,
-    /// Another interleaving of the same side was faster.
+    /// True if another interleaving of the same side was faster.
     pub slower: bool,
 }
 
@@ -81,7 +83,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
         .collect();
     let runs: Vec<&dyn Fn()> = runs.iter().map(AsRef::as_ref).collect();
     let times = in_turns(&runs, COUNT * STEPS, BUDGET);
-    // From nanoseconds a step to million steps a second.
+    // from nanoseconds per step to million steps per second
     let speed = |nanoseconds: f64| 1e3 / nanoseconds;
     let mut rows = Vec::new();
     for (n, side) in sides.iter().enumerate() {
@@ -104,7 +106,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// All ends against that of a trajectory alone: ours bit for bit, others to the bound.
+/// Compares all final states with the ones of single trajectories: ours must agree bit for bit, others to the bound.
 fn agree(sides: &[Side], starts: &[f64]) -> Result<Vec<f64>, String> {
     let mut differences = Vec::new();
     for side in sides {

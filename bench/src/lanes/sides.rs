@@ -1,4 +1,4 @@
-//! The ways to integrate many trajectories.
+//! Implementations that integrate many trajectories.
 
 use std::error::Error;
 use std::fs;
@@ -14,11 +14,11 @@ use crate::rust::{Processors, Rust};
 
 const FLAGS: [&str; 5] = ["-O3", "-march=native", "-std=c++17", "-Wl,--no-as-needed", "-lsleef"];
 
-/// One way.
+/// An implementation.
 pub(crate) struct Side {
     pub name: String,
     pub number: &'static str,
-    /// How many groups of lanes are interleaved, where that is varied.
+    /// Number of interleaved groups of lanes, if it is varied.
     pub together: Option<usize>,
     pub ours: bool,
     pub program: Program,
@@ -34,7 +34,7 @@ impl Side {
     }
 }
 
-/// The place of the side without lanes.
+/// Index of the side without lanes.
 pub(crate) fn alone(sides: &[Side], number: &str) -> Option<usize> {
     sides
         .iter()
@@ -43,8 +43,8 @@ pub(crate) fn alone(sides: &[Side], number: &str) -> Option<usize> {
 
 const ALONE: &str = "one at a time";
 
-/// Ours on every instruction set of this machine, and the library that they are in. It is compiled for all machines: the wider
-/// registers must come from the dispatch at run time alone.
+/// Our sides for each instruction set of this machine, and their library. It is compiled for generic machines: wider
+/// registers must come from run-time dispatch alone.
 pub(crate) fn ours(root: &Path, build: &Path) -> Result<(Vec<Side>, PathBuf), Box<dyn Error>> {
     let source = fs::read_to_string(root.join("lanes/ours.rs"))?;
     let (library, _) = Rust::new(root, build, Processors::All)?.library("lanes", &source)?;
@@ -72,7 +72,8 @@ pub(crate) fn ours(root: &Path, build: &Path) -> Result<(Vec<Side>, PathBuf), Bo
     Ok((sides, library))
 }
 
-/// C++ with intrinsics and SLEEF, whose sines and cosines come in two accuracies (ours are below 1 ulp), and its compiler; or why it is left out.
+/// C++ with intrinsics and SLEEF, and the version of its compiler; an error with the reason if it is left out. SLEEF
+/// has sines and cosines of two accuracies (ours are below 1 ulp).
 pub(crate) fn sleef(root: &Path, build: &Path) -> Result<(Vec<Side>, String), String> {
     if !has_avx512() {
         return Err("C++ with SLEEF: this processor has no AVX-512".to_owned());

@@ -1,4 +1,4 @@
-//! The results as `lanes.md`, `lanes.json` and a chart.
+//! Output of the results as `lanes.md`, `lanes.json` and a chart.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -25,7 +25,8 @@ fn markdown(results: &Results) -> String {
         text += &format!("Left out:\n\n{}\n", list(&results.notes));
     }
     text += &format!(
-        "RK4, h = 0.01, 1000 steps of the double pendulum with m = I = c = d = 1, g = 9.8 and no friction, from {START:?}; \
+        "RK4, h = 0.01, 1000 steps of the double pendulum with m = I = c = d = 1, g = 9.8 and no friction, \
+         from {START:?}; \
          {COUNT} trajectories, one core.\n\n"
     );
     let head = [
@@ -56,7 +57,7 @@ fn cells(row: &Row) -> Vec<String> {
     ]
 }
 
-/// What fits beside a bar: "C++, 1 ulp".
+/// Short label beside a bar, such as "C++, 1 ulp".
 fn label(row: &Row) -> String {
     let parts: Vec<&str> = row.side.split(", ").take(2).collect();
     parts.join(", ").replace("SLEEF to ", "")

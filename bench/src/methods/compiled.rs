@@ -10,14 +10,14 @@ use crate::library;
 use crate::machine;
 use crate::rust::{Processors, Rust};
 
-/// A source of `bench/methods`, and what it takes.
+/// Source file in `bench/methods`, with the libraries that it needs.
 struct Source {
     by: &'static str,
     file: &'static str,
     compiler: &'static str,
     libraries: &'static [&'static str],
     package: &'static str,
-    /// The functions, and the names of their methods.
+    /// Functions with the names of their methods.
     methods: &'static [(&'static str, &'static str, Scenes)],
 }
 
@@ -61,10 +61,10 @@ const SOURCES: [Source; 3] = [
 
 const FLAGS: [&str; 4] = ["-O3", "-march=native", "-DNDEBUG", "-Wl,--no-as-needed"];
 
-/// The lengths of `Task` and `End` of `double_pendulum.h`, in numbers.
+/// Lengths of `Task` and `End` of `double_pendulum.h`, in numbers.
 const LENGTHS: [usize; 2] = [8, 6];
 
-/// All that is installed; the model is compiled into a library that they all call.
+/// All installed libraries; the model is compiled into a library that they all call.
 pub(crate) fn entrants(
     root: &Path,
     build: &Path,
@@ -72,7 +72,7 @@ pub(crate) fn entrants(
     notes: &mut Vec<String>,
 ) -> Result<Vec<Entrant>, Box<dyn Error>> {
     let model = include_str!("pendulum.rs").to_owned() + include_str!("../../methods/model.rs");
-    // Inner documentation comes first in a file, and nowhere else.
+    // Inner doc comments are allowed only at the start of a file.
     let model = model.replace("//!", "//");
     let (model, _) = Rust::new(root, build, Processors::This)?.library("methods_model", &model)?;
     let folder = build.join("methods");

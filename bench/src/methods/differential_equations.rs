@@ -33,7 +33,7 @@ impl ODE<f64, [f64; 4]> for Model<'_> {
     }
 }
 
-/// Keeps no points on the way.
+/// Output that stores no intermediate points.
 struct Nothing;
 
 impl Solout<f64, [f64; 4]> for Nothing {
@@ -53,7 +53,7 @@ impl Solout<f64, [f64; 4]> for Nothing {
     }
 }
 
-/// More than any of them needs.
+/// Maximum number of steps, more than any method needs.
 const STEPS: usize = 1_000_000;
 
 macro_rules! once {

@@ -8,8 +8,8 @@ use pendulum_core::{Jacobian, System};
 
 use super::entrant::{End, Entrant, Scenes};
 
-/// One step after the other, without a record; the problem is set up once for all times. The crate asks for products of the
-/// Jacobian and a vector.
+/// Takes step after step without recording them; the problem is set up once for all repetitions. The crate needs
+/// products of the Jacobian with a vector.
 macro_rules! entrant {
     ($name:literal, $scenes:ident, $($method:tt)*) => { Entrant {
         by: "diffsol",

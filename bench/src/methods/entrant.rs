@@ -4,41 +4,41 @@ use std::hint::black_box;
 
 use super::scene::Scene;
 
-/// Who integrates, how, and where it is worth a look.
+/// Method of a library, with the scenes for which it is measured.
 pub(crate) struct Entrant {
     pub by: &'static str,
     pub method: &'static str,
     pub scenes: Scenes,
-    /// Integrates a scene so many times with a tolerance, relative and absolute, and says how the last one ended.
+    /// Integrates a scene a number of times with a tolerance, relative and absolute, and returns the last end.
     pub integrate: Box<Integrate>,
 }
 
 pub(crate) type Integrate = dyn Fn(&Scene, f64, usize) -> Result<End, String>;
 
-/// The library that all others are compared with.
+/// The library with which all others are compared.
 pub(crate) const OURS: &str = "ours";
 
-/// Which scenes a method is for.
+/// Scenes for which a method is used.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Scenes {
-    /// Those without stiffness.
+    /// The nonstiff scenes.
     Smooth,
-    /// The stiff one.
+    /// The stiff scene.
     Stiff,
-    /// All, as of methods that choose, or that show what stiffness costs.
+    /// All scenes, for methods that detect stiffness or show its cost.
     All,
 }
 
-/// Where an integration ended.
+/// End of an integration.
 pub(crate) struct End {
     pub t: f64,
     pub x: [f64; 4],
-    /// Of the right-hand side, where the library tells.
+    /// Evaluations of the right-hand side, if the library reports them.
     pub evaluations: Option<usize>,
 }
 
 impl Entrant {
-    /// From a function that integrates once.
+    /// Makes an entrant from a function that integrates once.
     pub(crate) fn new(
         by: &'static str,
         method: &'static str,

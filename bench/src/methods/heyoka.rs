@@ -1,4 +1,4 @@
-//! heyoka, which has its own process: its integrators are compiled while Python runs.
+//! heyoka in a process of its own, as its integrators are compiled at Python's run time.
 
 use std::error::Error;
 use std::fs;
@@ -13,7 +13,7 @@ use super::scene::Scene;
 use super::sweep::tolerances;
 use crate::python::python;
 
-/// What `heyoka_peer.py` reads.
+/// Input of `heyoka_peer.py`.
 #[derive(Serialize)]
 struct Task {
     gamma: f64,
@@ -23,7 +23,7 @@ struct Task {
     tolerances: Vec<f64>,
 }
 
-/// What it writes: the settings of each scene.
+/// Output of `heyoka_peer.py`: the settings of each scene.
 #[derive(Deserialize)]
 struct Measured {
     version: String,
@@ -36,13 +36,14 @@ struct Setting {
     tolerance: f64,
     t: f64,
     x: [f64; 4],
-    /// Nanoseconds for a trajectory: of a call that integrates over no time, and without that.
+    /// Nanoseconds of a call that integrates over no time.
     overhead: f64,
+    /// Nanoseconds for a trajectory, without the overhead.
     least: f64,
     median: f64,
 }
 
-/// For each scene the curves of one trajectory at a time, and of eight; or why there are none.
+/// Curves of each scene, for one trajectory at a time and for eight; an error with the reason if there are none.
 pub(crate) fn measure(
     root: &Path,
     build: &Path,

@@ -1,6 +1,6 @@
-//! Time to reach an error: our methods beside those of other libraries, on three scenes with known ends.
+//! Time to reach a given error: our methods compared with other libraries, on three scenes with known ends.
 //!
-//! All have the generated right-hand side and Jacobian, but for heyoka, which takes expressions.
+//! All use the generated right-hand side and Jacobian, except heyoka, which takes expressions.
 
 mod compiled;
 mod differential_equations;
@@ -74,7 +74,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The version of a crate that this program is built with.
+/// Version of a crate in the lock file of this program.
 fn locked(name: &str) -> &'static str {
     let lock = include_str!("../../Cargo.lock");
     let entry = lock

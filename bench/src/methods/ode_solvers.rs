@@ -16,7 +16,7 @@ impl System<f64, Vector4<f64>> for Model<'_> {
     }
 }
 
-/// The crate keeps the points of all steps, or else finds points between them: the former is less work.
+/// The crate either stores the points of all steps, or interpolates between them: the former is less work.
 macro_rules! once {
     ($method:ident) => {
         |scene: &Scene, tolerance: f64| {

@@ -5,7 +5,7 @@ use pendulum_core::prelude::*;
 use super::entrant::{End, Entrant, OURS, Scenes};
 use super::lanes::Together;
 
-/// A line for each: its name, what it is for, and the method of a tolerance.
+/// Entrants by name, scenes, and the method for a tolerance, one per line.
 macro_rules! methods {
     ($($name:literal, $scenes:ident: $method:expr;)*) => {
         vec![$(
@@ -24,7 +24,7 @@ macro_rules! methods {
     };
 }
 
-/// The same for those that integrate many trajectories in lanes.
+/// Like `methods`, but for ensembles in lanes.
 macro_rules! ensembles {
     ($($name:literal: $method:expr;)*) => {
         vec![$(
@@ -41,7 +41,7 @@ macro_rules! ensembles {
     };
 }
 
-/// Methods that take steps of one length take such a one that an error of order 4 is about the tolerance.
+/// All methods. For fixed steps, the step size is such that an error of order 4 is about the tolerance.
 pub(crate) fn entrants() -> Vec<Entrant> {
     methods! {
         "Rk4", Smooth: |tolerance| Rk4::new(tolerance.powf(0.25));

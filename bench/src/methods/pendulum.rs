@@ -1,4 +1,4 @@
-//! The model of all scenes, for Rust here and, in a library of its own, for C.
+//! The model of all scenes, used from Rust here and, compiled into a library, from C.
 
 pendulum_core::mechanism! {
     /// Two identical plates on axles with friction: Williams (2023), Eq. 22.
@@ -20,7 +20,7 @@ pendulum_core::mechanism! {
     }
 }
 
-/// The model with the parameters of the paper. They are known when the program runs, not before.
+/// The model with the parameters of the paper, hidden from the optimiser so that they are known only at run time.
 pub(crate) fn double_pendulum(gamma: f64) -> Result<DoublePendulum, pendulum_core::ParameterError> {
     let params = DoublePendulumParams {
         m: 1.0,

@@ -1,4 +1,4 @@
-//! What was measured, as it goes into `methods.json`.
+//! Results as written to `methods.json`.
 
 use serde::Serialize;
 
@@ -14,30 +14,31 @@ pub(crate) struct SceneResults {
     pub name: &'static str,
     pub title: &'static str,
     pub alone: Vec<Curve>,
-    /// In lanes; times are per trajectory.
+    /// Results in lanes; times are per trajectory.
     pub together: Vec<Curve>,
 }
 
-/// A method over its tolerances.
+/// Results of a method over its tolerances.
 #[derive(Serialize)]
 pub(crate) struct Curve {
     pub by: &'static str,
     pub method: &'static str,
     pub points: Vec<Point>,
-    /// Tolerances with which it did not come to the end, and why.
+    /// Tolerances at which the method failed, with the reason.
     pub failures: Vec<(f64, String)>,
 }
 
-/// A tolerance.
+/// Results at one tolerance.
 #[derive(Clone, Copy, Serialize)]
 pub(crate) struct Point {
     pub tolerance: f64,
-    /// Of the final state, the largest component.
+    /// Largest component of the error of the final state.
     pub error: f64,
-    /// Of the right-hand side, where the library tells.
+    /// Evaluations of the right-hand side, if the library reports them.
     pub evaluations: Option<usize>,
-    /// Nanoseconds for a trajectory.
+    /// Minimum time per trajectory, in nanoseconds.
     pub least: f64,
+    /// Median time per trajectory, in nanoseconds.
     pub median: f64,
 }
 
@@ -51,7 +52,7 @@ impl Curve {
         }
     }
 
-    /// The cheapest setting that is at least so accurate.
+    /// The cheapest setting with at most this error.
     pub(crate) fn reaching(&self, error: f64) -> Option<&Point> {
         let good = self.points.iter().filter(|point| point.error <= error);
         good.min_by(|a, b| a.least.total_cmp(&b.least))
@@ -59,7 +60,7 @@ impl Curve {
 }
 
 impl Point {
-    /// A setting whose time is to be taken.
+    /// A point whose times are not measured yet.
     pub(crate) fn new(tolerance: f64, error: f64, evaluations: Option<usize>) -> Self {
         Self {
             tolerance,

@@ -1,23 +1,23 @@
-//! The scenes: the double pendulum of Eq. 22 from three starts.
+//! Scenes: the double pendulum of Eq. 22 from three initial conditions.
 
 use std::error::Error;
 
 use super::pendulum::{DoublePendulum, DoublePendulumParams, double_pendulum};
 use testbed::trajectories;
 
-/// A scene of `testbed/data/trajectories.json` to its last time.
+/// Scene of `testbed/data/trajectories.json`, up to its last time.
 pub(crate) struct Scene {
     /// One letter.
     pub name: &'static str,
     pub title: &'static str,
     pub stiff: bool,
-    /// Friction of both axles; all scenes have the other parameters of the paper.
+    /// Friction of both joints; all scenes share the other parameters of the paper.
     pub gamma: f64,
     pub x0: [f64; 4],
     pub t1: f64,
-    /// The first step to try, for libraries that want to be told.
+    /// Initial step size, for libraries that require one.
     pub h0: f64,
-    /// The state at `t1`, rounded from 20 digits.
+    /// State at `t1`, rounded from 20 digits.
     pub expected: [f64; 4],
     pub model: DoublePendulum,
 }
@@ -61,14 +61,14 @@ fn scene(name: &'static str, title: &'static str, reference: &str, h0: f64) -> R
 }
 
 impl Scene {
-    /// The largest component of the error of a state at the end.
+    /// Largest component of the error of a final state.
     pub(crate) fn error(&self, x: &[f64; 4]) -> f64 {
         let differences = x.iter().zip(&self.expected).map(|(x, expected)| (x - expected).abs());
-        // A number that is none stays none, which `max` would pass over.
+        // keep NaN, which `max` would ignore
         differences.fold(0.0, |worst, error| if error <= worst { worst } else { error })
     }
 
-    /// Whether that time is the end, up to its last two digits.
+    /// True if `t` is the end time, up to its last two digits.
     pub(crate) fn is_end(&self, t: f64) -> bool {
         (t - self.t1).abs() <= 2.0 * f64::EPSILON * self.t1
     }

@@ -1,4 +1,4 @@
-//! Every method with every tolerance: its error and its time.
+//! Error and time of every method at every tolerance.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -11,26 +11,26 @@ use super::results::{Curve, Point};
 use super::scene::Scene;
 use crate::timing::in_turns;
 
-/// For all methods of a scene, one trajectory at a time and in lanes.
+/// Time budget for all methods of a scene: one trajectory at a time, and in lanes.
 const BUDGETS: [Duration; 2] = [Duration::from_secs(40), Duration::from_secs(15)];
-/// A pass takes at least as long, so that what is done once in it does not count.
+/// Minimum duration of a pass, so that its setup is negligible.
 const PASS: Duration = Duration::from_micros(200);
 
-/// From 1e-3 to 1e-14, two in each decade.
+/// Tolerances from 1e-3 to 1e-14, two per decade.
 pub(crate) fn tolerances() -> Vec<f64> {
     (6..=28).map(|half| 10.0_f64.powf(-0.5 * f64::from(half))).collect()
 }
 
-/// A setting that came to its end, ready to be timed.
+/// A setting that reached the end, ready to be timed.
 struct Setting<'a> {
     curve: usize,
     point: Point,
-    /// Trajectories in a pass.
+    /// Number of trajectories in a pass.
     trajectories: usize,
     pass: Box<dyn Fn() + 'a>,
 }
 
-/// One trajectory at a time; all methods in turns.
+/// Measures one trajectory at a time, with all methods in turn.
 pub(crate) fn alone(scene: &Scene, entrants: &[Entrant]) -> Vec<Curve> {
     let entrants: Vec<&Entrant> = entrants.iter().filter(|entrant| entrant.suits(scene)).collect();
     let mut curves: Vec<Curve> = entrants
@@ -60,7 +60,7 @@ pub(crate) fn alone(scene: &Scene, entrants: &[Entrant]) -> Vec<Curve> {
                 point: Point::new(tolerance, scene.error(&end.x), end.evaluations),
                 trajectories: times,
                 pass: Box::new(move || {
-                    // It did not fail before.
+                    // It has not failed before.
                     let _ = black_box((entrant.integrate)(scene, tolerance, times));
                 }),
             });
@@ -70,7 +70,7 @@ pub(crate) fn alone(scene: &Scene, entrants: &[Entrant]) -> Vec<Curve> {
     curves
 }
 
-/// Many trajectories at a time; the error is that of the first.
+/// Measures many trajectories at a time; the error is that of the first trajectory.
 pub(crate) fn together(scene: &Scene, methods: &[Together]) -> Vec<Curve> {
     let mut curves: Vec<Curve> = methods
         .iter()
@@ -97,7 +97,7 @@ pub(crate) fn together(scene: &Scene, methods: &[Together]) -> Vec<Curve> {
     curves
 }
 
-/// Takes the times, and hands the points to their curves.
+/// Measures the times, and adds the points to their curves.
 fn time(settings: Vec<Setting<'_>>, curves: &mut [Curve], budget: Duration) {
     let passes: Vec<&dyn Fn()> = settings.iter().map(|setting| setting.pass.as_ref()).collect();
     let times = in_turns(&passes, 1, budget);

@@ -1,4 +1,4 @@
-//! The results as `methods.md`, `methods.json` and a chart.
+//! Output of the results as `methods.md`, `methods.json` and a chart.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -9,10 +9,10 @@ use crate::report::{count, list, number, table, write};
 use charts::page::{BLUE, GREEN, INK, ORANGE, PURPLE, Picture, RGBColor, SKY, VERMILION};
 use charts::panels::{self, Column, Panels};
 
-/// Errors of the final state.
+/// Target errors of the final state.
 const TARGETS: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
 
-/// Libraries and their colours, which people with any colour vision can tell apart (Okabe and Ito, 2008).
+/// Libraries and their colours, distinguishable with any colour vision (Okabe and Ito, 2008).
 const LIBRARIES: [(&str, RGBColor); 8] = [
     (OURS, BLUE),
     ("heyoka", VERMILION),
@@ -40,7 +40,8 @@ fn markdown(results: &Results) -> String {
     if !results.notes.is_empty() {
         text += &format!("Left out:\n\n{}\n", list(&results.notes));
     }
-    text += "Microseconds for a trajectory with the cheapest setting whose final state is as accurate, the least and the median; \
+    text += "Microseconds for a trajectory with the cheapest setting whose final state is as accurate, the least and \
+             the median; \
              evaluations of the right-hand side with that setting, where the library tells.\n\n";
     for scene in &results.scenes {
         text += &format!("## {}: {}\n\n{}\n", scene.name, scene.title, contest(&scene.alone));
@@ -84,7 +85,7 @@ fn row(curve: &Curve) -> Vec<String> {
     cells
 }
 
-// The ends of the axis of errors.
+// Range of the error axis.
 const RANGE: (f64, f64) = (1e-14, 1e-2);
 
 fn chart(results: &Results) -> Panels {
@@ -96,9 +97,13 @@ fn chart(results: &Results) -> Panels {
     ];
     Panels {
         title: "Time to reach an error".to_owned(),
-        subtitle: "Microseconds for a trajectory over the error of its end; of each library the method that is the first to reach 1e-8, of ours all"
+        subtitle: "Microseconds for a trajectory over the error of its end; of each library the method that is the \
+                   first to reach 1e-8, of ours all"
             .to_owned(),
-        legend: LIBRARIES.chunks(4).map(|row| row.iter().copied().map(key).collect()).collect(),
+        legend: LIBRARIES
+            .chunks(4)
+            .map(|row| row.iter().copied().map(key).collect())
+            .collect(),
         x: "error of the final state".to_owned(),
         x_ticks: (0..=6).map(|n| RANGE.0 * 100.0_f64.powi(n)).collect(),
         panel: (480.0, 480.0),
@@ -144,7 +149,8 @@ fn panel(curves: &[Curve]) -> Vec<panels::Curve> {
     drawn
 }
 
-/// The settings that no other one of the method beats in both, in microseconds, from the most accurate on.
+/// Pareto front of a method: settings that no other one beats in both error and time (in microseconds), beginning with
+/// the most accurate.
 fn front(curve: &Curve) -> Vec<(f64, f64)> {
     let in_range = |point: &&Point| (RANGE.0..=RANGE.1).contains(&point.error);
     let mut points: Vec<&Point> = curve.points.iter().filter(in_range).collect();

@@ -1,14 +1,14 @@
-//! Before anything is timed, all must give the same results.
+//! Check before the timing that all candidates give the same results.
 
 use super::candidate::{Candidate, Function, MODELS, OURS};
 use super::contest::states;
 
-/// Of the largest entry of a result: rounding of some ten thousand operations.
+/// Maximum difference relative to the largest entry of a result: rounding of some ten thousand operations.
 const TOLERANCE: f64 = 1e-9;
-/// States of each model.
+/// Number of states of each model.
 const SAMPLES: usize = 64;
 
-/// The largest difference from the generated code, or which candidate differs from it by too much.
+/// Returns the largest difference from the generated code, or an error for a candidate that differs too much.
 pub(crate) fn check(candidates: &[Candidate]) -> Result<f64, String> {
     let mut worst = 0.0_f64;
     for (model, _) in MODELS {
@@ -19,14 +19,14 @@ pub(crate) fn check(candidates: &[Candidate]) -> Result<f64, String> {
     Ok(worst)
 }
 
-/// The same for one function of one model.
+/// Returns the largest difference for one function of one model.
 fn largest(candidates: &[Candidate], model: &str, function: Function) -> Result<f64, String> {
     let of = |function| {
         candidates
             .iter()
             .filter(move |candidate| candidate.model == model && candidate.function == function)
     };
-    // Accelerations alone must be those that come with the Jacobian.
+    // Compare accelerations without Jacobian with those of the combined function.
     let whole = match function {
         Function::Rhs if Function::of(model).contains(&Function::Jacobian) => Function::Jacobian,
         _ => function,
@@ -55,7 +55,7 @@ fn largest(candidates: &[Candidate], model: &str, function: Function) -> Result<
     Ok(worst)
 }
 
-/// The larger of the relative differences of the two parts; infinite where the lengths differ, NaN where an entry is.
+/// The larger of the relative differences of the two parts; infinite if the lengths differ, NaN if an entry is.
 fn difference(found: &[f64], expected: &[&[f64]; 2]) -> f64 {
     if found.len() != expected[0].len() + expected[1].len() {
         return f64::INFINITY;

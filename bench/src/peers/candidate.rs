@@ -1,4 +1,4 @@
-//! Functions that compete.
+//! Competing functions.
 
 use pendulum_core::Operations;
 use serde::{Deserialize, Serialize};
@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 use crate::compile::Job;
 use crate::library::Program;
 
-/// The name of the generated code among the peers.
+/// Name of the generated code among the peers.
 pub(crate) const OURS: &str = "pendulum";
 
-/// The models, as the peers' files call them, and as people do.
+/// Names of the models: in the files of the peers, and in full.
 pub(crate) const MODELS: [(&str, &str); 4] = [
     ("eq22", "Double pendulum, Eq. 22"),
     ("ur5", "UR5, six joints"),
@@ -20,16 +20,16 @@ pub(crate) const MODELS: [(&str, &str); 4] = [
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Function {
-    /// The accelerations of the coordinates.
+    /// Accelerations of the coordinates.
     Rhs,
-    /// These, and their derivatives by coordinates and rates.
+    /// Accelerations, and their derivatives by coordinates and rates.
     Jacobian,
-    /// The position of a point of the last body, and its derivatives by the coordinates.
+    /// Position of a point of the last body, and its derivatives by the coordinates.
     Point,
 }
 
 impl Function {
-    /// Those that compete for a model.
+    /// Functions measured for a model.
     pub(crate) fn of(model: &str) -> &'static [Self] {
         match model {
             "ur5" => &[Self::Rhs, Self::Jacobian, Self::Point],
@@ -46,7 +46,8 @@ impl Function {
         }
     }
 
-    /// The numbers that are derived, and by how many others, in a model of `dof` coordinates.
+    /// Number of differentiated values, and of the variables by which they are differentiated, for a model with `dof`
+    /// coordinates.
     pub(crate) fn shape(self, dof: usize) -> (usize, usize) {
         match self {
             Self::Rhs => (dof, 0),
@@ -56,17 +57,17 @@ impl Function {
     }
 }
 
-/// One way to evaluate a function of a model.
+/// An implementation of a function of a model.
 pub(crate) struct Candidate {
     pub model: String,
     pub function: Function,
     pub peer: String,
-    /// The algorithm, and for C how it was compiled.
+    /// Algorithm, and for C the compiler call.
     pub form: String,
     pub operations: Option<Operations>,
     pub program: Program,
-    /// The same with hardly any sine and cosine.
+    /// Variant of the program with cheap sines and cosines.
     pub cheap: Option<Program>,
-    /// How a peer was compiled, and the name of its function.
+    /// Compilation of a peer, and the name of its function.
     pub job: Option<(Job, String)>,
 }

@@ -1,4 +1,4 @@
-//! Timing: all forms of the peers first, then the better ones of each peer beside the generated code.
+//! Timing: all forms of the peers first, then the best ones of each peer together with the generated code.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -14,16 +14,18 @@ use crate::library::Program;
 use crate::timing::{Times, in_turns};
 use testbed::random::Random;
 
-/// States that are evaluated one after the other, in each pass. So few that the processor learns which branches the sines and
-/// cosines of the platform take, as it does where the states are those of a motion.
+/// Number of states evaluated one after another in each pass. It is small enough that the processor learns the branches
+/// of the platform's sines and cosines, as it does for the states of a motion.
 const STATES: usize = 256;
-/// How long the forms of all peers compete, and how long the best of them, for each function of a model.
+/// Time budget for all forms of all peers, for each function of a model.
 const HEATS: Duration = Duration::from_secs(5);
+/// Time budget for the best form of each peer, for each function of a model.
 const FINAL: Duration = Duration::from_secs(20);
-/// Forms of a peer slower than its best one by no more than this factor may just have been disturbed, and run again.
+/// Forms of a peer within this factor of its best time are measured again, since they may only have been disturbed.
 const CLOSE: f64 = 1.3;
 
-/// Coordinates within a turn, rates within 3 rad/s, orientations of unit length; the length of a state, and that many of them.
+/// Random states, and the length of one state: coordinates within a turn, rates within 3 rad/s, orientations of unit
+/// length.
 pub(crate) fn states(model: &str, count: usize) -> Result<(usize, Vec<f64>), String> {
     let (length, _) = entrants::sizes(model, Function::Rhs)?;
     let mut random = Random::new(22);
@@ -38,7 +40,7 @@ pub(crate) fn states(model: &str, count: usize) -> Result<(usize, Vec<f64>), Str
     Ok((length, states))
 }
 
-/// The rows of one function of one model: the best of each peer, in the order of their times, and the forms that lost.
+/// Rows of one function of one model: the best form of each peer, in the order of their times, then the slower forms.
 pub(crate) fn hold(candidates: &[Candidate], model: &str, function: Function) -> Result<Vec<Row>, Box<dyn Error>> {
     let (length, states) = states(model, STATES)?;
     let entered: Vec<&Candidate> = candidates
@@ -57,7 +59,7 @@ pub(crate) fn hold(candidates: &[Candidate], model: &str, function: Function) ->
     };
     let (best, lost): (Vec<usize>, Vec<usize>) = (0..entered.len()).partition(|&n| advances(n));
     let mut rows = finals(&best.iter().map(|&n| entered[n]).collect::<Vec<_>>(), length, &states)?;
-    // Of each peer, one form stays.
+    // Keep one form of each peer.
     for n in 0..rows.len() {
         let rival = |row: &Row| row.peer == rows[n].peer;
         rows[n].heat = rows.iter().any(|row| rival(row) && row.least < rows[n].least);
@@ -89,7 +91,7 @@ fn finals(best: &[&Candidate], length: usize, states: &[f64]) -> Result<Vec<Row>
         .find(|candidate| candidate.peer == OURS)
         .and_then(|ours| ours.operations);
     let sines = sines(length, pairs.map_or(0, |operations| operations.sincos));
-    // The functions, then those of them that have one without sine and cosine, then the sines and cosines.
+    // The functions, then their variants without sine and cosine, then the sines and cosines alone.
     let programs: Vec<&Program> = best.iter().map(|candidate| &candidate.program).collect();
     let others: Vec<&Program> = cheap.iter().flatten().copied().chain([&sines]).collect();
     let times = time(&[programs, others].concat(), states, FINAL);
@@ -130,7 +132,7 @@ fn time(programs: &[&Program], states: &[f64], budget: Duration) -> Vec<Times> {
     in_turns(&runs, STATES, budget)
 }
 
-/// The sines and cosines of the first coordinates and nothing else.
+/// Sines and cosines of the first coordinates, and nothing else.
 fn sines(length: usize, pairs: usize) -> Program {
     let run = move |states: &[f64]| {
         for x in states.chunks_exact(length) {

@@ -1,4 +1,4 @@
-//! The peers' functions as candidates: each way of compiling them is one.
+//! The functions of the peers as candidates, one for each compiler call.
 
 use std::error::Error;
 use std::path::Path;
@@ -10,8 +10,8 @@ use crate::compile::{self, Job};
 use crate::library::{self, Program};
 use crate::machine;
 
-/// How the peers' C is compiled; which is faster depends on the code. The last has no fused multiplications and additions,
-/// as the generated code has none: it shows what they give.
+/// Compiler flags for the C of the peers; the fastest ones depend on the code. The last set has no fused multiply-add,
+/// like the generated code, to show its effect.
 const FLAGS: [&[&str]; 3] = [
     &["-O2"],
     &["-O3", "-march=native"],
@@ -19,7 +19,7 @@ const FLAGS: [&[&str]; 3] = [
 ];
 const CPP_FLAGS: [&str; 4] = ["-O3", "-march=native", "-DNDEBUG", "-std=c++17"];
 
-/// The peers' functions in all ways of compiling them; says what compilers there are in the header.
+/// Candidates for all functions of the peers and all compiler calls; adds the available compilers to the header.
 pub(crate) fn compiled(
     generated: &mut Generated,
     folder: &Path,
@@ -119,7 +119,7 @@ fn load(source: &Source, library: &Path) -> Result<Program, Box<dyn Error>> {
     library::load(library, &source.symbol, states, results)
 }
 
-/// The lengths of the state, and of what a peer's function writes.
+/// Lengths of the state, and of the output of a peer's function.
 pub(crate) fn sizes(model: &str, function: Function) -> Result<(usize, usize), String> {
     let (dof, more) = match model {
         "eq22" => (2, 0),
@@ -133,7 +133,8 @@ pub(crate) fn sizes(model: &str, function: Function) -> Result<(usize, usize), S
     Ok((2 * dof + more, values * (1 + by)))
 }
 
-/// The same function with hardly any sine and cosine. For C only: Pinocchio's headers have more in them by these names.
+/// The function of a candidate with cheap sines and cosines. Only for C: Pinocchio's headers use these names for other
+/// functions, too.
 pub(crate) fn cheapened(candidate: &Candidate) -> Result<Option<Program>, Box<dyn Error>> {
     let Some((job, symbol)) = &candidate.job else {
         return Ok(None);

@@ -1,4 +1,4 @@
-//! Has the peers' code written by Python.
+//! Generation of the peers' code by Python.
 
 use std::error::Error;
 use std::fs;
@@ -10,19 +10,19 @@ use serde::Deserialize;
 
 use crate::python::python;
 
-/// What `peers/generate.py` lists.
+/// List printed by `peers/generate.py`.
 #[derive(Default, Deserialize)]
 pub(crate) struct Generated {
     pub candidates: Vec<Source>,
-    /// What was left out, and why.
+    /// Left-out items, with the reason.
     pub notes: Vec<String>,
-    /// The packages.
+    /// Versions of the packages.
     pub versions: Vec<String>,
     /// Folders of C++ headers.
     pub include: Vec<String>,
 }
 
-/// A function in a C or C++ file.
+/// Function in a C or C++ file.
 #[derive(Clone, Deserialize)]
 pub(crate) struct Source {
     pub model: String,
@@ -34,7 +34,7 @@ pub(crate) struct Source {
     pub operations: Option<Counted>,
 }
 
-/// As `pendulum_core::Operations`.
+/// Counts of [`pendulum_core::Operations`].
 #[derive(Clone, Copy, Deserialize)]
 pub(crate) struct Counted {
     pub additions: usize,
@@ -70,7 +70,8 @@ pub(crate) fn generate(root: &Path, folder: &Path) -> Result<Generated, Box<dyn 
         Ok(output) => output,
         Err(error) => {
             let note = format!(
-                "all peers: {} does not start ({error}); `sudo apt-get install python3 python3-venv`, and see README.md",
+                "all peers: {} does not start ({error}); `sudo apt-get install python3 python3-venv`, and see \
+                 README.md",
                 python.display()
             );
             return Ok(Generated {

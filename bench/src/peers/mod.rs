@@ -1,6 +1,6 @@
-//! Right-hand sides and Jacobians of three mechanisms, and the flange of one, beside those that other software makes.
+//! Right-hand sides and Jacobians of three mechanisms, and the flange of one, compared with other software.
 //!
-//! First every form of every peer competes with the others of that peer; then the best of each meets the generated code.
+//! First all forms of each peer compete with each other; then the best of each competes with the generated code.
 
 mod agree;
 mod candidate;

@@ -1,4 +1,4 @@
-//! The generated code, and that by hand.
+//! The generated code, and hand-written code.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -16,8 +16,8 @@ use testbed::eq22::{Eq22, Plate};
 use testbed::robots::{Panda, PandaParams, Ur5, Ur5Flange, Ur5FlangeParams, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-/// The numbers of the double pendulum. They are not the round ones of the paper, since products with 1 would vanish from the
-/// code of those peers that hold numbers instead of parameters.
+/// Parameters of the double pendulum. They are not the round numbers of the paper, since products with 1 would vanish
+/// from the code of those peers that insert numbers for parameters.
 pub(crate) const PENDULUM: &str = include_str!("../../peers/double_pendulum.json");
 
 mechanism! {
@@ -52,7 +52,7 @@ pub(crate) fn candidates() -> Result<Vec<Candidate>, Box<dyn Error>> {
         gamma1,
         gamma2,
     } = serde_json::from_str(PENDULUM)?;
-    // Parameters are known when the program runs, not before.
+    // Hide the parameters from the optimiser, so that they are known only at run time.
     let params = black_box(DoublePendulumParams {
         m,
         inertia,
@@ -93,7 +93,7 @@ pub(crate) fn candidates() -> Result<Vec<Candidate>, Box<dyn Error>> {
     Ok(all)
 }
 
-/// The right-hand side.
+/// Adds the right-hand side.
 fn add_rhs<S, C, const N: usize>(
     all: &mut Vec<Candidate>,
     model: &str,
@@ -122,7 +122,7 @@ fn form(cost: Option<FunctionCost>) -> String {
     cost.map_or(String::new(), |cost| format!(": {}", cost.form))
 }
 
-/// The right-hand side, and with it the Jacobian.
+/// Adds the right-hand side, alone and with the Jacobian.
 fn add<S, C, const N: usize>(all: &mut Vec<Candidate>, model: &str, peer: &str, system: S, cheap: C, cost: Option<Cost>)
 where
     S: Jacobian<f64, N> + Clone + 'static,
@@ -145,7 +145,7 @@ where
     });
 }
 
-/// The position of the flange, and its Jacobian.
+/// Position of the flange, and its Jacobian.
 fn flange() -> Result<Candidate, Box<dyn Error>> {
     let arm = Ur5Flange::new(Ur5FlangeParams::default())?;
     let cheap = arm.cast::<Cheap>();
@@ -169,7 +169,7 @@ fn flange() -> Result<Candidate, Box<dyn Error>> {
     })
 }
 
-/// The derivatives by the rates are zeros, which no peer writes.
+/// Drops the derivatives by the rates: they are zero, and no peer computes them.
 fn by_coordinates<T: Real>((place, jacobian): (SVector<T, 3>, SMatrix<T, 3, 12>)) -> (SVector<T, 3>, SMatrix<T, 3, 6>) {
     (place, jacobian.fixed_columns::<6>(0).into_owned())
 }
@@ -193,11 +193,11 @@ where
 }
 
 fn accelerations<const N: usize>(xdot: &SVector<f64, N>) -> Vec<f64> {
-    // of positions there may be one more than of rates
+    // there may be one position more than rates
     xdot.as_slice()[N.div_ceil(2)..].to_vec()
 }
 
-/// The lower half, column by column: the derivatives of the accelerations by coordinates and rates.
+/// Lower half, column by column: derivatives of the accelerations by coordinates and rates.
 fn blocks<const N: usize>(jacobian: &SMatrix<f64, N, N>) -> Vec<f64> {
     jacobian.rows(N / 2, N / 2).iter().copied().collect()
 }

@@ -1,4 +1,4 @@
-//! What was measured, as it goes into `peers.json`.
+//! Results as written to `peers.json`.
 
 use pendulum_core::Operations;
 use serde::Serialize;
@@ -10,34 +10,35 @@ use crate::timing::Times;
 pub(crate) struct Results {
     /// Date, machine, compilers, versions.
     pub header: Vec<String>,
-    /// What was left out, and why.
+    /// Left-out items, with the reason.
     pub notes: Vec<String>,
     pub rows: Vec<Row>,
 }
 
-/// One candidate; times in nanoseconds per evaluation.
+/// Results of a candidate; times in nanoseconds per evaluation.
 #[derive(Serialize)]
 pub(crate) struct Row {
     pub model: String,
     pub function: Function,
     pub peer: String,
     pub form: String,
-    /// Additions and multiplications.
+    /// Number of additions and multiplications.
     pub flops: Option<usize>,
     pub divisions: Option<usize>,
     pub sine_cosine_pairs: Option<usize>,
     pub least: f64,
     pub median: f64,
-    /// The least time with hardly any sine and cosine.
+    /// Minimum time with cheap sines and cosines.
     pub least_without: Option<f64>,
-    /// The least time of as many sines and cosines as the generated code has, on their own.
+    /// Minimum time of the sines and cosines alone, as many as in the generated code.
     pub sines: Option<f64>,
-    /// The generated code's time over this one's: the median over pairs of the same round, and from the least times.
+    /// Ratio of the time of the generated code to this one: median over pairs of the same round.
     pub ratio: Option<f64>,
+    /// Ratio of the minimum times.
     pub ratio_of_least: Option<f64>,
-    /// The same from the least times without sine and cosine.
+    /// Ratio of the minimum times without sine and cosine.
     pub ratio_without: Option<f64>,
-    /// Another form of the same peer was faster.
+    /// True if another form of the same peer was faster.
     pub heat: bool,
 }
 

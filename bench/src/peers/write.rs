@@ -1,4 +1,4 @@
-//! The results as `peers.md`, `peers.json` and a chart.
+//! Output of the results as `peers.md`, `peers.json` and a chart.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -9,10 +9,11 @@ use crate::report::{count, list, number, table, write};
 use charts::bars::{Bar, Bars};
 use charts::page::Picture;
 
-/// Code that was written by hand is shown, but is no generator to be faster than.
+/// Name of hand-written code, which is shown but is no generator to compete with.
 const BY_HAND: &str = "by hand";
 
-/// What is aimed at: the generated code's time over that of the best generator, and its additions and multiplications.
+/// Targets: maximum ratio of the time of the generated code to the best generator, and number of its additions and
+/// multiplications.
 const TARGETS: [(&str, Function, f64, Option<usize>); 7] = [
     ("eq22", Function::Rhs, 0.8, Some(33)),
     ("eq22", Function::Jacobian, 0.8, Some(95)),
@@ -23,7 +24,7 @@ const TARGETS: [(&str, Function, f64, Option<usize>); 7] = [
     ("panda", Function::Jacobian, 0.65, Some(7000)),
 ];
 
-/// The functions of each chart, side by side, and its name.
+/// Functions of each chart, side by side, and its file name.
 const CHARTS: [(&[Function], &str); 2] = [
     (&[Function::Rhs, Function::Jacobian], "peers"),
     (&[Function::Point], "peers_point"),

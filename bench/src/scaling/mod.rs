@@ -1,4 +1,4 @@
-//! How the generator and its code grow with the number of joints: planar and spatial chains.
+//! Growth of the generator's time and of its code with the number of joints, for planar and spatial chains.
 
 mod results;
 mod write;
@@ -19,16 +19,16 @@ use crate::timing::in_turns;
 use testbed::chains::{planar, spatial};
 
 const LENGTHS: std::ops::RangeInclusive<usize> = 2..=12;
-/// What is generated, the function whose operations and time are given, and its title.
+/// Generated functions: the `generate` list, the function that is measured, and its title.
 pub(crate) const FUNCTIONS: [(&str, &str, &str); 2] = [
     ("rhs", "rhs", "right-hand side"),
     ("rhs, jacobian", "jacobian", "with Jacobian"),
 ];
-/// For each scene, how long it may be expanded and compiled again to find the least time.
+/// Time budgets per scene for repeated expansion and for repeated compilation.
 const BUDGETS: [Duration; 2] = [Duration::from_secs(2), Duration::from_secs(3)];
-/// How long all evaluations take turns.
+/// Time budget for all evaluations, in turn.
 const TURNS: Duration = Duration::from_secs(30);
-/// States that are evaluated one after the other.
+/// Number of states evaluated one after another.
 const STATES: usize = 64;
 
 const ROBOTS: &str = testbed::source::ROBOTS;
@@ -77,7 +77,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
 /// Evaluates some states.
 type Run = Box<dyn Fn()>;
 
-/// All but the time of an evaluation, and what evaluates some states.
+/// A row without the evaluation time, and a function that evaluates some states.
 fn row(
     rust: &Rust,
     declaration: &Declaration,
@@ -109,17 +109,17 @@ fn row(
     Ok((row, Box::new(move || (program.run)(black_box(&states)))))
 }
 
-/// How the names of forms begin.
+/// Prefixes of the names of forms.
 const BASES: [&str; 4] = ["closed form", "A, B and C", "recursion", "articulated bodies"];
 
-/// The additions and multiplications of the best form on each basis; the closed forms are one.
+/// Additions and multiplications of the best form on each basis; all closed forms are one basis.
 fn bases(cost: &Cost) -> Vec<Counted> {
     let mut bases: Vec<Counted> = Vec::new();
     for Cost { form, operations, .. } in std::iter::once(cost).chain(&cost.others) {
         let Some(basis) = BASES.into_iter().find(|basis| form.starts_with(basis)) else {
             continue;
         };
-        // They come from the shortest on.
+        // They are sorted, the shortest first.
         if bases.iter().all(|known| known.basis != basis) {
             bases.push(Counted {
                 basis,
@@ -130,7 +130,7 @@ fn bases(cost: &Cost) -> Vec<Counted> {
     bases
 }
 
-/// The times of a robot with Jacobian: by steps, and by one call of the compiler with the macro in it.
+/// Times of a robot with Jacobian: by separate steps, and by one call of the compiler including the macro.
 fn robot(rust: &Rust, name: &str, title: &'static str) -> Result<Robot, Box<dyn Error>> {
     let declaration = Declaration::read(ROBOTS, name, "rhs, jacobian")?;
     let (items, expansion) = declaration.expand(4 * BUDGETS[0])?;

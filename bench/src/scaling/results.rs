@@ -1,4 +1,4 @@
-//! What was measured, as it goes into `scaling.json`.
+//! Results as written to `scaling.json`.
 
 use serde::Serialize;
 
@@ -9,40 +9,40 @@ pub(crate) struct Results {
     pub robots: Vec<Robot>,
 }
 
-/// One function of one chain; the times are the least.
+/// Results of one function of one chain; times are minima.
 #[derive(Serialize)]
 pub(crate) struct Row {
     pub chain: &'static str,
     pub joints: usize,
     pub function: &'static str,
-    /// The form that was chosen.
+    /// Form that was chosen.
     pub form: String,
-    /// Its additions and multiplications.
+    /// Number of its additions and multiplications.
     pub operations: usize,
     pub divisions: usize,
-    /// The best form on each basis, from the shortest on.
+    /// The best form on each basis, the shortest first.
     pub bases: Vec<Counted>,
-    /// Seconds from tokens to tokens, of all that the chain generates.
+    /// Expansion from tokens to tokens of all functions of the chain, in seconds.
     pub expansion: f64,
-    /// Seconds of `rustc` on these tokens.
+    /// Time of `rustc` on these tokens, in seconds.
     pub compilation: f64,
-    /// Of one evaluation.
+    /// Time of one evaluation.
     pub nanoseconds: f64,
 }
 
-/// Additions and multiplications on one basis.
+/// Number of additions and multiplications on one basis.
 #[derive(Serialize)]
 pub(crate) struct Counted {
     pub basis: &'static str,
     pub operations: usize,
 }
 
-/// Seconds for a robot with Jacobian.
+/// Times of a robot with Jacobian, in seconds.
 #[derive(Serialize)]
 pub(crate) struct Robot {
     pub name: &'static str,
     pub expansion: f64,
     pub compilation: f64,
-    /// One call of `rustc` on the declaration, expansion included.
+    /// One call of `rustc` on the declaration, including the expansion.
     pub together: f64,
 }

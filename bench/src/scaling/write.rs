@@ -1,4 +1,4 @@
-//! The results as `scaling.md`, `scaling.json` and a chart.
+//! Output of the results as `scaling.md`, `scaling.json` and a chart.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use crate::report::{list, number, table, write};
 use charts::page::{BLUE, GREY, Picture, VERMILION};
 use charts::panels::{Column, Curve, Panels};
 
-/// Seconds for Panda with Jacobian: expansion, and with compilation.
+/// Target times for Panda with Jacobian, in seconds: expansion alone, and with compilation.
 const TARGETS: [f64; 2] = [1.0, 5.0];
 
 pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
@@ -36,7 +36,7 @@ fn markdown(results: &Results) -> String {
     text + "## Robots with Jacobian\n\n" + &robots(&results.robots)
 }
 
-/// The exponent of growth from half the joints to all of them, and a table.
+/// Table of a chain, and the exponent of growth from half of the joints to all of them.
 fn chains(results: &Results, chain: &str, function: &str) -> String {
     let of: Vec<&Row> = of(results, chain, function).collect();
     let rows: Vec<Vec<String>> = of.iter().map(|row| cells(row)).collect();
@@ -163,7 +163,8 @@ fn chart(results: &Results) -> Panels {
     };
     Panels {
         title: "Growth with the number of joints".to_owned(),
-        subtitle: "Chains of 2 to 12 joints; both axes logarithmic; thin: the best form on each other basis; dashed: powers of n"
+        subtitle: "Chains of 2 to 12 joints; both axes logarithmic; thin: the best form on each other basis; dashed: \
+                   powers of n"
             .to_owned(),
         legend: vec![vec![
             (BLUE, 3.2, FUNCTIONS[0].2.to_owned()),
@@ -181,14 +182,17 @@ fn chart(results: &Results) -> Panels {
             .collect(),
         rows: ["planar", "spatial"]
             .map(|chain| {
-                let panels = columns.iter().enumerate().map(|(n, (_, value))| panel(chain, n, *value));
+                let panels = columns
+                    .iter()
+                    .enumerate()
+                    .map(|(n, (_, value))| panel(chain, n, *value));
                 (format!("{chain} chains"), panels.collect())
             })
             .into(),
     }
 }
 
-/// The counts on each basis that was not chosen everywhere.
+/// Counts on each basis that was not chosen everywhere.
 fn bases(results: &Results, chain: &str, function: &str) -> Vec<Vec<(f64, f64)>> {
     ["closed form", "A, B and C", "recursion", "articulated bodies"]
         .map(|basis| {

@@ -1,4 +1,4 @@
-//! A time for each kind of operation, by least squares.
+//! Least-squares fit of the time of each kind of operation.
 
 use nalgebra::{Matrix4, Vector4};
 use pendulum_codegen::program::Operations;
@@ -6,7 +6,8 @@ use serde::Serialize;
 
 use super::subjects::Variant;
 
-/// One function, with its operations as they are computed: what replaces a division or a pair is counted.
+/// Timed function with its operations as executed: replacements of a division or a sine-cosine pair are counted as
+/// such.
 #[derive(Serialize)]
 pub(crate) struct Sample {
     pub mode: &'static str,
@@ -44,7 +45,7 @@ impl Sample {
     }
 }
 
-/// Nanoseconds of an addition or multiplication, and the others in units of it.
+/// Fitted times: an addition or multiplication in nanoseconds, the other operations in units of it.
 #[derive(Serialize)]
 pub(crate) struct Fit {
     pub mode: &'static str,
@@ -52,7 +53,7 @@ pub(crate) struct Fit {
     pub addition: f64,
     pub division: Weight,
     pub sincos: Weight,
-    /// Of a call, in nanoseconds.
+    /// Overhead of a call, in nanoseconds.
     pub constant: f64,
     /// Root mean square of the relative errors.
     pub error: f64,
@@ -61,12 +62,12 @@ pub(crate) struct Fit {
 #[derive(Serialize)]
 pub(crate) struct Weight {
     pub value: f64,
-    /// The least and the most that come out when any one model is left out.
+    /// Minimum and maximum of the fits that leave out one model each.
     pub range: [f64; 2],
 }
 
 impl Fit {
-    /// Relative errors are made small, so that the large functions do not decide alone.
+    /// Fits relative errors, so that the large functions do not dominate.
     pub(crate) fn new(mode: &'static str, samples: &[&Sample]) -> Result<Self, String> {
         let all = solve(samples)?;
         let mut subjects: Vec<&str> = samples.iter().map(|sample| sample.subject.as_str()).collect();

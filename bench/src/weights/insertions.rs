@@ -1,4 +1,4 @@
-//! One more operation in a right-hand side.
+//! Cost of one more operation in a right-hand side.
 
 use std::error::Error;
 
@@ -8,7 +8,7 @@ use super::subjects::Subject;
 use super::time;
 
 const OPERATIONS: [&str; 6] = ["addition", "multiplication", "division", "sincos", "sqrt", "exp"];
-/// The places, as the symbols call them.
+/// Places of the inserted operation, by the symbols and in words.
 pub(crate) const PLACES: [(&str, &str); 3] = [
     ("on", "on the critical path"),
     ("off", "off it"),
@@ -16,13 +16,14 @@ pub(crate) const PLACES: [(&str, &str); 3] = [
 ];
 const HOSTS: [&str; 4] = ["DoublePendulum", "Chain5", "Elbow3", "Ur5"];
 
-/// What one more operation takes, in nanoseconds, and in units of an addition in the fit.
+/// Cost of one more operation.
 #[derive(Serialize)]
 pub(crate) struct Insertion {
     pub operation: &'static str,
     pub place: &'static str,
-    /// In each of the hosts, by size.
+    /// Cost in nanoseconds in each of the hosts, by size.
     pub nanoseconds: Vec<f64>,
+    /// Cost in units of an addition in the fit.
     pub weights: Vec<f64>,
 }
 

@@ -1,4 +1,5 @@
-//! What divisions, sines and other functions take beside an addition, in generated code: where the weights of the generator come from.
+//! Costs of divisions, sines and other functions relative to an addition, in generated code: the origin of the weights
+//! of the generator.
 
 mod fit;
 mod insertions;
@@ -20,11 +21,11 @@ use crate::machine;
 use crate::rust::{Processors, Rust};
 use crate::timing::{Times, in_turns};
 
-/// States that are evaluated one after the other.
+/// Number of states evaluated one after another.
 const STATES: usize = 64;
 const TURNS: Duration = Duration::from_secs(60);
 
-/// How evaluations follow each other, and the symbols of the loops that do so.
+/// Dependences between evaluations, with the symbols of the loops.
 const MODES: [(&str, &str); 3] = [
     ("right-hand sides, each after the last", "after"),
     ("right-hand sides beside each other", "beside"),
@@ -82,7 +83,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// All loops in turns, each on states of its subject.
+/// Times all loops in turn, each on states of its subject.
 fn time(runs: &[(&Subject, Program)]) -> Vec<Times> {
     let calls: Vec<Box<dyn Fn() + '_>> = runs
         .iter()

@@ -1,4 +1,4 @@
-//! The generated functions whose times are taken.
+//! Generated functions to be timed.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ use crate::rust::Rust;
 use testbed::chains::{planar, spatial};
 use testbed::source::{MECHANISMS, ROBOTS, SCENES};
 
-/// A model, compiled.
+/// Compiled model.
 pub(crate) struct Subject {
     pub name: String,
     pub dof: usize,
@@ -22,7 +22,8 @@ pub(crate) struct Subject {
     library: PathBuf,
 }
 
-/// What is left out of a function: fewer than it has, in the same code, tell more than other functions with fewer.
+/// Operations of a function that are replaced by cheap ones: this isolates their cost better than a comparison with
+/// other functions.
 #[derive(Clone, Copy)]
 pub(crate) struct Variant {
     pub symbol: &'static str,
@@ -45,11 +46,11 @@ const fn variant(symbol: &'static str, sines: bool, divisions: bool) -> Variant 
     }
 }
 
-/// Jacobians of more joints take long to compile, four times over.
+/// Maximum number of joints for Jacobians, as larger ones take long to compile four times.
 const LARGEST_JACOBIAN: usize = 6;
 
 impl Subject {
-    /// Those of the right-hand side or of the Jacobian, if it is timed.
+    /// Operation counts of the right-hand side or of the Jacobian, if it is timed.
     pub(crate) fn operations(&self, jacobian: bool) -> Option<Operations> {
         match jacobian {
             false => Some(self.rhs),
@@ -131,7 +132,7 @@ fn subject(rust: &Rust, name: String, declaration: &Declaration) -> Result<Subje
     })
 }
 
-/// Without the lines that may stand at the head of a file only.
+/// Removes lines that are allowed only at the start of a file.
 fn without_head(text: &str) -> String {
     text.lines()
         .filter(|line| !line.starts_with("//!"))

@@ -1,4 +1,4 @@
-//! The results as `weights.md`, `weights.json` and a chart.
+//! Output of the results as `weights.md`, `weights.json` and a chart.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use crate::report::{list, number, table, write};
 use charts::bars::{Bar, Bars};
 use charts::page::Picture;
 
-/// What is less than this is noise.
+/// Costs below this are noise, in nanoseconds.
 const LEAST: f64 = 0.1;
 
 pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
@@ -25,8 +25,10 @@ pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn
 
 fn markdown(results: &Results) -> String {
     format!(
-        "# What operations take\n\n{}\n## Least squares\n\nIn units of an addition or multiplication of the same line; in brackets what comes out when any one \
-         model is left out.\n\n{}\n## One more operation\n\nIn units of an addition of the first line above: median over four right-hand sides, least and \
+        "# What operations take\n\n{}\n## Least squares\n\nIn units of an addition or multiplication of the same line; \
+         in brackets what comes out when any one \
+         model is left out.\n\n{}\n## One more operation\n\nIn units of an addition of the first line above: median \
+         over four right-hand sides, least and \
          most in brackets.\n\n{}",
         list(&results.header),
         fits(results),
@@ -85,7 +87,7 @@ fn insertions(results: &Results) -> String {
     table(&["operation", PLACES[0].1, PLACES[1].1, PLACES[2].1], 1, &rows)
 }
 
-/// In ascending order.
+/// Costs in ascending order.
 fn weights(results: &Results, operation: &str, place: &str) -> Vec<f64> {
     let found = results
         .insertions

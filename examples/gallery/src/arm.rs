@@ -1,7 +1,7 @@
 //! # Arm with an end effector
 //!
-//! Three joints in space and a hand: its position, velocity, Jacobian and orientation are outputs. A force on the hand acts as
-//! `J^T f` on the joints.
+//! Three joints in space and a hand: its position, velocity, Jacobian and orientation are outputs. A force on the hand
+//! acts as `J^T f` on the joints.
 
 use pendulum_core::prelude::*;
 
@@ -32,7 +32,8 @@ mechanism! {
     }
 }
 
-/// The hand by its closed form, its Jacobian by differences, the force through the Jacobian, and the power of friction and force.
+/// Checks the hand against its closed form, its Jacobian by differences, the force through the Jacobian, and the power
+/// of friction and force.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = Arm::new(ArmParams::default())?;
     let x = SVector::from([0.456, -1.406, -0.991, -0.916, -0.815, -2.263_f64]);

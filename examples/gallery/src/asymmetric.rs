@@ -1,7 +1,7 @@
 //! # Asymmetric double pendulum, and two bodies on torsion springs
 //!
-//! Bodies of any mass, centre and inertia on two axles, with springs in both (reference 5). Without gravity, as when the axles
-//! are vertical, the springs alone bring it back.
+//! Bodies of any mass, centre and inertia on two axles, with springs in both (reference 5). Without gravity, as with
+//! vertical axles, only the springs restore it.
 
 use pendulum_core::prelude::*;
 
@@ -29,7 +29,7 @@ mechanism! {
     }
 }
 
-/// The modes about rest, with gravity and without, and the energy.
+/// Checks the modes about rest, with gravity and without, and the energy.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let params = AsymmetricParams::default();
     let AsymmetricParams {

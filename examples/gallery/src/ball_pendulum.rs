@@ -1,7 +1,7 @@
 //! # Double pendulum in space
 //!
-//! A rod and a board, one below the other, on two ball joints. Nothing turns them about the vertical, so the angular momentum about it is
-//! kept, beside the energy.
+//! A rod and a board, one below the other, on two ball joints. No torque acts about the vertical, so the angular
+//! momentum about it is conserved, and so is the energy.
 
 use nalgebra::Vector3;
 use pendulum_core::prelude::*;
@@ -25,25 +25,26 @@ mechanism! {
     }
 }
 
-/// The moments of inertia of rod and board.
+/// Moments of inertia of the rod.
 const ROD: [f64; 3] = [
     0.8 * (3.0 * 0.02 * 0.02 + 0.5 * 0.5) / 12.0,
     0.8 * (3.0 * 0.02 * 0.02 + 0.5 * 0.5) / 12.0,
     0.8 * 0.02 * 0.02 / 2.0,
 ];
+/// Moments of inertia of the board.
 const BOARD: [f64; 3] = [
     0.6 * (0.14 * 0.14 + 0.36 * 0.36) / 12.0,
     0.6 * (0.02 * 0.02 + 0.36 * 0.36) / 12.0,
     0.6 * (0.02 * 0.02 + 0.14 * 0.14) / 12.0,
 ];
 
-/// The angular momentum about the upper joint, body by body, by hand.
+/// Angular momentum about the upper joint, body by body, by hand.
 fn angular_momentum(x: &SVector<f64, 14>) -> Vector3<f64> {
     let rates = |at: usize| -> Vector3<f64> { x.fixed_rows::<3>(at).into_owned() };
     let rod = orientation(x, BallPendulum::A);
     let inward = orientation(x, BallPendulum::B);
     let board = rod * inward;
-    // angular velocities in the frames of the two, and in space
+    // angular velocities in body frames, and in space
     let first = rates(BallPendulum::DOT_A);
     let second = rates(BallPendulum::DOT_B) + inward.inverse() * first;
     let turns = [rod * first, board * second];
@@ -54,11 +55,11 @@ fn angular_momentum(x: &SVector<f64, 14>) -> Vector3<f64> {
     orbits + rod * Vector3::from(ROD).component_mul(&first) + board * Vector3::from(BOARD).component_mul(&second)
 }
 
-/// Energy and angular momentum, this also by the momentum along the upper joint, a motion in a plane by its closed form, and the
-/// Jacobian.
+/// Checks energy and angular momentum (also by the momentum along the upper joint), a planar motion against its closed
+/// form, and the Jacobian.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = BallPendulum::new(BallPendulumParams {})?;
-    // about y by these angles from the vertical, and their rates
+    // rotations about y by these angles from the vertical, and their rates
     let [a, b, da, db] = [0.7, -0.4, 2.0, -3.0_f64];
     let mut plane = SVector::from([0.0; 14]);
     for (at, angle) in [(BallPendulum::A, a), (BallPendulum::B, b - a)] {

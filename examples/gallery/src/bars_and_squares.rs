@@ -1,7 +1,7 @@
 //! # Double bar and double square
 //!
-//! Two equal rods end to end, and two equal square plates that hang by opposite corners (reference 6). Inertia follows from the
-//! solids.
+//! Two equal rods end to end, and two equal square plates that hang by opposite corners (reference 6). Inertia follows
+//! from the solids.
 
 use pendulum_core::prelude::*;
 
@@ -33,7 +33,7 @@ mechanism! {
     }
 }
 
-/// Inertia and frequencies in closed form, and the energy.
+/// Checks inertia and frequencies against closed forms, and the energy.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let bars = DoubleBar::new(DoubleBarParams::default())?;
     let squares = DoubleSquare::new(DoubleSquareParams::default())?;

@@ -1,7 +1,7 @@
 //! # Bennett's linkage
 //!
-//! Four hinges in a ring, no two of them parallel, and yet it moves: opposite links are equal, and the lengths are as the sines of the twists
-//! (Bennett 1903). What follows from the loop stands in the state.
+//! Four hinges in a ring, no two of them parallel, and yet it moves: opposite links are equal, and the lengths are
+//! proportional to the sines of the twists (Bennett 1903). The dependent angles are part of the state.
 
 use pendulum_core::prelude::*;
 
@@ -16,7 +16,8 @@ mechanism! {
         shape long { solids: [rod(1, [0, 0, 0], [0.8, 0, 0]), cylinder(0.2, 0.015, [0, 0, -0.08], [0, 0, 0.08])] }
         body frame on ground: long {}
         body first on frame: short {
-            joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0], coordinate: theta near 2, torque: drive, friction: gamma,
+            joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0],
+            coordinate: theta near 2, torque: drive, friction: gamma,
         }
         body second on first: long {
             joint: revolute(z) at [0.4, 0, 0] rpy [skew, 0, 0], coordinate: phi depends near 2,
@@ -32,7 +33,8 @@ mechanism! {
     }
 }
 
-/// Bennett's relation between neighbours, opposite angles, the end that is closed, the Jacobian, and the power of motor and friction.
+/// Checks Bennett's relation between neighbours, opposite angles, the closure of the loop, the Jacobian, and the power
+/// of motor and friction.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = Bennett::new(BennettParams::default())?;
     let BennettParams {
@@ -41,7 +43,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         drive,
         gamma,
     } = BennettParams::default();
-    // theta and its rate, with guesses of what follows
+    // theta and its rate, with guesses of the dependent angles
     let start = model.assemble(0.0, [2.0, 2.0, -2.0, 6.0])?;
     let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 2.05, start)?;
     let (mut relation, mut opposite, mut open) = (0.0, 0.0, 0.0);

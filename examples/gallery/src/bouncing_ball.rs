@@ -1,6 +1,6 @@
 //! # Bouncing ball
 //!
-//! A ball that rebounds with a part of its speed, infinitely often in a finite time: then it rolls on.
+//! A ball that rebounds with a fraction of its speed, infinitely often in a finite time; then it rolls on.
 
 use pendulum_core::prelude::*;
 
@@ -23,7 +23,7 @@ mechanism! {
     }
 }
 
-/// The law of each impact, the heights between, and when the ball has come to rest: a geometric series.
+/// Checks the law of each impact, the heights between impacts, and the time of rest: a geometric series.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let (height, along) = (1.0, 0.5);
     let BouncingBallParams { e } = BouncingBallParams::default();
@@ -47,7 +47,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     }
     let checks = vec![
         Check::same("times of impacts in s, and their law in m/s", &rates, &known.0, 1e-12),
-        // the polynomial of a long step rounds to some 1e-12 near its end
+        // rounding of the polynomial of a long step is some 1e-12 near its end
         Check::same("heights of the rebounds, in m", &tops, &known.1, 1e-11),
         Check::new("at rest from, in s", rested, rests, 1e-12),
         Check::new(

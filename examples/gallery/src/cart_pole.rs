@@ -24,7 +24,7 @@ mechanism! {
     }
 }
 
-/// Reference data to 20 digits, the tip by its closed form, and the power that friction takes.
+/// Checks reference data to 20 digits, the tip against its closed form, and the power of friction.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = CartPole::new(CartPoleParams {})?;
     let x = SVector::from([-1.678, -0.203, 0.297, 2.3_f64]);

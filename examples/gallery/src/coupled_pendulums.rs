@@ -25,7 +25,7 @@ mechanism! {
     }
 }
 
-/// The modes of the two, the Jacobian by differences, and the power of friction and of the field.
+/// Checks the modes of the two, the Jacobian by differences, and the power of friction and of the field.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let params = CoupledParams::default();
     let CoupledParams { m, l, k, moment, w, .. } = params;
@@ -34,7 +34,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         moment: 0.0,
         ..params
     })?;
-    // about rest: side by side as one rod; against each other with the spring at half of the length
+    // about rest: in phase like one rod; in antiphase with the spring at half of the length
     let (inertia, weight) = (m * l * l / 3.0, m * 9.81 * l / 2.0);
     let known = [weight / inertia, (weight + k * l * l / 2.0) / inertia].map(f64::sqrt);
     let model = Coupled::new(params)?;

@@ -1,7 +1,7 @@
 //! # Cubic spring and cubic damping
 //!
-//! Two sliders that are tied by springs whose force has a linear and a cubic part, and by dampers whose force grows with the cube of
-//! the rate (reference 10).
+//! Two sliders connected by springs whose force has a linear and a cubic part, and by dampers whose force is
+//! proportional to the cube of the rate (reference 10).
 
 use pendulum_core::prelude::*;
 
@@ -27,7 +27,7 @@ mechanism! {
     }
 }
 
-/// The equation by hand, and the power of the dampers: four times the dissipation.
+/// Checks the equation of motion by hand, and the power of the dampers: four times the dissipation.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = Cubic::new(CubicParams::default())?;
     let x = [0.3, -0.2, 0.8, -1.1];

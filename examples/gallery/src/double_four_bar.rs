@@ -1,7 +1,8 @@
 //! # Double four-bar linkage
 //!
-//! Three equal bars on the ground, tied by two others: the first of the IFToMM benchmarks of multibody programs, here hanging. All bars on
-//! the ground stay parallel; flat, the linkage would come apart in several ways, and its coordinate would no longer tell in which.
+//! Three equal bars on the ground, connected by two others: the first of the IFToMM benchmarks of multibody programs,
+//! here hanging. All bars on the ground stay parallel. In the flat configuration, a singularity, the linkage could
+//! continue in several ways, and its coordinate would not determine which.
 
 use pendulum_core::prelude::*;
 
@@ -27,7 +28,7 @@ mechanism! {
     }
 }
 
-/// Bars that stay parallel, the pendulum that they are together, the Jacobian, and the energy.
+/// Checks that bars stay parallel, the equivalent single pendulum, the Jacobian, and the energy.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = DoubleFourBar::new(DoubleFourBarParams::default())?;
     let solution = Vern9::new()

@@ -1,7 +1,7 @@
 //! # Pivot on a curve
 //!
-//! A double rigid pendulum whose pivot runs along a Lissajous curve (references 11 and 17), or, with `nx = ny = 1`, along an ellipse
-//! at a constant frequency of the drive (Section 6). The pivot takes no part of the state.
+//! A double rigid pendulum whose pivot follows a Lissajous curve (references 11 and 17), or, with `nx = ny = 1`, an
+//! ellipse at a constant frequency of the drive (Section 6). The pivot is not part of the state.
 
 use pendulum_core::prelude::*;
 
@@ -50,7 +50,7 @@ fn lagrange(params: &DrivenPivotParams, [ax, ay]: [f64; 2], x: &[f64; 4]) -> [f6
     solve_two(mass, [first, second])
 }
 
-/// Lagrange's equations on both curves, and the power of friction and of the pivot.
+/// Checks Lagrange's equations on both curves, and the power of friction and of the pivot.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let lissajous = DrivenPivotParams::default();
     let ellipse = DrivenPivotParams {

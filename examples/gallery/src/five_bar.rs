@@ -1,7 +1,7 @@
 //! # Five-bar with two motors
 //!
-//! The planar parallel robot: two cranks, each with a motor, carry one hand by two bars. Two degrees of freedom, and a hand without a motor
-//! on its way. The motors follow two angles like springs with dampers.
+//! The planar parallel robot: two cranks, each with a motor, carry one hand by two bars. It has two degrees of freedom,
+//! and no motor moves with the hand. The motors track two angles like springs with dampers.
 
 use pendulum_core::prelude::*;
 
@@ -30,7 +30,8 @@ mechanism! {
     }
 }
 
-/// The lengths of both bars from the place of the hand, the closed loop, the Jacobian, and the power of the motors.
+/// Checks the lengths of both bars from the position of the hand, the closed loop, the Jacobian, and the power of the
+/// motors.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = FiveBar::new(FiveBarParams::default())?;
     let solution = Vern9::new()

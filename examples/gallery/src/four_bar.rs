@@ -1,7 +1,7 @@
 //! # Four-bar linkage
 //!
-//! A crank that turns all the way, a coupler and a rocker: one loop, one degree of freedom, one coordinate in the state. The two other
-//! angles follow from it in closed form. A point of the coupler draws its curve.
+//! A crank with full rotation, a coupler and a rocker: one loop, one degree of freedom, one coordinate in the state.
+//! The two other angles follow from it in closed form. A point of the coupler draws its curve.
 
 use pendulum_core::prelude::*;
 
@@ -34,7 +34,8 @@ mechanism! {
     }
 }
 
-/// Freudenstein's equation between the angles of crank and rocker, the end that is closed, the Jacobian, and the power of friction.
+/// Checks Freudenstein's equation between the angles of crank and rocker, the closure of the loop, the Jacobian, and
+/// the power of friction.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = FourBar::new(FourBarParams::default())?;
     let solution = Vern9::new()

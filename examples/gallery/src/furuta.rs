@@ -24,12 +24,12 @@ mechanism! {
     }
 }
 
-/// Reference data to 20 digits, the tip by its closed form, and the power that friction takes.
+/// Checks reference data to 20 digits, the tip against its closed form, and the power of friction.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = Furuta::new(FurutaParams {})?;
     let x = SVector::from([0.356, -0.949, -2.975, -0.486_f64]);
     let known = [-0.271_240_908_178_652_4, 6.235_112_200_085_53];
-    // about y by phi, after about x by theta
+    // rotation about y by phi, after a rotation about x by theta
     let ((sp, cp), (st, ct)) = (x[0].sin_cos(), x[1].sin_cos());
     let [across, up, along] = [0.25, -0.28 * ct, -0.28 * st];
     let tip = [cp * across + sp * along, up, cp * along - sp * across];

@@ -1,14 +1,14 @@
 //! # Kapitza's pendulum
 //!
-//! A pendulum whose pivot is shaken up and down fast enough stands on its head: where `(a w)^2 > 2 g l` (P. L. Kapitza 1951), for
-//! small amplitudes `a` of the pivot.
+//! A pendulum whose pivot is shaken up and down fast enough is stable upright: if `(a w)^2 > 2 g l` (P. L. Kapitza
+//! 1951), for small amplitudes `a` of the pivot.
 
 use pendulum_core::prelude::*;
 
 use crate::{Check, Run};
 
 mechanism! {
-    /// A point mass on a rod without mass, below a pivot that is shaken.
+    /// A point mass on a massless rod, below a pivot that is shaken.
     pub Kapitza {
         params { m: kg = 0.3, l: m = 0.5, a: m = 0.01, w: rad/s = 400, gamma: N m s = 0.01 }
         gravity: [0, -9.81, 0],
@@ -22,13 +22,13 @@ mechanism! {
     }
 }
 
-/// Where it stands and where it falls, and the power of friction and of the pivot.
+/// Checks that it stands above the threshold and falls below it, and the power of friction and of the pivot.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let params = KapitzaParams::default();
     let KapitzaParams { l, a, w, gamma, .. } = params;
     let threshold = (2.0 * 9.81 * l).sqrt() / a;
     let upright = std::f64::consts::PI;
-    // from 0.05 rad beside the top: the largest angle from it within 6 s
+    // largest angle from upright within 6 s, starting at 0.05 rad
     let strays = |w: f64| -> Result<f64, Box<dyn std::error::Error>> {
         let model = Kapitza::new(KapitzaParams { w, ..params })?;
         let solution = Vern7::new()

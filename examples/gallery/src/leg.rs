@@ -1,14 +1,14 @@
 //! # Armour-plated leg
 //!
-//! A robot's leg of two irregular plates (Section 6): held by its hip, and swinging while the hip is carried along. A stop
-//! keeps the knee from bending forward. Mass, centre and inertia of the plates follow from their corners.
+//! A robot's leg of two irregular plates (Section 6): with a fixed hip, and swinging while the hip moves. A stop keeps
+//! the knee from bending forward. Mass, centre and inertia of the plates follow from their corners.
 
 use pendulum_core::prelude::*;
 
 use crate::{Check, Run, double_pendulum, impacts, larger};
 
 mechanism! {
-    /// Thigh and shank, two plates of one density, with friction in hip and knee. The hip moves at the speed `v`, and up and down.
+    /// Thigh and shank, two plates of one density with friction in hip and knee. The hip moves at `v`, and up and down.
     pub Leg {
         params {
             m1: kg = 3, m2: kg = 2, d: m = 0.42, gamma: N m s = 0.08, knee: N m = 9,
@@ -18,11 +18,15 @@ mechanism! {
         body carried on ground { joint: prismatic(x), motion: v*t }
         body hip on carried { joint: prismatic(y), motion: rise*sin(w*t) }
         body thigh on hip {
-            solids: [plate(m1, [[-0.08, 0.06], [-0.06, -0.3], [-0.03, -0.46], [0.05, -0.44], [0.1, -0.15], [0.07, 0.07]])],
+            solids: [
+                plate(m1, [[-0.08, 0.06], [-0.06, -0.3], [-0.03, -0.46], [0.05, -0.44], [0.1, -0.15], [0.07, 0.07]]),
+            ],
             joint: revolute(z), coordinate: theta1 absolute, friction: gamma,
         }
         body shank on thigh {
-            solids: [plate(m2, [[-0.05, 0.05], [-0.07, -0.12], [-0.03, -0.4], [0.14, -0.43], [0.04, -0.33], [0.05, 0.04]])],
+            solids: [
+                plate(m2, [[-0.05, 0.05], [-0.07, -0.12], [-0.03, -0.4], [0.14, -0.43], [0.04, -0.33], [0.05, 0.04]]),
+            ],
             joint: revolute(z) at [0, -d, 0], coordinate: theta2 absolute, friction: gamma, spring: (knee, -0.3),
             stop: [-2.4, -0.02] restitution(0.2),
         }
@@ -31,7 +35,7 @@ mechanism! {
     }
 }
 
-/// Area, centre and inertia about the centre of a polygon of unit mass, summed over its triangles from one corner.
+/// Centre of mass and inertia about it of a polygon of unit mass, summed over its triangles from one corner.
 fn polygon(corners: &[[f64; 2]]) -> ([f64; 2], f64) {
     let (mut area, mut first, mut second) = (0.0, [0.0; 2], 0.0);
     let origin = corners[0];
@@ -50,8 +54,8 @@ fn polygon(corners: &[[f64; 2]]) -> ([f64; 2], f64) {
     ([origin[0] + com[0], origin[1] + com[1]], about_com)
 }
 
-/// The plates by their triangles, the leg as held against the formula, the stop of the knee, and the power of friction and
-/// of the hip.
+/// Checks the plates by their triangles, the leg with a fixed hip against the formula, the stop of the knee, and the
+/// power of friction and of the hip.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let thigh = [
         [-0.08, 0.06],
@@ -79,7 +83,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         ..Default::default()
     };
     let held = Leg::new(params)?;
-    // angles of the lines from the axles to the centres of mass; the knee lies on the thigh's own line
+    // angles of the lines from the joints to the centres of mass; the knee lies on the thigh's own line
     let (alpha1, alpha2) = (x1.atan2(-y1), x2.atan2(-y2));
     let (c1, c2, d) = (x1.hypot(y1), x2.hypot(y2), 0.42);
     let straight = Leg::new(params)?.kinetic(0.0, &[-alpha1, -alpha2, 1.0, 0.0].into());

@@ -1,5 +1,5 @@
-//! Mechanisms of the paper (H. Williams, Forces in Mechanics 2023), of its references, and beyond: each declared in a few
-//! lines, checked against something independent, and drawn.
+//! Mechanisms of the paper (H. Williams, Forces in Mechanics 2023), of its references, and beyond: each is declared in
+//! a few lines, checked against independent results, and drawn.
 #![forbid(unsafe_code)]
 
 use std::error::Error;
@@ -45,14 +45,14 @@ pub mod two_bodies;
 
 pub use page::page;
 
-/// A system of the gallery.
+/// System of the gallery.
 #[derive(Clone, Copy, Debug)]
 pub struct System {
-    /// The name of its file.
+    /// Name of its file.
     pub name: &'static str,
-    /// Its file: the text, the declarations, the checks.
+    /// Contents of its file: the text, the declarations, the checks.
     pub source: &'static str,
-    /// Integrates and checks it.
+    /// Integrates and checks the system.
     pub run: fn() -> Result<Run, Box<dyn Error>>,
 }
 
@@ -99,18 +99,19 @@ pub const SYSTEMS: &[System] = systems![
     rods_and_wall,
 ];
 
-/// What came out.
+/// Result of a run.
 pub struct Run {
-    /// What was compared.
+    /// Comparisons with known results.
     pub checks: Vec<Check>,
     draw: Draw,
 }
 
-/// Draws the motion into the files of a stem: a picture, and an animation if that is wanted.
+/// Draws the motion into files with a given stem: a picture, and optionally an animation.
 type Draw = Box<dyn Fn(&Path, bool) -> Result<Vec<PathBuf>, Box<dyn Error>>>;
 
 impl Run {
-    /// The checks, and the balance of power along a motion of a model; `powers` are those of all that has no potential.
+    /// Adds the power balance along a motion to the checks; `powers` lists the powers of all forces without a
+    /// potential.
     fn new<M, const N: usize>(
         mut checks: Vec<Check>,
         model: M,
@@ -138,13 +139,13 @@ impl Run {
         })
     }
 
-    /// Writes the picture to a stem, with the animation if that is wanted, and says where.
+    /// Writes the picture to a stem, optionally with the animation, and returns the paths.
     pub fn draw(&self, stem: &Path, animate: bool) -> Result<Vec<PathBuf>, Box<dyn Error>> {
         (self.draw)(stem, animate)
     }
 }
 
-/// A number beside what is known of it.
+/// Number compared with its known value.
 #[derive(Clone, Debug)]
 pub struct Check {
     what: String,
@@ -164,7 +165,7 @@ impl Check {
         }
     }
 
-    /// The largest difference of two lists.
+    /// Compares two lists by their largest difference.
     fn same(what: impl Into<String>, found: &[f64], known: &[f64], within: f64) -> Self {
         let pairs = found.iter().zip(known);
         let largest = pairs.fold(0.0, |largest, (found, known)| larger(largest, (found - known).abs()));
@@ -172,7 +173,7 @@ impl Check {
         Self::new(what, complete, 0.0, within)
     }
 
-    /// Whether the two agree.
+    /// True if the two agree.
     pub fn holds(&self) -> bool {
         (self.found - self.known).abs() <= self.within
     }
@@ -202,8 +203,8 @@ fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
-/// What is left of d(energy)/dt less the powers, at its largest along a motion, in the largest term of either: the share of each
-/// component of the state in d(energy)/dt is one, so that a body which keeps its energy has terms as well.
+/// Largest residual of d(energy)/dt minus the powers along a motion, relative to the largest term. Each component of
+/// the state contributes its own term to d(energy)/dt, so that there are terms even if the energy is conserved.
 fn balance<M, const N: usize>(
     model: &M,
     solution: &Solution<f64, N>,
@@ -213,7 +214,7 @@ where
     M: pendulum_core::System<f64, N> + Cast<N>,
     M::In<Dual<f64, 1>>: Energy<Dual<f64, 1>, N>,
 {
-    /// Times at which it is taken.
+    /// Number of sample times.
     const SAMPLES: usize = 100;
     let dual = model.cast::<Dual<f64, 1>>();
     let (start, end) = (solution.t()[0], solution.last().0);
@@ -222,10 +223,10 @@ where
         let part = n as f64 / SAMPLES as f64;
         let t = (1.0 - part) * start + part * end;
         let mut x = solution.at(t)?;
-        // between the steps it is as far from there as the dense output is from the motion
+        // between steps, the dense output satisfies the constraints only up to its error
         model.project(t, &mut x);
         let rate = model.rhs(t, &x);
-        // that of the time is the last
+        // the last share is the explicit dependence on time
         let share = |of: usize| {
             let along = |k: usize, value: f64, slope: f64| Dual {
                 value,
@@ -247,12 +248,12 @@ where
     Ok(residual / largest)
 }
 
-/// The rotation from body to parent of the orientation at a place in a state.
+/// Rotation from body to parent, given the index of the orientation in the state.
 fn orientation<const N: usize>(x: &SVector<f64, N>, at: usize) -> Rotation3<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(x[at], x[at + 1], x[at + 2], x[at + 3])).to_rotation_matrix()
 }
 
-/// The impacts of a motion: their times, and the states before and after.
+/// Impacts of a motion: their times, and the states before and after.
 fn impacts<const N: usize>(
     solution: &Solution<f64, N>,
 ) -> impl Iterator<Item = (f64, SVector<f64, N>, SVector<f64, N>)> {
@@ -261,7 +262,7 @@ fn impacts<const N: usize>(
     impacts.map(|((t, before), (_, after))| (t, *before, *after))
 }
 
-/// The Jacobian against extrapolated differences.
+/// Compares the Jacobian with extrapolated differences.
 fn jacobian_by_differences<M: Jacobian<f64, N>, const N: usize>(model: &M, t: f64, x: [f64; N]) -> Check {
     let x = SVector::from(x);
     let mut by_differences: SMatrix<f64, N, N> = SMatrix::zeros();
@@ -279,7 +280,7 @@ fn jacobian_by_differences<M: Jacobian<f64, N>, const N: usize>(model: &M, t: f6
     Check::new("Jacobian by differences, in its largest entry", error, 0.0, 1e-9)
 }
 
-/// Imaginary parts of eigenvalues: the angular frequencies of the modes about a state, from the lowest on.
+/// Angular frequencies of the modes about a state (imaginary parts of eigenvalues), in ascending order.
 fn frequencies<M: Jacobian<f64, N>, const N: usize>(model: &M, x: [f64; N]) -> Result<Vec<f64>, Box<dyn Error>> {
     let spectrum = pendulum_core::stability::Spectrum::of(&model.jacobian(0.0, &SVector::from(x)))?;
     let mut frequencies: Vec<f64> = spectrum
@@ -291,7 +292,7 @@ fn frequencies<M: Jacobian<f64, N>, const N: usize>(model: &M, x: [f64; N]) -> R
     Ok(frequencies)
 }
 
-/// The frequencies of `M x'' + K x = 0` for two coordinates, from the lower on.
+/// Frequencies of `M x'' + K x = 0` for two coordinates, in ascending order.
 fn two_modes([[m11, m12], [_, m22]]: [[f64; 2]; 2], [[k11, k12], [_, k22]]: [[f64; 2]; 2]) -> [f64; 2] {
     // det(K - w^2 M) = a w^4 - b w^2 + c
     let (a, b, c) = (
@@ -303,8 +304,9 @@ fn two_modes([[m11, m12], [_, m22]]: [[f64; 2]; 2], [[k11, k12], [_, k22]]: [[f6
     [(b - root) / (2.0 * a), (b + root) / (2.0 * a)].map(f64::sqrt)
 }
 
-/// Accelerations of a compound double pendulum without friction, in absolute angles: body 1 of inertia `i1` about its centre of mass,
-/// which lies `c1` from its axle and `alpha1` ahead of its angle, and so body 2, whose axle lies `d` below the first along body 1.
+/// Accelerations of a compound double pendulum without friction, in absolute angles. Body 1 has inertia `i1` about its
+/// centre of mass, which lies `c1` from its joint and `alpha1` ahead of its angle; likewise body 2, whose joint lies
+/// `d` below the first along body 1.
 fn double_pendulum(
     [m1, c1, i1, alpha1]: [f64; 4],
     [m2, c2, i2, alpha2]: [f64; 4],
@@ -320,7 +322,7 @@ fn double_pendulum(
     solve_two(mass, [first, second])
 }
 
-/// The accelerations of two coordinates, from the entries `m11, m12, m22` of their mass matrix and the forces on them.
+/// Accelerations of two coordinates, from the entries `m11, m12, m22` of their mass matrix and the forces on them.
 fn solve_two([m11, m12, m22]: [f64; 3], [first, second]: [f64; 2]) -> [f64; 2] {
     let determinant = m11 * m22 - m12 * m12;
     [

@@ -1,7 +1,7 @@
 //! # Magnets in both bodies
 //!
-//! A double pendulum with a magnet at the end of each body, above two magnets that are fixed (reference 18). The potential of a pair
-//! of magnets falls with the cube of their distance.
+//! A double pendulum with a magnet at the end of each body, above two fixed magnets (reference 18). The potential of a
+//! pair of magnets decreases with the cube of their distance.
 
 use pendulum_core::prelude::*;
 
@@ -26,7 +26,7 @@ mechanism! {
     }
 }
 
-/// The Jacobian by differences, the slope of the potential, and the power that friction takes.
+/// Checks the Jacobian by differences, the slope of the potential, and the power of friction.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = Magnets::new(MagnetsParams::default())?;
     let checks = vec![jacobian_by_differences(&model, 0.0, [0.4, -0.3, 1.0, -2.0])];

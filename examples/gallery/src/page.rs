@@ -1,15 +1,17 @@
-//! The page of the gallery in the book.
+//! Gallery page of the book.
 
 use std::fmt::Write;
 
 use crate::{SYSTEMS, System};
 
-/// The page: for each system its text, its picture and its declarations.
+/// Formats the page: for each system its text, its picture and its declarations.
 pub fn page() -> String {
     let mut page = String::from(
         "# Gallery\n\n\
-         Mechanisms of the paper (H. Williams, Forces in Mechanics 2023), of its references, and beyond. `cargo run --release -p \
-         gallery`\nchecks each of them and draws it into `out/gallery/`; `--animate` makes GIFs as well. Each name leads to its file, \
+        Mechanisms of the paper (H. Williams, Forces in Mechanics 2023), of its references, and beyond. \
+         `cargo run --release -p \
+         gallery`\nchecks each of them and draws it into `out/gallery/`; `--animate` makes GIFs as well. Each name \
+         leads to its file, \
          with the checks.\n",
     );
     for system in SYSTEMS {
@@ -28,7 +30,7 @@ pub fn page() -> String {
 }
 
 impl System {
-    /// The title and the text of its file.
+    /// Title and text of the file.
     fn text(&self) -> (&'static str, String) {
         let mut lines = self.source.lines().map_while(|line| line.strip_prefix("//!"));
         let title = lines.next().map_or("", |line| line.trim_start_matches([' ', '#']));
@@ -36,7 +38,7 @@ impl System {
         (title, text.join("\n"))
     }
 
-    /// Its declarations, as they stand in its file.
+    /// Source text of its declarations.
     pub fn declarations(&self) -> Vec<&'static str> {
         let starts = self
             .source

@@ -1,7 +1,7 @@
 //! # Point masses on a double pendulum
 //!
-//! Two masses on rods without mass, the double pendulum of the textbooks (references 1 and 2 of the paper). From (2, 2.5) rad it
-//! is chaotic.
+//! Two masses on massless rods, the double pendulum of the textbooks (references 1 and 2 of the paper). From (2, 2.5)
+//! rad it is chaotic.
 
 use pendulum_core::prelude::*;
 use pendulum_core::stability::Lyapunov;
@@ -9,7 +9,7 @@ use pendulum_core::stability::Lyapunov;
 use crate::{Check, Run, double_pendulum};
 
 mechanism! {
-    /// Two point masses on rods without mass.
+    /// Two point masses on massless rods.
     pub PointMasses {
         params { m1: kg = 1, m2: kg = 1, l1: m = 1, l2: m = 1, g: m/s^2 = 9.81 }
         gravity: [0, -g, 0],
@@ -24,7 +24,7 @@ mechanism! {
     }
 }
 
-/// The known formula, the largest Lyapunov exponent, and the energy.
+/// Checks the known formula, the largest Lyapunov exponent, and the energy.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let params = PointMassesParams {
         m2: 0.7,

@@ -1,7 +1,7 @@
 //! # Quadruped that leaps
 //!
-//! A trunk and four legs of two hinges each, in the air: 14 degrees of freedom. Torques in the joints make the legs paddle. They
-//! move the centre of mass from its parabola as little as they change the angular momentum about it.
+//! A trunk and four legs of two hinges each, in the air: 14 degrees of freedom. Torques in the joints make the legs
+//! paddle. They change neither the parabola of the centre of mass nor the angular momentum about it.
 
 use nalgebra::Vector3;
 use pendulum_core::prelude::*;
@@ -22,19 +22,23 @@ mechanism! {
         body thigh1 on trunk: thigh {
             joint: revolute(y) at [0.2, 0.1, 0], coordinate: hip1, spring: (k, 0.5), friction: c, torque: beat,
         }
-        body shin1 on thigh1: shin { joint: revolute(y) at [0, 0, -0.2], coordinate: knee1, spring: (k, -1), friction: c }
+        body shin1 on thigh1: shin { joint: revolute(y) at [0, 0, -0.2], coordinate: knee1,
+            spring: (k, -1), friction: c }
         body thigh2 on trunk: thigh {
             joint: revolute(y) at [0.2, -0.1, 0], coordinate: hip2, spring: (k, 0.5), friction: c, torque: -beat,
         }
-        body shin2 on thigh2: shin { joint: revolute(y) at [0, 0, -0.2], coordinate: knee2, spring: (k, -1), friction: c }
+        body shin2 on thigh2: shin { joint: revolute(y) at [0, 0, -0.2], coordinate: knee2,
+            spring: (k, -1), friction: c }
         body thigh3 on trunk: thigh {
             joint: revolute(y) at [-0.2, 0.1, 0], coordinate: hip3, spring: (k, 0.5), friction: c, torque: -beat,
         }
-        body shin3 on thigh3: shin { joint: revolute(y) at [0, 0, -0.2], coordinate: knee3, spring: (k, -1), friction: c }
+        body shin3 on thigh3: shin { joint: revolute(y) at [0, 0, -0.2], coordinate: knee3,
+            spring: (k, -1), friction: c }
         body thigh4 on trunk: thigh {
             joint: revolute(y) at [-0.2, -0.1, 0], coordinate: hip4, spring: (k, 0.5), friction: c, torque: beat,
         }
-        body shin4 on thigh4: shin { joint: revolute(y) at [0, 0, -0.2], coordinate: knee4, spring: (k, -1), friction: c }
+        body shin4 on thigh4: shin { joint: revolute(y) at [0, 0, -0.2], coordinate: knee4,
+            spring: (k, -1), friction: c }
         point foot1 on shin1 at [0, 0, -0.2], point foot2 on shin2 at [0, 0, -0.2],
         point foot3 on shin3 at [0, 0, -0.2], point foot4 on shin4 at [0, 0, -0.2],
         output foot1: foot1, output foot2: foot2, output foot3: foot3, output foot4: foot4,
@@ -42,14 +46,15 @@ mechanism! {
     }
 }
 
-/// Masses of the trunk, a thigh and a shin.
+/// Mass of the trunk.
 const TRUNK: f64 = 4.0;
+/// Masses of a thigh and a shin.
 const ROD: [f64; 2] = [0.3, 0.15];
 
-/// A mass point: its mass, place and velocity.
+/// Point mass: its mass, position and velocity.
 type Mass = (f64, Vector3<f64>, Vector3<f64>);
 
-/// The positions and rates of hips and knees, leg by leg.
+/// Indices of the positions and rates of hip and knee, leg by leg.
 const LEGS: [[usize; 4]; 4] = [
     [
         Quadruped::HIP1,
@@ -77,7 +82,7 @@ const LEGS: [[usize; 4]; 4] = [
     ],
 ];
 
-/// Where the legs begin.
+/// Positions of the hips on the trunk.
 const HIPS: [[f64; 3]; 4] = [[0.2, 0.1, 0.0], [0.2, -0.1, 0.0], [-0.2, 0.1, 0.0], [-0.2, -0.1, 0.0]];
 
 /// Hip, knee and foot of a leg, with their velocities, by hand.
@@ -90,7 +95,7 @@ fn leg(x: &SVector<f64, 29>, n: usize) -> [(Vector3<f64>, Vector3<f64>); 3] {
         three(Quadruped::DOT_P_X),
         three(Quadruped::DOT_O),
     );
-    // along a rod, about y by this angle and at this rate, in the frame of the trunk
+    // direction of a rod, and its rate, for a rotation about y, in the frame of the trunk
     let along = |angle: f64, rate: f64| {
         let (sine, cosine) = angle.sin_cos();
         [
@@ -107,7 +112,7 @@ fn leg(x: &SVector<f64, 29>, n: usize) -> [(Vector3<f64>, Vector3<f64>); 3] {
     [first, second, third].map(|(at, rate)| (place + turned * at, velocity + turned * (spin.cross(&at) + rate)))
 }
 
-/// All masses as points; a thin rod is as one of two thirds of its mass in the middle and one of a sixth at each end.
+/// All masses as points; a thin rod is equivalent to two thirds of its mass in the middle and one sixth at each end.
 fn masses(x: &SVector<f64, 29>) -> Vec<Mass> {
     let mut masses = Vec::new();
     for n in 0..4 {
@@ -120,7 +125,7 @@ fn masses(x: &SVector<f64, 29>) -> Vec<Mass> {
     masses
 }
 
-/// The centre of mass, its velocity, and the angular momentum about it.
+/// Centre of mass, its velocity, and the angular momentum about it.
 fn whole(x: &SVector<f64, 29>) -> [Vector3<f64>; 3] {
     let three = |at: usize| -> Vector3<f64> { x.fixed_rows::<3>(at).into_owned() };
     let mut masses = masses(x);
@@ -135,8 +140,8 @@ fn whole(x: &SVector<f64, 29>) -> [Vector3<f64>; 3] {
     [centre, velocity, orbits + spin]
 }
 
-/// The parabola of the centre of mass and the angular momentum about it, both with all masses by hand, the feet, and the power of the
-/// joints.
+/// Checks the parabola of the centre of mass and the angular momentum about it, both with all masses by hand, the feet,
+/// and the power of the joints.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let params = QuadrupedParams::default();
     let model = Quadruped::new(params)?;

@@ -1,14 +1,14 @@
 //! # Rocking block
 //!
 //! A slender block that slides along smooth ground and rocks from corner to corner (on rough ground: G. W. Housner
-//! 1963). At each impact the next corner stops dead, and the one on which the block turned lifts off.
+//! 1963). At each impact the next corner comes to rest, and the pivot corner lifts off.
 
 use pendulum_core::prelude::*;
 
 use crate::{Check, Run, impacts, larger};
 
 mechanism! {
-    /// A block of the half width `b` and the half height `h` on smooth ground.
+    /// A block of half width `b` and half height `h` on smooth ground.
     pub RockingBlock {
         params { b: m = 0.08, h: m = 0.25 }
         gravity: [0, -9.81, 0],
@@ -27,11 +27,12 @@ mechanism! {
     }
 }
 
-/// The first impact, the rate of turning after each in closed form, and when the block stands, by quadrature.
+/// Checks the first impact, the angular velocity after each impact in closed form, and the time at which the block
+/// stands, by quadrature.
 ///
-/// Before an impact the block turns at the rate `w` on a corner, so its centre rises at `b w`. The impulse `P` at the
-/// other corner makes that `b w + P/m`, and the rate `w' = w + b P/I`; it stops the corner, `b w + P/m + b w' = 0`. So
-/// `w' = w (I - m b^2) / (I + m b^2)`.
+/// Before an impact the block rotates at the rate `w` on a corner, so its centre rises at `b w`. The impulse `P` at the
+/// other corner changes this to `b w + P/m`, and the rate to `w' = w + b P/I`; it stops the corner,
+/// `b w + P/m + b w' = 0`. So `w' = w (I - m b^2) / (I + m b^2)`.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let RockingBlockParams { b, h } = RockingBlockParams::default();
     let model = RockingBlock::new(RockingBlockParams { b, h })?;
@@ -43,12 +44,12 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let fallen = start[1] - h;
     let mut known = -(2.0 * 9.81 * fallen / (inertia + b * b)).sqrt();
     let mut error = 0.0;
-    // up to where the rates are as small as what their errors leave
+    // until the rates are as small as their errors
     for (_, before, after) in impacts(&solution).take(20) {
         error = larger(error, (before[5] - known).abs());
         known *= (inertia - b * b) / (inertia + b * b);
         error = larger(error, (after[5] - known).abs());
-        // There and back on this corner.
+        // the same rate back at the end of the rebound
         known = -known;
     }
     let &(stands, mode) = solution.modes().last().ok_or("no mode")?;
@@ -63,7 +64,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
             0.0,
             1e-11,
         ),
-        // the least rebounds rise by 1e-13 m: what rounds a gap moves them by so long
+        // the last rebounds rise by 1e-13 m, so rounding of the gap shifts the time by this much
         Check::new("stands from, in s", stands, stands_from(b, h, tilt), 1e-11),
         Check::new(
             "on both corners at the end (1: yes)",
@@ -88,20 +89,20 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     Run::new(checks, model, solution, |_, _| Vec::new(), |drawing| drawing)
 }
 
-/// When a block that starts from a tilt has come to rest.
+/// Time at which a block that starts from a tilt comes to rest.
 ///
-/// By its energy it falls from the tilt `p` in the integral of `dphi / w`, where
-/// `w^2 (I + m y'^2) = 2 m g (y(p) - y(phi))` with the height `y = b sin(phi) + h cos(phi)`; every rise takes as
-/// long as the next fall. What is slow turns in times that shrink as the rates do: a geometric series.
+/// By conservation of energy, the fall from the tilt `p` takes the integral of `dphi / w`, where
+/// `w^2 (I + m y'^2) = 2 m g (y(p) - y(phi))` with the height `y = b sin(phi) + h cos(phi)`; every rise takes as long
+/// as the next fall. For small rates, the durations decrease in proportion to the rates: a geometric series.
 fn stands_from(b: f64, h: f64, tilt: f64) -> f64 {
     const PARTS: u32 = 200;
-    // Gauss's two places in each part
+    // the two Gauss points of each part
     let places = [0.5 - 0.5 / 3.0_f64.sqrt(), 0.5 + 0.5 / 3.0_f64.sqrt()];
     let inertia = (b * b + h * h) / 3.0;
     let (kept, g) = ((inertia - b * b) / (inertia + b * b), 9.81);
     let energy = |tilt: f64| g * (b * tilt.sin() - 2.0 * h * (0.5 * tilt).sin().powi(2));
     let fall = |tilt: f64| {
-        // equal parts of the root of what is left, in which the integrand is smooth
+        // equal parts of the square root of the remaining tilt, in which the integrand is smooth
         let at = |place: f64| {
             let root = place / f64::from(PARTS);
             let phi = tilt * (1.0 - root * root);

@@ -27,7 +27,7 @@ mechanism! {
     }
 }
 
-/// The law of each impact, the gaps, and the energy: constant but for impacts, which take some.
+/// Checks the law of each impact, the gaps, and the energy, which is constant except for losses at impacts.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     const END: f64 = 4.0;
     let params = RodsAndWallParams::default();
@@ -38,7 +38,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let (mut law, mut lost) = (0.0, 0.0);
     for (t, before, after) in impacts(&solution) {
         for ([gap, approach], [_, leave]) in gaps(t, &before).into_iter().zip(gaps(t, &after)) {
-            // The last of a series of rebounds ends it.
+            // The last rebound of a series ends in contact.
             if gap < 1e-12 && approach < 0.0 && leave > 0.0 {
                 law = larger(law, (leave + params.e * approach).abs());
             }

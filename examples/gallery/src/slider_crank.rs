@@ -1,7 +1,7 @@
 //! # Slider-crank
 //!
-//! The engine: crank, rod and piston, with friction of the piston on its way. The length at which the piston stands follows from the
-//! angle of the crank.
+//! The engine: crank, rod and piston, with friction of the piston in its cylinder. The position of the piston follows
+//! from the angle of the crank.
 
 use pendulum_core::prelude::*;
 
@@ -31,7 +31,7 @@ mechanism! {
     }
 }
 
-/// Place and speed of the piston from the angle of the crank, the Jacobian, and the power of friction.
+/// Checks position and speed of the piston from the angle of the crank, the Jacobian, and the power of friction.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = SliderCrank::new(SliderCrankParams::default())?;
     let solution = Vern9::new()

@@ -1,14 +1,14 @@
 //! # Body on a damped spring
 //!
-//! A rigid plate that hangs on a spring with a damper and is shaken by a force at the frequency `w` (references 7, 8 and 9). Straight
-//! below the hook it is a linear oscillator.
+//! A rigid plate that hangs on a spring with a damper and is shaken by a force at the frequency `w` (references 7, 8
+//! and 9). Straight below the hook it is a linear oscillator.
 
 use pendulum_core::prelude::*;
 
 use crate::{Check, Run};
 
 mechanism! {
-    /// A plate on a damped spring, free to move and to turn in the plane.
+    /// A plate on a damped spring, free to move and to rotate in the plane.
     pub SpringSuspended {
         params {
             m: kg = 1, a: m = 0.3, b: m = 0.2, rest: m = 0.6,
@@ -30,7 +30,7 @@ mechanism! {
     }
 }
 
-/// The amplitude in resonance and beside it, and the power of damper and force.
+/// Checks the amplitude at resonance and beside it, and the power of damper and force.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let params = SpringSuspendedParams::default();
     let SpringSuspendedParams { m, rest, k, c, f, .. } = params;
@@ -40,7 +40,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         let model = SpringSuspended::new(SpringSuspendedParams { w, ..params })?;
         let start = [0.0, -still, 0.0, 0.0, 0.0, 0.0];
         let solution = Vern9::new().rtol(1e-11).atol(1e-11).solve(&model, 0.0, 80.0, start)?;
-        // the coefficients of cosine and sine over the last whole periods
+        // Fourier coefficients over the last whole periods
         let (periods, samples) = (4.0, 400);
         let span = periods * std::f64::consts::TAU / w;
         let (mut cosine, mut sine) = (0.0, 0.0);

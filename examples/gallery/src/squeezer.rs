@@ -1,14 +1,15 @@
 //! # Andrews' squeezing mechanism
 //!
-//! Seven bodies, three loops, and one degree of freedom: the benchmark of multibody programs (Schiehlen 1990; IVP test set, release 2.4). A
-//! motor on the smallest body drives it. All three loops are triangles, one after the other, so two numbers are its state.
+//! Seven bodies, three loops, and one degree of freedom: the benchmark of multibody programs (Schiehlen 1990; IVP test
+//! set, release 2.4). A motor on the smallest body drives it. All three loops are triangles, one after another, so its
+//! state has two numbers.
 
 use pendulum_core::prelude::*;
 
 use crate::{Check, Run, larger};
 
 mechanism! {
-    /// As published: the names of the angles are those of the test set.
+    /// Data as published, with the angle names of the test set.
     pub Squeezer {
         body k1 on ground { mass: 0.04325, com: [0.00092, 0, 0], inertia: 2.194e-6,
             joint: revolute(z), coordinate: beta near -0.0617, torque: 0.033 }
@@ -36,9 +37,9 @@ mechanism! {
     }
 }
 
-/// The end of the published motion, the closed loops, the Jacobian, and the power of the motor.
+/// Checks the end of the published motion, the closed loops, the Jacobian, and the power of the motor.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
-    /// beta, gamma, delta and phi at 0.03 s; those of the test set are right to ten digits.
+    /// Angles beta, gamma, delta and phi at 0.03 s; the test set gives them to ten digits.
     const END: [f64; 4] = [
         15.810_771_195_153_71,
         0.040_822_240_119_645_8,

@@ -1,7 +1,7 @@
 //! # Block on a belt
 //!
-//! A belt drags a block until its spring pulls harder than friction can hold; the block slips back and is caught again,
-//! as strings are under the bow. Where friction is larger at rest, this never ends.
+//! A belt drags a block until its spring pulls harder than friction can hold; the block slips back and sticks again,
+//! like a string under the bow. If static friction exceeds kinetic friction, this never ends.
 
 use std::f64::consts::PI;
 
@@ -26,7 +26,7 @@ mechanism! {
     }
 }
 
-/// The limit cycle in closed form, and the power of friction and of the belt.
+/// Checks the limit cycle against its closed form, and the power of friction and of the belt.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     const PERIODS: usize = 8;
     let params = StickSlipParams::default();
@@ -37,8 +37,8 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         slipping,
         sticking,
     } = params;
-    // It slips where the spring pulls with `sticking`, swings about the place where that is `slipping`, and has the
-    // speed of the belt again as far beyond it.
+    // It slips where the spring force reaches `sticking`, oscillates about the position where that is `slipping`, and
+    // reaches the speed of the belt again at the same distance beyond it.
     let (w, beyond) = ((k / m).sqrt(), (sticking - slipping) / k);
     let slips_for = (PI + 2.0 * (v / w / beyond).atan()) / w;
     let sticks_for = 2.0 * beyond / v;

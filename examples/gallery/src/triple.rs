@@ -27,7 +27,7 @@ mechanism! {
     }
 }
 
-/// The state after 5 s of independent integration to 24 digits, and the power that friction takes.
+/// Checks the state after 5 s against independent integration to 24 digits, and the power of friction.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = Triple::new(TripleParams {})?;
     let solution = Vern9::new()

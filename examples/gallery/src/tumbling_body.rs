@@ -1,7 +1,8 @@
 //! # Tumbling handle
 //!
-//! A T-handle that floats in space and spins about its stem turns over, again and again: of its three moments of inertia that about the stem
-//! is the middle one (the theorem of the tennis racket). The time between two turns has a closed form.
+//! A T-handle that floats in space and spins about its stem flips over, again and again: of its three moments of
+//! inertia, the one about the stem is the intermediate one (tennis racket theorem). The time between two flips has a
+//! closed form.
 
 use nalgebra::Vector3;
 use pendulum_core::prelude::*;
@@ -22,13 +23,16 @@ mechanism! {
     }
 }
 
-/// The mass of the stem and of the bar, their lengths, the radius of both, and where the centre of mass is along the stem.
+/// Masses of the stem and of the bar, in kg.
 const MASSES: [f64; 2] = [0.1, 0.3];
+/// Lengths of the stem and of the bar, in m.
 const LENGTHS: [f64; 2] = [0.08, 0.2];
+/// Radius of both, in m.
 const RADIUS: f64 = 0.01;
+/// Position of the centre of mass along the stem, in m.
 const CENTRE: f64 = 0.01;
 
-/// The moments of inertia about the centre of mass.
+/// Moments of inertia about the centre of mass.
 fn inertia() -> Vector3<f64> {
     let along = MASSES.map(|m| m * RADIUS.powi(2) / 2.0);
     let across = [0, 1].map(|k| MASSES[k] * (3.0 * RADIUS.powi(2) + LENGTHS[k].powi(2)) / 12.0);
@@ -40,8 +44,8 @@ fn inertia() -> Vector3<f64> {
     )
 }
 
-/// The time in which the rate about the middle axis goes through half of its cycle: `2 K` in the units of Landau and Lifshitz,
-/// Mechanics, §37, with moments of inertia and rates along the axes from the least moment on.
+/// Half of the period of the rate about the intermediate axis: `2 K` in the units of Landau and Lifshitz, Mechanics,
+/// §37, for moments of inertia and rates along the axes in ascending order of the moments.
 fn between_turns(inertia: [f64; 3], rates: [f64; 3]) -> f64 {
     // M^2 - 2 E I
     let beyond = |moment: f64| -> f64 {
@@ -63,7 +67,8 @@ fn between_turns(inertia: [f64; 3], rates: [f64; 3]) -> f64 {
     std::f64::consts::PI / a * (least * middle * most / pace).sqrt()
 }
 
-/// What is kept, the straight way of the centre of mass, the time between two turns by its closed form, and the Jacobian.
+/// Checks the conserved quantities, the straight path of the centre of mass, the time between two flips against its
+/// closed form, and the Jacobian.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = TumblingBody::new(TumblingBodyParams {})?;
     let (inertia, centre) = (inertia(), Vector3::new(CENTRE, 0.0, 0.0));
@@ -111,7 +116,8 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         model,
         solution,
         |_, _| Vec::new(),
-        // a quarter of the motion takes little more than a turn: the stem points up and down by turns, and the bar across the view
+        // a quarter of the motion is little more than a turn: the stem points alternately up and down, and the bar
+        // across the view
         |drawing| drawing.seen_from([0.15, 0.35, 1.0], [0.0, 1.0, 0.0]).ghosts(4),
     )
 }

@@ -1,7 +1,7 @@
 //! # Two different bodies
 //!
-//! The compound double pendulum of the paper with two different bodies, friction in both axles, and centres of mass beside the
-//! lines of the axles (Section 6).
+//! The compound double pendulum of the paper with two different bodies, friction in both axles, and centres of mass
+//! beside the lines of the axles (Section 6).
 
 use pendulum_core::prelude::*;
 
@@ -29,7 +29,7 @@ mechanism! {
     }
 }
 
-/// The general formula, and the power that friction takes.
+/// Checks the general formula, and the power of friction.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let params = TwoBodiesParams::default();
     let frictionless = TwoBodies::new(TwoBodiesParams {

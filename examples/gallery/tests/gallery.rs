@@ -1,7 +1,7 @@
 //! Every system of the gallery passes its checks, and the page of the book shows it.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p gallery` rewrites the page; `cargo run --release -p gallery` draws the pictures, of which the book has
-//! copies.
+//! `UPDATE_EXPECT=1 cargo test -p gallery` rewrites the page; `cargo run --release -p gallery` draws the pictures,
+//! which are copied into the book.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Devices, and kernels on them.
+//! OpenCL devices and kernels.
 
 use std::fmt;
 use std::ptr;
@@ -18,7 +18,7 @@ use pendulum_core::real::Float;
 use super::source::Settings;
 use crate::error::SweepError;
 
-/// Drivers look for devices, and compile, in one thread at a time: not all of them are made for more.
+/// Serializes device discovery and compilation, as not all drivers are thread-safe there.
 static DRIVERS: Mutex<()> = Mutex::new(());
 
 /// A device that runs OpenCL.
@@ -28,14 +28,14 @@ pub struct Device {
 }
 
 impl Device {
-    /// All devices of this machine, GPUs first; none where there is no OpenCL.
+    /// Returns all devices of this machine, GPUs first; none without OpenCL.
     ///
     /// # Errors
     /// [`SweepError::Device`].
     pub fn all() -> Result<Vec<Self>, SweepError> {
         let _one_at_a_time = DRIVERS.lock();
         let mut devices = Vec::new();
-        // no library and no driver are no devices
+        // a missing library or driver means no devices
         for platform in get_platforms().unwrap_or_default() {
             for id in platform.get_devices(CL_DEVICE_TYPE_ALL).unwrap_or_default() {
                 let device = device::Device::new(id);
@@ -47,10 +47,10 @@ impl Device {
         Ok(devices)
     }
 
-    /// The first of [`all`](Self::all).
+    /// Returns the first device of [`all`](Self::all).
     ///
     /// # Errors
-    /// [`SweepError::Device`], also where there is none.
+    /// [`SweepError::Device`], also if there is none.
     pub fn first() -> Result<Self, SweepError> {
         let none = "there is no OpenCL device: install the driver of the GPU, or `pocl`, which runs on the CPU";
         Self::all()?
@@ -59,13 +59,13 @@ impl Device {
             .ok_or_else(|| SweepError::Device(none.to_owned()))
     }
 
-    /// What it is called.
+    /// Name of the device.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Whether it is a GPU.
+    /// True if the device is a GPU.
     #[must_use]
     pub fn is_gpu(&self) -> bool {
         self.device.dev_type().is_ok_and(|kind| kind & CL_DEVICE_TYPE_GPU != 0)
@@ -82,7 +82,7 @@ fn failed(what: &str) -> impl FnOnce(ClError) -> SweepError {
     move |error| SweepError::Device(format!("OpenCL could not {what}: {error}"))
 }
 
-/// The kernel `integrate` of a program on a device.
+/// Kernel `integrate` of a program on a device.
 pub(super) struct Kernel {
     device: String,
     context: Context,
@@ -90,7 +90,7 @@ pub(super) struct Kernel {
     program: Program,
 }
 
-/// Where trajectories ended, a row for each.
+/// Final states of trajectories, one row each.
 pub(super) struct Ends<T> {
     /// The state, the time, and two details of the code.
     pub(super) numbers: Vec<T>,
@@ -127,7 +127,8 @@ impl Kernel {
         &self.device
     }
 
-    /// Integrates from `starts`, the states and first steps, with `parameters`; both hold a row for each trajectory.
+    /// Integrates from `starts` (the initial states and first step sizes) with `parameters`; both hold a row for each
+    /// trajectory.
     pub(super) fn integrate<T: Float>(
         &self,
         (count, length): (usize, usize),
@@ -141,8 +142,8 @@ impl Kernel {
             codes: vec![0; count],
         };
         let (parameters, starts) = (transposed(parameters, count), transposed(starts, count));
-        // SAFETY: the lengths of all buffers are those that the kernel reads and writes, its arguments are in the order
-        // and of the types that it declares, and reading waits until it has ended.
+        // SAFETY: all buffers have the lengths that the kernel reads and writes, its arguments have the declared order
+        // and types, and reading waits until the kernel has ended.
         #[expect(unsafe_code, reason = "OpenCL does not know what a kernel does")]
         unsafe {
             let kernel = opencl3::kernel::Kernel::create(&self.program, "integrate")?;
@@ -185,7 +186,7 @@ impl Kernel {
     }
 }
 
-/// The columns of `rows` rows, one after the other: neighbours on the device read neighbours in memory.
+/// Transposes to column-major order, so that neighbours on the device read neighbours in memory.
 fn transposed<T: Copy>(numbers: &[T], rows: usize) -> Vec<T> {
     let width = numbers.len() / rows.max(1);
     let column = |c: usize| (0..rows).map(move |row| numbers[row * width + c]);

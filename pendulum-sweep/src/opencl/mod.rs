@@ -1,13 +1,13 @@
-//! Ensembles on GPUs, and on whatever else runs OpenCL.
+//! Ensembles on GPUs and other OpenCL devices.
 //!
-//! A scene that is declared by [`declared!`](crate::declared) knows its declaration when the program runs. From it the
-//! generator writes OpenCL C, and [`Device::method`] makes of a method one that integrates each trajectory in a
-//! work-item of a device: an [`Ensemble`], for [`Sweep::ends`](crate::Sweep::ends) and by itself. Explicit Runge-Kutta
-//! methods can do that, from [`Rk4`](pendulum_core::Rk4) to [`Vern9`](pendulum_core::Vern9), for scenes without inputs,
-//! dry friction, stops and walls.
+//! A scene declared by [`declared!`](crate::declared) keeps its declaration at run time. From it the generator writes
+//! OpenCL C, and [`Device::method`] turns a method into an [`Ensemble`] that integrates each trajectory in a work-item
+//! of the device, for [`Sweep::ends`](crate::Sweep::ends) or alone. The explicit Runge-Kutta methods from
+//! [`Rk4`](pendulum_core::Rk4) to [`Vern9`](pendulum_core::Vern9) are supported, for scenes without inputs, dry
+//! friction, stops and walls.
 //!
-//! In double precision the results have the bits of [`solve`](Method::solve), where the scene calls no functions but
-//! sines, cosines and roots, angles stay below 1e5 rad, and the device rounds as IEEE 754 asks for.
+//! In double precision the results have the bits of [`solve`](Method::solve), if the scene calls no functions but
+//! sines, cosines and roots, angles stay below 1e5 rad, and the device rounds according to IEEE 754.
 //!
 //! ```no_run
 //! use pendulum_core::prelude::*;
@@ -56,17 +56,17 @@ use crate::ends::is_of_start;
 use crate::error::SweepError;
 use device::Kernel;
 
-/// A model that knows its declaration: of a scene in [`declared!`](crate::declared).
+/// Model whose declaration is available at run time: of a scene in [`declared!`](crate::declared).
 pub trait Declared {
-    /// The declaration.
+    /// Source text of the declaration.
     const DECLARATION: &'static str;
 
-    /// The values of its parameters, in the order of their declaration.
+    /// Values of the parameters, in the order of their declaration.
     fn parameters(&self) -> Vec<f64>;
 }
 
-/// [`mechanism!`](pendulum_core::mechanism) for a scene whose declaration is known when the program runs, so that
-/// [kernels](crate::opencl) can be made of it.
+/// Like [`mechanism!`](pendulum_core::mechanism), but keeps the declaration of the scene at run time, so that
+/// [kernels](crate::opencl) can be generated from it.
 #[macro_export]
 macro_rules! declared {
     ($(#[$attribute:meta])* $visibility:vis $name:ident { $($scene:tt)* }) => {
@@ -82,7 +82,7 @@ macro_rules! declared {
     };
 }
 
-/// A method that integrates on a device; see [`Device::method`].
+/// Method that integrates on a device; see [`Device::method`].
 pub struct OnDevice<X, M> {
     method: X,
     kernel: Kernel,
@@ -90,26 +90,27 @@ pub struct OnDevice<X, M> {
     model: PhantomData<fn() -> M>,
 }
 
-/// How many trajectories are integrated together: enough to fill a GPU.
+/// Number of trajectories per batch: enough to fill a GPU.
 const BATCH: usize = 1 << 16;
-/// The number of codes of a kernel.
+/// Number of distinct outcomes in the code of a trajectory.
 const ENDS: i32 = 5;
 
 impl Device {
-    /// The method `method`, for models of one scene, on this device, in double precision.
+    /// Returns `method` for models of one scene, on this device, in double precision.
     ///
     /// # Errors
-    /// [`SweepError::Invalid`] with what to do, if the scene has dry friction, stops, walls or inputs, if the device
-    /// has no double precision, or if its compiler refuses the kernel.
+    /// [`SweepError::Invalid`] with advice, if the scene has dry friction, stops, walls or inputs, if the device has no
+    /// double precision, or if its compiler rejects the kernel.
     pub fn method<M: Declared, X: KernelMethod>(&self, method: X) -> Result<OnDevice<X, M>, SweepError> {
         self.compile(method, false)
     }
 
-    /// The same in single precision, which most GPUs compute many times as fast. Settings that are not given are the
-    /// defaults of `f32`; results are near those of `f32` in Rust, and not the same bits.
+    /// Like [`method`](Self::method), but in single precision, in which most GPUs are many times faster. Settings that
+    /// are not given take the defaults of `f32`; results are close to those of `f32` in Rust, but not bit for bit
+    /// equal.
     ///
     /// # Errors
-    /// As [`method`](Self::method).
+    /// Like [`method`](Self::method).
     pub fn method_in_single<M: Declared, X: KernelMethod>(&self, method: X) -> Result<OnDevice<X, M>, SweepError> {
         self.compile(method, true)
     }
@@ -187,7 +188,7 @@ impl<X, M> OnDevice<X, M> {
         let span = (T::from_f64(t0), T::from_f64(t1));
         let settings = self.method.settings(span)?;
         let (mut ends, mut stopped) = (starts.to_vec(), Vec::new());
-        // those that start, with their parameters, states and first steps
+        // trajectories with a valid start: their parameters, initial states and first step sizes
         let (mut started, mut parameters, mut points) = (Vec::new(), Vec::new(), Vec::new());
         for (index, start) in starts.iter().enumerate() {
             let model = if let [model] = models { model } else { &models[index] };
@@ -226,7 +227,7 @@ impl<X, M> OnDevice<X, M> {
     }
 }
 
-/// What the code of a trajectory means.
+/// Decodes the outcome of a trajectory.
 fn reason(code: i32, (h, least): (f64, f64), max_steps: u64) -> Option<Reason> {
     let component = (code / ENDS) as usize;
     Some(match code % ENDS {

@@ -1,4 +1,4 @@
-//! The text of kernels: a scene, a tableau, and the steps of a method.
+//! Source text of kernels: a scene, a tableau, and the steps of a method.
 
 use std::fmt::Write;
 
@@ -7,18 +7,18 @@ use pendulum_core::method::{Adaptive, Explicit, Fixed};
 use pendulum_core::real::Float;
 use pendulum_core::tableau::{ButcherTableau, Tableau};
 
-/// A method whose steps kernels take: explicit Runge-Kutta methods, with fixed steps and within a tolerance.
+/// Method whose steps kernels can take: an explicit Runge-Kutta method, with fixed or adaptive steps.
 pub trait KernelMethod {
-    /// Its tableau as OpenCL C.
+    /// Returns its tableau as OpenCL C.
     #[doc(hidden)]
     fn tableau(&self) -> String;
 
-    /// Its settings, from `t0` to `t1`.
+    /// Returns its settings from `t0` to `t1`.
     #[doc(hidden)]
     fn settings<T: Float>(&self, span: (T, T)) -> Result<Settings<T>, Reason>;
 }
 
-/// What a kernel takes beside the trajectories.
+/// Settings of an integration, passed to a kernel.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Settings<T> {
@@ -73,7 +73,8 @@ impl<B: Tableau<STAGES>, const STAGES: usize> KernelMethod for Adaptive<Explicit
     }
 }
 
-/// The state at the end of a step, and the derivatives at its stages but for the first, which is given, and the last.
+/// Code of the derivatives at all stages but the first, which is given, and the last, and of the state at the end of a
+/// step.
 fn stages<const STAGES: usize>(tableau: &ButcherTableau<STAGES>) -> String {
     let rows = (1..STAGES - 1).map(|i| {
         let time = match tableau.c[i] {
@@ -95,7 +96,7 @@ static void stages(const scene_model *model, pendulum_real t, pendulum_real t_ne
     )
 }
 
-/// The estimated error of a step.
+/// Code of the estimated error of a step.
 fn error<const STAGES: usize>(tableau: &ButcherTableau<STAGES>) -> String {
     let sum = weighted("h", "error[c] = ", &tableau.error_weights());
     format!(
@@ -105,7 +106,7 @@ static void error_of(pendulum_real h, pendulum_real k[STAGES][SCENE_LENGTH], pen
     )
 }
 
-/// Sums over stages with the weights `h w_i`, added from left to right as the Rust code does.
+/// Code of sums over stages with the weights `h w_i`, added from left to right like in Rust.
 fn weighted(h: &str, target: &str, weights: &[f64]) -> String {
     let used: Vec<usize> = (0..weights.len()).filter(|&i| weights[i] != 0.0).collect();
     let mut text = String::new();
@@ -125,7 +126,7 @@ fn weighted(h: &str, target: &str, weights: &[f64]) -> String {
     text
 }
 
-/// The whole text.
+/// Returns the whole program.
 pub(super) fn program(scene: &str, method: &impl KernelMethod) -> String {
     [scene, &method.tableau(), include_str!("integrate.cl")].join("\n")
 }

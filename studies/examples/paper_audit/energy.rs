@@ -13,7 +13,7 @@ const RIGHT: Line = Line::solid(BLUE);
 const EQ_22B: Line = Line::solid(VERMILION);
 const EQ_20: Line = Line::dashed(ORANGE);
 
-/// Angles in rad from which the plates are released at rest, with the range of the energy.
+/// Initial angles at rest, in rad, each with the range of the energy axis.
 const STARTS: [([f64; 2], std::ops::Range<f64>); 2] = [([1.2, -0.6], -4.0..1.0), ([0.5, 2.0], -5.0..20.0)];
 const END: f64 = 20.0;
 const POINTS: u32 = 800;

@@ -1,4 +1,4 @@
-//! Section 4: the largest Lyapunov exponent, with friction at 4 degrees, and without over the amplitude.
+//! Section 4: largest Lyapunov exponent, with friction at 4 degrees, and without friction over the amplitude.
 
 use std::error::Error;
 use std::thread;
@@ -11,10 +11,10 @@ use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, GREY};
 use testbed::scenes::DoublePendulum;
 
-/// How long growth is counted, in s.
+/// Time over which growth is measured, in s.
 const DURATION: f64 = 1e4;
 
-/// The exponent of the motion from rest at `theta1 = 0` and this `theta2`.
+/// Exponent of the motion from rest at `theta1 = 0` and the given `theta2`.
 #[derive(Clone, Copy)]
 struct Measured {
     degrees: f64,
@@ -60,12 +60,12 @@ pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
     Ok(chart(&scan, regular))
 }
 
-/// In steps of 2 degrees, and of half a degree where chaos begins.
+/// Scans amplitudes in steps of 2 degrees, and of half a degree near the onset of chaos.
 fn scan(model: &DoublePendulum) -> Result<Vec<Measured>, Box<dyn Error>> {
     let coarse = (1..=75).map(|n| 2.0 * f64::from(n));
     let degrees: Vec<f64> = coarse.chain((1..=58).map(|n| 150.0 + 0.5 * f64::from(n))).collect();
     let cores = thread::available_parallelism()?.get();
-    // In turns, since chaotic motions take longer than regular ones.
+    // Interleaved, since chaotic motions take longer than regular ones.
     let share = |first: usize| {
         degrees
             .iter()

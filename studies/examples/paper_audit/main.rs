@@ -1,9 +1,9 @@
-//! The figures of `docs/src/paper-audit.md`: what the slips of the printed paper do to its results.
+//! Figures of `docs/src/paper-audit.md`: effects of the misprints of the paper on its results.
 //!
-//! `cargo run --release -p studies --example paper_audit` prints growth rates of the printed and of the right
+//! `cargo run --release -p studies --example paper_audit` prints growth rates of the printed and of the correct
 //! linearisation, the energy under the printed equations, Fig. 2 as two damped modes, and Lyapunov exponents over the
-//! amplitude, and draws them into `out/paper_audit/`. The printed forms are those of `tests/it/paper_audit`, which has
-//! a test for each of them.
+//! amplitude, and draws them into `out/paper_audit/`. The printed forms are shared with `tests/it/paper_audit`, which
+//! has a test for each of them.
 
 mod energy;
 mod exponent;
@@ -17,7 +17,7 @@ use charts::chart::Figure;
 use charts::page::Picture;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-/// Prints its numbers, and returns their chart.
+/// Prints the numbers of a figure, and returns the figure.
 type Measurement = fn() -> Result<Figure, Box<dyn Error>>;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The paper's pendulum, generated.
+/// Generated model of the paper's pendulum.
 fn model(gamma1: f64, gamma2: f64) -> Result<DoublePendulum, Box<dyn Error>> {
     let params = DoublePendulumParams {
         gamma1,

@@ -17,13 +17,13 @@ const FAST: Line = Line::solid(ORANGE);
 const LEFT_OF_UPPER: Line = Line::solid(VERMILION);
 const LEFT_OF_LOWER: Line = Line::dashed(INK);
 
-/// Frictions of both axles, in N m s.
+/// Friction of both joints, in N m s.
 const FRICTIONS: [f64; 3] = [0.1, 0.4, 1.0];
 const END: f64 = 20.0;
 const AMPLITUDE: f64 = 4.0;
 const POINTS: u32 = 400;
 
-/// A time with the state there.
+/// Time with the state.
 type Sample = (f64, SVector<f64, 4>);
 
 pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {

@@ -1,4 +1,5 @@
-//! Section 5: how many small motions about hanging grow, and how fast, under the printed equations and the right ones.
+//! Section 5: number and growth rate of unstable small motions about hanging, under the printed and the correct
+//! equations.
 
 use std::error::Error;
 
@@ -15,9 +16,9 @@ const EQ_24A: Line = Line::solid(VERMILION);
 const EQ_25: Line = Line::dashed(ORANGE);
 const THRESHOLD: Line = Line::dashed(GREY);
 
-/// The friction of the lower axle in each column, in N m s.
+/// Friction of the lower joint in each column, in N m s.
 const GAMMA2: [f64; 3] = [0.01, 1.0, 100.0];
-/// Powers of ten of the friction of the upper axle.
+/// Range of the friction of the upper joint, as powers of ten in N m s.
 const POWERS: (f64, f64) = (-2.0, 2.0);
 const POINTS: u32 = 800;
 
@@ -81,7 +82,7 @@ fn panel(gamma2: f64) -> Result<Vec<Curve>, Box<dyn Error>> {
     ])
 }
 
-/// The generated Jacobian, and those of Eq. 24a and 25 as printed.
+/// Generated Jacobian, and the matrices of Eq. 24a and 25 as printed.
 fn matrices(gamma1: f64, gamma2: f64) -> Result<[SMatrix<f64, 4, 4>; 3], Box<dyn Error>> {
     let paper = Pendulum::paper(gamma1, gamma2);
     Ok([
@@ -91,7 +92,7 @@ fn matrices(gamma1: f64, gamma2: f64) -> Result<[SMatrix<f64, 4, 4>; 3], Box<dyn
     ])
 }
 
-/// The largest real part of an eigenvalue, and how many are positive.
+/// Largest real part of the eigenvalues, and the number of positive ones.
 fn growth(matrix: &SMatrix<f64, 4, 4>) -> Result<(f64, usize), StabilityError> {
     let spectrum = Spectrum::of(matrix)?;
     let count = spectrum.eigenvalues().filter(|eigenvalue| eigenvalue.re > 0.0).count();

@@ -1,13 +1,13 @@
-//! The errors over the mass ratio, beside what the condition explains.
+//! Errors over the mass ratio, compared with the bound by the conditioning.
 
 use crate::{Run, Worst};
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, GREEN, PURPLE, VERMILION};
 
-/// What is drawn of the errors: an exact value stands at the bottom.
+/// Range of the error axis, in powers of ten; an exact value is drawn at the bottom.
 const DECADES: [f64; 2] = [-17.0, -5.0];
 
-/// Rows of runs: two coordinates, three coordinates, and the textbook's ways.
+/// Rows of runs: two coordinates, three coordinates, and textbook methods.
 pub(crate) fn figure(runs: &[Run], textbook: &[Run]) -> Result<Figure, String> {
     let named = |names: &[(&str, &str)]| {
         let find = |(name, title): &(&str, &str)| {

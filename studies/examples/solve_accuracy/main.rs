@@ -1,8 +1,8 @@
-//! How accurate the generated accelerations are where one body is much lighter or heavier than the others.
+//! Accuracy of the generated accelerations if one body is much lighter or heavier than the others.
 //!
 //! `cargo run --release -p studies --example solve_accuracy` compares them with 50-digit values for mass ratios from
-//! 1e-8 to 1e8, prints the worst errors, and draws them beside what the condition of the problem explains, and beside
-//! what textbooks do.
+//! 1e-8 to 1e8, prints the worst errors, and draws them together with the bound by the conditioning of the problem and
+//! with the errors of textbook methods.
 
 mod figure;
 mod textbook;
@@ -13,22 +13,22 @@ use std::path::Path;
 use charts::page::Picture;
 use testbed::ratios::{Sample, Scene, generated, scenes};
 
-/// A state is steady when errors of the inputs hardly grow in it, whatever the ratio of the masses.
+/// Maximum condition number, over all mass ratios, of a state that counts as steady.
 const STEADY: f64 = 100.0;
 
-/// Errors of one way to compute the accelerations of a scene.
+/// Errors of one method to compute the accelerations of a scene.
 struct Run {
     name: String,
-    /// For steady states and for the others.
+    /// Worst errors of steady states, and of the others.
     kinds: [Vec<Worst>; 2],
 }
 
-/// The worst over some states with one ratio of masses.
+/// Worst error over some states with one mass ratio.
 #[derive(Clone, Copy)]
 struct Worst {
     ratio: f64,
     error: f64,
-    /// What the condition explains.
+    /// Bound by the conditioning.
     bound: f64,
 }
 
@@ -75,7 +75,7 @@ fn run(scene: &Scene, name: &str, solve: impl Fn(&Sample) -> Vec<f64>) -> Run {
             .filter(|sample| (most(&sample.state) < STEADY) == steady)
         {
             let (ratio, error, bound) = (sample.ratio, sample.error_of(&solve(sample)), sample.bound());
-            // a number that is none is the worst of all, which `max` would pass over
+            // NaN is the worst error of all; `max` would ignore it
             let error = if error.is_nan() { f64::INFINITY } else { error };
             match worst.last_mut().filter(|last| last.ratio == ratio) {
                 Some(last) => {

@@ -1,4 +1,4 @@
-//! The double pendulum of points, solved as textbooks do.
+//! Textbook solutions for the double pendulum of point masses.
 
 use nalgebra::{Matrix2, Vector2};
 use pendulum_core::ParameterError;
@@ -15,14 +15,14 @@ fn system(sample: &Sample) -> Result<(Matrix2<f64>, Vector2<f64>), ParameterErro
     Ok((model.mass_matrix(0.0, &x), -model.bias(0.0, &x)))
 }
 
-/// By nalgebra's factorisation of the mass matrix; infinite where rounding has left it indefinite.
+/// Solves by nalgebra's Cholesky factorisation; infinite if rounding has made the mass matrix indefinite.
 pub(crate) fn cholesky(sample: &Sample) -> Result<Vec<f64>, ParameterError> {
     let (matrix, right) = system(sample)?;
     let solved = matrix.cholesky().map(|factor| factor.solve(&right));
     Ok(solved.map_or(vec![f64::INFINITY; 2], |x| x.as_slice().to_vec()))
 }
 
-/// By Cramer's rule, with each determinant as a difference of two products.
+/// Solves by Cramer's rule, with each determinant as a difference of two products.
 pub(crate) fn cramer(sample: &Sample) -> Result<Vec<f64>, ParameterError> {
     let (a, r) = system(sample)?;
     let determinant = a[(0, 0)] * a[(1, 1)] - a[(0, 1)] * a[(1, 0)];

@@ -1,7 +1,7 @@
 //! Chaos over the amplitude, with and without friction.
 //!
-//! With friction every motion comes to rest, and the exponent of long times is that of the slowest mode there, which is
-//! negative: what is positive over a finite time is the chaos on the way.
+//! With friction every motion comes to rest, and the exponent in the long run is the negative one of the slowest mode
+//! at rest. A positive exponent over a finite time measures the transient chaos.
 
 use std::error::Error;
 use std::fmt;
@@ -15,26 +15,26 @@ use crate::scene::{DoublePendulum, chaos_above};
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, INK, ORANGE, VERMILION};
 
-/// The friction of both axles, in N m s.
+/// Friction of both joints, in N m s.
 const FRICTIONS: [f64; 4] = [0.0, 0.003, 0.03, 0.3];
-/// The angles of both plates at the start, over the amplitude.
+/// Initial angles of both plates, as multiples of the amplitude.
 const RELEASES: [([f64; 2], &str); 2] = [([0.0, 1.0], "θ₁ = 0, θ₂ = a"), ([1.0, 1.0], "θ₁ = θ₂ = a")];
-/// How long exponents are measured, in s.
+/// Time over which exponents are measured, in s.
 const DURATION: f64 = 200.0;
 const TOLERANCE: f64 = 1e-7;
 const COLORS: [RGBColor; FRICTIONS.len()] = [INK, BLUE, ORANGE, VERMILION];
 
-/// All motions.
+/// Results for all releases.
 pub(crate) struct Amplitudes {
-    /// In degrees.
+    /// Amplitudes, in degrees.
     amplitudes: Vec<f64>,
     releases: Vec<Release>,
 }
 
-/// The motions of one release over the amplitude.
+/// Motions of one release over the amplitude.
 struct Release {
     caption: &'static str,
-    /// The largest Lyapunov exponents over [`DURATION`], in 1/s, for each friction.
+    /// Largest Lyapunov exponents over [`DURATION`], in 1/s, for each friction.
     exponents: Vec<Vec<f64>>,
 }
 
@@ -61,7 +61,7 @@ pub(crate) fn measure(size: usize) -> Result<Amplitudes, Box<dyn Error>> {
     Ok(Amplitudes { amplitudes, releases })
 }
 
-/// At rest.
+/// Initial condition at rest.
 fn start([theta1, theta2]: [f64; 2], degrees: f64) -> SVector<f64, 4> {
     let amplitude = degrees.to_radians();
     SVector::from([theta1 * amplitude, theta2 * amplitude, 0.0, 0.0])

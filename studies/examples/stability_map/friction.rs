@@ -1,4 +1,4 @@
-//! Equilibria over the friction of both axles: decay of the hanging state, growth at the inverted ones.
+//! Equilibria over the friction of both joints: decay of the hanging state, growth at the inverted ones.
 
 use std::error::Error;
 use std::fmt;
@@ -11,25 +11,26 @@ use crate::scene::DoublePendulum;
 use charts::chart::{Axis, Scale};
 use charts::heat::{Atlas, Map};
 
-/// The frictions, in decades of N m s.
+/// Smallest friction, as a power of ten in N m s.
 const LEAST: f64 = -3.0;
+/// Largest friction, as a power of ten in N m s.
 const MOST: f64 = 4.0;
 
-/// The plane of frictions, `size` by `size` pairs of them.
+/// Grid of `size` by `size` pairs of frictions.
 pub(crate) struct Frictions {
     size: usize,
     pairs: Vec<Pair>,
 }
 
-/// What the linear theory tells of one pair; rates in 1/s.
+/// Results of the linear theory for a pair; rates in 1/s.
 struct Pair {
-    /// The decay rate of the slowest mode of the hanging state.
+    /// Decay rate of the slowest mode of the hanging state.
     decay: f64,
-    /// How many of its modes swing.
+    /// Number of oscillatory modes of the hanging state.
     swinging: usize,
-    /// The ratio of the decay rates of its fastest and its slowest mode.
+    /// Ratio of the decay rates of its fastest and its slowest mode.
     stiffness: f64,
-    /// The growth rates of the fastest mode at the inverted states: the least of the three.
+    /// Smallest growth rate of the three inverted states, each by its fastest mode.
     growth: f64,
 }
 
@@ -46,7 +47,8 @@ pub(crate) fn measure(size: usize) -> Result<Frictions, Box<dyn Error>> {
 }
 
 impl Pair {
-    /// From the hanging state and the three inverted ones, unless one of them is not as stable as friction makes it.
+    /// Evaluates the hanging state and the three inverted ones; `None` if one of them has not the stability expected
+    /// with friction.
     fn of(equilibria: &[Equilibrium<4>]) -> Option<Self> {
         let [hanging, inverted @ ..] = equilibria else {
             return None;

@@ -1,9 +1,9 @@
-//! Maps of stability: over the friction of both axles, over the starts at rest, and over the amplitude; and Poincare
-//! sections.
+//! Stability maps over the friction of both joints, over the initial angles at rest, and over the amplitude; and
+//! Poincare sections.
 //!
-//! `cargo run --release -p studies --example stability_map` measures and draws them on all cores, and takes a minute of
-//! processor time in all. `-- --size N` computes N cells along each side of a map instead of 270; most of the time goes
-//! with the square of N.
+//! `cargo run --release -p studies --example stability_map` computes and draws them on all cores, in about a minute of
+//! processor time. `-- --size N` computes N cells along each side of a map instead of 270; most of the time is
+//! proportional to the square of N.
 
 mod amplitude;
 mod friction;
@@ -20,7 +20,7 @@ use std::process::ExitCode;
 use charts::page::Picture;
 
 const OUT: &str = "out/stability_map";
-/// Cells along each side of a map.
+/// Default number of cells along each side of a map.
 const SIZE: usize = 270;
 const SIZES: RangeInclusive<usize> = 4..=2160;
 
@@ -34,7 +34,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What the arguments ask for.
+/// Parses the number of cells from the arguments.
 fn size(mut arguments: impl Iterator<Item = String>) -> Result<usize, Box<dyn Error>> {
     let size = match arguments.next().as_deref() {
         None => return Ok(SIZE),

@@ -1,10 +1,10 @@
-//! Work on all cores, with a progress bar.
+//! Parallel work with a progress bar.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
-/// What `work` makes of each item, in their order, or an error of one of them. The bar is drawn on standard error, if
-/// that is a terminal.
+/// Maps `work` over the items on all cores, in order, and returns the results or one of the errors. The progress bar is
+/// drawn on standard error if that is a terminal.
 pub(crate) fn on_all_cores<I: Sync, T: Send, E: Send>(
     name: &'static str,
     items: &[I],

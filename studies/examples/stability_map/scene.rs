@@ -31,14 +31,14 @@ mechanism! {
 }
 
 impl DoublePendulum {
-    /// The pendulum with friction in its two axles, in N m s.
+    /// Creates the pendulum with friction in its two joints, in N m s.
     pub(crate) fn with_friction(gamma1: f64, gamma2: f64) -> Result<Self, ParameterError> {
         Self::new(DoublePendulumParams { gamma1, gamma2 })
     }
 }
 
-/// Finite-time exponents over `duration` seconds above this, in 1/s, count as chaos: twice those of regular motion, in
-/// which neighbours part in proportion to time.
+/// Threshold of finite-time exponents over `duration` seconds, in 1/s, above which a motion counts as chaotic: twice
+/// the exponent of regular motion, in which neighbours separate in proportion to time.
 pub(crate) fn chaos_above(duration: f64) -> f64 {
     2.0 * duration.ln() / duration
 }

@@ -1,5 +1,5 @@
-//! Poincare sections without friction: all motions of one energy, where the upper plate swings forth through its lowest
-//! place.
+//! Poincare sections without friction: all motions of one energy, at the instants at which the upper plate swings
+//! forward through its lowest position.
 
 use std::error::Error;
 use std::f64::consts::PI;
@@ -14,18 +14,20 @@ use crate::scene::{DoublePendulum, chaos_above};
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Stroke};
 use charts::page::{BLUE, RGBColor, VERMILION};
 
-/// Above hanging at rest, in J.
+/// Energies above hanging at rest, in J.
 const ENERGIES: [f64; 3] = [12.0, 21.0, 26.0];
-/// The starts along each of two lines: with this momentum of the lower plate, in kg m^2/s, which meets the large
-/// islands, and with it hanging.
+/// Number of initial conditions along each of two lines: with the momentum [`MOMENTUM`] of the lower plate, and with
+/// the lower plate hanging.
 const STARTS: usize = 16;
+/// Momentum of the lower plate on the first line, in kg m^2/s, which passes through the large islands.
 const MOMENTUM: f64 = -2.0;
-/// How long sections are recorded, and how long exponents are measured, in s.
+/// Duration of a section, in s.
 const DURATION: f64 = 2000.0;
+/// Time over which exponents are measured, in s.
 const EXPONENT: f64 = 500.0;
 const TOLERANCE: f64 = 1e-10;
 const TANGENT_TOLERANCE: f64 = 1e-7;
-/// The energy at each passage is that of the start to this many joules.
+/// Maximum energy error at each passage, in J.
 const DRIFT: f64 = 1e-6;
 
 const REGULAR: Line = dots(BLUE);
@@ -39,10 +41,10 @@ const fn dots(color: RGBColor) -> Line {
     }
 }
 
-/// The motions of each energy.
+/// Motions of each energy.
 pub(crate) struct Sections(Vec<Vec<Motion>>);
 
-/// One motion: the angle of the lower plate and its momentum at each passage, and whether it is chaotic.
+/// Points of a motion in the section (angle of the lower plate and its momentum), and whether it is chaotic.
 struct Motion {
     points: Vec<(f64, f64)>,
     chaotic: bool,
@@ -56,7 +58,7 @@ pub(crate) fn measure() -> Result<Sections, Box<dyn Error>> {
     ))
 }
 
-/// Starts of one energy in the section.
+/// Initial conditions of one energy in the section.
 fn starts(pendulum: &DoublePendulum, energy: f64) -> Vec<SVector<f64, 4>> {
     let hanging = pendulum.potential(0.0, &SVector::zeros());
     let inertia = pendulum.mass_matrix(0.0, &SVector::zeros())[(1, 1)];
@@ -68,7 +70,7 @@ fn starts(pendulum: &DoublePendulum, energy: f64) -> Vec<SVector<f64, 4>> {
         .filter_map(|(theta2, momentum2)| {
             let at = SVector::from([0.0, theta2, 0.0, 0.0]);
             let kinetic = energy + hanging - pendulum.potential(0.0, &at);
-            // The momentum of the upper plate solves p . W p / 2 = kinetic; of its two values one swings forth.
+            // The momentum of the upper plate solves p . W p / 2 = kinetic; of the two solutions one swings forward.
             let w = pendulum.mass_matrix(0.0, &at).try_inverse()?;
             let square = 2.0 * kinetic * w[(0, 0)] - w.determinant() * momentum2 * momentum2;
             let momentum1 = (square.sqrt() - w[(0, 1)] * momentum2) / w[(0, 0)];
@@ -79,7 +81,7 @@ fn starts(pendulum: &DoublePendulum, energy: f64) -> Vec<SVector<f64, 4>> {
 }
 
 fn motion(pendulum: &DoublePendulum, x0: &SVector<f64, 4>) -> Result<Motion, String> {
-    // The sine rises there, and at the highest place on the way back.
+    // The sine increases there, and at the highest position on the way back.
     let through = Event::new(|_t, x: &SVector<f64, 4>| x[0].sin()).rising();
     let method = Taylor::new().rtol(TOLERANCE).atol(TOLERANCE);
     let passages = section(&method, pendulum, 0.0, DURATION, *x0, &through).map_err(|error| error.to_string())?;

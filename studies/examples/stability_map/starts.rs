@@ -1,4 +1,5 @@
-//! The plane of starts at rest without friction: when an angle first passes upright, and how chaotic the motion is.
+//! Map over the initial angles at rest without friction: time at which an angle first passes upright, and largest
+//! exponent.
 
 use std::error::Error;
 use std::f64::consts::PI;
@@ -13,33 +14,34 @@ use charts::chart::{Axis, Curve, Line, Scale};
 use charts::heat::{Atlas, Map};
 use charts::page::VERMILION;
 
-/// How long each motion is followed, in s.
+/// Duration of each motion, in s.
 const DURATION: f64 = 100.0;
-/// Of the motion, and of the motion with its tangent. Where exponents are near 1/s, errors of 1e-10 grow to the size of
-/// the motion within 23 s; from there on a map shows a motion that is as likely as the true one.
+/// Tolerance of the motion. With exponents near 1/s, errors of 1e-10 grow to the size of the motion within 23 s; beyond
+/// that, the map shows a motion that is statistically as likely as the true one.
 const TOLERANCE: f64 = 1e-10;
+/// Tolerance of the motion with its tangent.
 const TANGENT_TOLERANCE: f64 = 1e-7;
 
-/// The plane of starts, `size` by `size` of them.
+/// Grid of `size` by `size` initial conditions.
 pub(crate) struct Starts {
     size: usize,
     motions: Vec<Motion>,
 }
 
-/// What became of a start.
+/// Results for an initial condition.
 #[derive(Clone, Copy)]
 struct Motion {
     angles: [f64; 2],
-    /// When an angle first passed upright, in s.
+    /// Time at which an angle first passed upright, in s.
     flip: Option<f64>,
-    /// The largest Lyapunov exponent over [`DURATION`], in 1/s.
+    /// Largest Lyapunov exponent over [`DURATION`], in 1/s.
     exponent: f64,
 }
 
 pub(crate) fn measure(size: usize) -> Result<Starts, Box<dyn Error>> {
     let pendulum = DoublePendulum::with_friction(0.0, 0.0)?;
     let angle = |n: usize| PI * ((2 * n + 1) as f64 / size as f64 - 1.0);
-    // The mirror image of a motion starts at the opposite angles, as far from the other end of the list.
+    // The mirror image of a motion starts at the opposite angles, at the mirrored index of the list.
     let half: Vec<_> = (0..(size * size).div_ceil(2))
         .map(|n| [angle(n % size), angle(n / size)])
         .collect();
@@ -74,9 +76,9 @@ pub(crate) fn measure(size: usize) -> Result<Starts, Box<dyn Error>> {
     Ok(Starts { size, motions })
 }
 
-/// When an angle first passes upright, if it does.
+/// Time at which an angle first passes upright, if it does.
 fn flip(pendulum: &DoublePendulum, &[theta1, theta2]: &[f64; 2]) -> Result<Option<f64>, StabilityError> {
-    // The cosine of half an angle changes its sign at all half turns.
+    // The cosine of half an angle changes its sign at all odd multiples of a half turn.
     let upright = Event::new(|_t, x: &SVector<f64, 4>| (0.5 * x[0]).cos() * (0.5 * x[1]).cos())
         .falling()
         .terminal();
@@ -86,17 +88,17 @@ fn flip(pendulum: &DoublePendulum, &[theta1, theta2]: &[f64; 2]) -> Result<Optio
 }
 
 impl Motion {
-    /// Whether the energy allows that an angle passes upright: that takes at least the state in which the lower plate
-    /// stands and the upper one hangs.
+    /// True if the energy suffices for an angle to pass upright. This takes at least the energy of the state in which
+    /// the lower plate stands and the upper one hangs.
     ///
-    /// The potential energy is `-m g d (2 cos(theta1) + cos(theta2))`; there it is `-m g d (2 - 1)`.
+    /// The potential energy is `-m g d (2 cos(theta1) + cos(theta2))`; in that state it is `-m g d (2 - 1)`.
     fn can_flip(&self) -> bool {
         let [theta1, theta2] = self.angles;
         2.0 * theta1.cos() + theta2.cos() <= 1.0
     }
 }
 
-/// The starts with just enough energy for a flip, as angles over pi.
+/// Initial angles, in units of pi, with just enough energy for a flip.
 fn bound() -> Vec<(f64, f64)> {
     let steps = 200;
     let upper = |n: i32| PI / 2.0 * f64::from(n) / f64::from(steps);
@@ -160,7 +162,7 @@ impl Starts {
         )
     }
 
-    /// In percent of all starts.
+    /// Share of all initial conditions, in percent.
     fn share(&self, of: impl Fn(&&Motion) -> bool) -> f64 {
         100.0 * self.motions.iter().filter(of).count() as f64 / self.motions.len() as f64
     }

@@ -1,16 +1,16 @@
-//! Lines on which a function of two variables has one value.
+//! Contour lines of functions of two variables.
 
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// A line.
+/// Contour line as a list of points.
 pub(crate) type Path = Vec<(f64, f64)>;
 
-/// An edge of the grid: its lower left end, and whether it goes up.
+/// Edge of the grid: indices of its lower left end, and true if it is vertical.
 type Edge = (usize, usize, bool);
 
-/// The lines in a rectangle on which `f` is zero, by marching squares on a grid of `cells` by `cells` (W. E. Lorensen,
-/// H. E. Cline, Computer Graphics 21 (1987) 163-169, in two dimensions).
+/// Zero contours of `f` in a rectangle, by marching squares on a grid of `cells` by `cells` (W. E. Lorensen, H. E.
+/// Cline, Computer Graphics 21 (1987) 163-169, in two dimensions).
 pub(crate) fn zeros(f: impl Fn(f64, f64) -> f64, x: &Range<f64>, y: &Range<f64>, cells: usize) -> Vec<Path> {
     let at = |range: &Range<f64>, n: usize| range.start + (range.end - range.start) * n as f64 / cells as f64;
     let values: Vec<Vec<f64>> = (0..=cells)
@@ -25,7 +25,8 @@ pub(crate) fn zeros(f: impl Fn(f64, f64) -> f64, x: &Range<f64>, y: &Range<f64>,
             (between(at(x, i), at(x, k)), between(at(y, j), at(y, l)))
         })
     };
-    // Which crossings are joined through a cell; where all four edges are crossed, in the order around it.
+    // Connections of crossings through the cells. If all four edges of a cell are crossed, they are paired in cyclic
+    // order.
     let mut joined: HashMap<Edge, Vec<Edge>> = HashMap::new();
     for i in 0..cells {
         for j in 0..cells {

@@ -1,4 +1,4 @@
-//! The energy over time, steps against friction, and the horizon of prediction.
+//! Figures of the energy over time, of steps over friction, and of the horizon of prediction.
 
 use pendulum_core::prelude::*;
 use pendulum_core::stability::StabilityError;
@@ -15,7 +15,7 @@ const PREDICTED: Line = Line {
     ..Line::solid(RGBColor(170, 170, 170))
 };
 
-/// The largest relative errors of the energy so far.
+/// Largest relative energy error so far, over time.
 pub(crate) fn energy() -> Figure {
     let panel = |x0: [f64; 4]| {
         vec![
@@ -54,7 +54,7 @@ fn energy_of(name: &str, method: &impl Method<DoublePendulum, f64, 4>, x0: [f64;
     for (t, error) in energy::errors(method, &double_pendulum(0.0), x0) {
         largest = largest.max(error.abs());
         let t = t.log10();
-        // one point in each part of a decade
+        // one point per fraction of a decade
         if points
             .last()
             .is_none_or(|last| (last.0 * POINTS).floor() < (t * POINTS).floor())
@@ -69,7 +69,7 @@ fn energy_of(name: &str, method: &impl Method<DoublePendulum, f64, 4>, x0: [f64;
     }
 }
 
-/// Steps of explicit methods grow with friction, those of implicit ones fall.
+/// Number of steps over friction: it increases for explicit methods and decreases for implicit ones.
 pub(crate) fn friction() -> Figure {
     const TOLERANCE: f64 = 1e-6;
     let exponents: Vec<f64> = (0..=16).map(|n| 0.25 * f64::from(n)).collect();
@@ -112,7 +112,7 @@ pub(crate) fn friction() -> Figure {
     }
 }
 
-/// How long a motion can be predicted.
+/// Horizon of prediction over the tolerance.
 pub(crate) fn horizon() -> Result<Figure, StabilityError> {
     const STARTS: u32 = 64;
     let exponents = chaos::exponents_of_start(4e4)?;

@@ -1,7 +1,7 @@
-//! Where methods fail: what was predicted, what was observed, and which method survives.
+//! Cases in which methods fail: predictions, observations, and the methods that survive.
 //!
 //! `cargo run --release -p studies --example where_methods_fail` runs the cases of the test of the same name, prints
-//! them as a table, and draws regions of stability, the energy over time, steps against friction, and the horizon of
+//! them as a table, and draws regions of stability, the energy over time, steps over friction, and the horizon of
 //! prediction. It takes half a minute.
 
 mod contour;

@@ -1,4 +1,4 @@
-//! Regions of stability, and where the scene lies in them.
+//! Regions of stability, with the modes of the scene.
 
 use std::ops::Range;
 
@@ -13,17 +13,17 @@ use charts::methods::line;
 use charts::page::INK;
 use testbed::where_methods_fail::scenes::double_pendulum;
 
-/// The length of the steps, in s.
+/// Step size, in s.
 const H: f64 = 0.1;
 
-/// Enough for lines that look smooth.
+/// Number of grid cells per side, enough for smooth lines.
 const CELLS: usize = 300;
 
-/// Parts of the plane of `h lambda`, the lower half of which mirrors the upper one.
+/// Parts of the plane of `h lambda`; the lower half-plane mirrors the upper one.
 const EXPLICIT: [Range<f64>; 2] = [-9.5..2.5, -1.0..10.0];
 const IMPLICIT: [Range<f64>; 2] = [-6.0..18.0, -2.0..20.0];
 
-/// What a method does to a mode in one step.
+/// Factor of a mode in one step of a method.
 type Factor = fn(Complex<f64>) -> Complex<f64>;
 
 fn factor<F: Default>(z: Complex<f64>) -> Complex<f64>
@@ -95,7 +95,7 @@ fn axis(label: &str, range: &Range<f64>) -> Axis {
     }
 }
 
-/// Where `|R| = 1`, without the islands right of the axis, where no step is that of a decaying mode.
+/// Contours `|R| = 1`, without the islands right of the axis, which no decaying mode reaches.
 fn borders(methods: &[(&str, Factor)], [x, y]: &[Range<f64>; 2]) -> Vec<Curve> {
     let border = |(name, factor): &(&str, Factor)| {
         let excess = |re: f64, im: f64| factor(Complex::new(re, im)).norm().ln();
@@ -105,7 +105,7 @@ fn borders(methods: &[(&str, Factor)], [x, y]: &[Range<f64>; 2]) -> Vec<Curve> {
     methods.iter().filter_map(border).collect()
 }
 
-/// The fastest mode at each friction, in N m s.
+/// Fastest mode at each friction, in N m s.
 fn modes(frictions: &[f64]) -> Result<Vec<Curve>, StabilityError> {
     let fastest = |&gamma: &f64| {
         let hanging = [0.0; 4].into();

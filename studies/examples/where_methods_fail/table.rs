@@ -1,8 +1,8 @@
-//! The cases as text, and the first claim of each as a table for the README.
+//! Text output of all cases, and a table of the first claims for the README.
 
 use testbed::where_methods_fail::row::Row;
 
-/// All claims of all cases.
+/// Formats all claims of all cases.
 pub(crate) fn text(rows: &[Row]) -> String {
     let mut text = String::new();
     for row in rows {
@@ -20,7 +20,7 @@ pub(crate) fn text(rows: &[Row]) -> String {
     head + &text
 }
 
-/// The first claim of each case, in Markdown.
+/// Formats the first claim of each case in Markdown.
 pub(crate) fn markdown(rows: &[Row]) -> String {
     let mut lines = vec![
         "| case | | predicted | observed | survives |".to_owned(),

@@ -1,4 +1,4 @@
-//! Errors against time and evaluations.
+//! Charts of errors over time and over evaluations.
 
 use pendulum_core::accuracy::{Measured, MethodRuns, Report};
 
@@ -7,25 +7,25 @@ use crate::scenes::{NEIGHBOURS, Scene};
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
 use charts::page::GRID;
 
-/// One row of panels for each scene.
+/// Scenes with their reports; each scene is a row of panels.
 type Reports<'r> = &'r [(&'r Scene, Report)];
-/// What is measured, or `None` where a method has no such thing.
+/// Measured quantity; `None` for methods without it.
 type Value = fn(&Measured) -> Option<f64>;
 
-/// What the panels of a column show.
+/// Settings of a column of panels.
 #[derive(Clone, Copy)]
 struct Panels {
     title: &'static str,
     error: (&'static str, Value),
-    /// How far the reference may be off in it.
+    /// Uncertainty of the reference for this error.
     uncertainty: fn(&Scene) -> f64,
     cost: (&'static str, Value),
-    /// Decades of the cost.
+    /// Range of the cost axis, in powers of ten.
     decades: [f64; 2],
     shows: fn(&MethodRuns) -> bool,
 }
 
-/// Decades of the errors.
+/// Range of the error axis, in powers of ten.
 const ERRORS: [f64; 2] = [-17.0, 0.0];
 
 const TIME: Panels = Panels {
@@ -49,7 +49,7 @@ const IN_LANES: Panels = Panels {
     shows: |series| series.name.ends_with(LANES),
     ..TIME
 };
-/// Between the points that are known to all digits.
+/// Largest error, also between the points that are known to all digits.
 const LARGEST: Panels = Panels {
     title: "largest error",
     error: ("largest error (rad, rad/s)", |measured| measured.errors.largest),
@@ -152,7 +152,7 @@ impl Panels {
         )
     }
 
-    /// Errors below the axis are drawn at its end.
+    /// Clamps errors below the axis to its end.
     fn curves(&self, scene: &Scene, report: &Report) -> Vec<Curve> {
         let falling = |error: f64| -error.log10().max(ERRORS[0]);
         let point = |measured: &Measured| Some((falling((self.error.1)(measured)?), (self.cost.1)(measured)?.log10()));

@@ -1,5 +1,4 @@
-//! What accuracy takes: errors of all methods against time and evaluations, and errors of simpler models against their
-//! cost.
+//! Work-precision study: errors of all methods over time and evaluations, and errors of simpler models over their cost.
 //!
 //! `cargo run --release -p studies --example work_precision` measures a regular, a chaotic and a stiff motion of the
 //! double pendulum, and the small-motion model over the amplitude. It prints the tables of the book, and writes charts,

@@ -1,4 +1,4 @@
-//! The methods that are measured: another one is a line.
+//! Measured methods, one per line.
 
 use pendulum_core::accuracy::{Report, Sweep};
 use pendulum_core::prelude::*;
@@ -7,12 +7,12 @@ use crate::scenes::Scene;
 use charts::chart::Line;
 use charts::methods;
 
-/// What stands behind the name of a method in the rows of ensembles.
+/// Suffix of the method's name in the rows of ensembles.
 pub(crate) const LANES: &str = ", lanes";
 
 const ROUNDS: usize = 21;
 
-/// All methods for motions that are not stiff, alone and in lanes.
+/// Measures all methods for nonstiff motions, alone and in lanes.
 pub(crate) fn measure(scene: &Scene) -> Report {
     let more = &scene.neighbours();
     Sweep::new(scene.problem())
@@ -45,7 +45,7 @@ pub(crate) fn measure(scene: &Scene) -> Report {
         .run()
 }
 
-/// The methods for stiff motions, and what two that are not made for them take.
+/// Measures the methods for stiff motions, and two explicit ones for comparison.
 pub(crate) fn measure_stiff(scene: &Scene) -> Report {
     Sweep::new(scene.problem())
         .rounds(ROUNDS)
@@ -58,18 +58,17 @@ pub(crate) fn measure_stiff(scene: &Scene) -> Report {
         .run()
 }
 
-/// How the curve of a method looks, alone or in lanes.
+/// Line style of a method, alone or in lanes.
 pub(crate) fn line(name: &str) -> Line {
     methods::line(name.trim_end_matches(LANES))
 }
 
-/// From 1e-3 to 3e-14, two for each power of ten: the reference between the points has 1e-14, and would be compared
-/// with itself.
+/// Tolerances from 1e-3 to 3e-14, two per decade. Not smaller, since the reference between the points has 1e-14 itself.
 fn tolerances() -> impl Iterator<Item = f64> {
     (6..=27).map(|n| 10.0_f64.powf(-0.5 * f64::from(n)))
 }
 
-/// Falling from `first` by the square root of two, not below `least`.
+/// Step sizes that decrease from `first` by the square root of two, down to `least`.
 fn steps(first: f64, least: f64) -> impl Iterator<Item = f64> {
     let step = move |n: u32| first * 0.5_f64.powf(0.5 * f64::from(n));
     (0..).map(step).take_while(move |&h| h >= least)

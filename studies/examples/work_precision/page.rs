@@ -1,4 +1,4 @@
-//! The page with all charts and tables.
+//! HTML page with all charts and tables.
 
 use pendulum_core::accuracy::Report;
 
@@ -10,7 +10,7 @@ margin: 2em auto; padding: 0 1em } \
                      img { width: 100%; border: 1px solid #ddd } td { padding-right: 1em } pre { font-size: 13px; \
                      line-height: 1.35; overflow-x: auto; background: #f6f6f6; padding: 1em }";
 
-/// As HTML, with the pictures beside it.
+/// Formats the page, which links to the pictures beside it.
 pub(crate) fn page(reports: &[(&Scene, Report)], simpler: &Simpler, table: &str) -> String {
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Accuracy against \
@@ -67,7 +67,7 @@ pub(crate) fn page(reports: &[(&Scene, Report)], simpler: &Simpler, table: &str)
     page
 }
 
-/// The tables of a Markdown text, and what stands between them.
+/// Converts the tables of a Markdown text, and the text between them, to HTML.
 fn tables(markdown: &str) -> String {
     let mut html = String::new();
     for block in markdown.split("\n\n") {

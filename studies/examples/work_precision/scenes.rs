@@ -1,4 +1,4 @@
-//! Three motions of the double pendulum, whose ends are known to 20 digits.
+//! Three motions of the double pendulum, whose final states are known to 20 digits.
 
 use std::error::Error;
 
@@ -7,7 +7,7 @@ use pendulum_core::prelude::*;
 use testbed::trajectories;
 
 mechanism! {
-    /// Two identical plates on axles with the same friction: Williams (2023), Eq. 22.
+    /// Two identical plates on joints with equal friction: Williams (2023), Eq. 22.
     pub(crate) DoublePendulum {
         params { gamma: N m s = 0.1 }
         gravity: [0, -9.8, 0],
@@ -28,7 +28,7 @@ mechanism! {
     }
 }
 
-/// A motion to measure methods on.
+/// Motion on which methods are measured.
 pub(crate) struct Scene {
     pub name: &'static str,
     pub title: &'static str,
@@ -36,7 +36,7 @@ pub(crate) struct Scene {
     pub x0: SVector<f64, 4>,
     pub t1: f64,
     pub reference: Reference<'static, 4>,
-    /// What errors of the energy are measured in: that of the start above hanging at rest, in joules.
+    /// Unit of energy errors: the initial energy above hanging at rest, in joules.
     pub energy: f64,
 }
 
@@ -68,7 +68,7 @@ pub(crate) fn scenes() -> Result<[Scene; 3], Box<dyn Error>> {
     ])
 }
 
-/// Tolerances of the stiff solutions that are trusted between the points.
+/// Tolerance of the reference solutions of the stiff scene between the points.
 const TIGHT: f64 = 1e-14;
 
 fn scene(
@@ -109,12 +109,12 @@ impl Scene {
         Problem::new(&self.model, 0.0, self.t1, self.x0, &self.reference).energy(self.energy)
     }
 
-    /// Starts that differ a little from the scene's own.
+    /// Initial states close to the one of the scene.
     pub(crate) fn neighbours(&self) -> Vec<SVector<f64, 4>> {
         let shift = |n: u32| SVector::from([1e-4 * f64::from(n), 0.0, 0.0, 0.0]);
         (1..NEIGHBOURS).map(|n| self.x0 + shift(n)).collect()
     }
 }
 
-/// How many trajectories an ensemble has.
+/// Number of trajectories of an ensemble.
 pub(crate) const NEIGHBOURS: u32 = 64;

@@ -1,4 +1,4 @@
-//! When a simpler model is enough: small motion and no friction beside the whole model, over the amplitude.
+//! Accuracy of simpler models: small motion, and no friction, compared with the full model over the amplitude.
 
 use std::error::Error;
 use std::fmt;
@@ -13,7 +13,7 @@ use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, GREEN, GREY, VERMILION};
 
 mechanism! {
-    /// The same pendulum without friction.
+    /// Like `DoublePendulum`, but without friction.
     Frictionless {
         gravity: [0, -9.8, 0],
         generate: [rhs, jacobian, energy, taylor],
@@ -23,24 +23,24 @@ mechanism! {
     }
 }
 
-/// How far the motion goes, in seconds.
+/// End time, in seconds.
 const T1: f64 = 10.0;
-/// Relative to the amplitude.
+/// Tolerance relative to the amplitude.
 const TOLERANCE: f64 = 1e-6;
-/// The errors whose amplitudes are marked.
+/// Errors at which the amplitude is marked.
 const LEVELS: [(f64, &str); 2] = [(1e-2, "1 %"), (1e-3, "0.1 %")];
 const NAMES: [&str; 3] = ["linear", "frictionless", "full, 1e-6"];
 
-/// The models at all amplitudes.
+/// Results of the models at all amplitudes.
 pub(crate) struct Simpler {
     amplitudes: Vec<Amplitude>,
 }
 
-/// One start: both angles, at rest.
+/// Results for one amplitude, at which both angles start at rest.
 struct Amplitude {
     degrees: f64,
-    /// The largest error in time of angles and rates (per second) over the amplitude, and the time for the last state,
-    /// in seconds, in the order of [`NAMES`].
+    /// Largest error of angles and rates (per second) relative to the amplitude, and the time to compute the last
+    /// state, in seconds, in the order of [`NAMES`].
     models: [(f64, f64); 3],
     evaluations: usize,
 }
@@ -72,7 +72,7 @@ fn at(degrees: f64) -> Result<Amplitude, Box<dyn Error>> {
     let problem = Problem::new(&free, 0.0, T1, x0, &reference);
     let frictionless = Sweep::new(problem).method("frictionless", [TOLERANCE], method).run();
 
-    // The flow over one interval, again and again.
+    // The flow over one interval, applied repeatedly.
     let interval = flow(T1 / 1000.0)?;
     let states = successors(Some(x0), |x| Some(interval * x)).zip(0..=1000);
     let linear = states.map(|(x, n)| Some((x - reference.at(T1 * f64::from(n) / 1000.0)?).amax()));
@@ -101,7 +101,7 @@ fn at(degrees: f64) -> Result<Amplitude, Box<dyn Error>> {
 }
 
 impl Simpler {
-    /// The amplitude up to which the linear model is within an error.
+    /// Amplitude up to which the error of the linear model does not exceed `level`.
     fn limit(&self, level: f64) -> Option<f64> {
         let pairs = self.amplitudes.windows(2);
         let crossing = |pair: &[Amplitude]| {
@@ -176,11 +176,12 @@ impl Simpler {
     }
 }
 
-/// Decades of the axes.
+/// Range of the error axis, in powers of ten.
 const ERRORS: [f64; 2] = [-9.0, 1.0];
+/// Range of the time axis, in powers of ten.
 const TIMES: [f64; 2] = [-3.0, 2.0];
 
-/// A table over the amplitude, and the operations.
+/// Prints a table over the amplitude, and the operation counts.
 impl fmt::Display for Simpler {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(

@@ -1,22 +1,23 @@
-//! The tables of the book.
+//! Tables of the book.
 
 use pendulum_core::accuracy::{Measured, Report};
 
 use crate::scenes::Scene;
 
-/// The errors to reach, and the one whose steps and evaluations are shown.
+/// Target errors.
 const TARGETS: [f64; 3] = [1e-6, 1e-8, 1e-10];
+/// Index of the target whose steps and evaluations are shown.
 const SHOWN: usize = 1;
 
-/// The cheapest settings of all methods on one scene.
+/// Cheapest settings of all methods on one scene.
 struct Cheapest<'r> {
-    /// For each target, those of each method.
+    /// Cheapest setting of each method, for each target.
     found: [Vec<Option<&'r Measured>>; TARGETS.len()],
-    /// The shortest time to reach each target, lanes apart, in seconds.
+    /// Shortest time of a method without lanes to reach each target, in seconds.
     fastest: [f64; TARGETS.len()],
 }
 
-/// The times of methods on scenes that have the same ones, in units of the fastest one's that is not in lanes.
+/// Table of the times of methods, which are the same on all scenes, relative to the fastest method without lanes.
 pub(crate) fn markdown(reports: &[(&Scene, Report)]) -> String {
     let columns: Vec<_> = reports.iter().map(|(_, report)| Cheapest::of(report)).collect();
     let shown = format!("steps, evaluations at {:.0e}", TARGETS[SHOWN]);
@@ -56,12 +57,12 @@ impl<'r> Cheapest<'r> {
         Self { found, fastest }
     }
 
-    /// The time that method `n` takes for a target.
+    /// Relative time of method `n` for a target.
     fn ratio(&self, target: usize, n: usize) -> Option<f64> {
         Some(self.found[target][n]?.minimum / self.fastest[target])
     }
 
-    /// What the row of method `n` says.
+    /// Cells in the row of method `n`.
     fn cells(&self, n: usize) -> String {
         let ratios = (0..TARGETS.len()).map(|target| self.ratio(target, n).map_or(String::new(), digits));
         let work = self.found[SHOWN][n].and_then(|measured| measured.work);
@@ -71,7 +72,7 @@ impl<'r> Cheapest<'r> {
     }
 }
 
-/// Two significant digits, or all before the point.
+/// Formats two significant digits, or all before the point.
 fn digits(ratio: f64) -> String {
     match ratio {
         ratio if ratio < 0.995 => format!("{ratio:.2}"),

@@ -1,11 +1,11 @@
-//! The measurement of accuracy, on systems whose solutions and errors are known in closed form.
+//! Tests of the accuracy measurement, on systems whose solutions and errors are known in closed form.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use pendulum_core::Reason;
 use pendulum_core::accuracy::{Errors, Failure, Measured, Problem, Reference, Report, Sweep};
 use pendulum_core::prelude::*;
 
-/// A point on a spring: `x'' = -x`, energy `(x^2 + x'^2) / 2`.
+/// Mass on a spring: `x'' = -x`, energy `(x^2 + x'^2) / 2`.
 struct Spring;
 
 impl System<f64, 2> for Spring {
@@ -24,12 +24,12 @@ impl Energy<f64, 2> for Spring {
     }
 }
 
-/// Its motion from rest at 1.
+/// Motion of [`Spring`] from rest at 1.
 fn turning(t: f64) -> SVector<f64, 2> {
     SVector::from([t.cos(), -t.sin()])
 }
 
-/// `x' = x^2`, which is infinite at `t = 1` if it is 1 at 0, and returns from minus infinity.
+/// `x' = x^2`, which diverges at `t = 1` if it is 1 at 0, and returns from minus infinity.
 fn explodes(_t: f64, x: &SVector<f64, 1>) -> SVector<f64, 1> {
     x.component_mul(x)
 }
@@ -54,7 +54,7 @@ fn every_norm_falls_with_its_order() {
         let order = |norm: fn(&Errors) -> f64| (norm(&pair[0]) / norm(&pair[1])).log2();
         assert_abs_diff_eq!(order(|e| e.last), 4.0, epsilon = 0.1);
         assert_abs_diff_eq!(order(|e| e.largest.expect("known")), 4.0, epsilon = 0.1);
-        // The states between the steps are of order 3, so that those of one step are wrong by h^4.
+        // The dense output is of order 3, so its error in one step is proportional to h^4.
         assert_abs_diff_eq!(order(|e| e.dense.expect("known")), 4.0, epsilon = 0.1);
         // On a linear oscillator the energy is one order better.
         assert_abs_diff_eq!(order(|e| e.energy.expect("known")), 5.0, epsilon = 0.1);
@@ -62,8 +62,8 @@ fn every_norm_falls_with_its_order() {
     }
 }
 
-/// A step of RK4 multiplies the energy of an oscillator by `1 - h^6 / 72 + h^8 / 576`: the square of the modulus of its stability
-/// function on the imaginary axis.
+/// A step of RK4 multiplies the energy of an oscillator by `1 - h^6 / 72 + h^8 / 576`: the squared modulus of its
+/// stability function on the imaginary axis.
 #[test]
 fn the_energy_is_off_by_what_the_method_loses() {
     for (h, measured) in HALVED.into_iter().zip(all(&rk4_on_the_spring())) {
@@ -97,7 +97,7 @@ fn work_is_that_of_the_steps_alone() {
         );
         assert!(0.0 < measured.minimum && measured.minimum <= measured.median);
     }
-    // Vern7 takes five further evaluations a step for its dense output, which do not count.
+    // Vern7 takes five more evaluations per step for its dense output, which are not counted.
     let reference = Reference::exact(turning);
     let problem = Problem::new(&Spring, 0.0, 1.0, [1.0, 0.0], &reference);
     let method = |tol: f64| Vern7::new().rtol(tol).atol(tol);
@@ -121,7 +121,7 @@ fn a_failed_run_is_no_error_of_zero() {
         let outcome = &report.methods[series].runs[run].outcome;
         *outcome.as_ref().expect_err("there is no way through")
     };
-    // its own errors of 1e-6 shift the end of the world by as much
+    // errors of 1e-6 of the solution shift the pole by as much
     assert_abs_diff_eq!(failure(0, 0).t, 1.0, epsilon = 1e-6);
     assert!(matches!(
         failure(0, 0).reason,
@@ -140,7 +140,7 @@ fn a_failed_run_is_no_error_of_zero() {
 #[test]
 fn the_cheapest_setting_that_is_good_enough() {
     let mut report = rk4_on_the_spring();
-    // longer steps take less time, whatever else the machine does
+    // longer steps take less time, independently of the load of the machine
     for run in &mut report.methods[0].runs {
         run.outcome.as_mut().expect("regular").minimum = 1.0 / run.setting;
     }
@@ -153,7 +153,7 @@ fn the_cheapest_setting_that_is_good_enough() {
     assert_eq!(pick(&report, last[0]), Some(0.1));
     assert_eq!(pick(&report, 0.999 * last[0]), Some(0.05));
     assert_eq!(pick(&report, 0.999 * last[2]), None);
-    // What the reference does not know cannot be reached.
+    // Errors below the uncertainty of the reference cannot be reached.
     let mut unsure = report;
     unsure.uncertainty = 2.0 * last[0];
     assert_eq!(pick(&unsure, last[0]), None);
@@ -175,8 +175,8 @@ fn a_computed_reference_knows_its_uncertainty() {
 
 #[test]
 fn solutions_are_trusted_as_far_as_they_agree() {
-    // From a start that is off by 1e-6 the spring stays off by that: all of it in x at the turning points, which many steps
-    // come near.
+    // An initial error of 1e-6 persists on the spring: all of it is in x at the turning points, and many steps come
+    // close to these.
     let solve = |x0: f64, t1: f64| Vern9::new().h_max(0.1).solve(&Spring, 0.0, t1, [x0, 0.0]);
     let best = solve(1.0, 10.0).expect("regular");
     let reference = Reference::solutions(best.clone(), &solve(1.0 + 1e-6, 10.0).expect("regular"));
@@ -202,7 +202,7 @@ fn points_know_nothing_between() {
     let at = |t: f64| (solution.at(t).expect("within") - turning(t)).amax();
     assert_eq!(errors.last, at(10.0));
     assert_eq!((errors.largest, errors.dense), (None, Some(at(5.0).max(at(10.0)))));
-    // no reference at the end, no errors
+    // no errors without a reference at the end
     assert_eq!(
         Errors::of(&solution, &Reference::points([(5.0, turning(5.0))], 0.0)),
         None

@@ -1,4 +1,4 @@
-//! Mechanisms that lose their stability where the books say so.
+//! Tests of bifurcations against published values.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -14,7 +14,9 @@ mechanism! {
     pub Held {
         params { torque: N m }
         gravity: [0, -9.81, 0],
-        body bob on ground { mass: 2, com: [0, -0.5, 0], joint: revolute(z), coordinate: angle, friction: 0.3, torque: torque }
+        body bob on ground {
+            mass: 2, com: [0, -0.5, 0], joint: revolute(z), coordinate: angle, friction: 0.3, torque: torque,
+        }
     }
 }
 
@@ -47,7 +49,7 @@ fn a_torque_holds_a_pendulum_up_to_the_horizontal_and_the_branch_goes_round() {
 }
 
 mechanism! {
-    /// A bead on a hoop of 1 m that turns about its vertical diameter.
+    /// A bead on a hoop of 1 m that rotates about its vertical diameter.
     pub Hoop {
         params { omega: rad/s }
         gravity: [0, -9.81, 0],
@@ -82,8 +84,8 @@ fn a_bead_leaves_the_bottom_of_a_hoop_that_turns_fast_enough() {
 }
 
 mechanism! {
-    /// Two rods of 1 m with springs of 1 N m/rad, 2 kg at the knee and 1 kg at the tip, and a push that follows the upper rod: H. Ziegler,
-    /// Ingenieur-Archiv 20 (1952) 49.
+    /// Two rods of 1 m with springs of 1 N m/rad, 2 kg at the knee and 1 kg at the tip, and a follower force along the
+    /// upper rod: H. Ziegler, Ingenieur-Archiv 20 (1952) 49.
     pub Ziegler {
         params { push: N, damping: N m s }
         body lower on ground {
@@ -91,7 +93,8 @@ mechanism! {
             torque: -push * 1 m * sin(knee),
         }
         body upper on lower {
-            mass: 1, com: [0, 1, 0], joint: revolute(z) at [0, 1, 0], coordinate: knee, spring: (1, 0), friction: damping,
+            mass: 1, com: [0, 1, 0], joint: revolute(z) at [0, 1, 0],
+            coordinate: knee, spring: (1, 0), friction: damping,
         }
     }
 }
@@ -115,12 +118,13 @@ fn zieglers_column_flutters_and_damping_makes_it_flutter_sooner() {
         };
         (*parameter, *angular_frequency)
     };
-    // Without damping two frequencies meet: of 2 w^4 - (7 - 2 P) w^2 + 1 = 0.
+    // Without damping two frequencies meet: the roots of 2 w^4 - (7 - 2 P) w^2 + 1 = 0.
     let (push, frequency) = flutter(0.0);
     assert_abs_diff_eq!(push, 3.5 - 2.0_f64.sqrt(), epsilon = 1e-8);
     assert_abs_diff_eq!(frequency, 0.5_f64.powf(0.25), epsilon = 1e-4);
-    // With equal damping at both joints, by Hurwitz from 2 s^4 + 7 c s^3 + (7 - 2 P + c^2) s^2 + 2 c s + 1 = 0; however small it is, the load falls:
-    // V. V. Bolotin, "Nonconservative Problems of the Theory of Elastic Stability" (1963)
+    // With equal damping at both joints, by the Hurwitz criterion for 2 s^4 + 7 c s^3 + (7 - 2 P + c^2) s^2 + 2 c s + 1
+    // = 0. Any damping, however small, lowers the load: V. V. Bolotin, "Nonconservative Problems of the Theory of
+    // Elastic Stability" (1963)
     for damping in [1e-3, 0.1, 0.5] {
         let (push, frequency) = flutter(damping);
         assert_abs_diff_eq!(push, 41.0 / 28.0 + 0.5 * damping * damping, epsilon = 1e-8);
@@ -129,7 +133,8 @@ fn zieglers_column_flutters_and_damping_makes_it_flutter_sooner() {
 }
 
 mechanism! {
-    /// The driven damped pendulum of J. R. Taylor, "Classical Mechanics" (2005), ch. 12; the drive in parts of the weight.
+    /// The driven damped pendulum of J. R. Taylor, "Classical Mechanics" (2005), ch. 12, with the drive in units of the
+    /// weight.
     pub Driven {
         params { drive: 1 }
         gravity: [0, -(3 * pi)^2, 0],
@@ -143,7 +148,7 @@ mechanism! {
 #[test]
 fn the_driven_pendulum_doubles_its_period_where_taylor_says() {
     let driven = |drive| Driven::new(DrivenParams { drive });
-    // The motion that is left after a while, from the side as there; its period is a second times 1, 2, 4.
+    // The steady state, from the initial condition in the book; its period is 1, 2 or 4 s.
     let settled = |drive: f64, seconds: f64| {
         let model = driven(drive).expect("a pendulum");
         let method = Vern7::new().rtol(1e-9).atol(1e-9);
@@ -153,7 +158,7 @@ fn the_driven_pendulum_doubles_its_period_where_taylor_says() {
             .expect("a smooth system")
     };
     let mut doublings = Vec::new();
-    // To one in the last of his digits; the first is 1.066373 by the second way below as well.
+    // To one unit in the last published digit; the second method below also yields 1.066373 for the first.
     for (start, period, published) in [(1.065, 1.0, 1.0663), (1.078, 2.0, 1.0793), (1.0818, 4.0, 1.0821)] {
         let continuation = Continuation::new(driven, 1.06, 1.09).step(0.02).points(10);
         let branch = continuation
@@ -168,7 +173,8 @@ fn the_driven_pendulum_doubles_its_period_where_taylor_says() {
         assert_abs_diff_eq!(doubling.solution.nontrivial()[0].value.re, -1.0, epsilon = 1e-8);
         doublings.push(doubling.parameter);
     }
-    // Beyond the first, what one period is apart from the next grows as the root of the distance: two long motions tell where it begins.
+    // Beyond the first doubling, the distance of states one period apart grows as the square root of the distance in
+    // the drive. Two long motions determine where it begins.
     let square = |drive: f64| (settled(drive, 601.0)[0] - settled(drive, 600.0)[0]).powi(2);
     let (near, far) = (square(1.0665), square(1.0668));
     let told = 1.0665 - 3e-4 * near / (far - near);
@@ -176,7 +182,7 @@ fn the_driven_pendulum_doubles_its_period_where_taylor_says() {
 }
 
 mechanism! {
-    /// Two equal points on rods of 1 m, without friction.
+    /// Two equal point masses on rods of 1 m, without friction.
     pub Double {
         gravity: [0, -9.81, 0],
         shape rod { mass: 1, com: [0, -1, 0] }
@@ -221,7 +227,7 @@ fn normal_modes_of_a_double_pendulum_go_on_to_large_amplitudes() {
             periods.push((orbit.x[0], orbit.period));
             (start, period) = (orbit.x, orbit.period);
         }
-        // the period differs from that of the linear mode as the square of the amplitude
+        // the period differs from that of the linear mode by a term quadratic in the amplitude
         let off = |(amplitude, period): (f64, f64)| (period * frequency / TAU - 1.0) / amplitude.powi(2);
         assert!(off(periods[0]).abs() > 1e-3);
         assert_abs_diff_eq!(off(periods[0]) / off(periods[1]), 1.0, epsilon = 1e-3);

@@ -1,4 +1,4 @@
-//! How every method fails: each error has a type and a reason, and keeps what was reached.
+//! Failures of all methods: each error has a type and a reason, and the state reached is kept.
 
 use std::f64::consts::PI;
 
@@ -11,7 +11,7 @@ use testbed::methods::Promise;
 use testbed::scenes::DoublePendulum;
 
 mechanism! {
-    /// A force of `sqrt(1 - t)`, which is no number once `t > 1`.
+    /// A force of `sqrt(1 - t)`, which is NaN for `t > 1`.
     pub Ending {
         units: none,
         generate: [rhs, jacobian, energy, taylor, canonical],
@@ -20,7 +20,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A force that is defined up to `x = 1`, where the cart goes at full speed.
+    /// A force that is defined up to `x = 1`, where the cart arrives at full speed.
     pub Cliff {
         units: none,
         params { push: N = 1.0 }
@@ -30,7 +30,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A fall into the centre of an inverse square, from the distance 1: it takes `pi / sqrt(8)`.
+    /// A fall into the centre of an inverse-square force from the distance 1, which takes `pi / sqrt(8)`.
     pub Pole {
         params { strength: N m^2 = 1.0 }
         generate: [rhs, jacobian, energy, taylor, canonical],
@@ -48,7 +48,7 @@ mechanism! {
 
 // Bad input
 
-/// The name of what a method refuses.
+/// Name of the input that a method rejects.
 fn refused(method: &impl Method<Spring, f64, 2>, (t0, t1): (f64, f64), x0: [f64; 2]) -> &'static str {
     let model = Spring::new(SpringParams {}).expect("physical");
     let error = method.solve(&model, t0, t1, x0).expect_err("nonsense");
@@ -134,9 +134,9 @@ fn too_many_steps_keep_the_part_that_was_reached() {
     testbed::each_adaptive!(check);
 }
 
-// Right-hand sides that end
+// Right-hand sides that become undefined
 
-/// The motion of [`Ending`].
+/// Exact motion of [`Ending`].
 fn until_the_end(t: f64) -> SVector<f64, 2> {
     let left = (1.0 - t).max(0.0);
     SVector::from([
@@ -145,7 +145,7 @@ fn until_the_end(t: f64) -> SVector<f64, 2> {
     ])
 }
 
-/// Whether a right-hand side has come to its end. The steps of the Taylor method grow shorter and shorter on the way to it.
+/// True if the right-hand side has become undefined. The steps of the Taylor method shrink as they approach that time.
 fn is_end(reason: &Reason, promise: &Promise) -> bool {
     matches!(reason, Reason::NonFinite { .. })
         || (promise.name == "Taylor" && matches!(reason, Reason::StepUnderflow { .. }))
@@ -166,7 +166,7 @@ fn a_right_hand_side_that_ends_is_followed_to_its_end() {
             "{promise:?}"
         );
         assert_abs_diff_eq!(error.x(), until_the_end(error.t()), epsilon = 2e-4);
-        // and again, from where it stays
+        // a second run from there fails in the same way
         let mut stepper = method.stepper(&model, 0.0, 2.0, [0.0, 0.0]).expect("valid");
         assert_eq!(stepper.run(), Err(error.reason), "{promise:?}");
         assert_eq!(stepper.step(), Err(error.reason), "{promise:?}");
@@ -229,7 +229,7 @@ fn a_pole_is_the_end() {
         let model = Pole::new(PoleParams::default()).expect("physical");
         let method = Adaptive::<F>::new().rtol(1e-7).max_steps(50_000);
         let error = method.solve(&model, 0.0, 2.0, [0.0, 0.0]).expect_err("the centre");
-        // Steps too short for the time, or one of the shortest that meets the centre.
+        // Either steps become too short for the time, or one of the shortest hits the centre.
         assert!(
             matches!(error.reason, Reason::StepUnderflow { .. } | Reason::NonFinite { .. }),
             "{promise:?}: {error}"
@@ -244,11 +244,11 @@ fn a_pole_is_the_end() {
     testbed::each_adaptive!(check);
 }
 
-/// Close to a pole the terms of a series are beyond all numbers: so is no step.
+/// Close to a pole the terms of a series overflow, and must not be accepted as a step.
 #[test]
 fn a_series_does_not_leap_over_a_pole() {
     let model = Pole::new(PoleParams::default()).expect("physical");
-    // or the centre itself, or more and more steps on the way
+    // also by hitting the centre, or by too many steps on the way
     let ends = |reason: &Reason| !matches!(reason, Reason::InvalidInput { .. });
     for tolerance in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13, 1e-15] {
         let method = Taylor::new()
@@ -271,7 +271,7 @@ fn a_series_does_not_leap_over_a_pole() {
     }
 }
 
-/// What an ensemble tells of its members is what each tells alone.
+/// An ensemble reports the same failures as its members alone.
 macro_rules! stopped_alike {
     ($test:ident: $model:ident, $params:ident, $symbol:ident, $x0:expr) => {
         #[test]

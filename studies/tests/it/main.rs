@@ -1,4 +1,4 @@
-//! What the studies show: accuracy, failures, stability, and the slips of the paper.
+//! Tests of the studies: accuracy, failures, stability, and the misprints of the paper.
 #![forbid(unsafe_code)]
 
 mod accuracy;

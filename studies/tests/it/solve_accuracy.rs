@@ -1,24 +1,27 @@
-//! How many digits the accelerations lose where one body is much lighter or heavier than the others, against 50 digits.
+//! Digits that accelerations lose if one body is much lighter or heavier than the others, compared with 50-digit
+//! values.
 
 use testbed::ratios::{Sample, generated, scenes};
 
-/// Largest error in units of what the condition explains. The longest chain of operations from an input to an acceleration
-/// has some twenty roundings of half a unit each: they add up like a random walk, to about two units. Twice that leaves room for
-/// a less lucky order of operations, and none for a cancellation, which costs thousands.
+/// Maximum error in units of the bound by the conditioning. The longest chain of operations from an input to an
+/// acceleration has some twenty roundings of half a unit each, which add up like a random walk to about two units.
+/// Twice that leaves room for a less favourable order of operations, but none for a cancellation, which costs
+/// thousands.
 const UNITS: f64 = 4.0;
 
-/// Which scenes obey what: every scene of the data stands in one of the two.
+/// Scenes with two coordinates. Each scene of the data is in one of the two lists.
 const TWO_COORDINATES: [&str; 5] = ["points", "points_relative", "plates", "plates_slight", "cart"];
+/// Scenes with three coordinates.
 const THREE_COORDINATES: [&str; 3] = ["chain_last", "chain_middle", "arm"];
 
-/// Asserts that no error is above `UNITS` times the `bound` of its sample.
+/// Asserts that no error exceeds `UNITS` times the `bound` of its sample.
 fn assert_bounded(names: &[&str], bound: impl Fn(&Sample) -> f64) {
     let mut worst = (0.0, String::new());
     for scene in scenes().iter().filter(|scene| names.contains(&scene.name.as_str())) {
         for sample in &scene.samples {
             let error = sample.error_of(&generated(&scene.name, sample));
             let units = error / bound(sample);
-            // what is no number is the worst there is
+            // NaN is the worst error of all
             if units.is_nan() || units > worst.0 {
                 let (kappa, ratio, state) = (sample.kappa(), sample.ratio, &sample.state);
                 let place = format!(
@@ -33,21 +36,21 @@ fn assert_bounded(names: &[&str], bound: impl Fn(&Sample) -> f64) {
     assert!(worst.0 <= UNITS, "{}", worst.1);
 }
 
-/// What cancels in the equations of two coordinates did so in symbols.
+/// With two coordinates, all cancellations were done symbolically.
 #[test]
 fn two_coordinates_lose_no_more_than_their_condition() {
     assert_bounded(&TWO_COORDINATES, Sample::bound);
 }
 
-/// Three coordinates are eliminated in numbers. What a heavy body adds to a pivot and takes away again leaves its rounding there,
-/// which is like an error of a light mass by as many units as the ratio of the two.
+/// Three coordinates are eliminated numerically. A heavy body adds a term to a pivot that is subtracted later; its
+/// rounding error remains, and is relative to a light mass as many units as the ratio of the two.
 #[test]
 fn three_coordinates_lose_no_more_than_the_ratio_of_masses() {
     let spread = |sample: &Sample| sample.ratio.max(sample.ratio.recip());
     assert_bounded(&THREE_COORDINATES, |sample| spread(sample) * sample.bound());
 }
 
-/// At equal masses nothing cancels that the condition does not know of.
+/// At equal masses there is no cancellation beyond the conditioning.
 #[test]
 fn equal_masses_lose_no_more_than_their_condition() {
     assert_bounded(&[&TWO_COORDINATES[..], &THREE_COORDINATES[..]].concat(), |sample| {

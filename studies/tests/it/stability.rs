@@ -1,4 +1,4 @@
-//! Where generated mechanisms rest, and how they move about it: against closed forms.
+//! Equilibria of generated mechanisms, and motions about them, compared with closed forms.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -11,40 +11,64 @@ use testbed::random::{Random, share};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 mechanism! {
-    /// Four links whose centres of mass lie beside the lines of their axles.
+    /// Four links whose centres of mass lie beside the lines of their joints.
     pub Crooked {
         params { m: kg = 1.0, a: m = 0.1, b: m = -0.2, g: m/s^2 = 9.81, gamma: N m s = 0.3 }
         gravity: [0, -g, 0],
-        body first on ground { mass: m, com: [a, -0.5, 0], inertia: 0.1, joint: revolute(z), coordinate: q1, friction: gamma }
-        body second on first { mass: m, com: [b, -0.4, 0], inertia: 0.1, joint: revolute(z) at [0.1, -1, 0], coordinate: q2, friction: gamma }
-        body third on second { mass: m, com: [a, 0.3, 0], inertia: 0.1, joint: revolute(z) at [0, -0.9, 0], coordinate: q3, friction: gamma }
-        body fourth on third { mass: m, com: [b, 0, 0], inertia: 0.1, joint: revolute(z) at [-0.2, -0.7, 0], coordinate: q4, friction: gamma }
+        body first on ground {
+            mass: m, com: [a, -0.5, 0], inertia: 0.1, joint: revolute(z), coordinate: q1, friction: gamma,
+        }
+        body second on first {
+            mass: m, com: [b, -0.4, 0], inertia: 0.1,
+            joint: revolute(z) at [0.1, -1, 0], coordinate: q2, friction: gamma,
+        }
+        body third on second {
+            mass: m, com: [a, 0.3, 0], inertia: 0.1,
+            joint: revolute(z) at [0, -0.9, 0], coordinate: q3, friction: gamma,
+        }
+        body fourth on third {
+            mass: m, com: [b, 0, 0], inertia: 0.1,
+            joint: revolute(z) at [-0.2, -0.7, 0], coordinate: q4, friction: gamma,
+        }
     }
 }
 
 mechanism! {
-    /// The same with absolute angles.
+    /// Like `Crooked`, but with absolute angles.
     pub CrookedAbsolute {
         params { m: kg = 1.0, a: m = 0.1, b: m = -0.2, g: m/s^2 = 9.81, gamma: N m s = 0.3 }
         gravity: [0, -g, 0],
-        body first on ground { mass: m, com: [a, -0.5, 0], inertia: 0.1, joint: revolute(z), coordinate: q1 absolute, friction: gamma }
-        body second on first { mass: m, com: [b, -0.4, 0], inertia: 0.1, joint: revolute(z) at [0.1, -1, 0], coordinate: q2 absolute, friction: gamma }
-        body third on second { mass: m, com: [a, 0.3, 0], inertia: 0.1, joint: revolute(z) at [0, -0.9, 0], coordinate: q3 absolute, friction: gamma }
-        body fourth on third { mass: m, com: [b, 0, 0], inertia: 0.1, joint: revolute(z) at [-0.2, -0.7, 0], coordinate: q4 absolute, friction: gamma }
+        body first on ground {
+            mass: m, com: [a, -0.5, 0], inertia: 0.1, joint: revolute(z), coordinate: q1 absolute, friction: gamma,
+        }
+        body second on first {
+            mass: m, com: [b, -0.4, 0], inertia: 0.1,
+            joint: revolute(z) at [0.1, -1, 0], coordinate: q2 absolute, friction: gamma,
+        }
+        body third on second {
+            mass: m, com: [a, 0.3, 0], inertia: 0.1,
+            joint: revolute(z) at [0, -0.9, 0], coordinate: q3 absolute, friction: gamma,
+        }
+        body fourth on third {
+            mass: m, com: [b, 0, 0], inertia: 0.1,
+            joint: revolute(z) at [-0.2, -0.7, 0], coordinate: q4 absolute, friction: gamma,
+        }
     }
 }
 
 mechanism! {
-    /// A pendulum that a motor turns with a constant torque.
+    /// A pendulum driven by a constant motor torque.
     pub Motor {
         params { torque: N m = 3.0 }
         gravity: [0, -9.81, 0],
-        body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, torque: torque, friction: 0.1 }
+        body bob on ground {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, torque: torque, friction: 0.1,
+        }
     }
 }
 
 mechanism! {
-    /// A pendulum on a cart that rolls on a level track.
+    /// A pendulum on a cart on a level track.
     pub Cart {
         gravity: [0, -9.81, 0],
         body cart on ground { mass: 2, joint: prismatic(x), coordinate: x, friction: 0.5 }
@@ -53,21 +77,25 @@ mechanism! {
 }
 
 mechanism! {
-    /// A pendulum at the rim of a table that turns freely.
+    /// A pendulum at the rim of a table that rotates freely.
     pub Turntable {
         gravity: [0, 0, -9.81],
         body table on ground { mass: 2, inertia: [1, 1, 1], joint: revolute(z), coordinate: turn, friction: 0.1 }
         body bob on table {
-            mass: 1, com: [0, 0, -1], inertia: [0.1, 0.1, 0.1], joint: revolute(x) at [1, 0, 0], coordinate: angle, friction: 0.1,
+            mass: 1, com: [0, 0, -1], inertia: [0.1, 0.1, 0.1],
+            joint: revolute(x) at [1, 0, 0], coordinate: angle, friction: 0.1,
         }
     }
 }
 
 mechanism! {
-    /// A pendulum that a motor shakes.
+    /// A pendulum driven by an oscillating motor torque.
     pub Shaken {
         gravity: [0, -9.81, 0],
-        body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, torque: 1 N m*cos(1 rad/s*t), friction: 0.1 }
+        body bob on ground {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle,
+            torque: 1 N m*cos(1 rad/s*t), friction: 0.1,
+        }
     }
 }
 
@@ -85,8 +113,9 @@ fn unstable<const N: usize>(equilibrium: &Equilibrium<N>) -> usize {
     modes.filter(|mode| mode.growth_rate() > mode.uncertainty).count()
 }
 
-/// Each link hangs or stands, and each that stands makes one motion grow: the stiffness matrix is diagonal in absolute angles, and
-/// the signs of its entries are those of the squares of the growth rates, whatever the masses (Sylvester's law of inertia).
+/// Each link hangs or stands, and each standing one causes one growing motion: the stiffness matrix is diagonal in
+/// absolute angles, and the signs of its entries are those of the squares of the growth rates, whatever the masses
+/// (Sylvester's law of inertia).
 #[test]
 fn the_equilibria_of_a_chain_are_all_found() {
     fn check(model: &impl Jacobian<f64, 8>, seed: SVector<f64, 8>) {
@@ -147,16 +176,18 @@ fn a_constant_torque_turns_the_equilibria_and_then_ends_them() {
 }
 
 mechanism! {
-    /// A pendulum that a torsion spring pulls back: `k theta + 9.81 sin theta = 0`.
+    /// A pendulum with a torsion spring: `k theta + 9.81 sin theta = 0`.
     pub Wound {
         params { k: N m / rad }
         gravity: [0, -9.81, 0],
-        body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta, spring: (k, 0), friction: 0.1 }
+        body bob on ground {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta, spring: (k, 0), friction: 0.1,
+        }
     }
 }
 
 mechanism! {
-    /// Two of them, one on the other.
+    /// Two pendulums with torsion springs, one on the other.
     pub WoundChain {
         params { k: N m / rad }
         gravity: [0, -9.81, 0],
@@ -170,7 +201,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A slider on a level rail, with a spring to a point 0.6 m above, that is 1 m long.
+    /// A slider on a level rail, with a spring of length 1 m to a point 0.6 m above the rail.
     pub Snap {
         point pin on ground at [0, 0.6, 0],
         point middle on slider,
@@ -179,7 +210,7 @@ mechanism! {
     }
 }
 
-/// Sums of sines and lines are zero where a fine grid shows changes of sign.
+/// Compares with the sign changes of the equilibrium equations on a fine grid.
 #[test]
 fn equilibria_under_springs_are_all_found() {
     for k in [0.3, 1.0, 2.0, 5.0, 20.0] {
@@ -198,11 +229,11 @@ fn equilibria_under_springs_are_all_found() {
             .filter(|found| found.stability() == Stability::AsymptoticallyStable);
         assert_eq!(2 * stable.count() - 1, known);
     }
-    // a spring so soft that there are some 15 turns away
+    // a spring so soft that equilibria extend over some 15 turns
     let wound = Wound::new(WoundParams { k: 0.1 }).expect("physical");
     let found = equilibria(&wound, [SVector::from([0.1, 0.0])]).expect("autonomous");
     assert_eq!(found.unsearched(), ["theta"]);
-    // of two angles, all that Newton's method finds from a fine grid
+    // for two angles, all roots that Newton's method finds from a fine grid
     for &k in &[4.0, 2.0][..share(2)] {
         let chain = WoundChain::new(WoundChainParams { k }).expect("physical");
         let found = equilibria(&chain, [SVector::zeros()]).expect("autonomous");
@@ -231,7 +262,7 @@ fn equilibria_under_springs_are_all_found() {
     }
 }
 
-/// Where it stands does not matter to the cart: one motion neither grows nor decays.
+/// The equilibrium is independent of the position of the cart: one motion neither grows nor decays.
 #[test]
 fn equilibria_that_are_not_isolated_are_found_nearby() {
     let cart = Cart::new(CartParams {}).expect("physical");
@@ -245,7 +276,7 @@ fn equilibria_that_are_not_isolated_are_found_nearby() {
     assert!((still.shape[0].norm() - 1.0).abs() < 1e-9 && still.shape.rows(1, 3).map(|part| part.norm()).max() < 1e-9);
 }
 
-/// The table may stand at any angle, so half a turn of it gives the same kind of equilibrium.
+/// The equilibrium is independent of the angle of the table, so half a turn of it yields no different equilibrium.
 #[test]
 fn angles_that_do_not_matter_are_not_turned() {
     let table = Turntable::new(TurntableParams {}).expect("physical");
@@ -271,8 +302,9 @@ fn a_system_that_time_drives_has_no_equilibria() {
     assert!(forced.is_ok(), "{forced:?}");
 }
 
-/// With `A = [[3, 1], [1, 2]]` and stiffness `diag(2 g, g)`, or the opposite sign where a plate stands, the squares `s` of the rates solve
-/// `5 s^2 + 7 g s + 2 g^2 = 0`, `5 s^2 - 7 g s + 2 g^2 = 0`, `5 s^2 + g s - 2 g^2 = 0` and `5 s^2 - g s - 2 g^2 = 0`.
+/// With `A = [[3, 1], [1, 2]]` and stiffness `diag(2 g, g)`, with the opposite sign for a standing plate, the squares
+/// `s` of the rates solve `5 s^2 + 7 g s + 2 g^2 = 0`, `5 s^2 - 7 g s + 2 g^2 = 0`, `5 s^2 + g s - 2 g^2 = 0` and
+/// `5 s^2 - g s - 2 g^2 = 0`.
 #[test]
 fn frictionless_modes_are_those_of_the_closed_form() {
     let g = 9.8_f64;
@@ -311,7 +343,8 @@ fn frictionless_modes_are_those_of_the_closed_form() {
     }
 }
 
-/// Friction makes a stable rest asymptotically stable, and cannot save an unstable one (Kelvin, Tait and Chetaev), however it is shared.
+/// Friction makes a stable equilibrium asymptotically stable, and cannot stabilise an unstable one (Kelvin, Tait and
+/// Chetaev), however it is distributed.
 #[test]
 fn friction_settles_what_hangs_and_nothing_else() {
     let sizes = [0.0, 1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4];
@@ -331,7 +364,7 @@ fn friction_settles_what_hangs_and_nothing_else() {
     }
 }
 
-/// What the linear theory says of a start beside an unstable rest is what the whole model does for a while.
+/// Beside an unstable equilibrium, the full model follows the linear theory for a while.
 #[test]
 fn a_start_beside_an_unstable_rest_leaves_at_the_growth_rate() {
     let model = pendulum(0.3, 0.2);
@@ -354,7 +387,8 @@ fn a_start_beside_an_unstable_rest_leaves_at_the_growth_rate() {
     }
 }
 
-/// In `[q; qd]` the exponents of a motion without friction come in pairs of opposite sign; with it, their sum is the mean of the trace.
+/// In `[q; qd]` the exponents of a motion without friction come in pairs of opposite sign; with friction, their sum is
+/// the mean of the trace.
 #[test]
 fn exponents_pair_without_friction_and_sum_to_the_mean_trace_with_it() {
     let start = [2.0, 2.5, 0.0, 0.0];
@@ -364,7 +398,7 @@ fn exponents_pair_without_friction_and_sum_to_the_mean_trace_with_it() {
         .expect("regular")
         .values;
     assert!(first > 0.5, "{first}");
-    // to the end effects of directions that are not orthogonal, which fall as one over the time
+    // up to end effects of directions that are not orthogonal, which decrease as one over the time
     assert!(
         (first + fourth).abs() < 0.03 && (second + third).abs() < 0.03,
         "{first} {second} {third} {fourth}"
@@ -393,17 +427,18 @@ fn exponents_pair_without_friction_and_sum_to_the_mean_trace_with_it() {
         .sum::<f64>()
         / f64::from(3 * n);
     let sum: f64 = found.values.iter().sum();
-    // some ten steps in a second, each of which may be off by a part of 1e-7
+    // some ten steps per second, each with a relative error of up to 1e-7
     assert!((sum - simpson).abs() < 1e-6, "{sum} {simpson}");
 }
 
-/// The linear modes of a chain of three from its own mass matrix and weights, by a symmetric eigenproblem.
+/// Compares linear modes of a chain of three with a symmetric eigenproblem of its own mass matrix and weights.
 #[test]
 fn hanging_chains_swing_at_the_frequencies_of_the_symmetric_problem() {
     let chain = testbed::plates::TripleChain::new(testbed::plates::TripleChainParams {}).expect("physical");
     let hanging = equilibrium(&chain, [0.1, -0.1, 0.2, 0.0, 0.0, 0.0]).expect("there is one");
     assert!(hanging.x.amax() < 1e-12);
-    // Absolute angles: weights below each axle times their levers; masses 1, 0.7, 0.5, lengths 1, 0.8, centres at 0.5, 0.4, 0.3.
+    // Absolute angles: weights below each joint times their levers; masses 1, 0.7, 0.5, lengths 1, 0.8, centres at 0.5,
+    // 0.4, 0.3.
     let (g, levers) = (9.81, [0.5 + 0.7 + 0.5, 0.7 * 0.4 + 0.5 * 0.8, 0.5 * 0.3]);
     let mass = DMatrix::from_row_slice(
         3,
@@ -430,13 +465,13 @@ fn hanging_chains_swing_at_the_frequencies_of_the_symmetric_problem() {
         .map(|eigenvalue| eigenvalue.norm())
         .collect();
     sizes.sort_by(f64::total_cmp);
-    // the friction of 0.01 N m s changes them to the second order
+    // the friction of 0.01 N m s changes them to second order
     for (size, expected) in sizes.chunks(2).zip(expected) {
         assert!((size[0] / expected - 1.0).abs() < 3e-3, "{sizes:?} {expected}");
     }
 }
 
-/// A small motion in one mode passes the middle once in each period.
+/// A small motion in one mode passes the middle once per period.
 #[test]
 fn a_section_of_a_mode_is_one_point_for_each_period() {
     let model = pendulum(0.0, 0.0);
@@ -451,7 +486,7 @@ fn a_section_of_a_mode_is_one_point_for_each_period() {
             assert!(point.x[0].abs() < 1e-15 && point.x[2] > 0.0);
             assert!((model.energy(point.t, &point.x) - energy).abs() < 1e-12);
             let period = 2.0 * PI / mode.angular_frequency();
-            // frequencies fall with the square of the amplitude
+            // frequencies decrease with the square of the amplitude
             let passed = (point.t - points[0].t) / period;
             assert!((passed - k as f64).abs() < 1e-8 * (1.0 + passed), "{passed} {k}");
         }

@@ -1,4 +1,5 @@
-//! Where methods fail: each case is predicted first, from coefficients of the method or from the generated Jacobian, and then observed.
+//! Tests of cases in which methods fail: each case is predicted first, from coefficients of the method or from the
+//! generated Jacobian, and then observed.
 //!
 //! The study of the same name prints all cases as a table, and draws some of them.
 

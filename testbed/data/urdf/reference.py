@@ -1,21 +1,21 @@
-"""Writes the URDF files of this folder, trimmed, and reference.json: what Pinocchio makes of them. Those in `declared`
-are the robots of ../robots.json, which the testbed declares by hand, with its numbers.
+"""Writes the URDF files of this folder, trimmed, and reference.json with Pinocchio's results for them. Those in `declared`
+are the robots of ../robots.json, which the testbed declares by hand, with the same numbers.
 
 Run in this folder, with `pin` 4.1 and `example-robot-data` 6.0 from PyPI: `python3 reference.py`; it takes a second.
 
-Trimmed means that everything is removed that has nothing to do with the motion; the numbers are those of the originals.
-As the generator does, the script takes an angle that was rounded from a multiple of 45 degrees, or is within 1e-8 of
-one, for that multiple, and angles and lengths below 1e-12 for zero, in what it hands to Pinocchio. The files here keep
-what they have.
+Trimmed files contain only elements that affect the motion, with the original numbers. Like the generator, the script
+snaps angles that were rounded from a multiple of 45 degrees, or are within 1e-8 of one, to that multiple, and angles
+and lengths below 1e-12 to zero, in the data passed to Pinocchio. The files here keep the original values.
 
-Robots in `FREE` have a root that flies, as the test declares it; `flying.urdf` has joints of more than one coordinate in
-the file. Their rates are not those of Pinocchio, which has linear ones along the axes of the body: `v = S r + ..` with
-ours `r`, so the matrix is `S^T A S`, the bias `S^T (b + A S' r)`, and `r' = S^-1 (v' - S' r)`, where `v'` is by `aba`.
+Robots in `FREE` have a floating root, as declared in the test; `flying.urdf` has joints of more than one coordinate in
+the file. Their rates `r` differ from those of Pinocchio, whose linear velocities are along the axes of the body:
+`v = S r + ..`. So the mass matrix is `S^T A S`, the bias `S^T (b + A S' r)`, and `r' = S^-1 (v' - S' r)`, where `aba`
+computes `v'`.
 
 `mass_matrix` and `bias` (velocity terms and gravity) are Pinocchio's, the energies follow from its matrix and its
 frames. The acceleration is `A^-1 (Q - b)`, where Q is the friction of the joints: `-damping v - friction sign(v)`.
-Coordinates are in the order of the joints in the file; those that mimic others have none. The potential energy leaves
-out what is fixed to the ground. """
+Coordinates are in the order of the joints in the file; joints that mimic others have none. The potential energy excludes
+bodies fixed to the ground. """
 
 import json
 import math
@@ -61,7 +61,7 @@ def trim(node):
 
 
 def exact(text):
-    """An angle as it is meant."""
+    """Undoes the rounding of an angle."""
     value = float(text)
     count = round(value / (math.pi / 4))
     mantissa, _, exponent = text.lower().partition("e")
@@ -91,7 +91,7 @@ def coefficients(joint, name):
 
 
 def potential(model, data, q):
-    """Of all that moves; Pinocchio's own function has no joints that mimic others."""
+    """Potential energy of all moving bodies; Pinocchio's own function ignores mimic joints."""
     pin.forwardKinematics(model, data, q)
     places = [(body.mass, place.act(body.lever)) for body, place in zip(model.inertias, data.oMi)]
     return -sum(mass * model.gravity.linear @ place for mass, place in places[1:])
@@ -140,7 +140,7 @@ def reference(robot, random):
 
 
 def freely(robot, random, change=lambda model: None):
-    """A robot that flies, or has joints of more than one coordinate. None of them has friction."""
+    """Samples of a floating robot, or one with joints of more than one coordinate. None has friction."""
     model = pin.buildModelFromXML(ET.tostring(meant(robot), encoding="unicode"))
     change(model)
     data = model.createData()
@@ -152,7 +152,7 @@ def freely(robot, random, change=lambda model: None):
     for _ in range(SAMPLES):
         names, ours, rates = [], [], []
         q = np.zeros(model.nq)
-        # rates of Pinocchio by ours, and their drift
+        # rates of Pinocchio as function of ours, and their drift
         slopes, drift = np.zeros((model.nv, model.nv)), np.zeros(model.nv)
         for joint in moving:
             name, kind = joint.get("name"), joint.get("type")
@@ -171,7 +171,7 @@ def freely(robot, random, change=lambda model: None):
                 slopes[j : j + 3, n : n + 3], slopes[j + 3 : j + 6, n + 3 : n + 6] = back, np.eye(3)
                 drift[j : j + 3] = -np.cross(spin, back @ velocity)
             elif kind == "planar":
-                # Pinocchio knows no other plane
+                # Pinocchio supports no other plane
                 assert joint.find("axis").get("xyz") == "0 0 1"
                 x, y, angle, turn = [number() for _ in range(4)]
                 velocity = np.array([number(), number()])
@@ -210,7 +210,7 @@ def freely(robot, random, change=lambda model: None):
 
 
 def flying(robot, root):
-    """The robot on a world, against which its root moves freely."""
+    """Attaches the robot to a world by a floating root."""
     flown = ET.fromstring(ET.tostring(robot))
     joint = ET.Element("joint", name="base", type="floating")
     ET.SubElement(joint, "parent", link="world")

@@ -1,14 +1,14 @@
-//! Trees as declarations.
+//! Declarations of random trees.
 
 use std::fmt::{self, Display, Formatter};
 
 use super::{Action, Body, Event, Form, Joint, Law, Matter, Moves, Name, Number, Output, Solid, Torque, Tree, Triple};
 
-/// The letters of the axes.
+/// Names of the axes.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl Tree {
-    /// What `mechanism! { .. }` holds.
+    /// Returns the declaration of the tree: the contents of its `mechanism! { .. }`.
     pub fn declaration(&self, name: &str, generate: &[&str]) -> String {
         let mut text = format!("pub {name} {{\n    units: none,\n");
         if !self.parameters.is_empty() {
@@ -152,7 +152,7 @@ impl Display for Joint {
     }
 }
 
-/// An axis of the frame by its letter.
+/// Name of a coordinate axis, with its sign.
 fn axis(a: &Triple) -> String {
     let letter = AXES.into_iter().enumerate().find_map(|(n, letter)| {
         let others = (0..3).all(|m| m == n || a[m].value == 0.0);

@@ -1,21 +1,21 @@
-//! Trees at random.
+//! Random trees.
 
 mod additions;
 
 use super::{Action, Body, Joint, Law, Matter, Moves, Name, Number, Point, Sense, Torque, Tree, Triple};
 use crate::random::Random;
 
-/// What is drawn.
+/// Distribution of masses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Every moving body has mass, and the masses are within a factor of 64.
     Even,
-    /// Some bodies have none, and masses differ by factors up to a million.
+    /// Some bodies are massless, and masses differ by factors of up to a million.
     Uneven,
 }
 
 impl Tree {
-    /// A tree of up to this many joints with coordinates. Its mass matrix may be singular.
+    /// Draws a tree with up to `most` coordinates. Its mass matrix may be singular.
     pub fn draw(seed: u64, kind: Kind, most: usize) -> Self {
         Draw {
             random: Random::new(seed),
@@ -37,12 +37,12 @@ impl Draw {
         (self.random.between(0.0, count as f64) as usize).min(count - 1)
     }
 
-    /// Whether something happens that happens in this part of all cases.
+    /// Returns true with probability `part`.
     fn chance(&mut self, part: f64) -> bool {
         self.random.between(0.0, 1.0) < part
     }
 
-    /// A multiple of 1/16.
+    /// Draws a multiple of 1/16.
     fn value(&mut self, low: f64, high: f64) -> f64 {
         (self.random.between(low, high) * 16.0).round() / 16.0
     }
@@ -54,7 +54,7 @@ impl Draw {
         }
     }
 
-    /// A number that may be a parameter.
+    /// Makes a number, sometimes a parameter.
     fn number(&mut self, value: f64) -> Number {
         let name = self.chance(0.08).then(|| {
             self.parameters.push(value + 0.0);
@@ -71,7 +71,7 @@ impl Draw {
         self.number(value)
     }
 
-    /// A vector, often with components that are zero.
+    /// Draws a vector, often with zero components.
     fn vector(&mut self, reach: f64) -> Triple {
         let sparse = self.chance(0.5);
         std::array::from_fn(|_| {
@@ -83,7 +83,7 @@ impl Draw {
         })
     }
 
-    /// An axis of the frame, or any direction.
+    /// Draws a coordinate axis, or any direction.
     fn axis(&mut self) -> Triple {
         let letter = self.chance(0.5);
         let mut axis = [0.0; 3];
@@ -100,7 +100,7 @@ impl Draw {
 
     fn tree(mut self, most: usize) -> Tree {
         let dof = 1 + self.below(most);
-        // in a third of the trees all that turns turns about one direction, as absolute angles need it
+        // in a third of the trees all revolute axes are parallel, as absolute angles require
         let common = self.chance(0.33).then(|| self.axis());
         let gravity = match self.below(4) {
             0 => [0.0, 0.0, 0.0].map(Self::plain),
@@ -117,7 +117,7 @@ impl Draw {
             coordinates += usize::from(moving && !driven);
             bodies.push(body);
         }
-        // what is last on a branch must have mass
+        // the last body of each branch must have mass
         let bare: Vec<usize> = (0..bodies.len())
             .filter(|&n| bodies[n].matter.is_none() && bodies.iter().all(|body| body.parent != Some(n)))
             .collect();
@@ -144,7 +144,7 @@ impl Draw {
             parameters: Vec::new(),
             inputs: Vec::new(),
         };
-        // last, so that what is drawn before stays what it is
+        // last, so that trees of earlier versions keep their other properties
         self.add_solids(&mut tree);
         self.add_inputs(&mut tree);
         self.add_observed(&mut tree);
@@ -248,7 +248,7 @@ impl Draw {
         }
     }
 
-    /// A joint that slides, or that turns about this direction or against it.
+    /// Draws a prismatic joint, or a revolute one about the direction `common` or against it.
     fn joint_about(&mut self, common: &Triple) -> (Joint, Option<Sense>) {
         if self.chance(0.25) {
             return (Joint::Prismatic(self.axis()), None);
@@ -265,7 +265,7 @@ impl Draw {
         (Joint::Revolute(axis), Some(sense))
     }
 
-    /// Gives a body mass, and for the most part an inertia.
+    /// Gives a body mass, and usually an inertia.
     fn fill(&mut self, body: &mut Body, mass: f64) {
         body.matter = Some(Matter::Lump {
             mass: self.number(mass),
@@ -274,7 +274,7 @@ impl Draw {
         });
     }
 
-    /// The inertia of six points, at the ends of three skew rods.
+    /// Inertia of six point masses, at the ends of three skew rods.
     fn inertia(&mut self, mass: f64) -> [Number; 6] {
         let along_axes = self.chance(0.4);
         let mut sum = [0.0; 6];
@@ -300,7 +300,7 @@ impl Draw {
                 });
             }
             let other = self.below(n);
-            // between points of one body nothing changes
+            // the distance of two points of one body is constant
             if points[n].body == points[other].body {
                 continue;
             }
@@ -332,7 +332,7 @@ impl Draw {
     }
 }
 
-/// The bodies that a joint moves: a force on any other changes nothing, which is an error.
+/// Bodies moved by a joint. A force on any other body has no effect, which is an error.
 fn moving(bodies: &[Body]) -> Vec<usize> {
     let mut moving: Vec<usize> = Vec::new();
     for (n, body) in bodies.iter().enumerate() {

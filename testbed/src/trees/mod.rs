@@ -1,7 +1,7 @@
-//! Mechanisms at random: as data, as declarations for the generator, and as equations of motion of their own.
+//! Random mechanisms: as data, as declarations for the generator, and as independent equations of motion.
 //!
-//! The generator and [`Oracle`] share no formula: it works with screws, expressions and base parameters, the oracle with
-//! Newton's and Euler's equations of each body, in numbers, in the ground frame.
+//! The generator and [`Oracle`] share no formula: the generator uses screws, expressions and base parameters; the
+//! oracle uses the Newton-Euler equations of each body, numerically, in the ground frame.
 
 mod declare;
 mod draw;
@@ -11,25 +11,25 @@ mod oracle;
 pub use draw::Kind;
 pub use oracle::{Motion, Oracle};
 
-/// A number of a declaration: as it stands, or under a name.
+/// Number in a declaration: literal or named.
 #[derive(Clone, Copy, Debug)]
 pub struct Number {
-    /// A multiple of a power of 1/2, so that a declaration has it exactly.
+    /// Multiple of a power of 1/2, which a declaration represents exactly.
     pub value: f64,
     pub name: Option<Name>,
 }
 
-/// What stands in a declaration for a number that is given later.
+/// Name in a declaration for a number whose value is set later.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Name {
-    /// Its default is the number.
+    /// Parameter, whose default is the number.
     Parameter(usize),
     Input(usize),
 }
 
 pub type Triple = [Number; 3];
 
-/// A tree of bodies, each behind its parent.
+/// Tree of bodies; each body comes after its parent.
 #[derive(Clone, Debug)]
 pub struct Tree {
     pub gravity: Triple,
@@ -38,58 +38,59 @@ pub struct Tree {
     pub actions: Vec<Action>,
     pub outputs: Vec<Output>,
     pub events: Vec<Event>,
-    /// The values of the parameters.
+    /// Values of the parameters.
     pub parameters: Vec<f64>,
-    /// A value for each input.
+    /// Value of each input.
     pub inputs: Vec<f64>,
 }
 
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// None is ground.
+    /// Parent body; `None` is ground.
     pub parent: Option<usize>,
     pub at: Option<Triple>,
     pub rpy: Option<Triple>,
     pub joint: Joint,
     pub moves: Moves,
-    /// In a scene of parallel axes how the joint turns; none where it does not.
+    /// In scenes with parallel axes, the sense of rotation of the joint; `None` if it does not rotate.
     pub turns: Option<Sense>,
-    /// None is a body without mass.
+    /// Mass and its distribution; `None` for a massless body.
     pub matter: Option<Matter>,
     pub friction: Option<Number>,
-    /// Stiffness and position at rest.
+    /// Stiffness and rest position.
     pub spring: Option<[Number; 2]>,
     pub torque: Option<Torque>,
 }
 
-/// Whether a joint turns about a direction or against it.
+/// Sense of rotation: about the common direction or against it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sense {
     About,
     Against,
 }
 
-/// How the mass of a body is declared.
+/// Declared mass of a body.
 #[derive(Clone, Debug)]
 #[expect(clippy::large_enum_variant, reason = "most bodies are lumps")]
 pub enum Matter {
     Lump {
         mass: Number,
         com: Option<Triple>,
-        /// About the centre of mass, in the order of declarations: xx, yy, zz, xy, xz, yz.
+        /// Inertia about the centre of mass, in the order of declarations: xx, yy, zz, xy, xz, yz.
         inertia: Option<[Number; 6]>,
     },
     Solids(Vec<Solid>),
 }
 
-/// A solid of uniform density.
+/// Solid of uniform density.
 #[derive(Clone, Debug)]
 pub struct Solid {
     pub mass: Number,
     pub form: Form,
 }
 
-/// Lines from end to end; corners one after the other; all else about a centre, which comes last.
+/// Shape of a solid: lines by their ends, plates by their corners in order, the others with the centre as last
+/// argument.
 #[derive(Clone, Debug)]
 pub enum Form {
     Point(Triple),
@@ -107,26 +108,26 @@ pub enum Joint {
     Revolute(Triple),
     Prismatic(Triple),
     Helical(Triple, Number),
-    /// The angular and the linear part.
+    /// Screw with its angular and linear part.
     Screw(Triple, Triple),
 }
 
-/// How a joint moves.
+/// Motion of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moves {
-    /// It is fixed.
+    /// Fixed.
     Never,
-    /// By the coordinate of this number, relative to the parent.
+    /// Coordinate of this index, relative to the parent.
     Freely(usize),
-    /// By the coordinate of this number, measured from ground.
+    /// Coordinate of this index, measured from ground.
     Absolutely(usize),
-    /// By its law.
+    /// Prescribed by a law.
     ByLaw(Law),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
-    /// It stays at 3/8.
+    /// Constant at 3/8.
     Still,
     /// `sin(3*t/2)/2`
     Swings,
@@ -134,7 +135,7 @@ pub enum Law {
     Drifts,
 }
 
-/// A force along a joint, as a function of its own coordinate.
+/// Force along a joint, as a function of its own coordinate.
 #[derive(Clone, Copy, Debug)]
 pub enum Torque {
     /// `c`
@@ -151,15 +152,15 @@ pub enum Torque {
 
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// None is ground.
+    /// Body of the point; `None` is ground.
     pub body: Option<usize>,
     pub at: Triple,
 }
 
-/// What acts across a scene; points and coordinates by their numbers.
+/// Force across a scene; points and coordinates by their indices.
 #[derive(Clone, Copy, Debug)]
 pub enum Action {
-    /// A constant force, in the ground frame or in that of a body.
+    /// A constant force, in ground or body coordinates.
     Force {
         point: usize,
         force: Triple,
@@ -194,7 +195,7 @@ pub enum Action {
     },
 }
 
-/// What is observed; points and bodies by their numbers.
+/// Output of a scene; points and bodies by their indices.
 #[derive(Clone, Copy, Debug)]
 pub enum Output {
     Position(usize),
@@ -218,23 +219,23 @@ pub struct Event {
 }
 
 impl Tree {
-    /// The number of coordinates.
+    /// Number of coordinates.
     pub fn dof(&self) -> usize {
         let of = |body: &&Body| matches!(body.moves, Moves::Freely(_) | Moves::Absolutely(_));
         self.bodies.iter().filter(of).count()
     }
 
-    /// The number of joints that the time drives.
+    /// Number of driven joints.
     pub fn drives(&self) -> usize {
         self.bodies.iter().filter(|body| body.is_driven()).count()
     }
 
-    /// The mass of all bodies.
+    /// Total mass of all bodies.
     pub fn mass(&self) -> f64 {
         self.bodies.iter().map(Body::mass).sum()
     }
 
-    /// For each coordinate the mass of all bodies that its joint carries.
+    /// For each coordinate, the mass of all bodies that its joint carries.
     pub fn masses_behind(&self) -> Vec<f64> {
         let mut carried: Vec<f64> = self.bodies.iter().map(Body::mass).collect();
         let mut behind = vec![0.0; self.dof()];
@@ -249,7 +250,7 @@ impl Tree {
         behind
     }
 
-    /// Whether the joint of a body carries another one.
+    /// True if `body` is carried by the joint of `below`.
     pub fn carries(&self, below: usize, body: usize) -> bool {
         let mut parents = std::iter::successors(self.bodies[body].parent, |&parent| self.bodies[parent].parent);
         parents.any(|parent| parent == below)
@@ -257,7 +258,7 @@ impl Tree {
 }
 
 impl Body {
-    /// Whether its joint follows the time.
+    /// True if the joint is driven by the time.
     pub fn is_driven(&self) -> bool {
         matches!(self.moves, Moves::ByLaw(Law::Swings | Law::Drifts))
     }
@@ -270,7 +271,7 @@ impl Body {
         }
     }
 
-    /// By how much a turn of the joint turns the body about the direction of a scene of parallel axes.
+    /// Angle by which a unit of the joint turns the body about the common direction of a scene with parallel axes.
     fn turning(&self) -> f64 {
         match self.turns {
             None => 0.0,

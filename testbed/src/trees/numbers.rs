@@ -1,11 +1,11 @@
-//! The numbers, names and points of a tree, wherever they stand in it.
+//! Traversal of all numbers, names and points of a tree.
 
 use std::collections::BTreeSet;
 
 use super::{Action, Body, Event, Form, Joint, Matter, Name, Number, Output, Solid, Torque, Tree};
 
 impl Tree {
-    /// The same tree with the value of a parameter or an input in its place.
+    /// Returns the tree with a parameter or an input replaced by its value.
     #[must_use]
     pub fn without(&self, gone: Name) -> Self {
         let mut tree = self.clone();
@@ -14,7 +14,7 @@ impl Tree {
         tree
     }
 
-    /// The same tree without an event.
+    /// Returns the tree without an event.
     #[must_use]
     pub fn without_event(&self, gone: usize) -> Self {
         let mut tree = self.clone();
@@ -23,7 +23,7 @@ impl Tree {
         tree
     }
 
-    /// A declaration must use all points, parameters and inputs that it has.
+    /// Removes unused points, parameters and inputs, which a declaration must not have.
     pub(super) fn drop_unused(&mut self) {
         let mut points = BTreeSet::new();
         self.each_point(|point| {
@@ -32,7 +32,7 @@ impl Tree {
         keep(&mut self.points, &points);
         self.each_point(|point| *point = rank(&points, *point));
 
-        // of the points that are left
+        // names used by the remaining points, too
         let (mut parameters, mut inputs) = (BTreeSet::new(), BTreeSet::new());
         self.each_number(|number| {
             match number.name {
@@ -51,7 +51,7 @@ impl Tree {
         });
     }
 
-    /// Calls `see` with the number of every point that is used.
+    /// Calls `see` with the index of every used point.
     fn each_point(&mut self, mut see: impl FnMut(&mut usize)) {
         for action in &mut self.actions {
             match action {
@@ -139,13 +139,13 @@ impl Solid {
     }
 }
 
-/// Removes what is not used.
+/// Removes the unused elements.
 fn keep<T>(list: &mut Vec<T>, used: &BTreeSet<usize>) {
     let mut places = 0..;
     list.retain(|_| places.next().is_some_and(|place| used.contains(&place)));
 }
 
-/// The place of something used among all that is.
+/// Rank of an element among the used ones.
 fn rank(used: &BTreeSet<usize>, place: usize) -> usize {
     used.range(..place).count()
 }

@@ -1,5 +1,5 @@
-//! Newton's and Euler's equations, body by body (Featherstone, "Rigid Body Dynamics Algorithms" 2008, ch. 5), in the
-//! ground frame; the mass matrix column by column from unit accelerations (Walker and Orin 1982).
+//! Newton-Euler equations, body by body (Featherstone, "Rigid Body Dynamics Algorithms" 2008, ch. 5), in the ground
+//! frame; the mass matrix column by column from unit accelerations (Walker and Orin 1982).
 
 mod matter;
 
@@ -10,37 +10,39 @@ use pendulum_core::Real;
 use super::{Action, Joint, Law, Moves, Name, Number, Output, Torque, Tree, Triple};
 use crate::dual::Dual;
 
-/// The motion of a [`Tree`] in any number type: with dual numbers its derivatives, with series their coefficients.
+/// Dynamics of a [`Tree`] in any number type: dual numbers yield derivatives, and series yield Taylor coefficients.
 #[derive(Debug)]
 pub struct Oracle<'a, T> {
     tree: &'a Tree,
     parameters: Vec<T>,
     inputs: Vec<T>,
-    /// Of each body, in its own frame.
+    /// Mass properties of each body, in its own frame.
     matter: Vec<MassProperties<T>>,
 }
 
-/// A value and its two derivatives by the time.
+/// A value and its first two time derivatives.
 type Jet<T> = [T; 3];
 
-/// The columns of a rotation.
+/// Columns of a rotation matrix.
 #[derive(Clone, Copy, Debug)]
 struct Turn<T>([Vector3<T>; 3]);
 
-/// The place and the motion of a frame.
+/// Pose and motion of a frame.
 #[derive(Clone, Copy, Debug)]
 struct Frame<T> {
     turn: Turn<T>,
     at: Vector3<T>,
-    /// Angular velocity, and velocity of the origin.
+    /// Angular velocity.
     spin: Vector3<T>,
+    /// Velocity of the origin.
     velocity: Vector3<T>,
-    /// Their rates.
+    /// Angular acceleration.
     spin_rate: Vector3<T>,
+    /// Acceleration of the origin.
     acceleration: Vector3<T>,
 }
 
-/// A joint in the ground frame: its screw about the origin of the joint frame, and where that is.
+/// Joint in the ground frame: its screw about the origin of the joint frame, and the position of that origin.
 #[derive(Clone, Copy, Debug)]
 struct Hinge<T> {
     angular: Vector3<T>,
@@ -48,26 +50,26 @@ struct Hinge<T> {
     at: Vector3<T>,
 }
 
-/// All frames and joints, at a time.
+/// Poses of all frames and joints at a time.
 struct Pose<T> {
     frames: Vec<Frame<T>>,
     hinges: Vec<Hinge<T>>,
-    /// The coordinate of each joint.
+    /// Coordinate of each joint.
     joints: Vec<Jet<T>>,
 }
 
-/// What the drives do.
+/// Treatment of the driven joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Drives {
     /// They follow their laws.
     Move,
-    /// They stand still where they are.
+    /// They are frozen at their current positions.
     Stand,
-    /// They stand, and are accelerated by as much as their rates.
+    /// They are at rest, with accelerations equal to their actual rates.
     Start,
 }
 
-/// The coordinates of a tree, their rates and their second rates.
+/// Coordinates of a tree, their rates and their accelerations.
 pub type Motion<'a, T> = [&'a [T]; 3];
 
 impl<'a, T: Real> Oracle<'a, T> {
@@ -83,7 +85,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         oracle
     }
 
-    /// With the defaults of the parameters.
+    /// Creates the oracle with the default parameters.
     pub fn with_defaults(tree: &'a Tree, inputs: &[f64]) -> Self {
         let numbers = |values: &[f64]| values.iter().map(|&value| T::from_f64(value)).collect();
         Self::new(tree, numbers(&tree.parameters), numbers(inputs))
@@ -109,7 +111,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         vec![T::default(); self.dof()]
     }
 
-    /// The mass matrix, row by row.
+    /// Mass matrix, row by row.
     pub fn mass_matrix(&self, t: T, q: &[T]) -> Vec<Vec<T>> {
         let zeros = self.zeros();
         let columns = (0..self.dof()).map(|k| {
@@ -127,7 +129,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         self.along_coordinates(&self.inertial(&pose, self.vector(&self.tree.gravity)))
     }
 
-    /// The forces of the declaration, without gravity.
+    /// Generalised forces of the declaration, without gravity.
     pub fn forces(&self, t: T, q: &[T], qd: &[T]) -> Vec<T> {
         let pose = self.pose(t, [q, qd, &self.zeros()], Drives::Move);
         let (wrenches, mut along) = (self.wrenches(&pose), self.given(q, qd));
@@ -141,7 +143,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         along
     }
 
-    /// The forces that the declaration gives along coordinates.
+    /// Forces that the declaration applies to coordinates directly.
     fn given(&self, q: &[T], qd: &[T]) -> Vec<T> {
         let mut along = self.zeros();
         for action in &self.tree.actions {
@@ -163,7 +165,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         along
     }
 
-    /// The forces `A qdd + b - Q` that accelerations take.
+    /// Generalised forces `A qdd + b - Q` for given accelerations.
     pub fn inverse_dynamics(&self, t: T, [q, qd, qdd]: Motion<'_, T>) -> Vec<T> {
         let pose = self.pose(t, [q, qd, qdd], Drives::Move);
         let needed = self.along_coordinates(&self.inertial(&pose, self.vector(&self.tree.gravity)));
@@ -175,20 +177,21 @@ impl<'a, T: Real> Oracle<'a, T> {
             .collect()
     }
 
-    /// The accelerations of the coordinates.
+    /// Accelerations of the coordinates.
     pub fn accelerations(&self, t: T, q: &[T], qd: &[T]) -> Vec<T> {
         let left = self.inverse_dynamics(t, [q, qd, &self.zeros()]);
         solve(self.mass_matrix(t, q), left.into_iter().map(|force| -force).collect())
     }
 
-    /// The derivatives of the kinetic energy by the rates: what accelerations as large as the rates take from rest.
+    /// Momenta: derivatives of the kinetic energy by the rates, computed as the forces for accelerations equal to the
+    /// rates, from rest.
     pub fn momentum(&self, t: T, q: &[T], qd: &[T]) -> Vec<T> {
         let zeros = self.zeros();
         let pose = self.pose(t, [q, &zeros, qd], Drives::Start);
         self.along_coordinates(&self.inertial(&pose, Vector3::from([T::default(); 3])))
     }
 
-    /// The rates of the momenta along the motion.
+    /// Time derivatives of the momenta along the motion.
     pub fn momentum_rates(&self, t: T, q: &[T], qd: &[T]) -> Vec<T> {
         let qdd = self.accelerations(t, q, qd);
         let moving = |x: &[T], rates: &[T]| -> Vec<Dual<T>> {
@@ -234,7 +237,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         [kinetic, potential]
     }
 
-    /// The forces that the drives supply along a free motion.
+    /// Forces of the drives along a free motion.
     pub fn drive_forces(&self, t: T, q: &[T], qd: &[T]) -> Vec<T> {
         let qdd = self.accelerations(t, q, qd);
         let pose = self.pose(t, [q, qd, &qdd], Drives::Move);
@@ -246,7 +249,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         let supplied = drives.map(|(n, drive)| {
             let mut force = needed[n] - pushed[n];
             for (m, body) in self.tree.bodies.iter().enumerate() {
-                // an angle measured from ground changes with every joint below it
+                // an absolute angle varies with every joint below it
                 if let Moves::Absolutely(k) = body.moves
                     && self.tree.carries(n, m)
                 {
@@ -258,7 +261,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         supplied.collect()
     }
 
-    /// The components of each output; of a rotation column by column.
+    /// Components of each output; rotations column by column.
     pub fn outputs(&self, t: T, q: &[T], qd: &[T]) -> Vec<Vec<T>> {
         let pose = self.pose(t, [q, qd, &self.zeros()], Drives::Move);
         let value = |output: &Output| match *output {
@@ -277,7 +280,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         self.tree.outputs.iter().map(value).collect()
     }
 
-    /// The value of each event.
+    /// Value of each event.
     pub fn events(&self, t: T, q: &[T], qd: &[T]) -> Vec<T> {
         let pose = self.pose(t, [q, qd, &self.zeros()], Drives::Move);
         let events = self.tree.events.iter();
@@ -286,7 +289,7 @@ impl<'a, T: Real> Oracle<'a, T> {
             .collect()
     }
 
-    /// The coordinates of all joints.
+    /// Coordinates of all joints.
     fn joints(&self, t: T, motion: Motion<'_, T>, drives: Drives) -> Vec<Jet<T>> {
         let zero = T::default();
         let (mut joints, mut turns): (Vec<Jet<T>>, Vec<Jet<T>>) = (Vec::new(), Vec::new());
@@ -306,7 +309,7 @@ impl<'a, T: Real> Oracle<'a, T> {
                     }
                 }
             };
-            // a motion that does not depend on the time is a fixed joint, which counts as no turn
+            // a constant law is a fixed joint, which counts as no rotation
             let counts = !matches!(body.moves, Moves::ByLaw(Law::Still));
             turns.push(std::array::from_fn(|n| {
                 if counts { below[n] + sense * joint[n] } else { below[n] }
@@ -316,13 +319,13 @@ impl<'a, T: Real> Oracle<'a, T> {
         joints
     }
 
-    /// What each coordinate gets of forces along the joints: their virtual work.
+    /// Generalised forces of the coordinates for given forces along the joints, by virtual work.
     fn along_coordinates(&self, forces: &[T]) -> Vec<T> {
         let (zero, zeros) = (T::default(), self.zeros());
         let of_coordinate = |k: usize| {
             let mut unit = self.zeros();
             unit[k] = T::from_f64(1.0);
-            // the rates of the joints are linear in those of the coordinates
+            // the rates of the joints are linear in the rates of the coordinates
             let joints = self.joints(zero, [&zeros, &unit, &zeros], Drives::Stand);
             let mut sum = zero;
             for (joint, &force) in joints.iter().zip(forces) {
@@ -352,7 +355,7 @@ impl<'a, T: Real> Oracle<'a, T> {
             let rpy = body.rpy.as_ref().map_or(ground.turn, |rpy| self.rpy(rpy));
             let turn = below.turn.then(&rpy);
             let (w, v) = self.screw(&body.joint);
-            // exp of the screw times its coordinate (Lynch and Park, "Modern Robotics" 2017, eq. 3.88)
+            // exponential of the screw times its coordinate (Lynch and Park, "Modern Robotics" 2017, eq. 3.88)
             let (sin, cos) = place.sin_cos();
             let (first, twice) = (w.cross(&v), w.cross(&w.cross(&v)));
             let slid = v * place + first * (one - cos) + twice * (place - sin);
@@ -362,7 +365,7 @@ impl<'a, T: Real> Oracle<'a, T> {
                 at: below.at + below.turn.of(at),
             };
             let slid = turn.of(slid);
-            // the velocity of the body's origin in the joint frame, for a unit of the rate, and as it is
+            // velocity of the body's origin in the joint frame, per unit of the rate and in total
             let unit = hinge.linear + hinge.angular.cross(&slid);
             let (spin, relative) = (hinge.angular * rate, unit * rate);
             let arm = hinge.at + slid - below.at;
@@ -391,7 +394,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         yaw.then(&pitch.then(&roll))
     }
 
-    /// The screw of a joint, normalised.
+    /// Normalised screw of a joint.
     fn screw(&self, joint: &Joint) -> (Vector3<T>, Vector3<T>) {
         let none = Vector3::from([T::default(); 3]);
         match joint {
@@ -412,19 +415,19 @@ impl<'a, T: Real> Oracle<'a, T> {
         }
     }
 
-    /// From the origin of a body to its centre of mass.
+    /// Vector from the origin of a body to its centre of mass.
     fn arm(&self, body: usize, pose: &Pose<T>) -> Vector3<T> {
         pose.frames[body].turn.of(self.matter[body].com)
     }
 
-    /// The inertia of a body about its centre of mass, times a vector.
+    /// Product of the inertia of a body about its centre of mass with a vector.
     fn inertia(&self, body: usize, pose: &Pose<T>, by: Vector3<T>) -> Vector3<T> {
         let turn = &pose.frames[body].turn;
         let own = turn.back(by);
         turn.of(Vector3::from(self.matter[body].inertia.map(|row| dot(row, own))))
     }
 
-    /// The forces along the joints that the accelerations of all bodies take against gravity.
+    /// Forces along the joints that balance the inertia of all bodies and gravity.
     fn inertial(&self, pose: &Pose<T>, gravity: Vector3<T>) -> Vec<T> {
         let wrenches: Vec<[Vector3<T>; 2]> = (0..self.tree.bodies.len())
             .map(|n| {
@@ -441,7 +444,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         self.carried(pose, &wrenches)
     }
 
-    /// What wrenches on the bodies, about their origins, do along the joints that carry them.
+    /// Sums wrenches on the bodies, about their origins, along the joints that carry them.
     fn carried(&self, pose: &Pose<T>, wrenches: &[[Vector3<T>; 2]]) -> Vec<T> {
         let mut sums = wrenches.to_vec();
         let mut along = vec![T::default(); sums.len()];
@@ -479,7 +482,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         force
     }
 
-    /// Place and velocity of a point.
+    /// Position and velocity of a point.
     fn point(&self, point: usize, pose: &Pose<T>) -> [Vector3<T>; 2] {
         let point = &self.tree.points[point];
         let at = self.vector(&point.at);
@@ -491,7 +494,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         [frame.at + arm, frame.velocity + frame.spin.cross(&arm)]
     }
 
-    /// The distance of two points, its rate, and the direction from the first to the second.
+    /// Distance of two points, its rate, and the direction from the first to the second.
     fn distance(&self, between: [usize; 2], pose: &Pose<T>) -> (T, T, Vector3<T>) {
         let [[a, va], [b, vb]] = between.map(|point| self.point(point, pose));
         let apart = b - a;
@@ -500,7 +503,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         (distance, dot(vb - va, direction), direction)
     }
 
-    /// What forces on points are on the bodies, about their origins.
+    /// Wrenches on the bodies, about their origins, due to forces on points.
     fn wrenches(&self, pose: &Pose<T>) -> Vec<[Vector3<T>; 2]> {
         let none = Vector3::from([T::default(); 3]);
         let mut wrenches = vec![[none; 2]; self.tree.bodies.len()];
@@ -559,7 +562,7 @@ impl Law {
 }
 
 impl<T: Real> Turn<T> {
-    /// About a unit vector, by an angle of this sine and cosine; for the zero vector none at all.
+    /// Rotation about a unit vector by an angle with this sine and cosine; the identity for the zero vector.
     fn about(axis: Vector3<T>, (sin, cos): (T, T)) -> Self {
         let (zero, one) = (T::default(), T::from_f64(1.0));
         let column = |e: Vector3<T>| {

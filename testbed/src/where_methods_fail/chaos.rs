@@ -1,4 +1,4 @@
-//! Chaos, and how far ahead it can be seen.
+//! Chaos and the horizon of prediction.
 
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{Exponents, Lyapunov, StabilityError};
@@ -10,9 +10,10 @@ fn points() -> Points {
     Points::new(PointsParams::default()).expect("physical")
 }
 
-/// Exponents beside those of two trajectories that are pulled together again and again, by `Rk4` with steps of 5e-4 s over 4e4 s.
+/// Compares Lyapunov exponents with reference values from two trajectories that are renormalised repeatedly, by `Rk4`
+/// with steps of 5e-4 s over 4e4 s.
 pub fn exponents(size: Size) -> Row {
-    // the scatter falls with the root of the time: 2 % and 0.5 %
+    // the scatter decreases with the square root of the time: 2 % and 0.5 %
     let (duration, within) = match size {
         Size::Small => (3000.0, 0.05),
         Size::Full => (4e4, 0.02),
@@ -41,11 +42,12 @@ pub fn exponents(size: Size) -> Row {
 }
 
 const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
-/// A prediction that is so far off, in rad or rad/s, is none.
+/// Error at which a prediction is lost, in rad or rad/s.
 pub const LOST: f64 = 0.1;
+/// Time for which trajectories are followed at most, in s.
 const LONG: f64 = 40.0;
 
-/// The largest exponent of the motion that is to be predicted.
+/// Largest exponent of the motion to be predicted.
 pub fn exponents_of_start(duration: f64) -> Result<Exponents<1, 4>, StabilityError> {
     Lyapunov::new()
         .tolerance(1e-6)
@@ -53,7 +55,7 @@ pub fn exponents_of_start(duration: f64) -> Result<Exponents<1, 4>, StabilityErr
         .largest(&points(), START)
 }
 
-/// The time until which a method at a tolerance follows the motion, as a mean over neighbouring starts.
+/// Time for which a method at a tolerance follows the motion, averaged over neighbouring initial conditions.
 pub fn horizon(tolerance: f64, starts: u32) -> f64 {
     let model = points();
     let mut sum = 0.0;
@@ -80,7 +82,7 @@ pub fn horizon(tolerance: f64, starts: u32) -> f64 {
     sum / f64::from(starts)
 }
 
-/// Errors grow by the factor of e in the time of `1 / exponent`, so each digit that is paid for buys the same time.
+/// Errors grow by a factor of e in the time `1 / exponent`, so each digit of accuracy adds the same time.
 pub fn horizons(size: Size) -> Row {
     let (starts, duration) = match size {
         Size::Small => (8, 1000.0),

@@ -8,15 +8,16 @@ use pendulum_core::stability::max_stable_step;
 use super::row::{Claim, Row, Size, kind};
 use super::scenes::{DryPendulum, DryPendulumParams, SmoothedPendulum, SmoothedPendulumParams};
 
-/// The force that friction can bear, per mass, in m/s^2.
+/// Maximum friction force per mass, in m/s^2.
 const GRIP: f64 = 2.0;
-/// What pulls, per mass.
+/// Pulling force per mass, in m/s^2.
 const PULL: f64 = 1.0;
-/// The speed at the start, in m/s: it slides for 1 s, and then friction holds it.
+/// Initial speed, in m/s.
 const SPEED: f64 = 1.0;
+/// Duration of sliding, in s, after which friction holds the block.
 const STOP: f64 = SPEED / (GRIP - PULL);
 
-/// A block on a level floor whose friction is a sign: `v' = PULL - GRIP sign(v)`.
+/// Block on a level floor with friction by the sign function: `v' = PULL - GRIP sign(v)`.
 struct Sign;
 
 impl System<f64, 2> for Sign {
@@ -32,7 +33,7 @@ impl Jacobian<f64, 2> for Sign {
 }
 
 mechanism! {
-    /// The same with a friction that rises over a speed of `eps`.
+    /// Like `Sign`, but with friction smoothed over a speed of `eps`.
     Smooth {
         params { grip: N, pull: N, eps: m/s }
         body block on ground { mass: 1, joint: prismatic(x), coordinate: x, torque: pull - grip * tanh(qd / eps) }
@@ -40,7 +41,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The block with friction that sticks, pulled to and fro.
+    /// Block with stiction, pulled to and fro.
     Dry {
         params { grip: N, pull: N, omega: rad/s }
         generate: [rhs],
@@ -50,7 +51,7 @@ mechanism! {
     }
 }
 
-/// The mean length of `STEPS` steps of a method where the block should stand still.
+/// Mean size of `STEPS` steps of a method during which the block should stand still.
 fn crawl<M: Method<Sign, f64, 2>>(method: &M) -> f64 {
     let mut stepper = method.stepper(&Sign, 0.0, 10.0 * STOP, [0.0, SPEED]).expect("valid");
     while stepper.t() < STOP {
@@ -63,11 +64,13 @@ fn crawl<M: Method<Sign, f64, 2>>(method: &M) -> f64 {
     (stepper.t() - start) / f64::from(STEPS)
 }
 
-/// The first of them are those of the stop: with the wide tolerance they are 9 % of the mean of 1000 of Vern9's.
+/// Number of steps in the mean. The first ones still belong to the stop: at the larger tolerance they would raise a
+/// mean of 1000 steps of Vern9 by 9 %.
 const STEPS: u32 = 4000;
 const TOLERANCES: [f64; 2] = [1e-6, 1e-8];
 
-/// A method that meets a jump of the force in each step has errors of first order, so its steps are as long as the tolerance is wide.
+/// If each step contains a jump of the force, the error of a method is of first order, so its step size is proportional
+/// to the tolerance.
 pub fn sign(_: Size) -> Row {
     let lengths = [
         (
@@ -118,10 +121,10 @@ pub fn sign(_: Size) -> Row {
     }
 }
 
-/// The width of the smoothed sign, in m/s.
+/// Width of the smoothed sign, in m/s.
 const EPS: f64 = 1e-4;
 
-/// What is smooth can stand still nowhere but where nothing pulls: `tanh(v / eps) = PULL / GRIP`.
+/// With a smooth law the block creeps wherever a force acts: `tanh(v / eps) = PULL / GRIP`.
 pub fn smooth(_: Size) -> Row {
     let params = SmoothParams {
         grip: GRIP,
@@ -159,12 +162,12 @@ pub fn smooth(_: Size) -> Row {
 const TO_AND_FRO: f64 = 3.0;
 const OMEGA: f64 = 2.0;
 
-/// The first two changes in closed form: the pull exceeds the grip, and the momentum is used up.
+/// First two mode switches in closed form: the pull exceeds the grip, and the momentum is used up.
 fn first_slip() -> [(f64, f64); 2] {
     let (amplitude, w) = (TO_AND_FRO, OMEGA);
     let start = (GRIP / amplitude).asin() / w;
     let speed = |t: f64| amplitude / w * ((w * start).cos() - (w * t).cos()) - GRIP * (t - start);
-    // from the top of the speed, where the pull is down to the grip again, to where the pull is at its other extreme
+    // bracket from maximum speed, where the pull is down to the grip again, to the opposite extreme of the pull
     let (mut before, mut after) = ((PI - w * start) / w, 1.5 * PI / w);
     for _ in 0..60 {
         let middle = before.midpoint(after);
@@ -181,7 +184,7 @@ fn first_slip() -> [(f64, f64); 2] {
     [(start, 0.0), (before, way)]
 }
 
-/// Friction that sticks: the block slips and sticks by turns.
+/// Stiction: the block alternately slips and sticks.
 pub fn events(_: Size) -> Row {
     let params = DryParams {
         grip: GRIP,
@@ -214,15 +217,16 @@ pub fn events(_: Size) -> Row {
     }
 }
 
-/// The moments that the axles of the double pendulum can bear, in N m.
+/// Breakaway moments of the joints of the double pendulum, in N m.
 const MOMENTS: [f64; 2] = [1.5, 0.6];
-/// Where it starts, and when it has rested for a while, in s.
+/// Initial condition.
 const LIFTED: [f64; 4] = [1.2, 0.4, 0.0, 0.0];
+/// Time at which it has been at rest for a while, in s.
 const LATE: f64 = 60.0;
-/// The error of the angles then, in rad.
+/// Maximum error of the angles at the time [`LATE`], in rad.
 const ALLOWED: f64 = 1e-6;
 
-/// The evaluations and Jacobians of a method that arrives within the error, if it does.
+/// Number of evaluations and Jacobians of a method, if it meets the maximum error.
 fn spent<S, M>(method: &M, system: &S, truth: &SVector<f64, 4>) -> Option<usize>
 where
     S: System<f64, 4>,
@@ -235,7 +239,7 @@ where
     (error <= ALLOWED).then_some(work.evaluations + work.jacobians)
 }
 
-/// The least that any of some methods takes, with the tolerance of half a decade that suits it best.
+/// Least work of several methods, each at its best tolerance in steps of half a decade.
 macro_rules! least {
     ($system:expr, $truth:expr, $half_decades:expr, [$($method:ident),*]) => { {
         let tolerances = $half_decades.map(half_decade);
@@ -250,7 +254,7 @@ fn half_decade(n: i32) -> f64 {
     10.0_f64.powf(-0.5 * f64::from(n))
 }
 
-/// For the same error in the place of rest, friction that sticks takes a part of what a smoothed sign takes.
+/// For the same error of the rest position, stiction takes a fraction of the work of a smoothed sign.
 pub fn smoothed_against_stuck(size: Size) -> Row {
     let [mu1, mu2] = MOMENTS;
     let dry = DryPendulum::new(DryPendulumParams { mu1, mu2 }).expect("physical");
@@ -262,7 +266,7 @@ pub fn smoothed_against_stuck(size: Size) -> Row {
         SmoothedPendulum::new(params).expect("physical")
     };
     let (sticking, creeping) = match size {
-        // the best of all
+        // the best combinations of the full search
         Size::Small => (
             least!(&dry, &end, 10..=12, [Tsit5]),
             least!(&smoothed(half_decade(17)), &end, 18..=20, [Rodas5P]),
@@ -274,7 +278,7 @@ pub fn smoothed_against_stuck(size: Size) -> Row {
         }
     };
     let [sticking, creeping] = [sticking, creeping].map(|work| work.map_or(f64::NAN, |work| work as f64));
-    // what gravity asks of the lower axle, and what the smoothed sign gives for a rate of its own
+    // gravity load of the lower joint, and the creep rate at which the smoothed sign balances it
     let load = 0.5 * 9.81 * (end[0] + end[1]).sin();
     let eps = 1e-4;
     let late = Rodas5P::new()

@@ -1,4 +1,4 @@
-//! The edges of what numbers resolve.
+//! Limits of floating-point resolution.
 
 use std::f64::consts::PI;
 
@@ -11,14 +11,14 @@ use super::scenes::double_pendulum;
 use crate::scenes::DoublePendulum;
 
 mechanism! {
-    /// A pendulum whose angle is measured from where it stands.
+    /// A pendulum whose angle is measured from the upright position.
     Inverted {
         gravity: [0, -9.81, 0],
         body bob on ground { mass: 1, com: [0, 1, 0], joint: revolute(z), coordinate: angle }
     }
 }
 
-/// What no number can tell apart is refused, and what numbers can tell is right to the last digits.
+/// Inputs beyond the resolution of numbers are rejected; within it, results are correct to the last digits.
 pub fn resolution(_: Size) -> Row {
     let (model, x0) = (double_pendulum(0.1), [1.0, -1.0, 0.0, 0.0]);
     let refused = |reason: Reason| match reason {
@@ -85,7 +85,7 @@ pub fn not_finite(_: Size) -> Row {
     }
 }
 
-/// There and back again: the way back makes errors of its own.
+/// Forward and backward in time: the way back makes errors of its own.
 pub fn back_in_time(_: Size) -> Row {
     const TOLERANCE: f64 = 1e-10;
     fn distance(method: &impl Method<DoublePendulum, f64, 4>) -> f64 {
@@ -124,7 +124,7 @@ pub fn back_in_time(_: Size) -> Row {
     }
 }
 
-/// Upright: what is exact stays, and what is not leaves at the rate of the linear theory.
+/// Upright: an exact equilibrium persists, and a perturbation grows at the rate of the linear theory.
 pub fn upright(_: Size) -> Row {
     let inverted = Inverted::new(InvertedParams {}).expect("physical");
     let stays = Vern9::new().solve(&inverted, 0.0, 1000.0, [0.0, 0.0]).expect("regular");

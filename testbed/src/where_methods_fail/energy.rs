@@ -1,4 +1,4 @@
-//! The energy of motions without friction.
+//! Energy of motions without friction.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use pendulum_core::prelude::*;
@@ -10,19 +10,20 @@ use crate::scenes::DoublePendulum;
 
 pub const REGULAR: [f64; 4] = [0.3, 0.4, 0.0, 0.0];
 pub const CHAOTIC: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
-/// A tenth of that, whose linear motion is the same.
+/// A tenth of `REGULAR`, with the same linear motion.
 const SMALL: [f64; 4] = [0.03, 0.04, 0.0, 0.0];
 
-/// Lengths of steps and motions, in s.
+/// Step size, in s.
 pub const H: f64 = 0.02;
+/// Duration, in s.
 pub const TIME: f64 = 500.0;
 
-/// The energy above that of hanging at rest.
+/// Energy relative to hanging at rest.
 fn energy(model: &impl Energy<f64, 4>, x: &SVector<f64, 4>) -> f64 {
     model.energy(0.0, x) - model.energy(0.0, &SVector::zeros())
 }
 
-/// The relative errors of the energy at the steps of a method, with their times.
+/// Times and relative energy errors at the steps of a method.
 pub fn errors<S>(method: &impl Method<S, f64, 4>, model: &S, x0: [f64; 4]) -> Vec<(f64, f64)>
 where
     S: System<f64, 4> + Energy<f64, 4>,
@@ -40,7 +41,8 @@ fn largest(errors: &[(f64, f64)]) -> f64 {
     errors.iter().fold(0.0, |largest, (_, error)| error.abs().max(largest))
 }
 
-/// The relative error of the energy that the stability function predicts for small motions: each mode is multiplied by `R(h lambda)` in each step.
+/// Relative energy error that the stability function predicts for small motions: each step multiplies each mode by
+/// `R(h lambda)`.
 fn of_modes(method: &impl StabilityFunction, model: &DoublePendulum, x0: [f64; 4]) -> f64 {
     let hanging = equilibrium(model, [0.0; 4]).expect("it hangs");
     let modes = hanging.spectrum.modes();
@@ -53,12 +55,12 @@ fn of_modes(method: &impl StabilityFunction, model: &DoublePendulum, x0: [f64; 4
     });
     let end = shapes * grown;
     let end = SVector::<f64, 4>::from_fn(|i, _| end[i].re);
-    // of small motions
+    // in the limit of small motions
     let small = |x: &SVector<f64, 4>| energy(model, &(x * 1e-3));
     small(&end) / small(&x0.into()) - 1.0
 }
 
-/// The relative error of the energy that single steps of [`Rk4`] make along the true motion, summed up.
+/// Sum of the relative energy errors of single [`Rk4`] steps along the true motion.
 fn along<S: System<f64, 4> + Energy<f64, 4>>(model: &S, x0: [f64; 4]) -> f64 {
     let method = Vern9::new().rtol(1e-10).atol(1e-10);
     let mut exact = method.stepper(model, 0.0, TIME, x0).expect("valid");
@@ -76,7 +78,7 @@ fn along<S: System<f64, 4> + Energy<f64, 4>>(model: &S, x0: [f64; 4]) -> f64 {
     sum / energy(model, &x0.into())
 }
 
-/// The method of Runge and Kutta loses energy all the time.
+/// The classical Runge-Kutta method loses energy steadily.
 pub fn runge_kutta(_: Size) -> Row {
     let (model, method) = (double_pendulum(0.0), Rk4::new(H));
     let regular = errors(&method, &model, REGULAR);
@@ -111,7 +113,7 @@ pub fn runge_kutta(_: Size) -> Row {
     }
 }
 
-/// A step of the Gauss method of order 4 in the state `[q; qd]`.
+/// Step of the Gauss method of order 4 in the state `[q; qd]`.
 fn gauss_in_rates(model: &impl System<f64, 4>, x: &SVector<f64, 4>, h: f64) -> SVector<f64, 4> {
     let off = 3.0_f64.sqrt() / 6.0;
     let mut slopes = [model.rhs(0.0, x); 2];
@@ -127,8 +129,8 @@ fn gauss_in_rates(model: &impl System<f64, 4>, x: &SVector<f64, 4>, h: f64) -> S
     }
 }
 
-/// The largest entry of `M^T J M - J` for the derivative `M` of a step in `(q, p)`, in the state `[q; qd]`, where the two-form `J` depends on it:
-/// 0 for a canonical map.
+/// Largest entry of `M^T J M - J` for the derivative `M` of a step in `(q, p)`, expressed in the state `[q; qd]`, in
+/// which the two-form `J` depends on the state; 0 for a canonical map.
 fn defect(model: &DoublePendulum, step: impl Fn(SVector<f64, 4>) -> SVector<f64, 4>) -> f64 {
     let x = SVector::from([2.0, 2.5, 1.0, -2.0]);
     let form = |x: &SVector<f64, 4>| {
@@ -142,7 +144,7 @@ fn defect(model: &DoublePendulum, step: impl Fn(SVector<f64, 4>) -> SVector<f64,
     };
     let columns: [_; 4] = std::array::from_fn(|k| {
         let unit = SVector::<f64, 4>::from_fn(|i, _| f64::from(u8::from(i == k)));
-        // four points: the error of the differences falls with the fourth power
+        // central differences over four points, whose error is of fourth order
         let at = |d: f64| step(x + unit * d);
         let d = 1e-3;
         ((at(d) - at(-d)) * 8.0 - (at(2.0 * d) - at(-2.0 * d))) / (12.0 * d)
@@ -151,7 +153,8 @@ fn defect(model: &DoublePendulum, step: impl Fn(SVector<f64, 4>) -> SVector<f64,
     (of_step.transpose() * form(&step(x)) * of_step - form(&x)).amax()
 }
 
-/// The methods of Gauss keep the energy within bounds, and are canonical in coordinates and momenta, but not in coordinates and rates.
+/// Gauss methods keep the energy bounded, and are canonical in coordinates and momenta, but not in coordinates and
+/// rates.
 pub fn gauss(_: Size) -> Row {
     const LONG: f64 = 0.1;
     fn one(method: &impl Method<DoublePendulum, f64, 4>, model: &DoublePendulum) -> f64 {

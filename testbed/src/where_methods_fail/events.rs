@@ -1,10 +1,10 @@
-//! Events where they are hard to find, and rebounds without an end.
+//! Events that are hard to locate, and endless rebounds.
 
 use pendulum_core::prelude::*;
 
 use super::row::{Claim, Row, Size, kind};
 
-/// The times at which `g` passes zero between 0 and 1, found on four steps.
+/// Times at which `g` crosses zero between 0 and 1, located on four steps.
 fn passages(g: impl Fn(f64) -> f64) -> Vec<f64> {
     let clock = FnSystem(|_t: f64, _x: &SVector<f64, 1>| SVector::from([1.0]));
     let event = Event::new(move |t, _x: &SVector<f64, 1>| g(t));
@@ -31,7 +31,7 @@ pub fn grazing(_: Size) -> Row {
     }
 }
 
-/// A ball that is dropped and keeps half of its speed comes to rest after infinitely many rebounds, in a finite time.
+/// A dropped ball that keeps half of its speed comes to rest after infinitely many rebounds, in finite time.
 pub fn rebounds(_: Size) -> Row {
     const KEPT: f64 = 0.5;
     let ball = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -9.81]));

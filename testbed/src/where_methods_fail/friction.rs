@@ -11,12 +11,13 @@ use crate::scenes::DoublePendulum;
 
 const START: [f64; 4] = [1.0, -1.0, 0.0, 0.0];
 
-/// The length of the steps of the method with fixed steps, in s.
+/// Step size of the method with fixed steps, in s.
 const H: f64 = 0.1;
-/// It comes to rest within seconds.
+/// End time, in s; the pendulum comes to rest within seconds.
 const REST: f64 = 400.0;
 
-/// The friction at which `breaks` turns true, between two in which it does not and does.
+/// Bisects for the friction at which `breaks` becomes true, between a value at which it is false and one at which it is
+/// true.
 fn threshold(breaks: impl Fn(f64) -> bool, (mut sound, mut broken): (f64, f64)) -> f64 {
     for _ in 0..20 {
         let middle = sound.midpoint(broken);
@@ -29,12 +30,12 @@ fn threshold(breaks: impl Fn(f64) -> bool, (mut sound, mut broken): (f64, f64)) 
     sound.midpoint(broken)
 }
 
-/// Where a method ends.
+/// Final state of a method.
 fn end_of(method: &impl Method<DoublePendulum, f64, 4>, gamma: f64) -> Result<SVector<f64, 4>, Reason> {
     method.stepper(&double_pendulum(gamma), 0.0, REST, START)?.run()
 }
 
-/// The friction that is too much for a step.
+/// Critical friction of a step size.
 pub fn critical(_: Size) -> Row {
     let around = (1.0, 30.0);
     let end = |gamma| end_of(&Rk4::new(H), gamma);
@@ -45,7 +46,7 @@ pub fn critical(_: Size) -> Row {
         },
         around,
     );
-    // It should rest: what is finite may be wrong all the same.
+    // The pendulum should rest: a finite state may be wrong all the same.
     let observed = threshold(|gamma| !end(gamma).is_ok_and(|x| x.amax() < 1e-6), around);
     let beyond = end(1.1 * predicted).map_or(f64::NAN, |x| x.amax());
     let far_beyond = end(2.0 * predicted).expect_err("far too long");
@@ -70,13 +71,13 @@ pub fn critical(_: Size) -> Row {
 const TOLERANCE: f64 = 1e-6;
 const TIME: f64 = 10.0;
 
-/// The work of an adaptive method at a friction.
+/// Work of an adaptive method at a given friction.
 pub fn work<M: Method<DoublePendulum, f64, 4>>(method: &M, gamma: f64) -> Statistics {
     let solution = method.solve(&double_pendulum(gamma), 0.0, TIME, START);
     solution.expect("regular").statistics()
 }
 
-/// The steps that a method needs at least to be stable along the motion.
+/// Minimum number of steps for which a method is stable along the motion.
 pub fn stable_steps(method: &impl StabilityFunction, gamma: f64) -> f64 {
     let model = double_pendulum(gamma);
     let motion = Radau5::new()
@@ -93,10 +94,11 @@ pub fn stable_steps(method: &impl StabilityFunction, gamma: f64) -> f64 {
     steps
 }
 
-/// Explicit methods take as many steps as stability wants, which grow with the friction; implicit ones fewer, as there is less to follow.
+/// Explicit methods take as many steps as stability requires, which increase with the friction; implicit methods take
+/// fewer, as the motion has less to resolve.
 pub fn steps(_: Size) -> Row {
     const FRICTIONS: [f64; 3] = [1e4, 1e3, 1e2];
-    /// What the start takes, until stability alone holds the steps back.
+    /// Number of extra steps at the start, before stability alone limits the step size.
     const START_STEPS: f64 = 20.0;
     fn explicit<M: Method<DoublePendulum, f64, 4> + StabilityFunction>(name: &str, method: &M) -> [Claim; 3] {
         FRICTIONS.map(|gamma| {
@@ -126,10 +128,10 @@ pub fn steps(_: Size) -> Row {
     }
 }
 
-/// [`Auto`] changes over where steps are held back by stability, and nowhere else.
+/// [`Auto`] switches if stability limits the step size, and only then.
 pub fn detection(_: Size) -> Row {
     let auto = Auto::new().rtol(TOLERANCE).atol(TOLERANCE);
-    // Eight at the limit of stability, and as many until there.
+    // Maximum number of explicit steps: eight at the limit of stability, and as many before.
     const BEFORE: f64 = 20.0;
     let stiff = [1e2, 1e3, 1e4].map(|gamma| {
         let work = work(&auto, gamma);

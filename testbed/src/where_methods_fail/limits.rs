@@ -1,4 +1,4 @@
-//! How long steps of linear motions may be.
+//! Stability limits of the step size for linear motions.
 
 use pendulum_core::method::{Explicit, Fixed, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock};
 use pendulum_core::prelude::*;
@@ -8,7 +8,7 @@ use pendulum_core::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, 
 use super::row::{Claim, Row, Size};
 use super::scenes::{Cart, cart};
 
-/// A claim for each explicit method.
+/// Makes a claim for each explicit method.
 macro_rules! each_explicit {
     ($claim:ident) => {
         vec![
@@ -22,7 +22,7 @@ macro_rules! each_explicit {
     };
 }
 
-/// What is left of a motion after `steps` steps.
+/// State after `steps` steps.
 fn left<F: OneStep<Cart, f64, 2> + Default>(model: &Cart, h: f64, steps: u32, x0: [f64; 2]) -> SVector<f64, 2> {
     let mut stepper = Fixed::<F>::new(h)
         .stepper(model, 0.0, h * f64::from(steps), x0)
@@ -30,7 +30,7 @@ fn left<F: OneStep<Cart, f64, 2> + Default>(model: &Cart, h: f64, steps: u32, x0
     stepper.run().unwrap_or_else(|_| SVector::repeat(f64::INFINITY))
 }
 
-/// The longest step after many of which `size` of the state 1 is 1 still.
+/// Longest step for which `size`, the size of an initial state of size 1 after many steps, does not exceed 1.
 fn longest(size: impl Fn(f64) -> f64, (mut stable, mut unstable): (f64, f64)) -> f64 {
     for _ in 0..24 {
         let middle = stable.midpoint(unstable);
@@ -44,7 +44,7 @@ fn longest(size: impl Fn(f64) -> f64, (mut stable, mut unstable): (f64, f64)) ->
 }
 
 const STEPS: u32 = 500;
-/// What grows by no more than this in a step counts as neutral, as it does for the limits.
+/// Growth per step that still counts as neutral, as in the computed limits.
 const GROWTH: f64 = 1e-9;
 
 /// `v' = -v`.
@@ -83,7 +83,7 @@ pub fn imaginary_axis(_: Size) -> Row {
     }
 }
 
-/// One step that is a billion times as long as the motion.
+/// One step of a billion time constants.
 pub fn infinity(_: Size) -> Row {
     const FAR: f64 = 1e9;
     fn claim<F: OneStep<Cart, f64, 2> + Default>(name: &str, leaves_nothing: bool) -> Claim

@@ -1,4 +1,4 @@
-//! Masses that are small beside others, or none.
+//! Masses that are small compared with others, or zero.
 
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::SolveError;
@@ -8,14 +8,14 @@ use pendulum_core::stability::{equilibrium, max_stable_step};
 use super::row::{Claim, Row, Size, kind};
 use super::scenes::{Points, PointsParams};
 
-/// The upper mass over the lower one.
+/// Ratio of the upper mass to the lower one.
 const LIGHT: f64 = 1e-6;
 
 fn points(m1: f64) -> Points {
     Points::new(PointsParams { m1, m2: 1.0 }).expect("physical")
 }
 
-/// The accelerations of two points on rods of 1 m, as sums of terms that do not cancel where one mass is small.
+/// Accelerations of two point masses on rods of 1 m, as sums of terms that do not cancel if one mass is small.
 fn accelerations(m1: f64, m2: f64, x: &SVector<f64, 4>) -> [f64; 2] {
     const G: f64 = 9.81;
     let (sin, cos) = (x[0] - x[1]).sin_cos();
@@ -25,7 +25,8 @@ fn accelerations(m1: f64, m2: f64, x: &SVector<f64, 4>) -> [f64; 2] {
     [-(m1 * G * x[0].sin() + pull) / pivot, sin * push / pivot]
 }
 
-/// The light mass swings like a bead on the taut rods: frequencies go up with the root of the ratio, and steps go down.
+/// The light mass swings like a bead on the taut rods: the frequency grows with the square root of the mass ratio, and
+/// the steps shrink accordingly.
 pub fn light(_: Size) -> Row {
     let model = points(LIGHT);
     let hanging = equilibrium(&model, [0.0; 4]).expect("it hangs");
@@ -35,7 +36,7 @@ pub fn light(_: Size) -> Row {
         .iter()
         .map(|mode| mode.angular_frequency())
         .fold(0.0, f64::max);
-    // the angles differ by some digits less than they have
+    // the difference of the angles loses some digits
     let x = SVector::from([0.5, 0.5 + 1.0 / 1024.0, 0.3, -0.2]);
     let exact = SVector::from(accelerations(LIGHT, 1.0, &x));
     let error = |ours: SVector<f64, 2>| (ours - exact).amax() / exact.amax();
@@ -49,7 +50,7 @@ pub fn light(_: Size) -> Row {
     ]);
     let textbook = mass.cholesky().expect("positive definite").solve(&forces);
     let longest = max_stable_step(&Rk4::new(1.0), &hanging.jacobian).expect("finite");
-    // So little that the rods stay as taut as they are at rest.
+    // Small enough that the tension of the rods stays at its value at rest.
     let start = SVector::from([1e-9, 0.0, 0.0, 0.0]);
     let grows = |h: f64| {
         let mut stepper = Rk4::new(h).stepper(&model, 0.0, 5000.0 * h, start).expect("valid");
@@ -101,10 +102,10 @@ pub fn light(_: Size) -> Row {
     }
 }
 
-/// Without the upper mass the rods turn freely where they are in line.
+/// Without the upper mass, the rods in line have no inertia against folding.
 pub fn none(_: Size) -> Row {
     let refused = Points::new(PointsParams { m1: 0.0, m2: 1.0 }).expect_err("singular");
-    // a mass that is positive, and that numbers of full precision do not reach
+    // a positive mass below the range of normal numbers
     let (model, x0) = (points(1e-320), SVector::from([0.5, 0.5, 0.0, 0.0]));
     let ends = |error: SolveError<f64, 4>| {
         let kept = error.t() == 0.0 && error.x() == x0;

@@ -1,4 +1,4 @@
-//! The cases, one after the other.
+//! The cases, one after another.
 
 pub mod chaos;
 pub mod coulomb;
@@ -14,7 +14,7 @@ pub mod scenes;
 
 use row::{Row, Size};
 
-/// Hands all cases to a macro: a name and a function of each.
+/// Passes all cases to a macro: a name and a function of each.
 #[macro_export]
 macro_rules! each_case {
     ($hand:ident) => {

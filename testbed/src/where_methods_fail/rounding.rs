@@ -1,4 +1,4 @@
-//! What is left when methods make no errors.
+//! Rounding errors that remain if methods make no errors.
 
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
@@ -6,7 +6,7 @@ use pendulum_core::prelude::*;
 use super::row::{Claim, Row, Size};
 use super::scenes::double_pendulum;
 
-/// The energy above rest over that of the start, less 1, without the cancellation of large terms.
+/// Relative change of the energy since the start, computed without cancellation of large terms.
 fn relative_energy(x: &SVector<f64, 4>, x0: &SVector<f64, 4>) -> f64 {
     let energy = |x: &SVector<f64, 4>| {
         let lift = |angle: f64, weight: f64| 2.0 * weight * (0.5 * angle).sin().powi(2);
@@ -16,10 +16,10 @@ fn relative_energy(x: &SVector<f64, 4>, x0: &SVector<f64, 4>) -> f64 {
     (energy(x) - energy(x0)) / energy(x0)
 }
 
-/// In s: steps so short that errors of the method are below those of rounding.
+/// Step size, in s, so short that the errors of the method are below those of rounding.
 const H: f64 = 0.01;
 
-/// The root mean square error of the energy after `early` and after `late` steps of [`Gauss6`], over small swings side by side.
+/// Root mean square energy error of [`Gauss6`] after `early` and after `late` steps, over an ensemble of small swings.
 fn walks(early: u32, late: u32, starts: u32) -> [f64; 2] {
     let model = double_pendulum(0.0);
     let mut squares = [0.0; 2];
@@ -28,7 +28,7 @@ fn walks(early: u32, late: u32, starts: u32) -> [f64; 2] {
         let mut stepper = Gauss6::new(H)
             .stepper(&model, 0.0, H * f64::from(late), x0)
             .expect("regular");
-        // means of the last tenth, since the rounding of each state hides the walk
+        // average over the last tenth, since the rounding of each state hides the walk
         let mut means = [0.0; 2];
         for step in 1..=late {
             let x = stepper.step().expect("regular").expect("not at the end").x1;
@@ -45,15 +45,15 @@ fn walks(early: u32, late: u32, starts: u32) -> [f64; 2] {
     squares.map(f64::sqrt)
 }
 
-/// Brouwer's law: where steps make no errors but those of rounding, these are a random walk, so that of the energy grows with the
-/// root of the time. A bias would grow with the time.
+/// Brouwer's law: if steps make only rounding errors, these are a random walk, so the energy error grows with the
+/// square root of the time. A bias would grow linearly.
 pub fn random_walk(size: Size) -> Row {
     let (early, late, starts) = match size {
         Size::Small => (500, 5000, 4),
         Size::Full => (8000, 128_000, 16),
     };
     let [before, after] = walks(early, late, starts);
-    // What a step adds is rounded, and is about h omega of the variables at the frequency omega of 3/s.
+    // The increment of a step is rounded; it is about h omega times the variables at the frequency omega of 3 rad/s.
     let walk = f64::from(late).sqrt() * f64::EPSILON * H * 3.0;
     Row {
         case: "Rounding errors of the energy, Gauss6",

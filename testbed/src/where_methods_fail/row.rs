@@ -1,39 +1,39 @@
-//! A case, and what comes of it.
+//! A case with its claims.
 
 use std::fmt::Display;
 
 use pendulum_core::Reason;
 
-/// A case in which some methods fail.
+/// Case in which some methods fail.
 #[derive(Debug)]
 pub struct Row {
     pub case: &'static str,
     pub claims: Vec<Claim>,
-    /// What does not fail there.
+    /// Methods that do not fail there.
     pub survives: &'static str,
 }
 
-/// What was predicted of one quantity, and what was observed.
+/// Predicted and observed value of a quantity.
 #[derive(Debug)]
 pub struct Claim {
     pub what: String,
     pub predicted: String,
     pub observed: String,
-    /// Whether the two agree as well as they should.
+    /// True if the two agree as closely as required.
     pub holds: bool,
 }
 
-/// How much work a row may be.
+/// Amount of work of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Size {
-    /// Seconds where nothing is optimised.
+    /// Seconds in unoptimised builds.
     Small,
-    /// As much as makes the point.
+    /// Enough to show the effect clearly.
     Full,
 }
 
 impl Size {
-    /// What a test takes.
+    /// Size for tests in the current build.
     pub const fn of_build() -> Self {
         if cfg!(debug_assertions) {
             Self::Small
@@ -44,14 +44,14 @@ impl Size {
 }
 
 impl Row {
-    /// Whether all claims hold.
+    /// True if all claims hold.
     pub fn holds(&self) -> bool {
         self.claims.iter().all(|claim| claim.holds)
     }
 }
 
 impl Claim {
-    /// Two numbers that differ by no more than the part `within` of the predicted one.
+    /// Numbers whose difference must not exceed the fraction `within` of the predicted one.
     pub fn close(what: impl Into<String>, predicted: f64, observed: f64, within: f64) -> Self {
         Self {
             what: what.into(),
@@ -61,7 +61,7 @@ impl Claim {
         }
     }
 
-    /// An observed number that is no larger than `most`.
+    /// Observed number that must not exceed `most`.
     pub fn at_most(what: impl Into<String>, most: f64, observed: f64) -> Self {
         Self {
             what: what.into(),
@@ -71,7 +71,7 @@ impl Claim {
         }
     }
 
-    /// An observed number that is no smaller than `least`.
+    /// Observed number that must not be below `least`.
     pub fn at_least(what: impl Into<String>, least: f64, observed: f64) -> Self {
         Self {
             what: what.into(),
@@ -81,7 +81,7 @@ impl Claim {
         }
     }
 
-    /// Two numbers of which neither is more than `factor` times the other.
+    /// Numbers whose ratio must not exceed `factor`, in either direction.
     pub fn alike(what: impl Into<String>, predicted: f64, observed: f64, factor: f64) -> Self {
         Self {
             holds: (observed / predicted).ln().abs() <= factor.ln(),
@@ -89,7 +89,7 @@ impl Claim {
         }
     }
 
-    /// Outcomes that are the same.
+    /// Outcomes that must be equal.
     pub fn same(what: impl Into<String>, predicted: impl Display, observed: impl Display) -> Self {
         let (predicted, observed) = (predicted.to_string(), observed.to_string());
         Self {
@@ -101,7 +101,7 @@ impl Claim {
     }
 }
 
-/// Four significant digits, or an integer.
+/// Formats a number as an integer, or with four significant digits.
 pub fn number(value: f64) -> String {
     let decades = value.abs().log10().floor();
     if value.fract() == 0.0 && value.abs() < 1e6 {
@@ -113,7 +113,7 @@ pub fn number(value: f64) -> String {
     }
 }
 
-/// The kind of a reason, without its numbers.
+/// Name of a reason, without its numbers.
 pub fn kind(reason: Reason) -> String {
     let kind = match reason {
         Reason::InvalidInput { .. } => "InvalidInput",

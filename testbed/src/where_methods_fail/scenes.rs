@@ -1,10 +1,10 @@
-//! The mechanisms of the cases.
+//! Mechanisms of the cases.
 
 use pendulum_core::prelude::*;
 
 use crate::scenes::{DoublePendulum, DoublePendulumParams};
 
-/// Eq. 22 with the same friction in both axles.
+/// Double pendulum of Eq. 22 with the same friction in both joints.
 pub fn double_pendulum(gamma: f64) -> DoublePendulum {
     let params = DoublePendulumParams {
         gamma1: gamma,
@@ -28,7 +28,7 @@ pub fn cart(k: f64, gamma: f64) -> Cart {
 }
 
 mechanism! {
-    /// Two points on rods of 1 m without mass.
+    /// Two point masses on massless rods of 1 m.
     pub Points {
         params { m1: kg = 1.0, m2: kg = 1.0 }
         gravity: [0, -9.81, 0],
@@ -39,7 +39,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Two rods whose axles stick.
+    /// Two rods with dry friction in the joints.
     pub DryPendulum {
         params { mu1: N m, mu2: N m }
         gravity: [0, -9.81, 0],
@@ -51,7 +51,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same with friction that rises over a rate of `eps`.
+    /// Like `DryPendulum`, but with friction smoothed over a rate of `eps`.
     pub SmoothedPendulum {
         params { mu1: N m, mu2: N m, eps: rad/s }
         gravity: [0, -9.81, 0],

@@ -1,24 +1,24 @@
-//! Chains of revolute joints whose bodies are made of point masses: A, B and C by screws, as printed and as they should read, and what
-//! point masses say without any screw.
+//! Chains of revolute joints with bodies made of point masses: A, B and C by screws, as printed and as corrected, and
+//! computed from the point masses without screws.
 
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Unit, UnitQuaternion, Vector3, Vector6};
 
-/// A body with the joint that carries it, all at zero angles in the ground frame.
+/// Body and its joint, at zero angles, in the ground frame.
 pub(crate) struct Body {
     pub(crate) axis: Vector3<f64>,
     pub(crate) through: Vector3<f64>,
-    /// Masses and where they are.
+    /// Masses with their positions.
     pub(crate) points: Vec<(f64, Vector3<f64>)>,
 }
 
 pub(crate) struct Chain {
     pub(crate) bodies: Vec<Body>,
-    /// The acceleration of gravity.
+    /// Acceleration of gravity.
     pub(crate) gravity: Vector3<f64>,
 }
 
-/// The paper's pendulum, each plate as two points beside its centre of mass: `m = I = d = 1`, `g = 9.8`; the distance from an axle to the
-/// centre of mass is `c`.
+/// The paper's pendulum, each plate as two points beside its centre of mass: `m = I = d = 1`, `g = 9.8`; the distance
+/// from a joint to the centre of mass is `c`.
 pub(crate) fn pendulum(c: f64) -> Chain {
     let plate = |axle: f64| Body {
         axis: Vector3::z(),
@@ -57,7 +57,7 @@ pub(crate) fn arm() -> Chain {
     }
 }
 
-/// A displacement that leaves half the digits of a central difference.
+/// Displacement of central differences, for which half of the digits remain.
 const REACH: f64 = 1e-5;
 
 impl Chain {
@@ -65,7 +65,7 @@ impl Chain {
         self.bodies.len()
     }
 
-    /// Where `p`, which body `body` carries, is at the joint angles `q`.
+    /// Position at the joint angles `q` of a point `p` of a body.
     fn place(&self, body: usize, p: Vector3<f64>, q: &DVector<f64>) -> Vector3<f64> {
         (0..=body).rev().fold(p, |p, joint| {
             let Body { axis, through, .. } = &self.bodies[joint];
@@ -77,7 +77,7 @@ impl Chain {
         UnitQuaternion::from_axis_angle(&Unit::new_normalize(*axis), q[joint])
     }
 
-    /// Each point mass with the derivatives of its position by the joint angles.
+    /// Point masses with the derivatives of their positions by the joint angles.
     fn slopes(&self, q: &DVector<f64>) -> Vec<(f64, Vec<Vector3<f64>>)> {
         let points = self.bodies.iter().enumerate();
         let points = points.flat_map(|(body, Body { points, .. })| points.iter().map(move |&point| (body, point)));
@@ -89,28 +89,29 @@ impl Chain {
             .collect()
     }
 
-    /// The mass matrix by the kinetic energy of the points, `sum m v^2 / 2`.
+    /// Mass matrix from the kinetic energy of the points, `sum m v^2 / 2`.
     pub(crate) fn mass_matrix_of_points(&self, q: &DVector<f64>) -> DMatrix<f64> {
         let slopes = self.slopes(q);
         let entry = |i: usize, j: usize| slopes.iter().map(|(m, slope)| m * slope[i].dot(&slope[j])).sum();
         DMatrix::from_fn(self.dof(), self.dof(), entry)
     }
 
-    /// The derivatives of the potential energy of the points.
+    /// Derivatives of the potential energy of the points.
     pub(crate) fn slope_of_potential(&self, q: &DVector<f64>) -> DVector<f64> {
         let slopes = self.slopes(q);
         let entry = |i: usize, _| slopes.iter().map(|(m, slope)| -m * self.gravity.dot(&slope[i])).sum();
         DVector::from_fn(self.dof(), entry)
     }
 
-    /// The velocity per unit of joint velocity of a point of the body that the joint carries, and where the point is.
+    /// Velocity, per unit of joint velocity, of a point of the body that the joint carries, and the position of the
+    /// point.
     pub(crate) fn carried(&self, joint: usize, q: &DVector<f64>) -> (Vector3<f64>, Vector3<f64>) {
         let p = self.bodies[joint].points[0].1;
         let velocity = difference(q, joint, |q| self.place(joint, p, q));
         (velocity, self.place(joint, p, q))
     }
 
-    /// The joint screws `(w; p x w)`.
+    /// Joint screws `(w; p x w)`.
     pub(crate) fn screws(&self, q: &DVector<f64>) -> Vec<Vector6<f64>> {
         let screw = |joint: usize| {
             let Body { axis, through, .. } = &self.bodies[joint];
@@ -123,7 +124,7 @@ impl Chain {
         (0..self.dof()).map(screw).collect()
     }
 
-    /// The spatial inertia of each body about the origin.
+    /// Spatial inertia of each body about the origin.
     pub(crate) fn inertias(&self, q: &DVector<f64>) -> Vec<Matrix6<f64>> {
         let bodies = self.bodies.iter().enumerate();
         bodies
@@ -143,12 +144,12 @@ impl Chain {
             .collect()
     }
 
-    /// The sum of the inertias of a body and of all that it carries.
+    /// Total inertia of a body and of all bodies that it carries.
     fn carried_inertia(&self, body: usize, q: &DVector<f64>) -> Matrix6<f64> {
         self.inertias(q)[body..].iter().sum()
     }
 
-    /// Eq. 17 as it should read: the inertia of what the outer of both bodies carries.
+    /// Corrected Eq. 17: the inertia carried by the outer one of both bodies.
     pub(crate) fn eq17(&self, q: &DVector<f64>) -> DMatrix<f64> {
         let s = self.screws(q);
         let entry = |i: usize, j: usize| s[i].dot(&(self.carried_inertia(i.max(j), q) * s[j]));
@@ -162,7 +163,7 @@ impl Chain {
         DMatrix::from_fn(self.dof(), self.dof(), |i, j| s[i].dot(&(all * s[j])))
     }
 
-    /// Eq. 18 as it should read: for `j <= k`, and the same for `k, j`.
+    /// Corrected Eq. 18: for `j <= k`, and symmetric in `j` and `k`.
     pub(crate) fn eq18(&self, q: &DVector<f64>, i: usize, j: usize, k: usize) -> f64 {
         self.eq18_printed(q, i, j.min(k), j.max(k))
     }
@@ -175,13 +176,13 @@ impl Chain {
         0.5 * (term(j, i, k) + term(k, i, j) - term(i, k, j))
     }
 
-    /// The Christoffel symbols of the mass matrix: `B_ijk = (dA_ij/dq_k + dA_ik/dq_j - dA_jk/dq_i) / 2`.
+    /// Christoffel symbols of the mass matrix: `B_ijk = (dA_ij/dq_k + dA_ik/dq_j - dA_jk/dq_i) / 2`.
     pub(crate) fn christoffel(&self, q: &DVector<f64>) -> impl Fn(usize, usize, usize) -> f64 {
         let slopes: Vec<DMatrix<f64>> = (0..self.dof()).map(|k| difference(q, k, |q| self.eq17(q))).collect();
         move |i, j, k| 0.5 * (slopes[k][(i, j)] + slopes[j][(i, k)] - slopes[i][(j, k)])
     }
 
-    /// Eq. 19 as it should read: `- s_i^T N_i^+ (0; g)` with `g` the acceleration of gravity, which points down.
+    /// Corrected Eq. 19: `- s_i^T N_i^+ (0; g)`, where `g` is the acceleration of gravity and points down.
     pub(crate) fn eq19(&self, q: &DVector<f64>) -> DVector<f64> {
         -self.eq19_printed(q)
     }
@@ -210,7 +211,7 @@ fn stack(angular: Vector3<f64>, linear: Vector3<f64>) -> Vector6<f64> {
     Vector6::new(angular.x, angular.y, angular.z, linear.x, linear.y, linear.z)
 }
 
-/// `[a, b] = (a_w x b_w ; a_v x b_w + a_w x b_v)`.
+/// Lie bracket `[a, b] = (a_w x b_w ; a_v x b_w + a_w x b_v)`.
 fn bracket(a: &Vector6<f64>, b: &Vector6<f64>) -> Vector6<f64> {
     let [aw, av, bw, bv] = [(a, 0), (a, 3), (b, 0), (b, 3)].map(|(s, n)| s.fixed_rows::<3>(n).into_owned());
     stack(aw.cross(&bw), av.cross(&bw) + aw.cross(&bv))

@@ -1,4 +1,4 @@
-//! Eq. 20 and 22, against the generated model and the conservation of energy.
+//! Eq. 20 and 22, compared with the generated model and with conservation of energy.
 
 use nalgebra::{SVector, Vector2};
 use pendulum_core::prelude::*;
@@ -14,7 +14,8 @@ fn random_state(random: &mut Random) -> SVector<f64, 4> {
     SVector::from([3.2, 3.2, 5.0, 5.0].map(|most| random.between(-most, most)))
 }
 
-/// A pendulum of random numbers, and the generated one with a centre of mass at `c` over `d` from the axle.
+/// A pendulum with random parameters, and its generated model with the centres of mass at `c`, where `c_over_d` is c /
+/// d.
 fn random_pendulum(random: &mut Random, c_over_d: f64) -> (Pendulum, DoublePendulum) {
     let p = Pendulum {
         m: random.between(0.2, 3.0),
@@ -54,7 +55,8 @@ fn free() -> DoublePendulum {
     DoublePendulum::new(params).expect("physical")
 }
 
-/// How far the energy goes from its first value within 20 s without friction, down and up, in joules; released at rest at these angles.
+/// Largest decrease and increase of the energy from its initial value within 20 s without friction, in joules, after a
+/// release at rest at the given angles.
 fn energy_drift(system: &impl System<f64, 4>, [theta1, theta2]: [f64; 2]) -> [f64; 2] {
     let model = free();
     let solution = Vern9::new()
@@ -102,7 +104,7 @@ fn eq_20_squares_the_rates() {
     assert!(high - low > 1.0);
 }
 
-/// Eq. 20 and 22 have one length. They are right for `c = d`, and for no other `c`.
+/// Eq. 20 and 22 have a single length. They are correct for `c = d`, and for no other `c`.
 #[test]
 fn eq_22_holds_for_c_equal_to_d() {
     let mut random = Random::new(2);
@@ -124,7 +126,7 @@ fn eq_22_holds_for_c_equal_to_d() {
     }
 }
 
-/// The generated motion does not satisfy the printed second line; what is left is the slip, to the last digits.
+/// The generated motion does not satisfy the printed second line; the residual is the misprint, to the last digits.
 #[test]
 fn eq_22b_has_the_rate_of_the_other_plate() {
     let mut random = Random::new(3);
@@ -145,7 +147,8 @@ fn eq_22b_has_the_rate_of_the_other_plate() {
     assert!(largest > 0.1);
 }
 
-/// Where the motion turns, so does the sign of what the slip does: from one start the energy falls, from another it rises.
+/// The effect of the misprint changes sign with the direction of motion: from one initial condition the energy
+/// decreases, from another it increases.
 #[test]
 fn eq_22b_as_printed_does_not_conserve_energy() {
     let paper = Pendulum::paper(0.0, 0.0);

@@ -1,4 +1,4 @@
-//! Section 5: hanging at rest is asymptotically stable for every friction, and standing is not.
+//! Section 5: hanging at rest is asymptotically stable for any friction, and standing is unstable.
 
 use nalgebra::SVector;
 use pendulum_core::stability::{Equilibrium, Stability, equilibria};
@@ -7,7 +7,7 @@ use super::quartic::{characteristic, is_stable, largest_root};
 use testbed::printed::Pendulum;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-/// Each state of rest of the paper's pendulum, and for each plate whether it hangs (1) or stands (-1).
+/// Equilibria of the paper's pendulum; each plate hangs (1) or stands (-1).
 fn states_of_rest(gamma1: f64, gamma2: f64) -> Vec<([f64; 2], Equilibrium<4>)> {
     let params = DoublePendulumParams {
         gamma1,
@@ -23,7 +23,7 @@ fn states_of_rest(gamma1: f64, gamma2: f64) -> Vec<([f64; 2], Equilibrium<4>)> {
     named.collect()
 }
 
-/// 0, and powers of ten from 1e-3 to 1e4, in N m s.
+/// Zero, and powers of ten from 1e-3 to 1e4, in N m s.
 fn frictions() -> Vec<f64> {
     let powers = (-3..=4).map(|n| 10.0_f64.powi(n));
     std::iter::once(0.0).chain(powers).collect()
@@ -82,8 +82,8 @@ fn standing_grows_as_linear_theory_says() {
     }
 }
 
-/// `(I^2 + 3 I m d^2 + m^2 d^4) w^4 - (3 I + 4 m d^2) m g d w^2 + 2 (m g d)^2 = 0`: with ones, `5 w^4 - 7 g w^2 + 2 g^2 = 0`, so
-/// that `w^2` is `g` or `2 g / 5`.
+/// `(I^2 + 3 I m d^2 + m^2 d^4) w^4 - (3 I + 4 m d^2) m g d w^2 + 2 (m g d)^2 = 0`: with ones,
+/// `5 w^4 - 7 g w^2 + 2 g^2 = 0`, so `w^2` is `g` or `2 g / 5`.
 #[test]
 fn without_friction_hanging_swings_for_ever() {
     let states = states_of_rest(0.0, 0.0);

@@ -1,4 +1,4 @@
-//! Eq. 24 to 26: small motions about hanging, against the generated Jacobian.
+//! Eq. 24 to 26: small motions about hanging, compared with the generated Jacobian.
 
 use nalgebra::{Matrix2, SMatrix, SVector};
 use pendulum_core::prelude::*;
@@ -26,7 +26,7 @@ fn generated(p: &Pendulum) -> StateMatrix {
     model.jacobian(0.0, &SVector::zeros())
 }
 
-/// The largest growth rate of a motion, in 1/s.
+/// Largest growth rate of a motion, in 1/s.
 fn growth(matrix: &StateMatrix) -> f64 {
     Spectrum::of(matrix).expect("finite").modes()[0].growth_rate()
 }
@@ -43,7 +43,7 @@ fn random_pendulum(random: &mut Random) -> Pendulum {
     }
 }
 
-/// The largest defect of a form after a change of units, over the largest entry.
+/// Largest defect of a form under a change of units, relative to the largest entry.
 fn unit_defect(form: impl Fn(&Pendulum) -> StateMatrix) -> f64 {
     let p = Pendulum {
         m: 1.3,
@@ -67,7 +67,8 @@ fn the_linearisation_of_eq_22_is_the_generated_jacobian() {
     assert!(unit_defect(Pendulum::linear) < 1e-13);
 }
 
-/// With the sign of Eq. 24a the upper axle drives the plates. The lower one still brakes them, and wins while it has more friction.
+/// With the sign of Eq. 24a the friction of the upper joint drives the plates. The lower joint still brakes them, and
+/// dominates if it has more friction.
 #[test]
 fn eq_24a_brakes() {
     for (gamma1, gamma2) in [
@@ -101,7 +102,8 @@ fn random_pendulum_of_1_kg(random: &mut Random) -> Pendulum {
     }
 }
 
-/// Eq. 24 with `gamma1 theta1''` for the printed `gamma1 theta1'` among the torques, solved for the accelerations.
+/// Eq. 24 with `gamma1 theta1''` in place of the printed `gamma1 theta1'` among the torques, solved for the
+/// accelerations.
 fn eq24_with_an_acceleration_for_a_rate(p: &Pendulum) -> StateMatrix {
     let (md2, mgd) = (p.m * p.d * p.d, p.m * p.g * p.d);
     let mass = Matrix2::new(2.0 * md2 + p.inertia - p.gamma1, md2, md2, md2 + p.inertia);
@@ -122,7 +124,7 @@ fn threshold(p: &Pendulum) -> f64 {
     (md2 * md2 + 3.0 * md2 * p.inertia + p.inertia * p.inertia) / (md2 + p.inertia)
 }
 
-/// How many eigenvalues have a positive real part; none may be so small that its sign is rounding.
+/// Number of eigenvalues with a positive real part; none may be so small that its sign is due to rounding.
 fn unstable(matrix: &StateMatrix) -> usize {
     let spectrum = Spectrum::of(matrix).expect("finite");
     for mode in spectrum.modes() {
@@ -131,7 +133,7 @@ fn unstable(matrix: &StateMatrix) -> usize {
     spectrum.eigenvalues().filter(|eigenvalue| eigenvalue.re > 0.0).count()
 }
 
-/// The tests of the generator derive the same in symbols.
+/// The tests of the generator derive the same result symbolically.
 #[test]
 fn eq_25_is_eq_24a_with_an_acceleration_for_a_rate() {
     let mut random = Random::new(4);
@@ -146,8 +148,8 @@ fn eq_25_is_eq_24a_with_an_acceleration_for_a_rate() {
     assert!(right > 1e-2);
 }
 
-/// A torque `gamma1 theta1''` takes `gamma1` off an inertia. From the threshold on the mass matrix has a negative
-/// eigenvalue, and so one motion grows. The sign of Eq. 24a alone makes none, two or four grow.
+/// A torque `gamma1 theta1''` reduces an inertia by `gamma1`. From the threshold on, the mass matrix has a negative
+/// eigenvalue, so one motion grows. With the sign of Eq. 24a alone, none, two or four grow.
 #[test]
 fn section_5_is_what_the_printed_eq_25_says() {
     let mut random = Random::new(5);
@@ -175,8 +177,8 @@ fn section_5_is_what_the_printed_eq_25_says() {
     println!("Section 5: of {samples} printed Eq. 25 those with gamma1 > a have one growing motion, the others none");
 }
 
-/// The table of the page: growth rates in 1/s to five digits, each with the number of eigenvalues that grow, at
-/// `gamma2` 0.1.
+/// Table of the page: growth rates in 1/s to five digits, each with the number of growing eigenvalues, at
+/// `gamma2 = 0.1`.
 #[test]
 fn growth_rates_right_and_as_printed() {
     for (gamma1, expected) in [
@@ -195,7 +197,7 @@ fn growth_rates_right_and_as_printed() {
     }
 }
 
-/// The denominator is `det M`. With `gamma1` in it, as if that were an inertia, its terms differ in their units.
+/// The denominator is `det M`. With `gamma1` in it, as if it were an inertia, its terms differ in their units.
 #[test]
 fn eq_25_and_26_have_no_friction_in_the_denominator() {
     let (right, printed) = (unit_defect(Pendulum::linear), unit_defect(Pendulum::eq25_printed));
@@ -204,7 +206,7 @@ fn eq_25_and_26_have_no_friction_in_the_denominator() {
     assert!(printed > 0.01);
 }
 
-/// For plates of 1 kg a power of `m` makes no difference, so that no figure of the paper shows it.
+/// For plates of 1 kg a power of `m` makes no difference, so no figure of the paper shows it.
 #[test]
 fn eq_25_and_26_are_of_first_order_in_m() {
     assert!(unit_defect(Pendulum::linear) < 1e-13);
@@ -231,14 +233,16 @@ fn eq_25_and_26_are_of_first_order_in_m() {
         assert_eq!(form(&paper), paper.linear());
         let (defect, ratio) = (unit_defect(form), frequency(&form(&heavy)) / right);
         println!(
-            "Eq. 25, 26, {name}: after a change of units {defect:.1e}; at m = 2 kg frequencies {ratio:.4} times the right ones"
+            "Eq. 25, 26, {name}: after a change of units {defect:.1e}; at m = 2 kg frequencies {ratio:.4} times the \
+             right ones"
         );
         assert!(defect > 1.0);
         assert!((ratio - factor).abs() < 1e-10);
     }
 }
 
-/// Without `gamma1` the printed Eq. 25 is right. A sign of Eq. 26 that makes hanging unstable there contradicts it.
+/// Without `gamma1` the printed Eq. 25 is correct. A sign of Eq. 26 with which hanging is unstable there contradicts
+/// it.
 #[test]
 fn eq_26_contradicts_eq_25() {
     let p = Pendulum::paper(0.0, 0.1);

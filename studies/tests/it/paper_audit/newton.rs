@@ -1,4 +1,4 @@
-//! Eq. 4, 9, 11 and 12: Newton's and Euler's equations of the plates, which the generated accelerations must satisfy.
+//! Eq. 4, 9, 11 and 12: the Newton-Euler equations of the plates, which the generated accelerations must satisfy.
 
 use nalgebra::{SVector, Vector2};
 use pendulum_core::prelude::*;
@@ -6,20 +6,20 @@ use pendulum_core::prelude::*;
 use testbed::random::Random;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-/// A plate of the pendulum in motion, in the ground frame, with the upper axle at the origin.
+/// Plate of the pendulum in motion, in the ground frame, with the upper joint at the origin.
 struct Plate {
-    /// Position and acceleration of its axle.
+    /// Position and acceleration of its joint.
     r: [Vector2<f64>; 2],
     /// Position and acceleration of its centre of mass.
     c: [Vector2<f64>; 2],
-    /// The derivatives of the position of its centre of mass by the angles of the upper and of the lower plate.
+    /// Derivatives of the position of its centre of mass by the angles of the upper and of the lower plate.
     slopes: [Vector2<f64>; 2],
     angular_acceleration: f64,
 }
 
-/// Both plates at a state, given its rate.
+/// Both plates at a state, given its derivative.
 fn plates(p: &DoublePendulumParams, x: &SVector<f64, 4>, rate: &SVector<f64, 4>) -> [Plate; 2] {
-    // a point at this distance below the axle of a plate, and the derivatives of its position by the angle
+    // position and its derivative by the angle, for a point at this distance below the joint of a plate
     let arm = |plate: usize, length: f64| {
         let (sin, cos) = x[plate].sin_cos();
         let (position, slope) = (length * Vector2::new(sin, -cos), length * Vector2::new(cos, sin));
@@ -48,15 +48,15 @@ fn random_state(random: &mut Random) -> SVector<f64, 4> {
     SVector::from([3.2, 3.2, 5.0, 5.0].map(|most| random.between(-most, most)))
 }
 
-/// Torques of friction on the upper and on the lower plate.
+/// Friction torques on the upper and on the lower plate.
 fn friction(p: &DoublePendulumParams, x: &SVector<f64, 4>) -> [f64; 2] {
     let lower = p.gamma2 * (x[2] - x[3]);
     [-p.gamma1 * x[2] - lower, lower]
 }
 
-/// Forces of inertia, weight and friction do no work together in any turn of a plate (d'Alembert). They would with
-/// `r2'' + c2''` for the acceleration of the lower plate, since the `c2` of Eq. 4 is measured from the ground: it has
-/// `r2` in it already.
+/// Forces of inertia, weight and friction together do no virtual work in any rotation of a plate (d'Alembert). With
+/// `r2'' + c2''` as acceleration of the lower plate they would: the `c2` of Eq. 4 is measured from the ground, and so
+/// includes `r2` already.
 #[test]
 fn eq_11_counts_the_lower_axle_twice() {
     let p = DoublePendulumParams::default();
@@ -68,7 +68,7 @@ fn eq_11_counts_the_lower_axle_twice() {
         let x = random_state(&mut random);
         let plates = plates(&p, &x, &model.rhs(0.0, &x));
         for turned in [0, 1] {
-            // work a radian in a turn of one plate
+            // virtual work per radian of rotation of one plate
             let forces = |acceleration: fn(&Plate) -> Vector2<f64>| -> f64 {
                 let force = |plate: &Plate| (weight - p.m * acceleration(plate)).dot(&plate.slopes[turned]);
                 plates.iter().map(force).sum()
@@ -86,8 +86,8 @@ fn eq_11_counts_the_lower_axle_twice() {
     assert!(printed > 0.1 * largest);
 }
 
-/// The angular momentum of both plates about the upper axle changes by the friction there and by the moments of the
-/// weights, `c x (-m g j)`. Without these plates would rest at any angles.
+/// The angular momentum of both plates about the upper joint changes by the friction there and by the moments of the
+/// weights, `c x (-m g j)`. Without these moments, plates would rest at any angles.
 #[test]
 fn eq_12_wants_the_moment_of_gravity() {
     let p = DoublePendulumParams::default();
@@ -105,7 +105,7 @@ fn eq_12_wants_the_moment_of_gravity() {
         right = right.max((without - moment).abs());
         printed = printed.max(without.abs());
     }
-    // both weights, where the plates lie level
+    // both weights, with level plates
     let largest = 3.0 * p.m * p.g * p.d;
     println!("Eq. 12: moment left over with gravity {right:.1e}, without up to {printed:.1} N m of {largest:.1}");
     assert!(right < 1e-14 * largest);

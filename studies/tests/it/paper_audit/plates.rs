@@ -1,4 +1,4 @@
-//! What Table 1 and Section 2 of the paper say of friction and inertia.
+//! Table 1 and Section 2 of the paper: friction and inertia.
 
 use nalgebra::{DVector, SVector};
 
@@ -7,7 +7,7 @@ use super::units::{OTHER, apart};
 use testbed::printed::Pendulum;
 use testbed::random::Random;
 
-/// Friction is a torque over a rate. Taken for a plain number, it makes the motion depend on the units it is told in.
+/// Friction is a torque per rate. Treated as a pure number, it makes the motion depend on the choice of units.
 #[test]
 fn table_1_friction_has_a_unit() {
     let paper = Pendulum::paper(0.4, 0.4);
@@ -27,11 +27,12 @@ fn table_1_friction_has_a_unit() {
     assert!(printed > 1e-4);
 }
 
-/// Equal plates with `c = d = 1`: `A_22 = I + m d^2` is the inertia of the lower plate about its axle, so the `I` in it is about the centre.
+/// Equal plates with `c = d = 1`: `A_22 = I + m d^2` is the inertia of the lower plate about its joint, so the `I` in
+/// it is the inertia about the centre of mass.
 #[test]
 fn inertia_is_about_the_centre_of_mass() {
     let kinetic = pendulum(1.0).mass_matrix_of_points(&DVector::zeros(2))[(1, 1)];
-    // two points of m/2 = 0.5, each 1 from the centre of mass and so sqrt(2) from the axle
+    // two points of m/2 = 0.5, each 1 from the centre of mass and sqrt(2) from the joint
     let (about_the_centre, about_the_axle) = (0.5 * 2.0, 0.5 * 2.0 * 2.0);
     let a22 = |inertia: f64| inertia + 1.0 * 1.0_f64.powi(2);
     let (right, printed) = (a22(about_the_centre), a22(about_the_axle));

@@ -1,11 +1,13 @@
-//! The characteristic polynomial of small motions about the states of rest, by hand: independent of the generated Jacobian and of eigenvalues of
-//! matrices.
+//! Characteristic polynomial of small motions about the equilibria, derived by hand: independent of the generated
+//! Jacobian and of matrix eigenvalues.
 
 use testbed::printed::Pendulum;
 
-/// `det(M lambda^2 + D lambda + K)` by falling powers of `lambda`, where each plate hangs (`1.0`) or stands (`-1.0`).
+/// `det(M lambda^2 + D lambda + K)` by descending powers of `lambda`, where each plate hangs (`1.0`) or stands
+/// (`-1.0`).
 ///
-/// With `M = [[I + 2 m d^2, +-m d^2], [.., I + m d^2]]`, `D = [[gamma1 + gamma2, -gamma2], [-gamma2, gamma2]]`, and `K = diag(+-2 m g d, +-m g d)`.
+/// With `M = [[I + 2 m d^2, +-m d^2], [.., I + m d^2]]`, `D = [[gamma1 + gamma2, -gamma2], [-gamma2, gamma2]]`, and
+/// `K = diag(+-2 m g d, +-m g d)`.
 pub(crate) fn characteristic(p: &Pendulum, [upper, lower]: [f64; 2]) -> [f64; 5] {
     let md2 = p.m * p.d * p.d;
     let (m11, m12, m22) = (p.inertia + 2.0 * md2, upper * lower * md2, p.inertia + md2);
@@ -20,7 +22,7 @@ pub(crate) fn characteristic(p: &Pendulum, [upper, lower]: [f64; 2]) -> [f64; 5]
     ]
 }
 
-/// The largest real root, if no root has a larger real part: Newton's iteration comes down to it from above all of them.
+/// Largest real root, if no root has a larger real part: Newton's iteration converges to it from above all roots.
 pub(crate) fn largest_root(a: [f64; 5]) -> f64 {
     let value = |x: f64| a.iter().fold(0.0, |sum, c| sum * x + c);
     let slope = |x: f64| (0..4).fold(0.0, |sum, n| sum * x + (4 - n) as f64 * a[n]);
@@ -35,7 +37,7 @@ pub(crate) fn largest_root(a: [f64; 5]) -> f64 {
     }
 }
 
-/// Whether all roots have negative real parts (Routh and Hurwitz).
+/// True if all roots have negative real parts (Routh and Hurwitz).
 pub(crate) fn is_stable([a4, a3, a2, a1, a0]: [f64; 5]) -> bool {
     [a4, a3, a2, a1, a0].iter().all(|&a| a > 0.0) && a3 * a2 * a1 > a4 * a1 * a1 + a3 * a3 * a0
 }

@@ -1,14 +1,14 @@
-//! Section 2 of the paper: A, B and C by screws, Eq. 17 to 19, against point masses that know of no screw.
+//! Section 2 of the paper: A, B and C by screws, Eq. 17 to 19, compared with point masses computed without screws.
 
 use nalgebra::{DMatrix, DVector, Vector6};
 
 use super::chain::{Chain, arm, pendulum};
 use testbed::scenes::DoublePendulum;
 
-/// What central differences leave: some roundings over 1e-5.
+/// Tolerance for central differences: some roundings over 1e-5.
 const DIFFERENCES: f64 = 1e-9;
 
-/// A pendulum and an arm, each at some angles of their joints.
+/// A pendulum and an arm, each at given joint angles.
 fn cases() -> Vec<(Chain, DVector<f64>)> {
     vec![
         (pendulum(1.0), DVector::from_vec(vec![0.7, -1.1])),
@@ -33,14 +33,15 @@ fn eq_17_takes_the_inertia_of_what_the_outer_body_carries() {
         assert!(right < DIFFERENCES);
         assert!(printed > 0.1);
     }
-    // A_22 = I + m d^2 = 2. The printed one adds the inertia of the upper plate about the lower axle, which passes through its centre: I = 1.
+    // A_22 = I + m d^2 = 2. The printed form adds the inertia of the upper plate about the lower joint, which passes
+    // through its centre: I = 1.
     let (chain, q) = &cases()[0];
     let [right, printed] = [chain.eq17(q), chain.eq17_printed(q)].map(|a| a[(1, 1)]);
     println!("Eq. 17, pendulum: A_22 right {right:.9}, printed {printed:.9} kg m^2");
     assert!((right - 2.0).abs() < 1e-14 && (printed - 3.0).abs() < 1e-14);
 }
 
-/// Six by six is a spatial inertia. A mass matrix has a row and a column for each joint: of the pendulum, two.
+/// A spatial inertia is six by six. A mass matrix has a row and a column for each joint: two for the pendulum.
 #[test]
 fn eq_17_is_a_matrix_of_two_rows() {
     let (chain, q) = &cases()[0];
@@ -93,8 +94,8 @@ fn eq_19_has_a_minus_where_gravity_points_down() {
     }
 }
 
-/// The twist that a joint gives to what it carries is its screw. An eigenvector of the inertia matrix is another thing: it
-/// does not move the plate about its axle.
+/// The twist of the bodies that a joint carries is the screw of the joint. An eigenvector of the inertia matrix is not:
+/// it does not rotate the plate about its joint.
 #[test]
 fn s_is_the_screw_of_the_joint_and_no_eigenvector() {
     let (chain, q) = &cases()[0];
@@ -106,7 +107,7 @@ fn s_is_the_screw_of_the_joint_and_no_eigenvector() {
         };
         let screw = chain.screws(q)[joint];
         let inertia = chain.inertias(q)[joint];
-        // of all eigenvectors the one that is closest to the screw, as fast a rotation as it
+        // the eigenvector closest to the screw, scaled to the same angular velocity
         let eigenvectors = inertia.symmetric_eigen().eigenvectors;
         let closest = eigenvectors.column_iter().max_by(|a, b| {
             let [a, b] = [a, b].map(|v| v.dot(&screw).abs());

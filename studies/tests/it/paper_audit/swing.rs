@@ -1,5 +1,5 @@
-//! Section 4, Fig. 2 and the abstract: at 4 degrees the motion is the sum of two damped modes, not in phase, not
-//! chaotic, and not periodic.
+//! Section 4, Fig. 2 and the abstract: at 4 degrees the motion is the sum of two damped modes, neither in phase nor
+//! chaotic nor periodic.
 
 use nalgebra::SVector;
 use pendulum_core::method::{Explicit, Fixed};
@@ -12,10 +12,11 @@ use testbed::printed::Pendulum;
 use testbed::random::Random;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-/// The frictions of Fig. 2, in N m s, and its end, in s.
+/// Frictions of Fig. 2, in N m s.
 const FRICTIONS: [f64; 3] = [0.1, 0.4, 1.0];
+/// End time of Fig. 2, in s.
 const END: f64 = 20.0;
-/// Of the lower plate, in degrees; the upper one hangs, and both are at rest.
+/// Initial angle of the lower plate, in degrees; the upper one hangs, and both are at rest.
 const AMPLITUDE: f64 = 4.0;
 
 type Samples = Vec<(f64, SVector<f64, 4>)>;
@@ -29,7 +30,7 @@ fn model(gamma: f64) -> DoublePendulum {
     DoublePendulum::new(params).expect("physical")
 }
 
-/// At rest with the upper plate hanging.
+/// Initial condition at rest with the upper plate hanging.
 fn start(degrees: f64) -> SVector<f64, 4> {
     SVector::from([0.0, degrees.to_radians(), 0.0, 0.0])
 }
@@ -50,7 +51,8 @@ fn modes(gamma: f64, samples: &Samples) -> ModalFit {
     fit(&rest.spectrum, samples)
 }
 
-/// What two modes leave of the angles comes from the third power of these, so it falls with the third power of the amplitude.
+/// The residual of the fit by two modes is of third order in the angles, so it decreases with the third power of the
+/// amplitude.
 #[test]
 fn fig_2_is_two_damped_modes() {
     for gamma in FRICTIONS {
@@ -61,14 +63,16 @@ fn fig_2_is_two_damped_modes() {
         let (one, four) = (residual(0.25 * AMPLITUDE), residual(AMPLITUDE));
         let power = (four / one).log(4.0);
         println!(
-            "Fig. 2, gamma {gamma}: two modes leave {four:.5} of {AMPLITUDE} degrees; at 1 degree {one:.2e}: power {power:.3}"
+            "Fig. 2, gamma {gamma}: two modes leave {four:.5} of {AMPLITUDE} degrees; at 1 degree {one:.2e}: power \
+             {power:.3}"
         );
         assert!(four < 0.01 * AMPLITUDE);
         assert!((power - 3.0).abs() < 0.05);
     }
 }
 
-/// The motion of Fig. 2 has the eigenvalues of the linearisation, but for the square of the amplitude.
+/// The eigenvalues of the motion of Fig. 2 equal those of the linearisation, up to terms of second order in the
+/// amplitude.
 #[test]
 fn fig_2_has_the_eigenvalues_of_the_jacobian() {
     for gamma in FRICTIONS {
@@ -86,14 +90,15 @@ fn fig_2_has_the_eigenvalues_of_the_jacobian() {
         let (one, four) = (error(0.25 * AMPLITUDE), error(AMPLITUDE));
         let power = (four / one).log(4.0);
         println!(
-            "Fig. 2, gamma {gamma}: eigenvalues of the motion differ by {four:.1e} 1/s; power of the amplitude {power:.3}"
+            "Fig. 2, gamma {gamma}: eigenvalues of the motion differ by {four:.1e} 1/s; power of the amplitude \
+             {power:.3}"
         );
         assert!(four < 5e-3);
         assert!((power - 2.0).abs() < 0.05);
     }
 }
 
-/// The slip of Eq. 22b is of the third power of the amplitude too: Fig. 2 looks the same with and without it.
+/// The misprint of Eq. 22b is also of third order in the amplitude: Fig. 2 looks the same with and without it.
 #[test]
 fn fig_2_hardly_depends_on_eq_22b() {
     for gamma in FRICTIONS {
@@ -110,10 +115,10 @@ fn fig_2_hardly_depends_on_eq_22b() {
     }
 }
 
-/// With friction neighbouring motions come together, at last as slowly as the slowest mode decays.
+/// With friction, neighbouring motions converge, in the long run at the decay rate of the slowest mode.
 ///
-/// Within a swing of that mode, of frequency `w` in rad/s, the length of a tangent (in rad and rad/s) goes through a factor of `w`. Its
-/// mean growth rate over a time `t` is open by `ln(w) / t` for that reason.
+/// Within a swing of that mode, of frequency `w` in rad/s, the length of a tangent (in rad and rad/s) varies by a
+/// factor of `w`. This leaves an uncertainty of `ln(w) / t` in the mean growth rate over a time `t`.
 #[test]
 fn fig_2_is_not_chaotic() {
     for gamma in FRICTIONS {
@@ -135,8 +140,9 @@ fn fig_2_is_not_chaotic() {
     }
 }
 
-/// In regular motion neighbours part in proportion to time, four times as far in four times the time, while within a swing of frequency `w` their
-/// distance goes through a factor of `w`, at most 3.2 in small swings. In chaos they part exponentially. `examples/paper_audit` looks between these amplitudes.
+/// In regular motion, neighbours separate in proportion to time: four times as far in four times the time. Within a
+/// swing of frequency `w` their distance varies by a factor of `w`, at most 3.2 in small swings. In chaos they separate
+/// exponentially. `examples/paper_audit` covers the amplitudes in between.
 #[test]
 fn without_friction_only_the_largest_swings_are_chaotic() {
     let model = model(0.0);
@@ -154,7 +160,8 @@ fn without_friction_only_the_largest_swings_are_chaotic() {
         let (value, uncertainty) = (late.values[0], late.uncertainty[0]);
         let grown = 600.0 * value - 150.0 * early.values[0];
         println!(
-            "Section 4, no friction, {degrees} degrees: {value:.5} +- {uncertainty:.5} 1/s; from 150 to 600 s grown by exp({grown:.2})"
+            "Section 4, no friction, {degrees} degrees: {value:.5} +- {uncertainty:.5} 1/s; from 150 to 600 s grown by \
+             exp({grown:.2})"
         );
         if chaotic {
             assert!(value > 0.04 && value > 4.0 * uncertainty && grown > 15.0);
@@ -164,15 +171,15 @@ fn without_friction_only_the_largest_swings_are_chaotic() {
     }
 }
 
-/// Released at the same angle both modes swing, since the slow one has twice the angle below: the difference of the
-/// angles grows beyond each of them, and they have opposite signs.
+/// After a release at the same angle both modes swing, since the slow mode has twice the angle at the lower plate: the
+/// difference of the angles exceeds each of them, and they have opposite signs.
 #[test]
 fn released_at_the_same_angle_plates_do_not_stay_in_phase() {
     let angle = AMPLITUDE.to_radians();
     let samples = samples_from(&model(0.1), SVector::from([angle, angle, 0.0, 0.0]));
     let most = |value: fn(&SVector<f64, 4>) -> f64| samples.iter().map(|(_, x)| value(x)).fold(0.0, f64::max);
     let difference = most(|x| (x[0] - x[1]).abs()).to_degrees();
-    // the smaller angle of two with opposite signs
+    // the smaller of two angles with opposite signs
     let opposite = most(|x| {
         if x[0] * x[1] < 0.0 {
             x[0].abs().min(x[1].abs())
@@ -186,8 +193,7 @@ fn released_at_the_same_angle_plates_do_not_stay_in_phase() {
     assert!(opposite > 0.9);
 }
 
-/// The power of the step with which the error after 20 s falls, from a swing that is large enough to show all terms of
-/// it.
+/// Order of convergence of the error after 20 s, for a swing large enough to excite all its terms.
 fn order<M: Method<DoublePendulum, f64, 4>>(method: fn(f64) -> M, exact: &SVector<f64, 4>) -> f64 {
     let [long, short] = [0.04, 0.02].map(|h| {
         let solution = method(h).solve(&model(0.1), 0.0, END, start(60.0)).expect("regular");
@@ -197,8 +203,8 @@ fn order<M: Method<DoublePendulum, f64, 4>>(method: fn(f64) -> M, exact: &SVecto
 }
 
 /// ode45 is the pair 5(4) of Dormand and Prince (L. F. Shampine, M. W. Reichelt, "The MATLAB ODE suite", SIAM J. Sci.
-/// Comput. 18 (1997) 1-22). Half the step leaves a 32nd of its error, and a 16th of that of the fourth-order
-/// Runge-Kutta method.
+/// Comput. 18 (1997) 1-22). Halving the step divides its error by 32, and the error of the fourth-order Runge-Kutta
+/// method by 16.
 #[test]
 fn ode45_is_no_fourth_order_runge_kutta_method() {
     let (_, exact) = samples(&model(0.1), 60.0)[200];
@@ -209,8 +215,8 @@ fn ode45_is_no_fourth_order_runge_kutta_method() {
     assert!((runge_kutta - 4.0).abs() < 0.2);
 }
 
-/// The energy falls by `gamma1 omega1^2 + gamma2 (omega1 - omega2)^2`, which is positive unless both plates are at
-/// rest. A periodic motion would come back to the energy it had.
+/// The energy decreases at the rate `gamma1 omega1^2 + gamma2 (omega1 - omega2)^2`, which is positive unless both
+/// plates are at rest. A periodic motion would return to its initial energy.
 #[test]
 fn no_damped_motion_is_periodic() {
     let mut random = Random::new(6);

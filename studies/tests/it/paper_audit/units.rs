@@ -1,10 +1,10 @@
-//! Change of units. A right formula says the same in all units: its value in new units is its value in the old ones, converted.
+//! Change of units. A correct formula is invariant: its value in new units is its value in the old ones, converted.
 
 use nalgebra::{SMatrix, SVector};
 
 use testbed::printed::Pendulum;
 
-/// How many of the new units make a kilogram, a metre and a second.
+/// Number of the new units per kilogram, metre and second.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Units {
     pub(crate) mass: f64,
@@ -12,7 +12,7 @@ pub(crate) struct Units {
     pub(crate) time: f64,
 }
 
-/// Grams, centimetres and, for want of a round number that could hide a power, 0.7 s.
+/// Grams, centimetres, and 0.7 s: a round number could hide a power.
 pub(crate) const OTHER: Units = Units {
     mass: 1e3,
     length: 1e2,
@@ -20,7 +20,7 @@ pub(crate) const OTHER: Units = Units {
 };
 
 impl Units {
-    /// The same pendulum, with friction in N m s (per rad).
+    /// Converts a pendulum, with friction in N m s (per rad).
     pub(crate) fn pendulum(&self, p: &Pendulum) -> Pendulum {
         let friction = self.mass * self.length.powi(2) / self.time;
         Pendulum {
@@ -30,7 +30,7 @@ impl Units {
         }
     }
 
-    /// The same pendulum, if friction had no unit.
+    /// Converts a pendulum as if friction had no unit.
     pub(crate) fn pendulum_without_unit_of_friction(&self, p: &Pendulum) -> Pendulum {
         Pendulum {
             m: p.m * self.mass,
@@ -41,24 +41,24 @@ impl Units {
         }
     }
 
-    /// The same state.
+    /// Converts a state.
     pub(crate) fn state(&self, x: &SVector<f64, 4>) -> SVector<f64, 4> {
         SVector::from([x[0], x[1], x[2] / self.time, x[3] / self.time])
     }
 
-    /// The same rate of a state.
+    /// Converts the derivative of a state.
     pub(crate) fn rate(&self, rate: &SVector<f64, 4>) -> SVector<f64, 4> {
         self.state(rate) / self.time
     }
 
-    /// The same matrix of `dx/dt = matrix x`.
+    /// Converts the matrix of `dx/dt = matrix x`.
     pub(crate) fn matrix(&self, matrix: &SMatrix<f64, 4, 4>) -> SMatrix<f64, 4, 4> {
         let unit = |i: usize| if i < 2 { 1.0 } else { 1.0 / self.time };
         SMatrix::from_fn(|i, j| matrix[(i, j)] * unit(i) / unit(j) / self.time)
     }
 }
 
-/// The largest difference over the largest entry.
+/// Largest difference, relative to the largest entry.
 pub(crate) fn apart<const R: usize, const C: usize>(a: &SMatrix<f64, R, C>, b: &SMatrix<f64, R, C>) -> f64 {
     (a - b).amax() / b.amax()
 }

@@ -1,10 +1,10 @@
-//! What is drawn after the rest: solids, inputs, outputs and events.
+//! Parts that are drawn last: solids, inputs, outputs and events.
 
 use super::{Draw, moving};
 use crate::trees::{Action, Event, Form, Matter, Moves, Name, Number, Output, Point, Solid, Torque, Tree, Triple};
 
 impl Draw {
-    /// Makes some of the bodies of solids.
+    /// Replaces the mass properties of some bodies by solids.
     pub(super) fn add_solids(&mut self, tree: &mut Tree) {
         for body in &mut tree.bodies {
             let Some(Matter::Lump { mass, .. }) = body.matter else {
@@ -36,7 +36,7 @@ impl Draw {
         }
     }
 
-    /// Two places that differ.
+    /// Draws two distinct points.
     fn ends(&mut self) -> [Triple; 2] {
         let from = self.vector(0.75);
         let length = self.positive(1.0).value;
@@ -50,8 +50,8 @@ impl Draw {
         [from, to]
     }
 
-    /// Corners in four or five directions from a place, one after the other, so that no sides cross; the polygon need
-    /// not be convex.
+    /// Draws corners in four or five directions from a point, in cyclic order so that no sides cross; the polygon may
+    /// be nonconvex.
     fn corners(&mut self) -> Vec<[Number; 2]> {
         let directions = [[4.0, 0.0], [1.0, 3.0], [-3.0, 2.0], [-2.0, -3.0], [2.0, -3.0]];
         let count = 4 + self.below(2);
@@ -67,7 +67,7 @@ impl Draw {
         corners
     }
 
-    /// Gives some trees one input or two, each of which acts in one way or two.
+    /// Gives some trees one or two inputs, each of which acts in one or two places.
     pub(super) fn add_inputs(&mut self, tree: &mut Tree) {
         if !self.chance(0.3) {
             return;
@@ -140,7 +140,7 @@ impl Draw {
         }
     }
 
-    /// One of the points on bodies, or a further one.
+    /// Returns a point on a body: an existing one, or a new one.
     fn point_that_moves(&mut self, tree: &mut Tree) -> usize {
         let of_bodies: Vec<usize> = (0..tree.points.len())
             .filter(|&n| tree.points[n].body.is_some())

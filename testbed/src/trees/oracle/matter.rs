@@ -1,5 +1,5 @@
-//! The mass properties of bodies. A solid counts as grains that have its mass, centre and second moments: a quadrature
-//! that is exact for all quadratic functions.
+//! Mass properties of bodies. A solid is replaced by point masses with the same mass, centre and second moments: a
+//! quadrature that is exact for all quadratic functions.
 
 use nalgebra::Vector3;
 use pendulum_core::Real;
@@ -15,7 +15,7 @@ pub(super) struct MassProperties<T> {
     pub(super) inertia: [Vector3<T>; 3],
 }
 
-/// A mass in one place.
+/// Point mass.
 #[derive(Clone, Copy, Debug)]
 struct Grain<T> {
     mass: T,
@@ -49,13 +49,13 @@ impl<T: Real> Oracle<'_, T> {
     fn grains(&self, solid: &Solid) -> Vec<Grain<T>> {
         let number = T::from_f64;
         let mass = self.number(solid.mass);
-        // grains of parts of the mass
+        // point masses as fractions of the mass
         let parts = |parts: Vec<(T, Vector3<T>)>| -> Vec<Grain<T>> {
             let grain = |(part, at)| Grain { mass: mass * part, at };
             parts.into_iter().map(grain).collect()
         };
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| Vector3::from(axis.map(number)));
-        // two grains on each of some axes through a place
+        // two point masses on each of some axes through a point
         let crosses = |at: Vector3<T>, arms: &[Vector3<T>]| {
             let part = number(0.5 / arms.len() as f64);
             let both = arms.iter().flat_map(|&arm| [(part, at + arm), (part, at - arm)]);
@@ -79,13 +79,13 @@ impl<T: Real> Oracle<'_, T> {
                 parts(polygon(&corners.iter().map(corner).collect::<Vec<_>>()))
             }
             Form::Cuboid(sides, at) => {
-                // the middles of the faces: the mean of x^2 is d^2/12
+                // face centres: the mean of x^2 is d^2/12
                 let sides = sides.map(|side| self.number(side) * number(0.5));
                 let arms = [0, 1, 2].map(|n| axes[n] * sides[n]);
                 parts(crosses(self.vector(at), &arms))
             }
             Form::Cylinder(radius, ends) => {
-                // a rod in two grains by the rule of Gauss, each of them a disk
+                // a rod as two point masses by Gauss quadrature, each of them expanded to a disk
                 let [from, middle, to] = self.line(ends);
                 let axis = to - from;
                 let arm = self.number(*radius) * number(0.5_f64.sqrt());
@@ -108,15 +108,15 @@ impl<T: Real> Oracle<'_, T> {
         }
     }
 
-    /// The ends of a line and its middle.
+    /// Ends and midpoint of a line.
     fn line(&self, [from, to]: &[Triple; 2]) -> [Vector3<T>; 3] {
         let (from, to) = (self.vector(from), self.vector(to));
         [from, (from + to) * T::from_f64(0.5), to]
     }
 }
 
-/// The parts of a polygon that the triangles from its first corner have, in the middles of their sides; those of
-/// triangles that lie outside are negative.
+/// Quadrature of a polygon: it is divided into the triangles from its first corner, each with equal weights at the
+/// midpoints of its sides; the weights of triangles outside the polygon are negative.
 fn polygon<T: Real>(corners: &[Vector3<T>]) -> Vec<(T, Vector3<T>)> {
     let first = corners[0];
     let triangles: Vec<(T, [Vector3<T>; 2])> = corners[1..]
