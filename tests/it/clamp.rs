@@ -98,8 +98,8 @@ fn events_are_those_declared_and_those_of_known_limits() {
     assert_eq!(Cart::EVENTS, ["passes", "saturation_1"]);
     let model = Cart::new(CartParams::default()).expect("physical");
     // the clamp of the input `order` is no event: only the control law determines its value
-    assert_eq!(model.saturation_1(0.0, &SVector::from([0.3, 0.0])), 1.0 - 3.0);
-    assert_eq!(model.saturation_1(0.0, &SVector::from([-0.02, 5.0])), 1.0 - 0.2);
+    assert_eq!(model.saturation_1(0.0, &[0.3, 0.0]), (-3.0 + 1.0) * (1.0 + 3.0));
+    assert_relative_eq!(model.saturation_1(0.0, &[-0.02, 5.0]), 1.2 * 0.8, max_relative = 1e-15);
 }
 
 #[test]
@@ -208,4 +208,161 @@ struct Last;
 
 impl Observer<f64, 2> for Last {
     fn step(&mut self, _: &Dense<'_, f64, 2>) {}
+}
+
+mechanism! {
+    /// A servo that saturates on its way to 1.2 rad.
+    pub Servo {
+        gravity: [0, -9.81, 0],
+        body arm on ground {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle,
+            torque: clamp(40*(1.2 - angle) - 8 N m s*qd + 9.81*sin(angle), -6, 6),
+        }
+    }
+}
+
+/// Each crossing of a limit is one event, and no step is of the length of rounding errors.
+#[test]
+fn a_crossing_is_recorded_once() {
+    fn check(name: &str, start: f64, solution: &Solution<f64, 2>) {
+        let times: Vec<f64> = solution.events().iter().map(|event| event.t).collect();
+        let apart = times.windows(2).all(|pair| pair[1] - pair[0] > 1e-9);
+        assert!(apart, "{name} from {start}: {times:?}");
+        let steps = solution.t().windows(2).all(|pair| pair[1] - pair[0] > 1e-12);
+        assert!(steps, "{name} from {start}: {:?}", solution.t());
+    }
+    let model = Servo::new(ServoParams {}).expect("physical");
+    for n in 0..60 {
+        let start = 0.02 * f64::from(n);
+        macro_rules! methods {
+            ($($method:expr),*) => { $(
+                let solution = $method.solve_with(&model, 0.0, 10.0, [start, 0.0], &model.events());
+                check(stringify!($method), start, &solution.expect("regular"));
+            )* };
+        }
+        methods!(
+            Rk4::new(0.02),
+            Vern9::new().rtol(1e-9).atol(1e-9),
+            Tsit5::new(),
+            Rodas5P::new(),
+            Auto::new()
+        );
+    }
+}
+
+/// A limit that is reached together with a stop: the impact is no zero of an event.
+#[test]
+fn a_kink_at_an_impact_leaves_other_events_alone() {
+    mechanism! {
+        pub EndStop {
+            params { s: m = 1 }
+            event turns: dot(a),
+            body a on ground {
+                mass: 1, joint: prismatic(x), coordinate: a, stop: [-1, 1] restitution(0.5),
+                torque: 1 N + 1 N/m*clamp(a, -s, s),
+            }
+        }
+    }
+    let turns = |s: f64| {
+        let model = EndStop::new(EndStopParams { s }).expect("physical");
+        let solution = Vern9::new()
+            .solve_with(&model, 0.0, 4.0, [0.0, 0.0], &model.events())
+            .expect("regular");
+        let turns = solution
+            .events()
+            .iter()
+            .filter(|event| event.index == 0 && event.t > 0.0);
+        let turns: Vec<[f64; 2]> = turns.map(|event| event.x.into()).collect();
+        assert!(turns.iter().all(|x| x[1].abs() < 1e-9), "{s}: {turns:?}");
+        turns.len()
+    };
+    assert_eq!(turns(1.0), turns(0.9));
+}
+
+/// A range that is crossed within 1/500 of a step is not missed, and ends steps where the method can resolve it.
+#[test]
+fn steep_limits_are_found() {
+    let params = HeldParams {
+        k: 1e4,
+        ..Default::default()
+    };
+    let model = Held::new(params).expect("physical");
+    let coarse = Rk4::new(0.1).solve_with(&model, 0.0, 5.0, [0.537, 0.0], &model.events());
+    assert!(coarse.expect("regular").events().len() >= 4);
+    let start = [0.537, 0.0];
+    let tight = Vern9::new()
+        .rtol(1e-13)
+        .atol(1e-13)
+        .solve(&model, 0.0, 5.0, start)
+        .expect("regular")
+        .end();
+    let method = Vern7::new().rtol(1e-6).atol(1e-6);
+    let with = method
+        .solve_with(&model, 0.0, 5.0, start, &model.events())
+        .expect("regular");
+    assert_eq!(with.events().len(), 4, "{:?}", with.events());
+    let error = |end: SVector<f64, 2>| (end - tight).norm();
+    let without = error(method.solve(&model, 0.0, 5.0, start).expect("regular").end());
+    assert!(
+        error(with.end()) < 0.1 * without,
+        "{:e}, {without:e}",
+        error(with.end())
+    );
+}
+
+/// A limit that is never reached does not blur the other one.
+#[test]
+fn a_far_limit_takes_no_digits() {
+    mechanism! {
+        pub Rope {
+            params { top: N = 1e15, k: N/m = 50 }
+            body a on ground {
+                mass: 1, joint: prismatic(x), coordinate: l, torque: 2 N - clamp(k*(l - 1 m), 0, top),
+            }
+        }
+    }
+    let model = Rope::new(RopeParams::default()).expect("physical");
+    let solution = Vern9::new()
+        .solve_with(&model, 0.0, 1.5, [0.0, 0.0], &model.events())
+        .expect("regular");
+    assert_relative_eq!(solution.events()[0].t, 1.0, epsilon = 1e-13);
+}
+
+/// An unstable step crosses its limits again and again: the number of steps stays bounded.
+#[test]
+fn unstable_steps_do_not_multiply() {
+    mechanism! {
+        pub Damped {
+            params { d: N s/m = 1e6 }
+            body a on ground {
+                mass: 1, joint: prismatic(x), coordinate: x1, torque: clamp(-d*dot(x1) - 1 N/m*x1, -1e6, 1e6),
+            }
+        }
+    }
+    let model = Damped::new(DampedParams::default()).expect("physical");
+    let solution = Rk4::new(0.1)
+        .solve_with(&model, 0.0, 10.0, [0.3, 2.0], &model.events())
+        .expect("finite");
+    assert!(solution.t().len() < 1000, "{}", solution.t().len());
+}
+
+/// A kink begins no mode.
+#[test]
+fn modes_begin_where_they_change() {
+    mechanism! {
+        pub Rubbed {
+            body a on ground {
+                mass: 1, joint: prismatic(x), coordinate: a, dry_friction: 0.1,
+                torque: -2 N/m*a + clamp(3 N/m*a, -0.5, 0.5),
+            }
+        }
+    }
+    let model = Rubbed::new(RubbedParams {}).expect("physical");
+    let modes = |events: &[pendulum_core::Event<f64, 2>]| {
+        let solution = Vern9::new()
+            .solve_with(&model, 0.0, 20.0, [1.0, 0.0], events)
+            .expect("regular");
+        solution.modes().len()
+    };
+    assert_eq!(modes(&model.events()), modes(&[]));
 }

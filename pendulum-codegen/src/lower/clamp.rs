@@ -6,7 +6,7 @@ use super::measure::Quantity;
 use super::written::written;
 use crate::ast;
 use crate::error::{Code, Reported};
-use crate::expr::{Binary, Expr, Level, SymbolKind, Unary, ratio};
+use crate::expr::{Binary, Expr, Level, SymbolKind};
 use crate::model::{Event, Requirement};
 use crate::program;
 
@@ -24,63 +24,59 @@ impl<'g> Lower<'g> {
                 .errors
                 .on(Code::Arguments, expr, fact, "write `clamp(x, low, high)`"));
         };
-        let given = [x, low, high].map(|e| self.operation(e, place));
-        let [value, from, to] = given;
+        let [value, from, to] = [x, low, high].map(|e| self.operation(e, place));
         let (value, from, to) = (value?, from?, to?);
         let mut measure = value.measure;
         for (e, limit) in [(low, from), (high, to)] {
             measure = self.require_alike([x, e], [measure, limit.measure], "compared");
         }
-        let (from, to) = (from.value, to.value);
-        let [low, high] = [low, high].map(|e| written(e, None).to_string());
-        let fact = format!(
-            "`clamp` in {} has its limits the wrong way round: from {low} to {high}",
-            place.what
-        );
-        let rule = format!(
-            "the limits of `clamp` in {} must be in order: {low} below {high}",
-            place.what
-        );
-        let checked = (to - from, Requirement::Positive);
-        self.obeys(
-            Code::OutOfBounds,
-            expr,
-            checked,
-            [&fact, "write `clamp(x, low, high)`, the lower limit first", &rule],
-        )?;
+        let clamped = [value.value, from.value, to.value];
+        self.require_order(expr, [low, high], clamped, &place.what)?;
         if place.only == Only::All {
-            self.note_clamp([value.value, from, to]);
+            self.note_clamp(clamped);
         }
-        let value = value.value.combine(Binary::Max, from).combine(Binary::Min, to);
+        let [x, low, high] = clamped;
+        let value = x.combine(Binary::Max, low).combine(Binary::Min, high);
         Ok(Quantity { value, measure })
+    }
+
+    /// Requires that the lower limit is below the upper one.
+    fn require_order(
+        &mut self,
+        expr: &ast::Expr,
+        limits: [&ast::Expr; 2],
+        [_, low, high]: [Expr<'g>; 3],
+        what: &str,
+    ) -> Result<(), Reported> {
+        let [from, to] = limits.map(|e| written(e, None).to_string());
+        let fact = if low == high {
+            format!("the limits of `clamp` in {what} are equal: {from} and {to}")
+        } else {
+            format!("`clamp` in {what} has its limits the wrong way round: from {from} to {to}")
+        };
+        let rule = format!("the limits of `clamp` in {what} must be in order: {from} below {to}");
+        let help = "write `clamp(x, low, high)`, the lower limit first";
+        let checked = (high - low, Requirement::Positive);
+        self.obeys(Code::OutOfBounds, expr, checked, [&fact, help, &rule])
     }
 
     /// Records a clamped value for a saturation event, if it depends on the state but not on inputs.
     fn note_clamp(&mut self, clamp: [Expr<'g>; 3]) {
-        let is_input = |kind| matches!(kind, SymbolKind::Input(_));
+        let varies = clamp.iter().any(|x| x.level() == Level::State);
         let mut symbols = self.graph.symbols_of(&clamp);
-        if clamp[0].level() == Level::State
-            && !symbols.any(|symbol| is_input(symbol.kind))
-            && !self.clamps.contains(&clamp)
-        {
+        let takes_inputs = symbols.any(|symbol| matches!(symbol.kind, SymbolKind::Input(_)));
+        if varies && !takes_inputs && !self.clamps.contains(&clamp) {
             self.clamps.push(clamp);
         }
     }
 
     /// Events of the values that saturate.
     pub(super) fn saturations(&self) -> impl Iterator<Item = Event<'g>> {
-        let half = || ratio(1, 2);
-        self.clamps.iter().enumerate().map(move |(n, &[x, low, high])| {
-            let (middle, reach) = (half() * (low + high), half() * (high - low));
-            Event {
-                name: program::saturation(n),
-                docs: vec![
-                    "The distance of the argument of a `clamp` from its nearer limit, positive between them."
-                        .to_owned(),
-                ],
-                value: reach - (x - middle).apply(Unary::Abs),
-                is_kink: true,
-            }
+        self.clamps.iter().enumerate().map(|(n, &[x, low, high])| Event {
+            name: program::saturation(n),
+            docs: vec!["`(x - low)*(high - x)` of a `clamp(x, low, high)`: positive between the limits.".to_owned()],
+            value: (x - low) * (high - x),
+            is_kink: true,
         })
     }
 }

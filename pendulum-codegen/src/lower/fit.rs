@@ -291,6 +291,9 @@ fn gather(e: &ast::Expr, below: bool, numbers: &mut Vec<Bare>) {
             below,
         }),
         ExprKind::Neg(a) => gather(a, below, numbers),
+        ExprKind::Call(name, arguments) if name == "clamp" => {
+            arguments.iter().take(1).for_each(|a| gather(a, below, numbers));
+        }
         ExprKind::Binary(operator @ (Operator::Mul | Operator::Div), a, b) => {
             gather(a, below, numbers);
             gather(b, below ^ (*operator == Operator::Div), numbers);

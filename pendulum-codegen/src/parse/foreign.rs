@@ -108,7 +108,8 @@ fn method(input: ParseStream, operand: &TokenStream) -> syn::Error {
             let help = match name.as_str() {
                 "powi" | "powf" | "pow" => format!("write `{operand}^{arguments}`"),
                 "atan2" => format!("write `atan2({operand}, {arguments})`"),
-                _ => format!("write `{name}({operand})`"),
+                _ if arguments.is_empty() => format!("write `{name}({operand})`"),
+                _ => format!("write `{name}({operand}, {arguments})`"),
             };
             ("expressions have no methods", help)
         }

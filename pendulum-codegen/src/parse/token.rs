@@ -201,7 +201,7 @@ pub(super) fn unexpected(input: ParseStream) -> syn::Error {
         Some('<' | '>' | '=' | '!') => (
             Code::NotInLanguage,
             "conditions have no place here",
-            "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0",
+            "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0; an event is a zero, `event passes: x - 0.5`",
         ),
         Some('%' | '&' | '|' | '?' | '@' | '~' | '$') => (
             Code::NotInLanguage,

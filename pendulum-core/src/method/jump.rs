@@ -6,13 +6,16 @@ use crate::error::Reason;
 use crate::real::Float;
 use crate::system::System;
 
-/// Maximum number of times that the compared length is halved.
-const LENGTHS: usize = 50;
-/// Ratio of changes of the derivative over a length and over its half, beyond which a jump lies between: smooth changes
-/// shrink by a few times.
-const DROP: f64 = 100.0;
+/// Number of intervals that are searched on either side, each half as long as the one before.
+const INTERVALS: usize = 50;
+/// Times in which the state would change by its own size, up to which jumps are searched for.
+const REACH: f64 = 16.0;
+/// Length to which an interval is bisected, in ulps of the time or of [`REACH`].
+const SHORTEST_ULPS: f64 = 4.0;
 /// Minimum jump, relative to the derivative.
-const LEAST: f64 = 1e-3;
+const LEAST: f64 = 1e-5;
+/// Minimum jump, relative to the change over the interval that was bisected: a steep law changes by less.
+const LEAST_OF_INTERVAL: f64 = 0.1;
 
 /// Replaces the reason for which steps from `(t, x)` become too short or too many by a jump nearby, if there is one.
 /// Hybrid systems are excluded, since they jump at mode switches.
@@ -65,32 +68,24 @@ impl<'a, S: System<T, N> + ?Sized, T: Float, const N: usize> Line<'a, S, T, N> {
         if self.size == T::default() || !self.size.is_finite() {
             return None;
         }
-        let (one, half) = (T::from_f64(1.0), T::from_f64(0.5));
-        // time in which the state would change by its own size
-        let reach = largest(self.x).1.max(T::MIN_POSITIVE) / self.size;
-        [one, -one].into_iter().find_map(|ahead| {
-            let mut beyond = ahead * reach;
-            let mut change = self.change(T::default(), beyond).1;
-            for _ in 0..LENGTHS {
-                let nearer = half * beyond;
-                let next = self.change(T::default(), nearer).1;
-                let drops = self.is_jump(change) && next * T::from_f64(DROP) < change;
-                if drops && let Some(jump) = self.within(nearer, beyond) {
-                    return Some(jump);
-                }
-                (beyond, change) = (nearer, next);
-            }
-            // a change that persists at every distance is noise
-            self.is_jump(change)
-                .then(|| self.within(T::default(), beyond))
-                .flatten()
+        let own = largest(self.x).1 / self.size;
+        let reach = T::from_f64(REACH) * own.max(T::EPSILON.sqrt() * self.t.abs()).max(T::MIN_POSITIVE.sqrt());
+        let shortest = T::from_f64(SHORTEST_ULPS) * T::EPSILON * self.t.abs().max(reach);
+        [reach, -reach].into_iter().find_map(|mut far| {
+            (0..INTERVALS).find_map(|_| {
+                let near = T::from_f64(0.5) * far;
+                let found = self.within(near, far, shortest);
+                far = near;
+                found
+            })
         })
     }
 
-    /// Bisects an interval to a jump, if most of the change of the derivative concentrates in one point.
-    fn within(&self, mut near: T, mut far: T) -> Option<(usize, f64)> {
+    /// Bisects an interval to a jump, if a large part of the change of the derivative concentrates in one point.
+    fn within(&self, mut near: T, mut far: T, shortest: T) -> Option<(usize, f64)> {
         let whole = self.change(near, far).1;
-        for _ in 0..LENGTHS {
+        let least = (T::from_f64(LEAST) * self.size).max(T::from_f64(LEAST_OF_INTERVAL) * whole);
+        while (far - near).abs() > shortest && self.change(near, far).1 > least {
             let middle = T::from_f64(0.5) * (near + far);
             if self.change(near, middle).1 > self.change(middle, far).1 {
                 far = middle;
@@ -99,16 +94,12 @@ impl<'a, S: System<T, N> + ?Sized, T: Float, const N: usize> Line<'a, S, T, N> {
             }
         }
         let (component, by) = self.change(near, far);
-        (by + by > whole).then(|| (component, by.to_f64()))
+        (by > least).then(|| (component, by.to_f64()))
     }
 
     /// Component of the derivative that changes the most between two positions, and its change.
     fn change(&self, from: T, to: T) -> (usize, T) {
         largest(&(self.at(to) - self.at(from)))
-    }
-
-    fn is_jump(&self, change: T) -> bool {
-        change > T::from_f64(LEAST) * self.size
     }
 }
 
@@ -153,6 +144,24 @@ mod tests {
         let noise = |t: f64| (t.to_bits().wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 11) as f64 / (1_u64 << 53) as f64;
         let noisy = reason(|t, x| SVector::from([x[1], -x[0] + noise(t)]), 20_000);
         assert!(matches!(noisy, Reason::Jump { component: 1, .. }), "{noisy}");
+    }
+
+    #[test]
+    fn small_jumps_are_named_from_rest_and_between_samples() {
+        let from_rest = FnSystem(|_, x: &SVector<f64, 2>| SVector::from([x[1], 1.0 - 3.0 * (x[0] + x[1]).signum()]));
+        let error = Vern7::new()
+            .max_steps(5000)
+            .solve(&from_rest, 0.0, 10.0, [0.0, 0.0])
+            .expect_err("sliding");
+        assert!(matches!(error.reason, Reason::Jump { component: 1, .. }), "{error}");
+        let sampled = reason(
+            |t, x| SVector::from([x[1], -x[0] + ((t * 100.0).floor() / 100.0).sin()]),
+            1000,
+        );
+        assert!(
+            matches!(sampled, Reason::Jump { component: 1, by } if by < 0.011),
+            "{sampled}"
+        );
     }
 
     #[test]

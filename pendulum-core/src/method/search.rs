@@ -20,11 +20,16 @@ const MOST_HURRIED: usize = 1000;
 /// Number of such spacings before the end of the integration, above which the event is reported to accumulate.
 const TOO_MANY: f64 = 1e7;
 
+/// Occurrences of a kink that are closer than this, in ulps of t, are one.
+const SAME_KINK_ULPS: f64 = 1000.0;
+
 /// Events at the end of the last step.
 #[derive(Clone)]
 pub(crate) struct Search<'w, 'e, T, const N: usize> {
     events: &'w [Event<'e, T, N>],
     seen: Vec<Seen<T>>,
+    /// False if kinks no longer end steps.
+    pub(super) ends_at_kinks: bool,
     /// True at the start of the integration, or after a restart.
     starts: bool,
     /// Positions in a step at which all events are evaluated, with the states there.
@@ -96,6 +101,11 @@ fn hurried<T: Float>(scale: T) -> T {
     T::from_f64(HURRIED) * T::EPSILON.sqrt() * scale
 }
 
+/// Maximum spacing of occurrences of a kink that are one, if `scale` is the size of times.
+fn resolution<T: Float>(scale: T) -> T {
+    T::from_f64(SAME_KINK_ULPS) * T::EPSILON * scale
+}
+
 impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
     pub(crate) fn new(events: &'w [Event<'e, T, N>], t: T, x: &SVector<T, N>) -> Result<Self, Reason> {
         let mut seen = Vec::with_capacity(events.len());
@@ -118,6 +128,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         Ok(Self {
             events,
             seen,
+            ends_at_kinks: true,
             starts: true,
             states: Vec::new(),
             scan: Scan::default(),
@@ -172,22 +183,35 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         }
     }
 
-    /// True if the step ends at an event. It does not end at an event that only restarts, if its last occurrence was so
-    /// near that rounding errors may have caused this one.
+    /// True if the step ends at an event. It does not end at a kink whose last occurrence was so near that rounding
+    /// errors may have caused this one.
     pub(super) fn acts(&self, found: &Found<T>, dense: &Dense<'_, T, N>) -> bool {
-        let (event, t) = (self.event(found), dense.time(found.theta));
-        let scale = t.abs().max(dense.step().h.abs());
-        let is_new = |acted: T| (t - acted).abs() > hurried(scale);
-        event.acts() && (event.changes() || self.seen[found.index].acted.is_none_or(is_new))
+        let event = self.event(found);
+        event.changes() || event.is_kink() && self.ends_at_kinks && !self.recurs(found, dense, hurried)
     }
 
-    /// The first kink in a step, in fractions of the step, if no other event ends the step before it.
-    pub(super) fn first_kink(&self, dense: &Dense<'_, T, N>) -> Option<(&'w Event<'e, T, N>, T)> {
-        let mut ahead = self.clone();
-        let found = ahead.look(dense);
-        let first = found.into_iter().find(|found| self.acts(found, dense))?;
-        let is_kink = matches!(first.what, What::Passage(_)) && self.event(&first).is_kink();
-        is_kink.then(|| (&self.events[first.index], first.theta))
+    /// True if an event was acted on within a spacing, which depends on the size of times, before this occurrence.
+    fn recurs(&self, found: &Found<T>, dense: &Dense<'_, T, N>, spacing: fn(T) -> T) -> bool {
+        let t = dense.time(found.theta);
+        let scale = t.abs().max(dense.step().h.abs());
+        let acted = self.seen[found.index].acted;
+        acted.is_some_and(|acted| (t - acted).abs() <= spacing(scale))
+    }
+
+    /// True if steps may end at kinks.
+    pub(super) fn has_kinks(&self) -> bool {
+        self.ends_at_kinks && self.events.iter().any(Event::is_kink)
+    }
+
+    /// The kink among the events found in a step that ends it, if no other event does so before.
+    pub(super) fn first_kink(
+        &self,
+        found: &[Found<T>],
+        dense: &Dense<'_, T, N>,
+    ) -> Option<(&'w Event<'e, T, N>, Found<T>)> {
+        let first = found.iter().find(|found| self.acts(found, dense))?;
+        let is_kink = matches!(first.what, What::Passage(_)) && self.event(first).is_kink();
+        is_kink.then_some((&self.events[first.index], *first))
     }
 
     /// The event of a result.
@@ -206,6 +230,8 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
             self.look_at(index, dense, |theta, what| found.push(Found { index, theta, what }));
         }
         self.starts = false;
+        // rounding errors at a kink that the last step ended at
+        found.retain(|found| !(self.event(found).is_kink() && self.recurs(found, dense, resolution)));
         // the positions are finite, hence ordered; the stable sort keeps the order of simultaneous events
         found.sort_by(|a, b| a.theta.to_f64().total_cmp(&b.theta.to_f64()));
         found

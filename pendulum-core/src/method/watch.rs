@@ -17,6 +17,11 @@ use crate::system::System;
 
 /// Spacing within which events are simultaneous, in ulps of t. An event that acts twice within it never ends.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
+/// A kink at less than this fraction of a step from its start leaves a short step.
+const SHORT: f64 = 0.01;
+/// Number of consecutive kinks, each of which leaves a short step, after which steps no longer end at kinks: an unstable
+/// step crosses a limit again and again.
+const MOST_CROWDED: usize = 100;
 
 /// Premature end of a trajectory, at the last point that its observer received.
 pub struct Early<T, const N: usize> {
@@ -88,6 +93,7 @@ where
     let placed = |t: T, x: &SVector<T, N>| place(system, t, x);
     let mut search = Search::new(events, stepper.t(), &stepper.x()).map_err(here(stepper))?;
     let mut reached = Reached::start(stepper, from(stepper, x0), observer);
+    let mut crowded = 0;
     loop {
         let stepped = stepper.step();
         let Some(step) = stepped.map_err(here(stepper))? else {
@@ -106,20 +112,28 @@ where
             }
             continue;
         }
-        if events.iter().any(Event::is_kink) {
-            reached.x = stepper.end_at_kink(&search, step).x1;
-        }
-        let Some(stop) = see(&mut search, &stepper.dense(), observer, placed)? else {
+        let found = stepper.look_for_events(&mut search, step);
+        let Some(mut stop) = pass(found, &search, &stepper.dense(), observer, placed)? else {
+            reached.x = stepper.x();
             continue;
         };
         if stop.is_the_end {
             return Ok(stop.x);
         }
         let at_stop = Early::at((stop.t, stop.x));
-        stepper.restart(stop.t, stop.x).map_err(&at_stop)?;
-        reached = Reached::start(stepper, stop.x, observer);
+        if stop.changes {
+            stepper.restart(stop.t, stop.x).map_err(&at_stop)?;
+            reached = Reached::start(stepper, stop.x, observer);
+        } else {
+            let is_short = (stop.t - step.t0).abs() < T::from_f64(SHORT) * step.h.abs();
+            crowded = if is_short { crowded + 1 } else { 0 };
+            search.ends_at_kinks = crowded < MOST_CROWDED;
+            system.project(stop.t, &mut stop.x);
+            stepper.restart(stop.t, stop.x).map_err(&at_stop)?;
+            reached.goes_on(stepper, stop.x);
+        }
         search
-            .restart((stop.t, stepper.t1(), stop.scale), &stop.x, &stop.fired)
+            .restart((stop.t, stepper.t1(), stop.scale), &stepper.x(), &stop.fired)
             .map_err(at_stop)?;
     }
 }
@@ -133,6 +147,17 @@ pub(crate) fn see<T: Float, const N: usize>(
     place: impl Fn(T, &SVector<T, N>) -> Result<SVector<T, N>, Reason>,
 ) -> Result<Option<Stop<T, N>>, Early<T, N>> {
     let found = search.look(dense);
+    pass(found, search, dense, observer, place)
+}
+
+/// Passes a step to an observer up to the first event of those found that acts. Returns the consequences of that event.
+fn pass<T: Float, const N: usize>(
+    found: Vec<Found<T>>,
+    search: &Search<'_, '_, T, N>,
+    dense: &Dense<'_, T, N>,
+    observer: &mut impl Observer<T, N>,
+    place: impl Fn(T, &SVector<T, N>) -> Result<SVector<T, N>, Reason>,
+) -> Result<Option<Stop<T, N>>, Early<T, N>> {
     let step = dense.step();
     let at_start = Early::at((step.t0, step.x0));
     let acts = |found: &&Found<T>| matches!(found.what, What::Passage(_)) && search.acts(found, dense);
@@ -191,6 +216,21 @@ impl<T: Float, const N: usize> Reached<T, N> {
         let mut reached = Self { x, mode: None };
         reached.enter(stepper, (stepper.t(), stepper.x()), observer);
         reached
+    }
+
+    /// Continues from the end of a step at a kink, in the mode there if no other one begins.
+    fn goes_on<C, S>(&mut self, stepper: &Stepper<'_, C, S, T, N>, x: SVector<T, N>)
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        self.x = x;
+        if let (Some((_, before)), Some((from, mode))) = (self.mode, stepper.mode())
+            && before == mode
+            && stepper.impulses().is_none()
+        {
+            self.mode = Some((from, mode));
+        }
     }
 
     /// Advances to the end of a step. Returns true if the step started in another mode or from another state.
@@ -261,6 +301,8 @@ pub(crate) struct Stop<T, const N: usize> {
     scale: T,
     /// Events here, with the values of their functions before them.
     fired: Vec<(Found<T>, T)>,
+    /// True if an event resets the state, or ends the integration.
+    changes: bool,
     is_the_end: bool,
 }
 
@@ -273,6 +315,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
             x: dense.at_fraction(theta),
             scale: t.abs().max(dense.step().h.abs()),
             fired: Vec::new(),
+            changes: false,
             is_the_end: false,
         }
     }
@@ -306,6 +349,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
             return Ok(());
         }
         search.check_progress(found.index, self.t, self.resolution())?;
+        self.changes = true;
         self.is_the_end |= event.terminal;
         if let Some(reset) = &event.reset {
             let placed = place(self.t, &reset(self.t, &self.x));

@@ -1,55 +1,57 @@
 //! Routines that a model may lack. Calling one is an error whose message explains how to generate it.
 
-use super::Cast;
+use super::Plant;
+use crate::real::Real;
 
 /// Placeholders for optional routines. Models that have a routine define it as an inherent function, which hides the
 /// placeholder.
 #[expect(missing_docs, reason = "no model has them")]
-pub trait Absent<const N: usize> {
-    fn mass_matrix<T, X>(&self, _: T, _: X)
+pub trait Absent<T: Real, const N: usize> {
+    fn mass_matrix<X>(&self, _: T, _: X)
     where
         Self: MassMatrix,
     {
     }
 
-    fn bias<T, X>(&self, _: T, _: X)
+    fn bias<X>(&self, _: T, _: X)
     where
         Self: Bias,
     {
     }
 
-    fn momentum<T, X>(&self, _: T, _: X)
+    fn momentum<X>(&self, _: T, _: X)
     where
         Self: Momentum,
     {
     }
 
-    fn inverse_dynamics<T, X, A>(&self, _: T, _: X, _: A)
+    fn inverse_dynamics<X, A>(&self, _: T, _: X, _: A)
     where
         Self: InverseDynamics,
     {
     }
 
-    fn parameter_jacobian<T, X>(&self, _: T, _: X)
+    fn parameter_jacobian<X>(&self, _: T, _: X)
     where
         Self: ParameterJacobian,
     {
     }
 
-    fn drive_forces<T, X>(&self, _: T, _: X)
+    fn drive_forces<X>(&self, _: T, _: X)
     where
         Self: DriveForces,
     {
     }
 
-    fn loop_wrenches<T, X>(&self, _: T, _: X)
+    fn loop_wrenches<X>(&self, _: T, _: X)
     where
         Self: LoopWrenches,
     {
     }
 }
 
-impl<M: Cast<N>, const N: usize> Absent<N> for M {}
+// models with inputs are plants too, and only models are
+impl<M: Plant<T, N>, T: Real, const N: usize> Absent<T, N> for M {}
 
 macro_rules! never {
     ($($bound:ident: $message:literal, $word:literal;)*) => { $(

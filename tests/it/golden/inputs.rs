@@ -63,7 +63,7 @@ mod __CartPole {
             [inputs.push]
         }
     }
-    /// A pole that is hinged to a cart; the angle is 0 upright.
+    /// A pole hinged to a cart; the angle is 0 upright.
     ///
     /**# Equations of motion
 

@@ -143,6 +143,15 @@ where
         )
     }
 
+    /// Lets a step end as it was taken: no mode ends within it.
+    #[cfg(feature = "std")]
+    pub(super) fn end_as_taken(&mut self) {
+        (self.modes.cut, self.modes.fired) = (T::from_f64(1.0), Witnesses::default());
+        if self.system.hybrid().is_some() {
+            self.dense_and_mode();
+        }
+    }
+
     /// Retakes a step to the time `t` within it. Returns false if that is impossible.
     pub(super) fn retake(&mut self, whole: &Step<T, N>, t: T) -> bool {
         if t == self.smooth.last.t1 {
