@@ -166,17 +166,7 @@ impl<'g> Lower<'g> {
         if !functions().any(|known| known == text) {
             return Err(self.no_function(name, place));
         }
-        let (count, form) = match text.as_str() {
-            "atan2" => (2, "atan2(y, x)".to_owned()),
-            _ => (1, format!("{text}(x)")),
-        };
-        if arguments.len() != count {
-            let plural = if count == 1 { "" } else { "s" };
-            let fact = format_args!("`{text}` takes {count} argument{plural}, not {}", arguments.len());
-            return Err(self
-                .errors
-                .on(Code::Arguments, expr, fact, format_args!("write `{form}`")));
-        }
+        self.require_count(expr, &text, arguments)?;
         let given: Vec<_> = arguments.iter().map(|a| self.operation(a, place)).collect();
         let given: Vec<Quantity<'g>> = given.into_iter().collect::<Result<_, _>>()?;
         let values: Vec<Expr<'g>> = given.iter().map(|given| given.value).collect();
@@ -194,6 +184,21 @@ impl<'g> Lower<'g> {
             None => values[0].combine(Binary::Atan2, values[1]),
         };
         Ok(Quantity { value, measure })
+    }
+
+    /// Requires the number of arguments that a function of numbers takes.
+    fn require_count(&mut self, expr: &ast::Expr, function: &str, arguments: &[ast::Expr]) -> Result<(), Reported> {
+        let (count, form) = match function {
+            "atan2" => (2, "atan2(y, x)".to_owned()),
+            _ => (1, format!("{function}(x)")),
+        };
+        if arguments.len() == count {
+            return Ok(());
+        }
+        let plural = if count == 1 { "" } else { "s" };
+        let fact = format_args!("`{function}` takes {count} argument{plural}, not {}", arguments.len());
+        let help = format_args!("write `{form}`");
+        Err(self.errors.on(Code::Arguments, expr, fact, help))
     }
 
     /// Reports a call of a name that is not a function.

@@ -144,6 +144,13 @@ pub(crate) struct Input<'g> {
     pub symbol: Expr<'g>,
 }
 
+impl Model<'_> {
+    /// Names of the angles whose turns forces take, and are not counted.
+    pub(crate) fn uncounted(&self) -> impl Iterator<Item = &str> {
+        self.loops.uncounted.iter().map(|own| own.coordinate.name.as_str())
+    }
+}
+
 impl<'g> Tree<'g> {
     /// True if any joint follows other joints.
     pub(crate) fn has_followers(&self) -> bool {

@@ -205,12 +205,7 @@ impl Program {
             events: model.events.iter().map(Event::of).collect(),
             loops: model.closures.iter().map(|closure| closure.bodies(model)).collect(),
             open_loops: model.loops.gaps.iter().map(|gap| gap.number).collect(),
-            uncounted: model
-                .loops
-                .uncounted
-                .iter()
-                .map(|own| own.coordinate.name.clone())
-                .collect(),
+            uncounted: model.uncounted().map(str::to_owned).collect(),
             drives: model.drives.iter().map(|drive| drive.coordinate.name.clone()).collect(),
             repaired: model.repaired.clone(),
             most: model.most.clone(),

@@ -59,15 +59,7 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
         let (first, line) = (first.as_str(), Some(*line));
         let name = identifier(first);
         if group.moments.mass == 0.0 && group.moments.second.iter().flatten().any(|&x| x != 0.0) {
-            // the inertia may belong to a mass given by the scene
-            if group.members.iter().all(|member| !member.given) {
-                wrong.push(Wrong {
-                    code: Code::FileInertia,
-                    line,
-                    fact: format!("`{name}` has an inertia, but its mass is 0"),
-                    help: "give it its mass in kg".to_owned(),
-                });
-            }
+            wrong.extend(group.without_mass(&name, line));
             continue;
         }
         let (Some(excess), Some(_)) = (group.moments.excess(), group.with_given.excess()) else {
@@ -229,6 +221,16 @@ struct Excess {
 }
 
 impl Group<'_> {
+    /// Error of an inertia without mass, unless it may belong to a mass given by the scene.
+    fn without_mass(&self, name: &str, line: Option<usize>) -> Option<Wrong> {
+        self.members.iter().all(|member| !member.given).then(|| Wrong {
+            code: Code::FileInertia,
+            line,
+            fact: format!("`{name}` has an inertia, but its mass is 0"),
+            help: "give it its mass in kg".to_owned(),
+        })
+    }
+
     /// Returns the heaviest link whose mass the file gives, with its repaired inertia. Returns `None` if that link has
     /// no mass, since no possible inertia is near.
     fn repaired(&self, excess: &Excess) -> Option<(&str, Inertial)> {

@@ -58,15 +58,7 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
         }
         declared = declare::declare(&found, robot, &replaced, undeclared);
     }
-    let report = |wrong: read::Wrong| {
-        let line = wrong.line.map_or(String::new(), |line| format!(":{line}"));
-        errors.at(
-            wrong.code,
-            span,
-            format_args!("`{name}{line}`: {}", wrong.fact),
-            wrong.help,
-        )
-    };
+    let report = |wrong: read::Wrong| errors.at(wrong.code, span, wrong.fact_in(&name), wrong.help);
     if let Some(reported) = wrong.into_iter().map(report).last() {
         // known coordinates stay declared, so that their uses are not reported too
         let links = declared
@@ -76,15 +68,7 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
         scene.items.bodies = merge::merged(links.unwrap_or_default(), own, &mut Errors::default());
         return Err(reported);
     }
-    // a stop limits a single coordinate of the state
-    let has_stop = |joint: &Joint| robot.limits && !joint.kind.has_many() && joint.mimic.is_none();
-    let is_left = |joint: &Joint| joint.limits.is_some() && !has_stop(joint);
-    if found.joints.iter().any(is_left) {
-        found.left_out.insert("limit".to_owned());
-    }
-    if robot.without_dry_friction && found.joints.iter().any(|joint| joint.friction.is_some()) {
-        found.left_out.insert("friction".to_owned());
-    }
+    note_left_out(&mut found, robot);
     let tokens: TokenStream = declared.parse().map_err(|error| {
         let fact = format_args!("`{name}` has something that is no Rust: {error}");
         errors.at(Code::NotUrdf, span, fact, "look for unusual names and numbers")
@@ -103,6 +87,22 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     let own = std::mem::take(&mut scene.items.bodies);
     scene.items.bodies = merge::merged(links, own, errors);
     Ok(())
+}
+
+/// Lists limits and friction among the elements that are left out, where the scene does not take them.
+fn note_left_out(found: &mut Robot, robot: &ast::Robot) {
+    // a stop limits a single coordinate of the state
+    let has_stop = |joint: &Joint| robot.limits && !joint.kind.has_many() && joint.mimic.is_none();
+    if found
+        .joints
+        .iter()
+        .any(|joint| joint.limits.is_some() && !has_stop(joint))
+    {
+        found.left_out.insert("limit".to_owned());
+    }
+    if robot.without_dry_friction && found.joints.iter().any(|joint| joint.friction.is_some()) {
+        found.left_out.insert("friction".to_owned());
+    }
 }
 
 /// Returns the links that carry bodies declared in the scene.

@@ -19,6 +19,14 @@ pub(super) struct Wrong {
     pub(super) help: String,
 }
 
+impl Wrong {
+    /// The fact, behind the name of the file and the line.
+    pub(super) fn fact_in(&self, file: &str) -> String {
+        let line = self.line.map_or(String::new(), |line| format!(":{line}"));
+        format!("`{file}{line}`: {}", self.fact)
+    }
+}
+
 /// Elements without influence on the motion.
 const ELSEWHERE: [&str; 18] = [
     "visual",
@@ -198,18 +206,7 @@ impl Reader {
         self.go_to(node);
         let word = self.text(node, "type", &owner);
         let kind = word.and_then(|word| self.kind(&word, &owner));
-        let [parent, child] = ["parent", "child"].map(|end| match parts.get(end) {
-            Some(&part) => self.text(part, "link", &format!("the {end} of {owner}")),
-            None => {
-                self.go_to(node);
-                self.wrong(
-                    Code::FileNumber,
-                    format!("{owner} has no {end}"),
-                    format!("add `<{end} link=\"..\"/>`"),
-                );
-                None
-            }
-        });
+        let [parent, child] = ["parent", "child"].map(|end| self.end(node, &parts, end, &owner));
         let origin = self.origin(parts.get("origin").copied(), &owner);
         let axis = parts
             .get("axis")
@@ -234,13 +231,7 @@ impl Reader {
             let number = part.map(|&part| self.number(part, what, &owner, None));
             number.filter(|number| number != ZERO)
         });
-        let mimic = parts.get("mimic").and_then(|&part| {
-            Some(Mimic {
-                joint: self.text(part, "joint", &format!("the mimic of {owner}"))?,
-                multiplier: self.number(part, "multiplier", &owner, Some(ONE)),
-                offset: self.number(part, "offset", &owner, Some(ZERO)),
-            })
-        });
+        let mimic = parts.get("mimic").and_then(|&part| self.mimic(part, &owner));
         let (Some(kind), Some(parent), Some(child)) = (kind, parent, child) else {
             return;
         };
@@ -259,6 +250,31 @@ impl Reader {
             friction,
             mimic,
         });
+    }
+
+    /// Name of the link at an end of a joint.
+    fn end(
+        &mut self,
+        joint: Node<'_, '_>,
+        parts: &BTreeMap<&str, Node<'_, '_>>,
+        end: &str,
+        owner: &str,
+    ) -> Option<String> {
+        if let Some(&part) = parts.get(end) {
+            return self.text(part, "link", &format!("the {end} of {owner}"));
+        }
+        self.go_to(joint);
+        let (fact, help) = (format!("{owner} has no {end}"), format!("add `<{end} link=\"..\"/>`"));
+        self.wrong(Code::FileNumber, fact, help);
+        None
+    }
+
+    fn mimic(&mut self, node: Node<'_, '_>, owner: &str) -> Option<Mimic> {
+        Some(Mimic {
+            joint: self.text(node, "joint", &format!("the mimic of {owner}"))?,
+            multiplier: self.number(node, "multiplier", owner, Some(ONE)),
+            offset: self.number(node, "offset", owner, Some(ZERO)),
+        })
     }
 
     fn kind(&mut self, word: &str, owner: &str) -> Option<Kind> {

@@ -25,24 +25,7 @@ impl Items<'_> {
         });
         let layout = layout(&program.layout);
         let places = program.layout.slots.iter().map(places);
-        let has_quaternions = program.layout.quaternions().next().is_some();
-        let (about_freedom, about_names) = if program.layout.dependents().next().is_some() {
-            (
-                " Number of degrees of freedom, and of rates. The state also holds dependent coordinates.",
-                " Names of the independent coordinates, in the order of their rates in the state.",
-            )
-        } else if has_quaternions {
-            (
-                " Number of degrees of freedom, and of rates. A quaternion has one more component than its rates.",
-                " Names of the coordinates, in the order of their rates in the state. An orientation is listed as \
-                 the axes of its angular velocity.",
-            )
-        } else {
-            (
-                " Number of degrees of freedom. The state has twice as many components.",
-                " Names of the coordinates. The state holds their positions and then their rates in this order.",
-            )
-        };
+        let (about_freedom, about_names) = docs_of_freedom(&program.layout);
         let outputs = names_of("OUTPUTS", "Names of the components of all outputs.", &program.outputs);
         let events: Vec<String> = program.events.iter().map(|event| event.name.clone()).collect();
         let events = names_of("EVENTS", "Names of the events.", &events);
@@ -184,4 +167,25 @@ fn layout(of: &StateLayout) -> TokenStream {
     });
     let autonomous = of.autonomous.then(|| quote!(.autonomous()));
     quote!(::pendulum_core::StateLayout::new(&[#(#slots),*]) #autonomous)
+}
+
+/// Documentation of `DOF` and `COORDINATES`.
+fn docs_of_freedom(layout: &StateLayout) -> (&'static str, &'static str) {
+    if layout.dependents().next().is_some() {
+        (
+            " Number of degrees of freedom, and of rates. The state also holds dependent coordinates.",
+            " Names of the independent coordinates, in the order of their rates in the state.",
+        )
+    } else if layout.quaternions().next().is_some() {
+        (
+            " Number of degrees of freedom, and of rates. A quaternion has one more component than its rates.",
+            " Names of the coordinates, in the order of their rates in the state. An orientation is listed as \
+             the axes of its angular velocity.",
+        )
+    } else {
+        (
+            " Number of degrees of freedom. The state has twice as many components.",
+            " Names of the coordinates. The state holds their positions and then their rates in this order.",
+        )
+    }
 }
