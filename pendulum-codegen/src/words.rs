@@ -358,8 +358,8 @@ pub(crate) const SYMBOLS: &Synonyms = &[
     (&["euler"], "write `exp(1)`"),
     (
         &["inf", "infinity"],
-        "a number is finite: a stop on one side is a wall, `wall name { gap: s - low }`; for a `clamp` on one side write \
-         a limit that is never reached, such as 1e9",
+        "a number is finite: a stop on one side is a wall, `wall name { gap: s - low }`; for a `clamp` on one side \
+         write a limit that is never reached, such as 1e9",
     ),
     (
         &["q"],

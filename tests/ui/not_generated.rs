@@ -1,4 +1,4 @@
-//! What was not generated is not there.
+//! Using a routine that was not generated is an error.
 
 use pendulum_core::prelude::*;
 

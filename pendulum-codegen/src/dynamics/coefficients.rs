@@ -25,6 +25,9 @@ impl<'g> Coefficients<'g> {
     pub(crate) fn new(model: &Model<'g>, kinematics: &mut Kinematics<'g>) -> Self {
         let mut coefficients = Self::default();
         for x in BodyId::all(model.bodies.len()) {
+            if kinematics.screw(x, x).is_none() {
+                continue;
+            }
             // the joints on the path to x, and their screws in the station of x
             let path: Vec<(BodyId, Twist<'g>)> = BodyId::all(usize::from(x) + 1)
                 .filter(|&i| kinematics.carries(i, x))
@@ -32,9 +35,7 @@ impl<'g> Coefficients<'g> {
                 .into_iter()
                 .filter_map(|i| Some((i, kinematics.screw(i, x)?)))
                 .collect();
-            if path.last().is_some_and(|(last, _)| *last == x) {
-                coefficients.outermost(kinematics, x, &path);
-            }
+            coefficients.outermost(kinematics, x, &path);
         }
         coefficients
     }

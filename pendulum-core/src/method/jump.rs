@@ -6,16 +6,20 @@ use crate::error::Reason;
 use crate::real::Float;
 use crate::system::System;
 
-/// Number of intervals that are searched on either side, each half as long as the one before.
-const INTERVALS: usize = 50;
 /// Times in which the state would change by its own size, up to which jumps are searched for.
 const REACH: f64 = 16.0;
 /// Length to which an interval is bisected, in ulps of the time or of [`REACH`].
 const SHORTEST_ULPS: f64 = 4.0;
+/// Minimum length of an interval that is searched, relative to the length to which it is bisected: over that a smooth
+/// law changes by far less than [`LEAST_OF_INTERVAL`].
+const LEAST_INTERVAL: f64 = 1e4;
 /// Minimum jump, relative to the derivative.
 const LEAST: f64 = 1e-5;
 /// Minimum jump, relative to the change over the interval that was bisected: a steep law changes by less.
 const LEAST_OF_INTERVAL: f64 = 0.1;
+
+/// Maximum jump, relative to the derivative: at a pole it changes by more.
+const LARGEST: f64 = 1e3;
 
 /// Replaces the reason for which steps from `(t, x)` become too short or too many by a jump nearby, if there is one.
 /// Hybrid systems are excluded, since they jump at mode switches.
@@ -72,12 +76,14 @@ impl<'a, S: System<T, N> + ?Sized, T: Float, const N: usize> Line<'a, S, T, N> {
         let reach = T::from_f64(REACH) * own.max(T::EPSILON.sqrt() * self.t.abs()).max(T::MIN_POSITIVE.sqrt());
         let shortest = T::from_f64(SHORTEST_ULPS) * T::EPSILON * self.t.abs().max(reach);
         [reach, -reach].into_iter().find_map(|mut far| {
-            (0..INTERVALS).find_map(|_| {
-                let near = T::from_f64(0.5) * far;
-                let found = self.within(near, far, shortest);
-                far = near;
-                found
-            })
+            while far.abs() >= T::from_f64(LEAST_INTERVAL) * shortest {
+                let found = self.within(T::default(), far, shortest);
+                if found.is_some() {
+                    return found;
+                }
+                far *= T::from_f64(0.5);
+            }
+            None
         })
     }
 
@@ -94,7 +100,8 @@ impl<'a, S: System<T, N> + ?Sized, T: Float, const N: usize> Line<'a, S, T, N> {
             }
         }
         let (component, by) = self.change(near, far);
-        (by > least).then(|| (component, by.to_f64()))
+        let is_jump = by > least && by < T::from_f64(LARGEST) * self.size;
+        is_jump.then(|| (component, by.to_f64()))
     }
 
     /// Component of the derivative that changes the most between two positions, and its change.

@@ -116,14 +116,18 @@ mechanism! {
 mechanism! {
     pub Empty {
         body hull on ground { joint: free, orientation: o, position: p }
-        body arm on hull { mass: 0.5, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z) at [0.1, 0, 0], coordinate: a }
+        body arm on hull {
+            mass: 0.5, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z) at [0.1, 0, 0], coordinate: a
+        }
     }
 }
 
 mechanism! {
     pub Between {
         body hull on ground { joint: ball, orientation: o }
-        body stone on hull { mass: 0.5, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: ball at [0.1, 0, 0], orientation: u }
+        body stone on hull {
+            mass: 0.5, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: ball at [0.1, 0, 0], orientation: u
+        }
     }
 }
 

@@ -29,7 +29,9 @@ mechanism! {
     pub Rebounds {
         point tip on b at [0, -1, 0],
         wall side { gap: tip.x + 2, restitution: 1.2, slow: -1 }
-        body b on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a, stop: [-1, 1] restitution(-0.1) }
+        body b on ground {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a, stop: [-1, 1] restitution(-0.1)
+        }
         body c on b { mass: 1, joint: prismatic(x), coordinate: s, stop: [-1, 1] restitution(0.1, -2) }
     }
 }

@@ -18,7 +18,9 @@ mechanism! {
         wall rough { gap: 2 + tip.x, friction: 0.3 }
         wall renamed { distance: 2 + tip.x, cor: 0.5, color: 3 }
         floor below { gap: 2 + tip.y }
-        body rod on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a, stiction: 0.1, limits: [-1, 1], min: 1 }
+        body rod on ground {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a, stiction: 0.1, limits: [-1, 1], min: 1
+        }
     }
 }
 

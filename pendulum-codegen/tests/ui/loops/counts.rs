@@ -37,7 +37,9 @@ mechanism! {
     pub Held {
         shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
         body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8, dry_friction: 0.1 N m }
-        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3, dry_friction: 0.1 N m }
+        body coupler on crank: bar {
+            joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3, dry_friction: 0.1 N m
+        }
         body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6, stop: [1, 2] }
         close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
     }

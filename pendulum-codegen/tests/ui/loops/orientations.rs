@@ -12,7 +12,9 @@ mechanism! {
     pub UpsideDown {
         body a on ground { mass: 1, com: [0, 0.1, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(x), coordinate: th }
         body u on ground { mass: 1, inertia: [0.01, 0.01, 0.01], joint: revolute(z), coordinate: phi depends near 3 }
-        body v on u { mass: 1, com: [0, 0.1, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(y), coordinate: psi depends near 0.1 }
+        body v on u {
+            mass: 1, com: [0, 0.1, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(y), coordinate: psi depends near 0.1
+        }
         close a at [0, 0, 0] to v at [0, 0, 0]: revolute(x),
     }
 }
@@ -21,7 +23,9 @@ mechanism! {
     pub BeyondABall {
         body arm on ground { mass: 1, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: ball, orientation: o }
         body yoke on arm { joint: revolute(z) at [0.5, 0, 0], coordinate: alpha depends near 0.3 }
-        body rod on yoke { mass: 1, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: revolute(y), coordinate: beta depends near 0.3 }
+        body rod on yoke {
+            mass: 1, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: revolute(y), coordinate: beta depends near 0.3
+        }
         body block on ground { mass: 1, joint: prismatic(x) at [0, 0.9, 0], coordinate: s depends near 0.3 }
         close rod at [0.5, 0, 0] to block at [0, 0, 0]: ball,
     }
@@ -29,13 +33,18 @@ mechanism! {
 
 mechanism! {
     pub NoLoop {
-        body stone on ground { mass: 1, com: [0, 0, 0.1], inertia: [1, 1, 1], joint: ball, orientation: o near [0, 0, 1] }
+        body stone on ground {
+            mass: 1, com: [0, 0, 0.1], inertia: [1, 1, 1], joint: ball, orientation: o near [0, 0, 1]
+        }
     }
 }
 
 mechanism! {
     pub NoVector {
-        body stone on ground { mass: 1, com: [0, 0, 0.1], inertia: [1, 1, 1], joint: free, orientation: o near [0, 0, 1 m], position: p near 0.2 }
+        body stone on ground {
+            mass: 1, com: [0, 0, 0.1], inertia: [1, 1, 1],
+            joint: free, orientation: o near [0, 0, 1 m], position: p near 0.2
+        }
     }
 }
 

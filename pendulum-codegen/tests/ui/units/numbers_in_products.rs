@@ -7,6 +7,8 @@ mechanism! {
         body d on ground { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: d1, torque: k*q + 0.02*qd }
         body e on ground { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: e1, torque: -(3 N)*sin(q) }
         body f on ground { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: f1, torque: -q }
-        body g on ground { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: g1, torque: -k*q - 0.3*l/l*sin(q) + 0.3*c }
+        body g on ground {
+            mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: g1, torque: -k*q - 0.3*l/l*sin(q) + 0.3*c
+        }
     }
 }

@@ -18,7 +18,9 @@ mechanism! {
         let big = 2^theta + exp(t) + ln(m) + tanh(0.5*t),
         output all: [both, bend, way, turned, big],
         shape plate { mass: l, com: [0, -m, 0], inertia: m*l }
-        body cart on ground: plate { joint: prismatic(x), coordinate: s, friction: gamma, spring: (gamma, m), torque: gamma }
+        body cart on ground: plate {
+            joint: prismatic(x), coordinate: s, friction: gamma, spring: (gamma, m), torque: gamma
+        }
         body arm on cart {
             solids: [rod(l, [0, 0, 0], [0, -m, 0]), sphere(m, m, [0, 0, 0]), plate(m, [[0, 0], [m, 0], [0, l]])],
             joint: revolute([l, m, 0]) at [m, 0, 0] rpy [l, 0, 0], coordinate: theta,
