@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 
-use crate::ast::{MOST_MOTIONS, Scene};
+use crate::ast::Scene;
 use crate::dynamics::Dynamics;
 use crate::emit::rust;
 use crate::error::{Code, Errors};
@@ -22,7 +22,7 @@ pub(crate) fn expand(tokens: TokenStream, files: &Files<'_>) -> (TokenStream, Op
     let items = match compile(&mut scene, files, errors) {
         Ok(program) => rust::items(&scene.head, &program),
         Err(errors) => {
-            let is_possible = scene.items.motions() <= MOST_MOTIONS;
+            let is_possible = scene.items.is_possible();
             let stand_in = is_possible.then(|| rust::stand_in(&scene));
             errors
                 .to_compile_errors()

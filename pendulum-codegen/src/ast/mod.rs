@@ -223,8 +223,15 @@ pub(crate) struct End {
 
 /// Maximum number of coordinates and motions of a scene; the time of expansion grows with about their third power.
 pub(crate) const MOST_MOTIONS: usize = 128;
+/// Bodies of the largest scene: the time of expansion grows with the square of their number.
+pub(crate) const MOST_BODIES: usize = 1000;
 
 impl Items {
+    /// True if the scene is small enough to be expanded.
+    pub(crate) fn is_possible(&self) -> bool {
+        self.bodies.len() <= MOST_BODIES && self.motions() <= MOST_MOTIONS
+    }
+
     /// Number of joint coordinates, including dependent ones, and of motions.
     pub(crate) fn motions(&self) -> usize {
         let of = |body: &Body| {

@@ -37,7 +37,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Span;
 
-use crate::ast::{Items, MOST_MOTIONS, Read, Scene, Vector};
+use crate::ast::{Items, MOST_BODIES, MOST_MOTIONS, Read, Scene, Vector};
 use crate::error::{Code, Errors, Reported};
 use crate::expr::{Definition, Derivative, Expr, Graph, SymbolKind};
 use crate::model::{BodyId, Coordinate, Figure, Model, Poses, Rule, Tree, along_motion};
@@ -140,15 +140,23 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, mut errors: Errors) -> 
 
 /// Rejects scenes whose expansion would take too long.
 fn check_size(items: &Items, errors: &mut Errors) -> Result<(), Errors> {
-    let motions = items.motions();
-    if motions <= MOST_MOTIONS {
+    let (bodies, motions) = (items.bodies.len(), items.motions());
+    let (fact, help) = if bodies > MOST_BODIES {
+        (
+            format!("{bodies} bodies are declared: at most {MOST_BODIES} are possible"),
+            "replace bodies that are fixed to each other by one",
+        )
+    } else if motions > MOST_MOTIONS {
+        (
+            format!("{motions} coordinates and motions are declared: at most {MOST_MOTIONS} are possible"),
+            "hold joints that do not matter, by `joint: fixed` in a `body` of their name, or model parts of the \
+             mechanism apart",
+        )
+    } else {
         return Ok(());
-    }
+    };
     let last = items.bodies.last();
     let span = last.map_or_else(Span::call_site, |body| body.name.span());
-    let fact = format_args!("{motions} coordinates and motions are declared: at most {MOST_MOTIONS} are possible");
-    let help = "hold joints that do not matter, by `joint: fixed` in a `body` of their name, or model parts of the \
-                mechanism apart";
     errors.at(Code::TooLong, span, fact, help);
     Err(std::mem::take(errors))
 }

@@ -374,7 +374,12 @@ fn of_motions() {
     };
     let errors = crate::program(chain(5000)).expect_err("too many").to_string();
     assert!(
-        errors.contains("5000 coordinates and motions are declared: at most 128 are possible [M007]"),
+        errors.contains("5000 bodies are declared: at most 1000 are possible [M007]"),
+        "{errors}"
+    );
+    let errors = crate::program(chain(129)).expect_err("too many").to_string();
+    assert!(
+        errors.contains("129 coordinates and motions are declared: at most 128 are possible [M007]"),
         "{errors}"
     );
     assert!(!crate::expand(chain(129)).to_string().contains("struct Chain"));

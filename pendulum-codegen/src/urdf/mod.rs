@@ -19,7 +19,7 @@ use std::path::Path;
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::quote;
 
-use crate::ast::{self, Body, BodyFields, Scene};
+use crate::ast::{self, Body, BodyFields, MOST_BODIES, Scene};
 use crate::error::{Code, Errors, Reported};
 use crate::parse;
 use declare::Replaced;
@@ -45,6 +45,14 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     let (name, span) = (robot.path.clone(), robot.span);
     let text = files(&name).map_err(|(fact, help)| errors.at(Code::NoFile, span, fact, help))?;
     let (mut found, mut wrong) = read::read(&text, robot.strict);
+    if found.links.len() > MOST_BODIES {
+        let fact = format_args!(
+            "`{name}` has {} links: at most {MOST_BODIES} are possible",
+            found.links.len()
+        );
+        let help = "replace links that are fixed to each other by one";
+        return Err(errors.at(Code::TooLong, span, fact, help));
+    }
     // errors in the declaration count only if the whole file could be read
     let mut ignored = Vec::new();
     let undeclared = if wrong.is_empty() { &mut wrong } else { &mut ignored };
