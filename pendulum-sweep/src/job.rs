@@ -175,7 +175,7 @@ impl<const K: usize> Sweep<K> {
     /// let table = Sweep::grid("drift", [Axis::logarithmic("step", "s", 1e-3, 1e-1, 5)])
     ///     .each([("drift", "J")], |[step]| {
     ///         let end = Rk4::new(step).solve(&swing, 0.0, 10.0, [2.0, 0.0])?.end();
-    ///         Ok([swing.energy(10.0, &end) - swing.energy(0.0, &[2.0, 0.0].into())])
+    ///         Ok([swing.energy(10.0, &end) - swing.energy(0.0, &[2.0, 0.0])])
     ///     })
     ///     .quiet()
     ///     .run()?;

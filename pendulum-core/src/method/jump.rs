@@ -21,7 +21,7 @@ const LEAST_OF_INTERVAL: f64 = 0.1;
 /// Maximum jump, relative to the derivative: at a pole it changes by more.
 const LARGEST: f64 = 1e3;
 
-/// Replaces the reason for which steps from `(t, x)` become too short or too many by a jump nearby, if there is one.
+/// Replaces the reason that steps up to `(t, x)` are too many by a jump nearby, if there is one.
 /// Hybrid systems are excluded, since they jump at mode switches.
 #[cold]
 pub(crate) fn behind<S, T, const N: usize>(reason: Reason, system: &S, t: T, x: &SVector<T, N>) -> Reason
@@ -29,11 +29,8 @@ where
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    let is_of_steps = matches!(
-        reason,
-        Reason::TooManySteps { .. } | Reason::StepUnderflow { .. } | Reason::NoConvergence { .. }
-    );
-    if !is_of_steps || system.hybrid().is_some() {
+    // steps that underflow may come to a pole, where the derivative changes within the resolution of the time
+    if !matches!(reason, Reason::TooManySteps { .. }) || system.hybrid().is_some() {
         return reason;
     }
     let found = Line::new(system, t, x).jump();

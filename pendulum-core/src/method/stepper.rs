@@ -185,6 +185,19 @@ where
         Dense::new(self.smooth.last, coefficients)
     }
 
+    /// Dense output of the last step, once [`dense`](Self::dense) has computed it.
+    #[cfg(feature = "std")]
+    pub(super) fn known_dense(&self) -> Dense<'_, T, N> {
+        let (last, coefficients) = (self.smooth.last, self.smooth.scheme.coefficients());
+        if last.t0 == last.t1 {
+            Dense::new(last, &[])
+        } else if self.system.hybrid().is_some() {
+            Dense::cut_off(last, coefficients, self.modes.cut)
+        } else {
+            Dense::new(last, coefficients)
+        }
+    }
+
     /// Integrates to the end, and returns the state there.
     ///
     /// # Errors

@@ -113,7 +113,7 @@ where
             continue;
         }
         let found = stepper.look_for_events(&mut search, step);
-        let Some(mut stop) = pass(found, &search, &stepper.dense(), observer, placed)? else {
+        let Some(mut stop) = pass(found, &search, &stepper.known_dense(), observer, placed)? else {
             reached.x = stepper.x();
             continue;
         };

@@ -112,7 +112,7 @@ pub fn sign(_: Size) -> Row {
             longest,
         ),
         Claim::at_most("Radau5: mean steps at the narrow one (s)", 2.0 * TOLERANCES[1], radau),
-        Claim::same("Rk45: how it ends", "TooManySteps", kind(error.reason)),
+        Claim::same("Rk45: how it ends", "Jump", kind(error.reason)),
     ];
     Row {
         case: "Coulomb friction as a sign",

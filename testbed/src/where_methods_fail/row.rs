@@ -123,6 +123,7 @@ pub fn kind(reason: Reason) -> String {
         Reason::EventNotFinite { .. } => "EventNotFinite",
         Reason::EventsAccumulate { .. } => "EventsAccumulate",
         Reason::TooManySteps { .. } => "TooManySteps",
+        Reason::Jump { .. } => "Jump",
         _ => "another",
     };
     kind.to_owned()
