@@ -152,9 +152,9 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
     /// Ends the step at the event, and restarts the method: for a kink of the right-hand side, such as a controller
     /// that saturates. A step across a kink loses the order of the method.
     ///
-    /// A kink that recurs within some thousand ulps of the time is one, and one that recurs so soon that rounding errors
-    /// may be the cause is recorded, but the step continues. Steps no longer end at kinks after a hundred in a row that
-    /// each left less than 1 % of a step: the step is unstable, and crosses the limit again and again.
+    /// Occurrences within a thousand ulps of the time are one. If a kink recurs so soon that rounding errors may be the
+    /// cause, it is recorded, but the step continues. Steps no longer end at kinks after a hundred in a row that each
+    /// left less than 1 % of a step: the step is unstable, and crosses the limit again and again.
     ///
     /// ```
     /// use pendulum_core::prelude::*;

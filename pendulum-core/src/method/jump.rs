@@ -17,7 +17,6 @@ const LEAST_INTERVAL: f64 = 1e4;
 const LEAST: f64 = 1e-5;
 /// Minimum jump, relative to the change over the interval that was bisected: a steep law changes by less.
 const LEAST_OF_INTERVAL: f64 = 0.1;
-
 /// Maximum jump, relative to the derivative: at a pole it changes by more.
 const LARGEST: f64 = 1e3;
 
@@ -74,7 +73,7 @@ impl<'a, S: System<T, N> + ?Sized, T: Float, const N: usize> Line<'a, S, T, N> {
         let shortest = T::from_f64(SHORTEST_ULPS) * T::EPSILON * self.t.abs().max(reach);
         [reach, -reach].into_iter().find_map(|mut far| {
             while far.abs() >= T::from_f64(LEAST_INTERVAL) * shortest {
-                let found = self.within(T::default(), far, shortest);
+                let found = self.within(far, shortest);
                 if found.is_some() {
                     return found;
                 }
@@ -84,8 +83,10 @@ impl<'a, S: System<T, N> + ?Sized, T: Float, const N: usize> Line<'a, S, T, N> {
         })
     }
 
-    /// Bisects an interval to a jump, if a large part of the change of the derivative concentrates in one point.
-    fn within(&self, mut near: T, mut far: T, shortest: T) -> Option<(usize, f64)> {
+    /// Bisects the interval from the state to `far` to a jump, if a large part of the change of the derivative
+    /// concentrates in one point.
+    fn within(&self, mut far: T, shortest: T) -> Option<(usize, f64)> {
+        let mut near = T::default();
         let whole = self.change(near, far).1;
         let least = (T::from_f64(LEAST) * self.size).max(T::from_f64(LEAST_OF_INTERVAL) * whole);
         while (far - near).abs() > shortest && self.change(near, far).1 > least {

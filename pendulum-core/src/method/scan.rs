@@ -40,7 +40,6 @@ const DEPTH: usize = 2;
 const NOISE: f64 = 1e-9;
 
 /// Positions at which a function was evaluated in a step, with its values. Stored to reuse its memory.
-#[derive(Clone)]
 pub(super) struct Scan<T> {
     samples: Vec<(T, T)>,
     coarse: Vec<(T, T)>,

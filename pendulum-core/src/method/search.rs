@@ -24,7 +24,6 @@ const TOO_MANY: f64 = 1e7;
 const SAME_KINK_ULPS: f64 = 1000.0;
 
 /// Events at the end of the last step.
-#[derive(Clone)]
 pub(crate) struct Search<'w, 'e, T, const N: usize> {
     events: &'w [Event<'e, T, N>],
     seen: Vec<Seen<T>>,
@@ -38,6 +37,12 @@ pub(crate) struct Search<'w, 'e, T, const N: usize> {
     scan: Scan<T>,
     /// Events whose zeros may have been missed in the last step.
     missed: Vec<usize>,
+}
+
+/// State of a [`Search`] between two steps.
+pub(super) struct Mark<T> {
+    seen: Vec<Seen<T>>,
+    starts: bool,
 }
 
 /// State of an event.
@@ -196,6 +201,19 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         let scale = t.abs().max(dense.step().h.abs());
         let acted = self.seen[found.index].acted;
         acted.is_some_and(|acted| (t - acted).abs() <= spacing(scale))
+    }
+
+    /// State of the search at the end of the last step, for [`go_back`](Self::go_back).
+    pub(super) fn mark(&self) -> Mark<T> {
+        Mark {
+            seen: self.seen.clone(),
+            starts: self.starts,
+        }
+    }
+
+    /// Goes back to before the step that was searched last.
+    pub(super) fn go_back(&mut self, Mark { seen, starts }: Mark<T>) {
+        (self.seen, self.starts) = (seen, starts);
     }
 
     /// True if steps may end at kinks.

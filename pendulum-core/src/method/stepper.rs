@@ -170,23 +170,16 @@ where
     /// Dense output of the last step. Some methods evaluate the right-hand side a few more times for it. Before the
     /// first step, and after a failed one, it is the point reached.
     pub fn dense(&mut self) -> Dense<'_, T, N> {
-        if self.smooth.last.t0 == self.smooth.last.t1 {
-            return Dense::new(self.smooth.last, &[]);
+        let last = self.smooth.last;
+        // in a hybrid system the search for the end of the mode has computed it
+        if last.t0 != last.t1 && self.system.hybrid().is_none() {
+            let system = InMode::new(self.system, &self.modes.hold);
+            self.smooth.scheme.dense(&system, &last, &mut self.smooth.statistics);
         }
-        if self.system.hybrid().is_some() {
-            // the search for the end of the mode has computed the coefficients
-            return Dense::cut_off(self.smooth.last, self.smooth.scheme.coefficients(), self.modes.cut);
-        }
-        let system = InMode::new(self.system, &self.modes.hold);
-        let coefficients = self
-            .smooth
-            .scheme
-            .dense(&system, &self.smooth.last, &mut self.smooth.statistics);
-        Dense::new(self.smooth.last, coefficients)
+        self.known_dense()
     }
 
     /// Dense output of the last step, once [`dense`](Self::dense) has computed it.
-    #[cfg(feature = "std")]
     pub(super) fn known_dense(&self) -> Dense<'_, T, N> {
         let (last, coefficients) = (self.smooth.last, self.smooth.scheme.coefficients());
         if last.t0 == last.t1 {

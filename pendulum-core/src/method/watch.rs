@@ -19,8 +19,8 @@ use crate::system::System;
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// A kink at less than this fraction of a step from its start leaves a short step.
 const SHORT: f64 = 0.01;
-/// Number of consecutive kinks, each of which leaves a short step, after which steps no longer end at kinks: an unstable
-/// step crosses a limit again and again.
+/// Number of consecutive kinks, each of which leaves a short step, after which steps no longer end at kinks: an
+/// unstable step crosses a limit again and again.
 const MOST_CROWDED: usize = 100;
 
 /// Premature end of a trajectory, at the last point that its observer received.
@@ -121,15 +121,16 @@ where
             return Ok(stop.x);
         }
         let at_stop = Early::at((stop.t, stop.x));
-        if stop.changes {
-            stepper.restart(stop.t, stop.x).map_err(&at_stop)?;
-            reached = Reached::start(stepper, stop.x, observer);
-        } else {
+        if !stop.changes {
             let is_short = (stop.t - step.t0).abs() < T::from_f64(SHORT) * step.h.abs();
             crowded = if is_short { crowded + 1 } else { 0 };
             search.ends_at_kinks = crowded < MOST_CROWDED;
             system.project(stop.t, &mut stop.x);
-            stepper.restart(stop.t, stop.x).map_err(&at_stop)?;
+        }
+        stepper.restart(stop.t, stop.x).map_err(&at_stop)?;
+        if stop.changes {
+            reached = Reached::start(stepper, stop.x, observer);
+        } else {
             reached.goes_on(stepper, stop.x);
         }
         search

@@ -24,7 +24,7 @@ where
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    /// Searches the last step for events. If a kink comes first, the step is retaken up to the kink, and searched again.
+    /// Searches the last step for events. If a kink comes first, retakes the step up to the kink, and searches again.
     pub(in crate::method) fn look_for_events(
         &mut self,
         search: &mut Search<'_, '_, T, N>,
@@ -33,7 +33,7 @@ where
         if !search.has_kinks() {
             return search.look(&self.dense());
         }
-        let before = search.clone();
+        let before = search.mark();
         let dense = self.dense();
         let found = search.look(&dense);
         let Some((event, kink)) = search.first_kink(&found, &dense) else {
@@ -47,7 +47,7 @@ where
         if !self.retake_to_zero(&step, t, slope, &event.function) {
             return found;
         }
-        *search = before;
+        search.go_back(before);
         search.look(&self.dense())
     }
 

@@ -126,7 +126,7 @@ where
     }
 
     /// Dense output of the last step before it is cut off, with the modes and the statistics.
-    pub(super) fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T, N>, &mut Statistics) {
+    fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T, N>, &mut Statistics) {
         let coefficients = if self.modes.is_dense {
             self.smooth.scheme.coefficients()
         } else {
