@@ -107,7 +107,7 @@ pub use method::{
 };
 pub use real::{Float, Real};
 #[cfg(feature = "std")]
-pub use solution::{BelowTolerance, Observer, OutsideSpan, Solution};
+pub use solution::{BelowTolerance, Observer, OutsideSpan, Solution, Unresolved};
 pub use statistics::Statistics;
 pub use system::{
     Acting, Canonical, Cast, CastJacobian, Energy, FnSystem, IntoState, Jacobian, Plant, PlantCanonical, PlantJacobian,

@@ -13,9 +13,11 @@ use crate::real::Float;
 use crate::step_size::Tolerance;
 
 mod below;
+mod unresolved;
 
 pub use crate::statistics::Statistics;
 pub use below::BelowTolerance;
+pub use unresolved::Unresolved;
 
 /// A trajectory: the accepted points, and dense output between them.
 ///

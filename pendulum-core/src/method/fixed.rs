@@ -14,9 +14,10 @@ use crate::system::{IntoState, System};
 /// The steps end at the times `t0 + i h`, computed without accumulating rounding errors; the last step is shortened to
 /// end exactly at `t1`. A restart within a step does not move these times.
 ///
-/// There is no error control: steps too long for a motion give wrong results without an error. Compare with half the
-/// step, or with an adaptive method; [`max_stable_step`](crate::stability::max_stable_step) returns the longest stable
-/// step.
+/// There is no error control: steps too long for a motion give wrong results without an error.
+/// [`Solution::unresolved`](crate::Solution::unresolved) reports steps that are far too long. To estimate the error,
+/// compare with half the step, or with an adaptive method; [`max_stable_step`](crate::stability::max_stable_step)
+/// returns the longest stable step.
 ///
 /// The only setting is `h`, which must be positive, even backward in time, and large enough to be resolved by the
 /// times. [`solve`](Method::solve) stores at most ten million points; [`stepper`](Method::stepper) has no such limit.

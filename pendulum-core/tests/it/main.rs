@@ -21,3 +21,4 @@ mod small;
 mod stability;
 mod stability_functions;
 mod tableaus;
+mod unresolved;
