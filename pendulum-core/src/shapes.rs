@@ -40,6 +40,8 @@ pub trait Shapes<const N: usize> {
 pub struct Shape<'a> {
     /// Name of its body, or of the point; for springs and dampers, the body of their first end.
     pub name: &'a str,
+    /// Body to which it belongs, for springs and dampers that of the first end; `ground` if the body is at rest.
+    pub body: &'a str,
     /// Kind of the shape.
     pub kind: ShapeKind,
     /// Points in the ground frame, in m. The kind defines their meaning.
@@ -49,6 +51,7 @@ pub struct Shape<'a> {
 }
 
 /// Kinds of [`Shape`], and the meaning of their points.
+#[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ShapeKind {
     /// A point mass: its position, and the origin of its body.
@@ -65,8 +68,12 @@ pub enum ShapeKind {
     Cylinder,
     /// A sphere: its centre, and a point on its surface.
     Sphere,
-    /// The joint of a body that rotates: its position. A free body has none.
+    /// A joint that rotates, on a moving body: its position. A free body has none.
     Pivot,
+    /// A joint that rotates, on ground or on a body fixed to it: its position.
+    Support,
+    /// The axis of a joint that slides on ground, or on a body fixed to it: a point, and another 1 m further along.
+    Guide,
     /// A spring between two points.
     Spring,
     /// A damper between two points.
@@ -86,6 +93,7 @@ pub use std::vec::Vec;
 #[derive(Clone, Copy, Debug)]
 pub struct Outline<'a> {
     pub name: &'a str,
+    pub body: &'a str,
     pub kind: ShapeKind,
     /// Number of points. Their coordinates are listed one after the other.
     pub points: usize,
@@ -109,6 +117,7 @@ pub fn placed<'a>(outlines: &[Outline<'a>], values: &[f64]) -> Vec<Shape<'a>> {
         };
         Shape {
             name: outline.name,
+            body: outline.body,
             kind: outline.kind,
             points,
             radius,

@@ -25,6 +25,7 @@
 //! Planar mechanisms are viewed along the z axis; others from a direction of choice ([`Drawing::seen_from`]).
 #![forbid(unsafe_code)]
 
+mod glyph;
 mod still;
 
 use std::error::Error;
@@ -34,9 +35,9 @@ use charts::animation::save_gif;
 use charts::page::Picture;
 use nalgebra::{Matrix2x3, Vector3};
 use pendulum_core::Solution;
-use pendulum_core::shapes::{Shape, Shapes};
+use pendulum_core::shapes::{Shape, ShapeKind, Shapes};
 
-use still::{Bounds, Frame, Part, Still};
+use still::{Frame, Motion, Part, Still};
 
 /// Frame rate of an animation, in frames per second.
 const RATE: u32 = 25;
@@ -53,6 +54,10 @@ pub struct Drawing<'a, M, const N: usize> {
     view: Matrix2x3<f64>,
     ghosts: usize,
     speed: f64,
+    /// Surfaces, by their ends in the ground frame.
+    walls: Vec<[Vector3<f64>; 2]>,
+    /// Pairs of declared points between which a spring is drawn.
+    springs: Vec<[&'a str; 2]>,
 }
 
 impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
@@ -64,6 +69,8 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
             view: Matrix2x3::identity(),
             ghosts: 4,
             speed: 1.0,
+            walls: Vec::new(),
+            springs: Vec::new(),
         }
     }
 
@@ -92,29 +99,46 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
         self
     }
 
+    /// Adds a surface at rest, a line between two points of the ground frame. The right-hand side of the way from one
+    /// to the other is solid. The declaration of a wall is a formula, which has no place.
+    #[must_use]
+    pub fn wall(mut self, from: [f64; 3], to: [f64; 3]) -> Self {
+        self.walls.push([from, to].map(Vector3::from));
+        self
+    }
+
+    /// Adds a spring between two declared points, for a potential that is declared as a formula. The points leave no
+    /// trail. Declared springs are drawn without it.
+    #[must_use]
+    pub fn spring(mut self, from: &'a str, to: &'a str) -> Self {
+        self.springs.push([from, to]);
+        self
+    }
+
     /// Writes a picture of the whole motion to `stem` with the extensions svg and png, and returns the paths. It shows
-    /// the bodies at the end and, as shadows, at some earlier times, and the trails of the declared points.
+    /// the bodies at the end and, as shadows, at some earlier times, the trails of the declared points, a scale and the
+    /// times.
     ///
     /// # Errors
     ///
-    /// If a file cannot be written, or if the directions of the view are parallel.
+    /// If a file cannot be written, if the directions of the view are parallel, or if a spring is added to a point that
+    /// is not declared.
     pub fn picture(&self, stem: &Path) -> Result<[PathBuf; 2], Box<dyn Error>> {
-        let trails = self.trails()?;
-        let bounds = Bounds::of(&trails)?;
+        let motion = self.motion()?;
         let at = |n: usize| match self.ghosts {
             0 => 1.0,
             ghosts => n as f64 / ghosts as f64,
         };
         let bodies = (0..=self.ghosts).map(|n| self.frame(self.time(at(n))));
         let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
-        Still::new(&trails, bodies, bounds).save(stem)
+        Still::whole(&motion, bodies).save(stem)
     }
 
     /// Writes an endless animation to `stem` with the extension gif, at 25 frames per second, and returns its path.
     ///
     /// # Errors
     ///
-    /// If the file cannot be written, if `speed` is not positive, or if the directions of the view are parallel.
+    /// If the file cannot be written, if `speed` is not positive, and as [`picture`](Self::picture).
     pub fn animation(&self, stem: &Path) -> Result<PathBuf, Box<dyn Error>> {
         let (start, end) = self.span();
         let step = self.speed / f64::from(RATE);
@@ -125,24 +149,27 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
         let part = |n: usize| (step * n as f64 / (end - start)).min(1.0);
         let frames = (0..count).map(|n| self.frame(self.time(part(n))));
         let frames = frames.collect::<Result<Vec<_>, _>>()?;
-        let trails = self.trails()?;
-        let bounds = Bounds::of(&trails)?;
-        let stills = frames.into_iter().map(|frame| {
-            let so_far = trails.partition_point(|place| place.t <= frame.t);
-            Still::new(&trails[..so_far], vec![frame], bounds)
-        });
-        save_gif(stem, RATE, stills)
+        let motion = self.motion()?;
+        save_gif(stem, RATE, frames.into_iter().map(|frame| Still::at(&motion, frame)))
     }
 
     fn span(&self) -> (f64, f64) {
         (self.solution.t()[0], self.solution.last().0)
     }
 
-    fn trails(&self) -> Result<Vec<Frame>, Box<dyn Error>> {
+    fn motion(&self) -> Result<Motion, Box<dyn Error>> {
         let ((start, end), (rate, fewest, most)) = (self.span(), TRAIL);
         let count = ((end - start).abs() * rate).clamp(fewest, most).floor();
         let times = (0..=count as usize).map(|n| self.time(n as f64 / count));
-        times.map(|t| self.frame(t)).collect()
+        let frames = times.map(|t| self.frame(t)).collect::<Result<_, _>>()?;
+        let walls = self.walls.iter().map(|wall| wall.map(|end| self.seen(end)));
+        let untraced = self.springs.iter().flatten().map(|&end| end.to_owned());
+        Ok(Motion::new(frames, walls.collect(), untraced.collect())?)
+    }
+
+    /// Position in the plane of the picture.
+    fn seen(&self, point: Vector3<f64>) -> [f64; 2] {
+        (self.view * point).into()
     }
 
     /// Time at a fraction of the motion, from 0 to 1; at 1 exactly the end, which rounding must not exceed.
@@ -156,17 +183,36 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
         let x = self.solution.at(t)?;
         let part = |shape: Shape<'_>| Part {
             name: shape.name.to_owned(),
+            body: shape.body.to_owned(),
             kind: shape.kind,
-            points: shape
-                .points
-                .iter()
-                .map(|point| (self.view * point.coords).into())
-                .collect(),
+            points: shape.points.iter().map(|point| self.seen(point.coords)).collect(),
             radius: shape.radius,
         };
-        Ok(Frame {
-            t,
-            parts: self.model.shapes(t, &x).into_iter().map(part).collect(),
-        })
+        let mut parts: Vec<Part> = self.model.shapes(t, &x).into_iter().map(part).collect();
+        for ends in &self.springs {
+            let [from, to] = ends.map(|name| point(&parts, name));
+            let (from, to) = (from?, to?);
+            parts.push(Part {
+                name: from.name.clone(),
+                body: from.body.clone(),
+                kind: ShapeKind::Spring,
+                points: vec![from.points[0], to.points[0]],
+                radius: 0.0,
+            });
+        }
+        Ok(Frame { t, parts })
     }
+}
+
+/// The declared point of a name.
+fn point<'p>(parts: &'p [Part], name: &str) -> Result<&'p Part, String> {
+    let is_point = |part: &&Part| matches!(part.kind, ShapeKind::Point | ShapeKind::Anchor);
+    let found = parts.iter().filter(is_point).find(|part| part.name == name);
+    found.ok_or_else(|| {
+        let names: Vec<&str> = parts.iter().filter(is_point).map(|part| part.name.as_str()).collect();
+        format!(
+            "no point `{name}` to which to draw a spring; declared are: {}",
+            names.join(", ")
+        )
+    })
 }

@@ -18,7 +18,6 @@ mechanism! {
             solids: [sphere(0.06, 0.05, [0, 0, 0])],
             joint: prismatic(y) at [0, 0.05, 0], coordinate: y,
         }
-        body floor on ground { solids: [plate(1, [[-0.1, -0.03], [2.5, -0.03], [2.5, 0], [-0.1, 0]])] }
         generate: [rhs, energy, shapes],
     }
 }
@@ -63,5 +62,11 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
             0.0,
         ),
     ];
-    Run::new(checks, model, solution, |_, _| Vec::new(), |drawing| drawing.ghosts(8))
+    Run::new(
+        checks,
+        model,
+        solution,
+        |_, _| Vec::new(),
+        |drawing| drawing.ghosts(8).wall([-0.1, 0.0, 0.0], [2.5, 0.0, 0.0]),
+    )
 }

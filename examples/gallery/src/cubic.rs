@@ -23,6 +23,9 @@ mechanism! {
             solids: [cuboid(m2, [0.2, 0.2, 0.2], [0, 0, 0])],
             joint: prismatic(x) at [0.8, 0, 0], coordinate: x2,
         }
+        point hook on ground at [-0.6, 0, 0],
+        point rear on left at [-0.15, 0, 0], point front on left at [0.15, 0, 0],
+        point eye on right at [-0.1, 0, 0],
         generate: [rhs, energy, shapes],
     }
 }
@@ -48,5 +51,10 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         .atol(1e-12)
         .solve(&model, 0.0, 5.0, [0.25, -0.15, 0.0, 0.0])?;
     let lost = |_: f64, x: &SVector<f64, 4>| vec![-0.2 * x[2].powi(4), -0.2 * (x[3] - x[2]).powi(4)];
-    Run::new(checks, model, solution, lost, |drawing| drawing)
+    Run::new(checks, model, solution, lost, |drawing| {
+        drawing
+            .wall([-0.6, 0.2, 0.0], [-0.6, -0.2, 0.0])
+            .spring("hook", "rear")
+            .spring("front", "eye")
+    })
 }

@@ -22,7 +22,6 @@ mechanism! {
             solids: [plate(2, [[-b, -h], [b, -h], [b, h], [-b, h]])],
             joint: revolute(z), coordinate: phi,
         }
-        body floor on ground { solids: [plate(1, [[-0.3, -0.02], [0.9, -0.02], [0.9, 0], [-0.3, 0]])] }
         generate: [rhs, energy, shapes],
     }
 }
@@ -86,7 +85,13 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
             1e-14,
         ),
     ];
-    Run::new(checks, model, solution, |_, _| Vec::new(), |drawing| drawing)
+    Run::new(
+        checks,
+        model,
+        solution,
+        |_, _| Vec::new(),
+        |drawing| drawing.wall([-0.3, 0.0, 0.0], [0.9, 0.0, 0.0]),
+    )
 }
 
 /// Time at which a block that starts from a tilt comes to rest.

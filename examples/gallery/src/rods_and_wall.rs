@@ -22,7 +22,6 @@ mechanism! {
         wall beside_elbow { gap: elbow.x + 0.1, restitution: e }
         body upper on ground: arm { joint: revolute(z), coordinate: theta1 }
         body lower on upper: arm { joint: revolute(z) at [0, -l, 0], coordinate: theta2 absolute }
-        body drawn on ground { solids: [plate(1, [[-0.15, -2.1], [-0.1, -2.1], [-0.1, 0], [-0.15, 0]])] }
         generate: [rhs, energy, shapes],
     }
 }
@@ -66,5 +65,11 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         Check::new("beyond the wall at any step, in m", at_steps, 0.0, 1e-13),
         Check::new("beyond the wall between steps, in m", between, 0.0, 1e-12),
     ];
-    Run::new(checks, model, solution, |_, _| Vec::new(), |drawing| drawing)
+    Run::new(
+        checks,
+        model,
+        solution,
+        |_, _| Vec::new(),
+        |drawing| drawing.wall([-0.1, 0.0, 0.0], [-0.1, -2.1, 0.0]),
+    )
 }

@@ -21,7 +21,6 @@ mechanism! {
             solids: [cuboid(m, [0.12, 0.08, 0.08], [0, 0, 0])],
             joint: prismatic(x), coordinate: s, dry_friction: slipping, static_friction: sticking,
         }
-        body board on ground { solids: [plate(1, [[-0.1, -0.05], [0.2, -0.05], [0.2, -0.04], [-0.1, -0.04]])] }
         generate: [rhs, energy, drive_forces, shapes],
     }
 }
@@ -68,5 +67,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         vec![-slipping * x[1].abs(), v * forces[0]]
     };
     let model = StickSlip::new(params)?;
-    Run::new(checks, model, solution, powers, |drawing| drawing)
+    Run::new(checks, model, solution, powers, |drawing| {
+        drawing.wall([-0.3, -0.04, 0.0], [0.2, -0.04, 0.0])
+    })
 }

@@ -31,8 +31,12 @@ pub enum FigureKind {
     Cylinder,
     /// A sphere: its centre, and a point of its surface.
     Sphere,
-    /// A joint that turns.
+    /// A joint that turns, on a moving body.
     Pivot,
+    /// A joint that turns, on a body at rest.
+    Support,
+    /// The axis of a joint that slides on a body at rest: two points of it.
+    Guide,
     /// A spring between two points.
     Spring,
     /// A damper between two points.

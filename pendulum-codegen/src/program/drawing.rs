@@ -7,7 +7,7 @@ use super::build::{NotFinite, block};
 use crate::expr::{Expr, ExprId};
 use crate::form::{self, Chosen, Forms};
 use crate::model::{Action, Body, BodyId, FigureKind, Model, Poses};
-use crate::screw::{Twist, Vec3};
+use crate::screw::Vec3;
 
 /// Outlines of a scene, and code for their positions.
 #[derive(Clone, Debug, Default)]
@@ -24,6 +24,8 @@ pub struct Drawing {
 pub struct Outline {
     /// Body, or point; for springs and dampers the body of their first end.
     pub name: String,
+    /// Body to which the object belongs; `ground` if that body is at rest.
+    pub body: String,
     /// Kind of the object.
     pub kind: FigureKind,
     /// Number of points.
@@ -49,7 +51,7 @@ impl<'g> Sketch<'g> {
         };
         shown.solids();
         shown.arms();
-        shown.pivots();
+        shown.joints();
         shown.springs_and_dampers();
         shown.points();
         Self {
@@ -75,11 +77,17 @@ struct Shown<'m, 'g> {
     values: Vec<Expr<'g>>,
 }
 
+/// A point of a body.
+type At<'g> = (Option<BodyId>, Vec3<'g>);
+
 impl<'g> Shown<'_, 'g> {
-    /// Adds an outline through points of bodies.
-    fn show(&mut self, name: &str, kind: FigureKind, points: &[(Option<BodyId>, Vec3<'g>)], radius: Option<Expr<'g>>) {
+    /// Adds an outline through points of bodies. It belongs to the body of the first point.
+    fn show(&mut self, name: &str, kind: FigureKind, points: &[At<'g>], radius: Option<Expr<'g>>) {
+        let owner = points[0].0.filter(|_| !self.is_at_rest(points[0].0));
+        let plain = |name: &str| name.trim_start_matches("r#").to_owned();
         self.outlines.push(Outline {
-            name: name.trim_start_matches("r#").to_owned(),
+            name: plain(name),
+            body: plain(name_of(self.model, owner)),
             kind,
             points: points.len(),
             radius: radius.is_some(),
@@ -97,40 +105,93 @@ impl<'g> Shown<'_, 'g> {
         }
     }
 
-    /// Adds rods for bodies without solids: to the joints they carry and to those that close loops.
+    /// Adds rods for bodies without solids: to the joints they carry, to those that close loops, and to their points.
     fn arms(&mut self) {
         let model = self.model;
         let moving = model.bodies.iter().filter(|body| body.screw.is_some());
         let carried = moving.map(|body| (body.parent, body.placement.translation));
         let closing = model.closures.iter().flat_map(|closure| &closure.ends);
-        for (owner, at) in carried.chain(closing.map(|end| (end.body, end.at))) {
-            let is_bare = |owner: &Body<'g>| owner.figures.iter().all(|figure| figure.kind == FigureKind::Mass);
-            let owner = owner.filter(|&owner| !model.bodies[owner].figures.is_empty());
-            if let Some(owner) = owner.filter(|&owner| is_bare(&model.bodies[owner]) && !at.is_zero()) {
-                let ends = [Vec3::zero(model.graph), at].map(|end| (Some(owner), end));
-                self.show(&model.bodies[owner].name, FigureKind::Rod, &ends, None);
+        let closing = closing.map(|end| (end.body, end.at));
+        let points = model.points.iter().map(|point| (point.place.body, point.place.at));
+        let mut drawn: Vec<At<'g>> = Vec::new();
+        for (owner, at) in carried.chain(closing).chain(points) {
+            let is_bare = |owner: &Body<'g>| {
+                !owner.figures.is_empty() && owner.figures.iter().all(|figure| figure.kind == FigureKind::Mass)
+            };
+            let owner = owner.filter(|&owner| is_bare(&model.bodies[owner]) && !at.is_zero());
+            if owner.is_some() && !drawn.contains(&(owner, at)) {
+                let ends = [Vec3::zero(model.graph), at].map(|end| (owner, end));
+                self.show(name_of(model, owner), FigureKind::Rod, &ends, None);
+                drawn.push((owner, at));
             }
         }
     }
 
-    fn pivots(&mut self) {
+    fn joints(&mut self) {
         let model = self.model;
-        // a free body hangs on no pivot; the slides of its joint have its name
-        let is_free = |body: &Body<'g>| {
-            let parts = model.bodies.iter().filter(|part| part.name == body.name);
-            parts.filter_map(|part| part.screw).any(|screw| !screw.turns())
-        };
-        for (n, body) in model.bodies() {
-            let turning = body.screw.filter(Twist::turns);
-            if let Some(screw) = turning.filter(|_| !body.figures.is_empty() && !is_free(body)) {
+        let visible = model.bodies().filter(|(_, body)| !body.figures.is_empty());
+        for (n, body, screw) in visible.filter_map(|(n, body)| Some((n, body, body.screw?))) {
+            let carrier = self.carrier(body);
+            if !screw.turns() && self.is_at_rest(carrier) {
+                let (at, axis) = (body.placement.translation, body.placement.rotation * screw.linear);
+                let ends = [at, at + axis].map(|end| (body.parent, end));
+                self.show(&body.name, FigureKind::Guide, &ends, None);
+            } else if screw.turns() && !self.is_free(body) {
                 let at = screw.angular.cross(screw.linear);
-                self.show(&body.name, FigureKind::Pivot, &[(Some(n), at)], None);
+                self.show(&body.name, self.pivot(carrier), &[(Some(n), at)], None);
             }
         }
         for closure in &model.closures {
-            let [end, _] = &closure.ends;
-            self.show(name_of(model, end.body), FigureKind::Pivot, &[(end.body, end.at)], None);
+            let [end, other] = &closure.ends;
+            let kind = if self.is_at_rest(end.body) {
+                self.pivot(end.body)
+            } else {
+                self.pivot(other.body)
+            };
+            self.show(name_of(model, end.body), kind, &[(end.body, end.at)], None);
         }
+    }
+
+    /// Body to which the joint of a body connects it. A joint of several degrees of freedom has parts of its name.
+    fn carrier(&self, body: &Body<'g>) -> Option<BodyId> {
+        let parent = body.parent?;
+        let carrier = &self.model.bodies[parent];
+        if carrier.name == body.name {
+            self.carrier(carrier)
+        } else {
+            Some(parent)
+        }
+    }
+
+    /// Kind of a joint that rotates, by the body that carries it.
+    fn pivot(&self, carrier: Option<BodyId>) -> FigureKind {
+        if self.is_at_rest(carrier) {
+            FigureKind::Support
+        } else {
+            FigureKind::Pivot
+        }
+    }
+
+    /// True for ground, and for a body fixed to it.
+    fn is_at_rest(&self, body: Option<BodyId>) -> bool {
+        let Some(body) = body.map(|body| &self.model.bodies[body]) else {
+            return true;
+        };
+        body.screw.is_none() && self.is_at_rest(body.parent)
+    }
+
+    /// True for a body that turns about no pivot: it slides as well, by its own joint or by that of a massless body
+    /// that carries it.
+    fn is_free(&self, body: &Body<'g>) -> bool {
+        let model = self.model;
+        let slides = |part: &Body<'g>| part.screw.is_some_and(|screw| !screw.turns());
+        let carrier = body.parent.map(|parent| &model.bodies[parent]);
+        let is_slide = |carrier: &Body<'g>| {
+            let mut motion = carrier.motion.terms();
+            carrier.figures.is_empty() && slides(carrier) && !motion.any(|(k, _)| model.is_driven(k))
+        };
+        let mut parts = model.bodies.iter().filter(|part| part.name == body.name);
+        carrier.is_some_and(is_slide) || parts.any(slides)
     }
 
     fn springs_and_dampers(&mut self) {

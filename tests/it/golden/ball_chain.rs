@@ -2021,30 +2021,35 @@ t29 = t27 + t26 - t27
                 &[
                     ::pendulum_core::shapes::Outline {
                         name: "rod",
+                        body: "rod",
                         kind: ::pendulum_core::shapes::ShapeKind::Cylinder,
                         points: 2,
                         radius: true,
                     },
                     ::pendulum_core::shapes::Outline {
                         name: "board",
+                        body: "board",
                         kind: ::pendulum_core::shapes::ShapeKind::Cuboid,
                         points: 8,
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
                         name: "rod",
-                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        body: "rod",
+                        kind: ::pendulum_core::shapes::ShapeKind::Support,
                         points: 1,
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
                         name: "board",
+                        body: "board",
                         kind: ::pendulum_core::shapes::ShapeKind::Pivot,
                         points: 1,
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
                         name: "tip",
+                        body: "board",
                         kind: ::pendulum_core::shapes::ShapeKind::Point,
                         points: 1,
                         radius: false,

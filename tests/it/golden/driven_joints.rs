@@ -879,36 +879,42 @@ k43 = b*w^2*ny^2*(m1 + m2)
                 &[
                     ::pendulum_core::shapes::Outline {
                         name: "upper",
+                        body: "upper",
                         kind: ::pendulum_core::shapes::ShapeKind::Rod,
                         points: 2,
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
                         name: "lower",
+                        body: "lower",
                         kind: ::pendulum_core::shapes::ShapeKind::Rod,
                         points: 2,
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
                         name: "upper",
+                        body: "upper",
                         kind: ::pendulum_core::shapes::ShapeKind::Pivot,
                         points: 1,
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
                         name: "lower",
+                        body: "lower",
                         kind: ::pendulum_core::shapes::ShapeKind::Pivot,
                         points: 1,
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
                         name: "nail",
+                        body: "pivot",
                         kind: ::pendulum_core::shapes::ShapeKind::Point,
                         points: 1,
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
                         name: "tip",
+                        body: "lower",
                         kind: ::pendulum_core::shapes::ShapeKind::Point,
                         points: 1,
                         radius: false,

@@ -16,8 +16,9 @@ impl Items<'_> {
                 format_ident!("{}", format!("{:?}", outline.kind)),
                 count(outline.points),
             );
-            let (name, radius) = (&outline.name, outline.radius);
-            quote!(#core::Outline { name: #name, kind: #core::ShapeKind::#kind, points: #points, radius: #radius })
+            let (name, body, radius) = (&outline.name, &outline.body, outline.radius);
+            let kind = quote!(#core::ShapeKind::#kind);
+            quote!(#core::Outline { name: #name, body: #body, kind: #kind, points: #points, radius: #radius })
         });
         let block = self.block(&drawing.block, |values| quote!([#(#values),*]));
         Some(quote! {
