@@ -110,7 +110,7 @@ fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'
     if !model.generate.contains("drive_forces") {
         dynamics.reactions.drive.clear();
     }
-    let roots = dynamics.entries().into_iter().chain(checked);
+    let roots = dynamics.entries().into_iter().chain(checked).chain(model.state_rates());
     let roots: Vec<_> = roots.chain(model.with_drives(&observed)).collect();
     let roots = model.written_out(&roots);
     let read: FxHashSet<ExprId> = model.graph.reachable(&roots).into_iter().collect();

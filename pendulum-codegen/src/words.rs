@@ -127,10 +127,14 @@ pub(crate) const ITEMS: &Synonyms = &[
     ),
     (&["g"], "gravity"),
     (
-        &["def", "define", "var", "variable", "const", "set"],
+        &["def", "define", "var", "const", "set"],
         "name an expression by `let name = expression,`",
     ),
-    (&["initial", "initialstate", "state", "x0", "start"], START),
+    (&["initial", "initialstate", "x0", "start"], START),
+    (
+        &["states", "ode", "equation", "variable", "integral", "filter"],
+        "state",
+    ),
     (
         &["solver", "method", "integrator", "time", "tspan"],
         "a scene holds the mechanism; the method and the span of time are given where it is solved",
@@ -247,6 +251,13 @@ pub(crate) const FIELDS: &Synonyms = &[
         &["visual", "color", "mesh"],
         "leave it out: a body is what it weighs and how it moves",
     ),
+];
+
+/// Fields of first-order states.
+pub(crate) const STATE: &Synonyms = &[
+    (&["units", "dimension"], "unit"),
+    (&["derivative", "dot", "der", "equation", "rhs", "ode"], "rate"),
+    (&["initial", "start", "x0", "value", "default"], START),
 ];
 
 /// Fields of walls.

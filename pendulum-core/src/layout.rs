@@ -40,6 +40,8 @@ pub use names::WrongLength;
 pub struct StateLayout<'a> {
     /// Coordinates and their rates. In the state, all positions precede all rates.
     pub slots: &'a [Slot<'a>],
+    /// First-order states, which follow the rates.
+    pub states: &'a [StateVariable<'a>],
     /// True if the right-hand side is known not to depend on time.
     pub autonomous: bool,
 }
@@ -50,8 +52,16 @@ impl<'a> StateLayout<'a> {
     pub const fn new(slots: &'a [Slot<'a>]) -> Self {
         Self {
             slots,
+            states: &[],
             autonomous: false,
         }
+    }
+
+    /// Adds first-order states, which follow the rates of the coordinates.
+    #[must_use]
+    pub const fn with_states(mut self, states: &'a [StateVariable<'a>]) -> Self {
+        self.states = states;
+        self
     }
 
     /// Marks the right-hand side as independent of time.
@@ -65,6 +75,12 @@ impl<'a> StateLayout<'a> {
     #[must_use]
     pub fn positions(self) -> usize {
         self.slots.iter().map(|slot| slot.positions.len()).sum()
+    }
+
+    /// Number of rate components; the first-order states follow them.
+    #[must_use]
+    pub fn rates(self) -> usize {
+        self.slots.iter().map(|slot| slot.rates.len()).sum()
     }
 
     /// Components of the state that form a quaternion, one range for each.
@@ -163,6 +179,26 @@ impl<'a> Slot<'a> {
             SlotKind::Angle | SlotKind::Quaternion => "rad/s",
             SlotKind::Length => "m/s",
         }
+    }
+}
+
+/// A first-order state, such as a motor current: a component of the state that is neither a coordinate nor a rate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct StateVariable<'a> {
+    /// Name of the state.
+    pub name: &'a str,
+    /// Its unit.
+    pub unit: &'a str,
+    /// Component of the state.
+    pub index: usize,
+}
+
+impl<'a> StateVariable<'a> {
+    /// A first-order state at the component `index` of the state.
+    #[must_use]
+    pub const fn new(name: &'a str, unit: &'a str, index: usize) -> Self {
+        Self { name, unit, index }
     }
 }
 

@@ -101,7 +101,7 @@ pub use event::{Direction, Event, Missed, Occurrence};
 pub use inputs::{CastControlled, Controlled, InputLaw, WithInputs};
 #[cfg(feature = "std")]
 pub use layout::WrongLength;
-pub use layout::{Slot, SlotKind, StateLayout};
+pub use layout::{Slot, SlotKind, StateLayout, StateVariable};
 pub use method::{
     Auto, Gauss4, Gauss6, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9,
 };

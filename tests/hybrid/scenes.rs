@@ -626,16 +626,16 @@ fn parameters_move_the_right_hand_side() {
     for (t, x, _) in places::<4>(3) {
         let jacobian = model.parameter_jacobian(t, &x);
         for (n, &value) in params.iter().enumerate() {
-            let accelerations = |value: f64| {
+            let rates = |value: f64| {
                 let mut params = params;
                 params[n] = value;
                 let model = model.with_params(DryParams::from_array(params)).expect("physical");
                 model.rhs(t, &x)
             };
             let (less, more) = (value - 1e-5, value + 1e-5);
-            let slopes = (accelerations(more) - accelerations(less)) / (more - less);
-            for row in 0..2 {
-                let (ours, theirs) = (jacobian[(row, n)], slopes[2 + row]);
+            let slopes = (rates(more) - rates(less)) / (more - less);
+            for row in 0..4 {
+                let (ours, theirs) = (jacobian[(row, n)], slopes[row]);
                 let what = DryParams::NAMES[n];
                 assert!(
                     (ours - theirs).abs() < 1e-7 * (1.0 + theirs.abs()),

@@ -323,9 +323,9 @@ fn parameters_move_the_accelerations() {
     let y = with_balls(&x);
     for n in 0..3 {
         let apart = at(n, 1e-5).rhs(t, &y) - at(n, -1e-5).rhs(t, &y);
-        let expected = apart.fixed_rows::<16>(19) / 2e-5;
+        let expected = apart / 2e-5;
         let ours = balls.parameter_jacobian(t, &y).column(n).into_owned();
-        close("parameters", &ours, &expected.into_owned(), 1e-8);
+        close("parameters", &ours, &expected, 1e-8);
     }
 }
 

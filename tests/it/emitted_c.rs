@@ -80,6 +80,21 @@ mechanism! {
 }
 
 mechanism! {
+    /// First-order states, one with a name of C.
+    pub Lagging {
+        params { tau: s = 0.3, k: N/m = 2, r: ohm = 0.5, ind: V s/A = 0.1, c: N/A = 0.7 }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, parameter_jacobian, taylor],
+        state double { unit: N, rate: (k*tip.x - double)/tau }
+        state i { unit: A, rate: (3 V*sin(2 rad/s*t) - r*i - c*dot(s))/ind }
+        point tip on rod at [0, -1, 0],
+        force on tip: [-double, 0, 0],
+        body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, torque: c*i }
+        body rod on cart { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: turn }
+    }
+}
+
+mechanism! {
     /// Dry friction and a stop, and a moving wall.
     pub Constrained {
         params { mu: N m = 0.3 }
@@ -224,6 +239,19 @@ fn drives_outputs_and_events_are_the_same() {
         all.extend(&jacobian);
         all.push(model.passes(t, &x));
         all
+    });
+}
+
+#[test]
+fn states_are_the_same() {
+    let model = Lagging::new(LaggingParams::default()).expect("physical");
+    same(OWN, "Lagging", 0.0, |t, x, _| {
+        let x = SVector::<f64, 6>::from_column_slice(x);
+        let motion = motion(&model, t, &x);
+        let (rates, energies) = motion.split_at(motion.len() - 2);
+        let (by_time, by_parameters) = (model.time_derivative(t, &x), model.parameter_jacobian(t, &x));
+        let whole = [rates, by_time.as_slice(), energies, by_parameters.as_slice()].concat();
+        [whole, series(&model, t, &x)].concat()
     });
 }
 

@@ -24,6 +24,7 @@ mod quaternions;
 mod random_mechanisms;
 mod robots;
 mod sincos;
+mod states;
 mod stiff;
 mod taylor;
 mod taylor_traps;

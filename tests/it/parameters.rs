@@ -224,7 +224,7 @@ mechanism! {
 
 /// Compares the derivative with respect to a parameter with differences, extrapolated to order four.
 #[test]
-fn accelerations_are_derived_by_every_parameter() {
+fn the_right_hand_side_is_derived_by_every_parameter() {
     let params = DrivenParams::default();
     let model = Driven::new(params).expect("physical");
     let (x, u) = (SVector::from([0.7, -0.4, 1.3, 2.1]), DrivenInputs { u: 0.6 });
@@ -249,11 +249,11 @@ fn accelerations_are_derived_by_every_parameter() {
         };
         let central = |h: f64| (moved(h) - moved(-h)) / (2.0 * h);
         let slope = (4.0 * central(0.5 * h) - central(h)) / 3.0;
-        let slope = slope.fixed_rows::<2>(2);
         assert!(slope.amax() > 1e-2, "parameter {column} does something");
         assert_relative_eq!(
             derivatives.column(column).into_owned(),
-            slope.into_owned(),
+            slope,
+            epsilon = 1e-12,
             max_relative = 1e-8
         );
     }
@@ -277,7 +277,7 @@ fn half_powers_of_parameters_are_constants() {
     assert_relative_eq!(rhs[1], (32.0 * 0.5 - 0.25) / 8.0, epsilon = 1e-14);
     // s'' = w s - w^(-5/2)
     let slope = model.parameter_jacobian(0.0, &SVector::from([0.5, 0.0]));
-    assert_relative_eq!(slope[(0, 0)], 0.5 + 2.5 * 4.0_f64.powf(-3.5), epsilon = 1e-14);
+    assert_relative_eq!(slope[(1, 0)], 0.5 + 2.5 * 4.0_f64.powf(-3.5), epsilon = 1e-14);
 }
 
 mechanism! {

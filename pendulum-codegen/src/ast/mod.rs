@@ -45,6 +45,8 @@ pub(crate) struct Items {
     /// Named expressions.
     pub lets: Vec<Let>,
     pub inputs: Vec<Input>,
+    /// First-order states.
+    pub states: Vec<State>,
     /// Named mass properties.
     pub shapes: Vec<Shape>,
     /// Robot whose links become bodies.
@@ -94,6 +96,20 @@ pub(crate) struct Input {
     pub docs: Vec<String>,
     pub name: Ident,
     pub unit: Read<Unit>,
+}
+
+/// `state name { unit: unit, rate: e }`
+#[derive(Debug)]
+pub(crate) struct State {
+    /// Documentation of the index.
+    pub docs: Vec<String>,
+    pub name: Ident,
+    /// Unit of the state; none if it is missing.
+    pub unit: Option<Read<Unit>>,
+    /// Time derivative; none if it is missing.
+    pub rate: Option<Read<Expr>>,
+    /// Error in a field that could not be parsed; some fields may be missing.
+    pub unread: Option<Reported>,
 }
 
 /// `point name on body at [x, y, z],`
@@ -221,7 +237,7 @@ pub(crate) struct End {
     pub rpy: Option<Read<Vector>>,
 }
 
-/// Maximum number of coordinates and motions of a scene; the time of expansion grows with about their third power.
+/// Maximum number of coordinates, states and motions of a scene; the time of expansion grows with about their third power.
 pub(crate) const MOST_MOTIONS: usize = 128;
 /// Bodies of the largest scene: the time of expansion grows with the square of their number.
 pub(crate) const MOST_BODIES: usize = 1000;
@@ -232,13 +248,13 @@ impl Items {
         self.bodies.len() <= MOST_BODIES && self.motions() <= MOST_MOTIONS
     }
 
-    /// Number of joint coordinates, including dependent ones, and of motions.
+    /// Number of joint coordinates, including dependent ones, of states and of motions.
     pub(crate) fn motions(&self) -> usize {
         let of = |body: &Body| {
             let of_orientation = 2 * usize::from(body.fields.orientation.is_some());
             body.fields.slots().len() + of_orientation + usize::from(body.fields.motion.is_some())
         };
-        self.bodies.iter().map(of).sum()
+        self.states.len() + self.bodies.iter().map(of).sum::<usize>()
     }
 
     /// True if the system is hybrid: with dry friction, a stop or a wall.

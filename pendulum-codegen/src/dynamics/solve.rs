@@ -42,15 +42,15 @@ struct Pivot<'g> {
 }
 
 impl<'g> Factored<'g> {
-    /// Factors a symmetric matrix with at least one row. `determinant` is the determinant of a matrix with two rows, if
+    /// Factors a symmetric matrix. `determinant` is the determinant of a matrix with two rows, if
     /// a better form of it is known.
     pub(crate) fn new(solver: Solver, matrix: &[Vec<Expr<'g>>], determinant: Option<Expr<'g>>) -> Self {
         let n = matrix.len();
-        let graph = matrix[0][0].graph();
         let mut a = matrix.to_vec();
+        let zeros = |row: &Vec<Expr<'g>>| row.iter().map(|entry| entry.graph().zero()).collect();
         let mut factored = Self {
             pivots: Vec::new(),
-            lower: vec![vec![graph.zero(); n]; n],
+            lower: matrix.iter().map(zeros).collect(),
         };
         let mut end = n;
         while end > 0 {

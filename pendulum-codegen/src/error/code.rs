@@ -52,7 +52,7 @@ codes! {
     Circle "M106" "Declarations that need each other, or a later one",
     // Units and numbers.
     UnknownUnit "M201" "A unit that cannot be read",
-    MissingUnit "M202" "A parameter or input without a unit",
+    MissingUnit "M202" "A parameter, input or state without a unit",
     UnitMismatch "M203" "Units that do not fit",
     Degrees "M204" "An angle that looks like degrees",
     NumberRange "M205" "A number outside of double precision",

@@ -48,6 +48,8 @@ pub enum SymbolKind {
     Acceleration(usize),
     /// A value given at each evaluation.
     Input(usize),
+    /// A first-order state.
+    State(usize),
     /// The force along a constraint.
     Force(usize),
     /// Time.

@@ -45,6 +45,7 @@ pub(crate) fn values_and_rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, val
 fn along_motion<'g>(model: &Model<'g>, values: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let directions = changes(model.all_coordinates()).into_iter();
     let directions = directions.chain(model.all_coordinates().map(|c| (c.rate, c.acceleration)));
+    let directions = directions.chain(model.states.iter().map(|state| (state.symbol, state.rate)));
     let mut along = Derivative::along(directions.chain([(model.time, model.graph.one())]));
     let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
     model.with_drives(&rates)

@@ -3,7 +3,7 @@
 
 use rustc_hash::FxHashMap;
 
-use super::routines::on_top;
+use super::routines::stacked;
 use super::solved::Way;
 use super::written::Written;
 use super::{Basis, Candidate, Chosen, Forms, Products, expanded};
@@ -69,9 +69,14 @@ impl<'g> Rows<'g> {
             inverse.solve_negated(&against)
         };
         let columns: Vec<Vec<Expr<'g>>> = self.gradients.iter().map(column).collect();
-        let mut roots = [&model.kinematics(), accelerations].concat();
+        let mut roots = [&model.kinematics(), accelerations, &model.state_rates()].concat();
         roots.extend(self.accelerations(accelerations));
-        roots.extend(columns.iter().flat_map(|column| [&still[..], column].concat()));
+        let of_states = vec![model.graph.zero(); model.states.len()];
+        roots.extend(
+            columns
+                .iter()
+                .flat_map(|column| [&still[..], column, &of_states].concat()),
+        );
         for (n, gradient) in self.gradients.iter().enumerate() {
             roots.extend(columns[n..].iter().map(|column| dot(gradient, column)));
         }
@@ -142,7 +147,13 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
     forms.solutions(model, &variables, |way: &Way<'_, 'g>| {
         let own = bases.iter().find(|(basis, _)| *basis == way.form.basis);
         let (_, rows) = own.unwrap_or(&bases[0]);
-        let rates = on_top(model, &derived(&model.kinematics(), &variables), &[], &way.columns);
+        let of_states = derived(&model.state_rates(), &variables).concat();
+        let rates = stacked(
+            model,
+            &derived(&model.kinematics(), &variables),
+            &way.columns,
+            &of_states,
+        );
         let known: FxHashMap<_, _> = symbols.iter().copied().zip(way.accelerations.iter().copied()).collect();
         // chain rule: the partial derivative at fixed accelerations, plus `J` times the derivative of the accelerations
         let fixed = derived(&rows.accelerations(&symbols), &variables);

@@ -7,14 +7,16 @@ use crate::dynamics::{self, Balance, Reactions, derived};
 use crate::expr::Expr;
 use crate::model::{Gap, Model};
 
-/// Position rates and accelerations.
+/// Position rates, accelerations and rates of the first-order states.
 pub(crate) fn rhs<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let (known, dependent) = kinematics(model);
-    let chosen = forms.accelerations_and(&dependent);
+    let beside = [&dependent[..], &model.state_rates()].concat();
+    let chosen = forms.accelerations_and(&beside);
     chosen
         .with(|mut accelerations| {
-            let dependent = accelerations.split_off(model.dof());
-            [known, dependent, accelerations].concat()
+            let mut rates = accelerations.split_off(model.dof());
+            let of_states = rates.split_off(dependent.len());
+            [known, rates, accelerations, of_states].concat()
         })
         .counted(model)
 }
@@ -30,14 +32,16 @@ fn kinematics<'g>(model: &Model<'g>) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
 pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let state = model.state();
     let (known, dependent) = kinematics(model);
-    let beside = [dependent.clone(), derived(&dependent, &state).concat()].concat();
-    let chosen = forms.jacobian(model, &state, true, &beside);
+    let beside = [&dependent[..], &model.state_rates()].concat();
+    let with_derivatives = [beside.clone(), derived(&beside, &state).concat()].concat();
+    let chosen = forms.jacobian(model, &state, true, &with_derivatives);
     let chosen = chosen.with(|mut accelerations| {
         let mut columns = accelerations.split_off(model.dof());
-        let mut dependent = columns.split_off(state.len() * model.dof());
-        let of_dependent = dependent.split_off(dependent.len() / (1 + state.len()));
-        let columns = on_top(model, &derived(&known, &state), &of_dependent, &columns);
-        [known, dependent, accelerations, columns].concat()
+        let mut rates = columns.split_off(state.len() * model.dof());
+        let of_rates = rates.split_off(beside.len());
+        let of_states = rates.split_off(dependent.len());
+        let columns = stacked(model, &derived(&known, &state), &columns, &of_rates);
+        [known, rates, accelerations, of_states, columns].concat()
     });
     chosen.counted(model)
 }
@@ -80,28 +84,35 @@ pub(crate) fn input_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Ch
 
 fn by<'g>(forms: &mut Forms<'g>, model: &Model<'g>, variables: &[Expr<'g>]) -> Chosen<'g> {
     let (known, dependent) = kinematics(model);
-    let chosen = forms.jacobian(model, variables, false, &derived(&dependent, variables).concat());
+    let beside = [dependent, model.state_rates()].concat();
+    let chosen = forms.jacobian(model, variables, false, &derived(&beside, variables).concat());
     chosen.with(|mut columns| {
-        let of_dependent = columns.split_off(variables.len() * model.dof());
-        on_top(model, &derived(&known, variables), &of_dependent, &columns)
+        let of_rates = columns.split_off(variables.len() * model.dof());
+        stacked(model, &derived(&known, variables), &columns, &of_rates)
     })
 }
 
-/// Derivatives of the accelerations with respect to the parameters, column by column. The constraint forces follow the
-/// friction law of the right-hand side.
+/// Derivatives of the right-hand side with respect to the parameters, column by column. The constraint forces follow
+/// the friction law of the right-hand side.
 pub(crate) fn parameter_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let parameters: Vec<Expr<'g>> = model.parameters.iter().map(|parameter| parameter.symbol).collect();
     let (forces, dof) = (model.force_symbols(), model.dof());
     let slopes = derived(&model.with_friction(&forces), &parameters);
+    let (known, dependent) = kinematics(model);
+    let beside = [dependent, model.state_rates()].concat();
+    let [known, beside] = [known, beside].map(|rows| derived(&rows, &parameters));
     forms.solutions(model, &[&parameters[..], &forces].concat(), |way| {
         let (fixed, by_forces) = way.columns.split_at(parameters.len() * dof);
-        let columns = fixed.chunks(dof).zip(&slopes).flat_map(|(fixed, slopes)| {
+        let columns = slopes.iter().enumerate().flat_map(|(n, slopes)| {
             (0..dof).map(move |row| {
-                let of_forces = by_forces.chunks(dof).zip(slopes);
-                of_forces.fold(fixed[row], |sum, (column, &slope)| sum + column[row] * slope)
+                let of_forces = slopes.iter().enumerate();
+                of_forces.fold(fixed[n * dof + row], |sum, (force, &slope)| {
+                    sum + by_forces[force * dof + row] * slope
+                })
             })
         });
-        model.with_friction(&columns.collect::<Vec<_>>())
+        let columns = stacked(model, &known, &columns.collect::<Vec<_>>(), &beside.concat());
+        model.with_friction(&columns)
     })
 }
 
@@ -183,24 +194,28 @@ pub(crate) fn canonical_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -
         let rates = momenta.split_off(state.len() * model.dof());
         let [positions, kinematics] = [model.positions(), model.kinematics()].map(|rows| derived(&rows, &state));
         [
-            on_top(model, &positions, &[], &momenta),
-            on_top(model, &kinematics, &[], &rates),
+            stacked(model, &positions, &momenta, &[]),
+            stacked(model, &kinematics, &rates, &[]),
         ]
         .concat()
     })
 }
 
-/// Stacks three blocks of columns: `above`, `between`, and `columns` with one row for each degree of freedom.
-pub(super) fn on_top<'g>(
+/// Stacks blocks of columns in the order of the state: `known`, the rates of positions that are given directly; those
+/// of dependent coordinates, the first rows of `beside`; `accelerations`; and those of first-order states, the other
+/// rows of `beside`.
+pub(super) fn stacked<'g>(
     model: &Model<'g>,
-    above: &[Vec<Expr<'g>>],
-    between: &[Expr<'g>],
-    columns: &[Expr<'g>],
+    known: &[Vec<Expr<'g>>],
+    accelerations: &[Expr<'g>],
+    beside: &[Expr<'g>],
 ) -> Vec<Expr<'g>> {
-    let length = between.len() / above.len().max(1);
-    let whole = |(n, (above, below)): (usize, (&Vec<Expr<'g>>, &[Expr<'g>]))| {
-        [above, &between[n * length..(n + 1) * length], below].concat()
+    let (dof, rows) = (model.dof(), beside.len() / known.len().max(1));
+    let dependent = rows.saturating_sub(model.states.len());
+    let column = |(n, known): (usize, &Vec<Expr<'g>>)| {
+        let (of_dependent, of_states) = beside[n * rows..(n + 1) * rows].split_at(dependent);
+        let accelerations = &accelerations[n * dof..(n + 1) * dof];
+        [known, of_dependent, accelerations, of_states].concat()
     };
-    let pairs = above.iter().zip(columns.chunks(model.dof()));
-    pairs.enumerate().flat_map(whole).collect()
+    known.iter().enumerate().flat_map(column).collect()
 }

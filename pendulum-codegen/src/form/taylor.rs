@@ -104,7 +104,7 @@ impl<'g> Unknown<'g> {
         } = &mut shared.written.balance;
         let n = residual.len();
         let roots = share(g, &[&mass_matrix.concat()[..], residual].concat(), factor);
-        *mass_matrix = roots[..n * n].chunks(n).map(<[Expr<'g>]>::to_vec).collect();
+        *mass_matrix = roots[..n * n].chunks(n.max(1)).map(<[Expr<'g>]>::to_vec).collect();
         *residual = roots[n * n..].to_vec();
         shared
     }
@@ -124,8 +124,8 @@ fn constraint_accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
 fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, unknown: &Unknown<'g>, rows: &[Expr<'g>]) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
     of_order(model, &mut recurrences, &unknown.written.balance);
-    let kinematics = model.written_out(&model.kinematics());
-    for &row in kinematics.iter().chain(&unknown.accelerations).chain(rows) {
+    let known = model.written_out(&[model.kinematics(), model.state_rates()].concat());
+    for &row in known.iter().chain(&unknown.accelerations).chain(rows) {
         recurrences.coefficient(row);
     }
     recurrences.sides();
@@ -172,6 +172,8 @@ fn code<'g>(
     let kinematics = model.written_out(&model.kinematics());
     let kinematics: Vec<Expr<'g>> = kinematics.iter().map(|&rate| recurrences.coefficient(rate)).collect();
     order.splice(0..0, kinematics);
+    let of_states = model.written_out(&model.state_rates());
+    order.extend(of_states.iter().map(|&rate| recurrences.coefficient(rate)));
     let [left, right] = recurrences.sides();
     let slots = left.len();
     order.extend(left.into_iter().chain(right));
@@ -189,7 +191,7 @@ fn code<'g>(
     let order = g.substitute(&order, names);
     let solved = factored.solve_negated(&written.balance.residual);
     let solved = unknowns.into_iter().zip(solved).collect();
-    let start = g.substitute(&[&accelerations[..], &kept].concat(), solved);
+    let start = g.substitute(&[&accelerations[..], &of_states, &kept].concat(), solved);
     symbols.sums.truncate(slots);
     symbols.kept.truncate(kept.len());
     Taylor {

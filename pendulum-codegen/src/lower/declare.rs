@@ -11,7 +11,7 @@ use super::written::written;
 use crate::ast::{self, ExprKind, Read};
 use crate::error::{Code, Reported};
 use crate::expr::{Definition, Expr, Level, SymbolKind};
-use crate::model::{Coordinate, Input, Parameter};
+use crate::model::{Coordinate, Input, Parameter, State};
 use crate::units::Unit;
 
 impl<'g> Lower<'g> {
@@ -95,6 +95,61 @@ impl<'g> Lower<'g> {
             });
         }
         inputs
+    }
+
+    /// Declares the first-order states; their rates follow later.
+    pub(super) fn states(&mut self, declared: &[ast::State]) -> Vec<State<'g>> {
+        let mut states = Vec::new();
+        for state in declared {
+            let name = state.name.to_string();
+            let unit = match (&state.unit, state.unread) {
+                (Some(unit), _) => self.read(unit).cloned(),
+                (None, Some(reported)) => Err(reported),
+                (None, None) => {
+                    let fact = format_args!("state `{name}` has no unit");
+                    let help = "write `unit: A`, or `unit: 1` for a plain number";
+                    Err(self.errors.at(Code::MissingUnit, state.name.span(), fact, help))
+                }
+            };
+            let measure = unit
+                .as_ref()
+                .map_or(Measure::Unknown, |unit| Measure::in_dimension(unit.dimension));
+            let symbol = self.graph.symbol(&name, SymbolKind::State(states.len()));
+            self.names
+                .declare(&mut self.errors, Kind::State, &state.name, (measure, Some(symbol)));
+            states.push(State {
+                name,
+                docs: state.docs.clone(),
+                unit: unit.unwrap_or_default(),
+                symbol,
+                rate: self.graph.zero(),
+            });
+        }
+        states
+    }
+
+    /// Lowers the rates of the first-order states.
+    pub(super) fn state_rates(&mut self, declared: &[ast::State], mut states: Vec<State<'g>>) -> Vec<State<'g>> {
+        for (state, own) in declared.iter().zip(&mut states) {
+            let Some(rate) = &state.rate else {
+                if state.unread.is_none() {
+                    let fact = format_args!("state `{}` has no rate", state.name);
+                    let help = "write `rate: e`, its time derivative";
+                    self.errors.at(Code::NoRate, state.name.span(), fact, help);
+                }
+                continue;
+            };
+            let has_unit = state.unit.as_ref().is_some_and(Result::is_ok);
+            let place = Place {
+                unit: has_unit.then(|| own.unit.rate().into()),
+                ..Place::moving(format!("the rate of `{}`", state.name))
+            };
+            let value = self.read(rate);
+            if let Ok(rate) = value.and_then(|rate| self.expr(rate, &place)) {
+                own.rate = rate;
+            }
+        }
+        states
     }
 
     /// Declares names, and returns their definitions as written. Values are set later, so that a use before the

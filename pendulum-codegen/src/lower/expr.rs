@@ -36,7 +36,7 @@ pub(super) enum Only {
     All,
     /// All kinds except inputs.
     State,
-    /// Coordinates, points and the time.
+    /// Coordinates, points, first-order states and the time.
     Positions,
     /// Coordinates, points and the time, in the gap of a wall.
     Gap,
@@ -49,6 +49,7 @@ impl Only {
         match kind {
             SymbolKind::Input(_) => self == Self::All,
             SymbolKind::Rate(_) | SymbolKind::PointRate(_) => matches!(self, Self::All | Self::State),
+            SymbolKind::State(_) => !matches!(self, Self::Gap | Self::Motion),
             SymbolKind::Point(_) | SymbolKind::Dependent(_) => self != Self::Motion,
             _ => true,
         }

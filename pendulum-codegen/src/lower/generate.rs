@@ -16,13 +16,18 @@ pub(super) struct Has {
     pub(super) drives: bool,
     pub(super) loops: bool,
     pub(super) orientations: bool,
+    /// Coordinates, or joints that have them.
+    pub(super) coordinates: bool,
+    pub(super) states: bool,
 }
 
 impl Lower<'_> {
     /// Routines to generate, by default if the list is omitted.
     pub(super) fn generate(&mut self, items: &Items, has: Has) -> BTreeSet<&'static str> {
         let Some((word, list)) = &items.generate else {
-            return ["rhs", "jacobian", "energy"].into();
+            let mut words: BTreeSet<&'static str> = ["rhs", "jacobian"].into();
+            words.extend(has.coordinates.then_some("energy"));
+            return words;
         };
         if list.is_empty() && items.outputs.is_empty() && items.events.is_empty() {
             let help = "write `generate: [rhs, jacobian, energy]`, or leave it out";
@@ -68,6 +73,18 @@ fn hindrance(word: &str, has: Has) -> Option<(String, String)> {
         "loop_wrenches" if !has.loops => (
             "no loop is closed",
             "tie two bodies by `close a at [..] to b at [..]: revolute(z)`, or leave it out",
+        ),
+        "energy" | "mass_matrix" | "bias" | "momentum" | "canonical" | "inverse_dynamics" | "shapes"
+            if !has.coordinates && has.states =>
+        {
+            (
+                "no body of the scene moves: it consists of first-order states",
+                "leave it out; a quantity of the states is an `output name: e`",
+            )
+        }
+        "canonical" if has.states => (
+            "a scene with first-order states has no canonical equations",
+            "leave out `canonical`; all methods but `Gauss4` and `Gauss6` integrate such scenes",
         ),
         "canonical" if has.orientations => (
             "a scene with orientations has no canonical equations: angular velocities are the rates of no coordinates",

@@ -165,6 +165,7 @@ impl<'g> Lower<'g> {
     fn scene(mut self, scene: &Scene) -> Result<Lowered<'g>, Errors> {
         let items = &scene.items;
         let (mut tree, lets) = self.tree(items);
+        let states = std::mem::take(&mut tree.states);
         let walls = self.walls(items);
         let has = Has {
             parameters: !tree.parameters.is_empty(),
@@ -172,9 +173,12 @@ impl<'g> Lower<'g> {
             drives: !tree.drives.is_empty(),
             loops: !items.closures.is_empty(),
             orientations: tree.has_orientations(),
+            coordinates: !items.bodies.is_empty(),
+            states: !states.is_empty(),
         };
         tree.generate = self.generate(items, has);
         tree.points = self.points(&items.points);
+        tree.states = self.state_rates(&items.states, states);
         if tree.generate.contains("shapes") {
             // drawn points count as used
             tree.points.iter().for_each(|point| self.names.mark_used(&point.name));
@@ -186,7 +190,7 @@ impl<'g> Lower<'g> {
         events.extend(self.saturations());
         self.check_functions(items);
         let constraints = constrain(&mut tree, walls);
-        self.require_motion(scene, &tree.coordinates);
+        self.require_motion(scene, &tree);
         self.report_refused_defaults(&items.params, &tree.parameters);
         self.report_unused(items);
         let most = items.robot.iter().flat_map(|robot| &robot.most);
@@ -221,11 +225,12 @@ impl<'g> Lower<'g> {
     fn tree(&mut self, items: &Items) -> (Tree<'g>, Vec<Definition>) {
         let parameters = self.parameters(&items.params);
         let inputs = self.inputs(&items.inputs);
+        let states = self.states(&items.states);
         let lets = self.declare_lets(&items.lets);
         let order = self.order(&items.bodies);
         let coordinates = self.coordinates(&items.bodies, 0, false);
         let dependents = self.coordinates(&items.bodies, coordinates.len(), true);
-        self.check_places(&items.bodies);
+        self.check_places(items);
         self.declare_points(items);
         self.declare_margins(items);
         let points = self.points.values().map(Declared::symbols);
@@ -239,6 +244,7 @@ impl<'g> Lower<'g> {
             graph: self.graph,
             parameters,
             inputs,
+            states,
             coordinates,
             drives,
             dependents,
@@ -267,8 +273,8 @@ impl<'g> Lower<'g> {
     }
 
     /// Reports a scene without motion, unless another error may be the cause.
-    fn require_motion(&mut self, scene: &Scene, coordinates: &[Coordinate<'g>]) {
-        if !self.errors.is_empty() || !coordinates.is_empty() {
+    fn require_motion(&mut self, scene: &Scene, tree: &Tree<'g>) {
+        if !self.errors.is_empty() || !tree.coordinates.is_empty() || !tree.states.is_empty() {
             return;
         }
         let name = &scene.head.name;
@@ -289,7 +295,7 @@ impl<'g> Lower<'g> {
             (
                 Code::NoScene,
                 format!("`{name}` has no body"),
-                "add `body name on ground { mass: .., joint: .., coordinate: .. }`",
+                "add `body name on ground { mass: .., joint: .., coordinate: .. }`, or `state name { unit: .., rate: .. }`",
             )
         } else {
             (

@@ -280,6 +280,11 @@ impl<'g> Lower<'g> {
             return Err(*reported);
         }
         match self.names.kind(&text) {
+            Some(Kind::State) => {
+                let fact = format_args!("the rate of the state `{text}` is not known here");
+                let help = format_args!("name it: `let rate_of_{text} = ..`, and `rate: rate_of_{text}` in the state");
+                Err(self.errors.at(Code::NoRate, name.span(), fact, help))
+            }
             Some(Kind::Let | Kind::Input) => Ok(None),
             None if text == "t" => Ok(None),
             Some(Kind::Orientation | Kind::Position | Kind::Point) => {
@@ -305,7 +310,11 @@ impl<'g> Lower<'g> {
         let without_rate = symbols.find(|symbol| {
             matches!(
                 symbol.kind,
-                SymbolKind::Rate(_) | SymbolKind::PointRate(_) | SymbolKind::Input(_) | SymbolKind::Dependent(_)
+                SymbolKind::Rate(_)
+                    | SymbolKind::PointRate(_)
+                    | SymbolKind::Input(_)
+                    | SymbolKind::State(_)
+                    | SymbolKind::Dependent(_)
             )
         });
         if let Some(symbol) = without_rate {

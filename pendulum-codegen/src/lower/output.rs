@@ -8,7 +8,7 @@ use super::scope::Kind;
 use crate::ast::{self, ExprKind, OutputValue};
 use crate::error::{Code, Reported};
 use crate::expr::{Expr, Level};
-use crate::model::{Event, FACTS, Output, OutputShape, Poses, places};
+use crate::model::{Event, FACTS, Output, OutputShape, Poses, constant, places};
 use crate::program;
 
 impl<'g> Lower<'g> {
@@ -113,6 +113,9 @@ impl<'g> Lower<'g> {
         for (_, coordinate) in items.bodies.iter().flat_map(|body| body.fields.slots()) {
             let constants = places(&coordinate);
             taken.extend(constants.map(|constant| (constant, format!("coordinate `{coordinate}`"))));
+        }
+        for state in &items.states {
+            taken.insert(constant(&state.name.to_string()), format!("state `{}`", state.name));
         }
         for n in 0..self.clamps.len() {
             let functions = program::functions_of_event(&program::saturation(n));

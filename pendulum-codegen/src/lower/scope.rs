@@ -29,6 +29,7 @@ struct Name<'g> {
 pub(super) enum Kind {
     Parameter,
     Input,
+    State,
     Let,
     Coordinate,
     Orientation,
@@ -37,9 +38,12 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// True for names that belong to joints, which always affect the motion.
-    fn is_of_joint(self) -> bool {
-        matches!(self, Self::Coordinate | Self::Orientation | Self::Position)
+    /// True for names of components of the state, which are part of the motion even if no expression uses them.
+    fn is_of_state(self) -> bool {
+        matches!(
+            self,
+            Self::State | Self::Coordinate | Self::Orientation | Self::Position
+        )
     }
 
     /// Kind with its article: `an input`.
@@ -58,6 +62,7 @@ impl std::fmt::Display for Kind {
         f.write_str(match self {
             Self::Parameter => "parameter",
             Self::Input => "input",
+            Self::State => "state",
             Self::Let => "`let`",
             Self::Coordinate => "coordinate",
             Self::Orientation => "orientation",
@@ -209,7 +214,7 @@ impl<'g> Names<'g> {
         let mut unused: Vec<_> = self
             .0
             .iter()
-            .filter(|(_, name)| !name.used && !name.kind.is_of_joint())
+            .filter(|(_, name)| !name.used && !name.kind.is_of_state())
             .collect();
         unused.sort_by_key(|(_, name)| name.order);
         for (text, name) in unused {

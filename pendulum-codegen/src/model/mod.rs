@@ -27,7 +27,7 @@ pub(crate) use action::{Action, Place, Push};
 pub(crate) use body::{Body, Heading};
 pub(crate) use closure::{Closure, Row, Tie};
 pub(crate) use combination::Combination;
-pub(crate) use constants::{FACTS, places};
+pub(crate) use constants::{FACTS, constant, places};
 pub(crate) use constraint::{Constraint, Law, MAX_CONSTRAINTS};
 pub(crate) use coordinate::{Coordinate, changes};
 pub(crate) use dependent::Dependence;
@@ -57,6 +57,8 @@ pub(crate) struct Tree<'g> {
     pub parameters: Vec<Parameter<'g>>,
     /// Inputs.
     pub inputs: Vec<Input<'g>>,
+    /// First-order states.
+    pub states: Vec<State<'g>>,
     /// Coordinates of the state, in the order of their bodies in the source.
     pub coordinates: Vec<Coordinate<'g>>,
     /// Driven joints, whose coordinates are numbered after those of the state.
@@ -142,6 +144,21 @@ pub(crate) struct Input<'g> {
     pub unit: Unit,
     /// Symbol in expressions.
     pub symbol: Expr<'g>,
+}
+
+/// A first-order state: a component of the state that is neither a coordinate nor the rate of one.
+#[derive(Debug)]
+pub(crate) struct State<'g> {
+    /// Name.
+    pub name: String,
+    /// Documentation.
+    pub docs: Vec<String>,
+    /// Unit.
+    pub unit: Unit,
+    /// Symbol in expressions.
+    pub symbol: Expr<'g>,
+    /// Time derivative.
+    pub rate: Expr<'g>,
 }
 
 impl Model<'_> {
@@ -246,10 +263,17 @@ impl<'g> Tree<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// State vector: positions, then rates.
+    /// State vector: positions, then rates, then first-order states.
     pub(crate) fn state(&self) -> Vec<Expr<'g>> {
         let rates = self.coordinates.iter().map(|c| c.rate);
-        self.positions().into_iter().chain(rates).collect()
+        let states = self.states.iter().map(|state| state.symbol);
+        self.positions().into_iter().chain(rates).chain(states).collect()
+    }
+
+    /// Time derivatives of the first-order states.
+    pub(crate) fn state_rates(&self) -> Vec<Expr<'g>> {
+        let rates: Vec<Expr<'g>> = self.states.iter().map(|state| state.rate).collect();
+        self.with_drives(&rates)
     }
 
     /// Positions: the four quaternion components of each orientation, the value of every other coordinate, then the
@@ -290,6 +314,7 @@ impl<'g> Model<'g> {
     pub(crate) fn names(&self) -> BTreeSet<String> {
         let parameters = self.parameters.iter().map(|p| &p.name);
         let inputs = self.inputs.iter().map(|i| &i.name);
+        let inputs = inputs.chain(self.states.iter().map(|state| &state.name));
         let coordinates = self.coordinates.iter().map(|c| &c.name);
         let names = parameters.chain(inputs).chain(coordinates);
         let names = names.chain(self.lets.iter().map(|l| &l.name));

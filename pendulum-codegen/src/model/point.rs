@@ -57,11 +57,12 @@ impl<'g> Model<'g> {
         let bodies = self.tree.bodies.iter_mut();
         let of_bodies = bodies.flat_map(|body| [&mut body.force, &mut body.passive, &mut body.potential]);
         let of_actions = self.tree.actions.iter_mut().flat_map(Action::expressions);
+        let of_states = self.tree.states.iter_mut().map(|state| &mut state.rate);
         let of_outputs = self.outputs.iter_mut().flat_map(|output| &mut output.values);
         let of_events = self.events.iter_mut().map(|event| &mut event.value);
         let of_constraints = self.constraints.iter_mut().map(|constraint| &mut constraint.value);
         let places = of_bodies.chain(of_actions).chain(of_outputs).chain(of_events);
-        let places = places.chain(of_constraints);
+        let places = places.chain(of_constraints).chain(of_states);
         let places: Vec<&mut Expr<'g>> = places.collect();
         let unresolved: Vec<Expr<'g>> = places.iter().map(|place| **place).collect();
         let resolved = self.tree.graph.substitute(&unresolved, values);

@@ -11,6 +11,7 @@ mod joint;
 mod point;
 mod robot;
 mod solid;
+mod state;
 mod token;
 mod wall;
 
@@ -30,12 +31,13 @@ use crate::words::{self, Advice, advice};
 use token::{brackets, colon, identifier, list, starts_known, unexpected};
 
 /// Names of the items of a scene.
-const ITEMS: [&str; 19] = [
+const ITEMS: [&str; 20] = [
     "units",
     "params",
     "gravity",
     "let",
     "input",
+    "state",
     "shape",
     "robot",
     "body",
@@ -307,6 +309,10 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
         }
         "let" => items.lets.push(declare::named_expression(input, errors)?),
         "input" => items.inputs.push(declare::input(input, docs, errors)?),
+        "state" => {
+            items.states.push(state::state(input, docs, errors)?);
+            return Ok(End::Braces);
+        }
         "gravity" => {
             colon(input, &key, errors)?;
             once(&mut items.gravity, input.parse()?, &key)?;

@@ -7,9 +7,12 @@ use syn::Ident;
 use super::output::{Event, Observed, functions_of_event, functions_of_output, is_function, saturation};
 use super::routine::Head;
 use super::table::{Counts, ROUTINES, Request, words};
-use super::{Block, Constraint, Drawing, Equations, Program, Quantity, Routine, Series, Slot, SlotKind, StateLayout};
+use super::{
+    Block, Constraint, Drawing, Equations, Program, Quantity, Routine, Series, Slot, SlotKind, StateLayout,
+    StateVariable,
+};
 use crate::ast::{Axis, Body, BodyFields, ExprKind, Input, Items, JointKind, Output, OutputValue, Scene};
-use crate::model::{self, FACTS, MAX_CONSTRAINTS, OutputShape, places};
+use crate::model::{self, FACTS, MAX_CONSTRAINTS, OutputShape, constant, places};
 
 impl Program {
     /// Program with everything that a declaration could request, for the given inputs and `unread` more coordinates:
@@ -172,8 +175,20 @@ fn layout(items: &Items, unread: usize) -> StateLayout {
         });
         (position, rate) = (position + positions, rate + rates);
     }
+    let states = items
+        .states
+        .iter()
+        .filter(|state| taken.insert(constant(&state.name.to_string())));
+    let states = (rate..).zip(states).map(|(index, state)| StateVariable {
+        name: state.name.to_string(),
+        docs: state.docs.clone(),
+        unit: "1".to_owned(),
+        index,
+        constant: constant(&state.name.to_string()),
+    });
     StateLayout {
         slots,
+        states: states.collect(),
         autonomous: false,
     }
 }

@@ -6,7 +6,7 @@ use num_traits::Zero;
 use rustc_hash::FxHashMap;
 
 use crate::expr::{Binary, Expr, ExprId, Graph, Node, Normalizer, Rational, Unary, ratio};
-use crate::model::{CoordinateId, Model, places};
+use crate::model::{CoordinateId, Model, constant, places};
 use crate::screw::Twist;
 
 /// Layout of the state.
@@ -14,6 +14,8 @@ use crate::screw::Twist;
 pub struct StateLayout {
     /// Coordinates, in the order of the state.
     pub slots: Vec<Slot>,
+    /// First-order states, which follow the rates of the coordinates.
+    pub states: Vec<StateVariable>,
     /// True if the right-hand side is proven not to depend on time.
     pub autonomous: bool,
 }
@@ -35,6 +37,21 @@ pub struct Slot {
     pub periodic: bool,
     /// True if the right-hand side is proven not to depend on the position.
     pub cyclic: bool,
+}
+
+/// First-order state and its index in the state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StateVariable {
+    /// Name.
+    pub name: String,
+    /// Documentation, line by line.
+    pub docs: Vec<String>,
+    /// Unit, as written in the declaration.
+    pub unit: String,
+    /// Index in the state.
+    pub index: usize,
+    /// Name of the constant for the index.
+    pub constant: String,
 }
 
 /// Quantity that a coordinate measures.
@@ -115,8 +132,17 @@ impl StateLayout {
             });
             position += 1;
         }
+        let states = (first_rate + k..).zip(&model.states);
+        let states = states.map(|(index, state)| StateVariable {
+            name: state.name.trim_start_matches("r#").to_owned(),
+            docs: state.docs.clone(),
+            unit: state.unit.text.clone(),
+            index,
+            constant: constant(&state.name),
+        });
         Self {
             slots,
+            states: states.collect(),
             autonomous: !controlled && !occurs(model.time),
         }
     }
@@ -125,10 +151,9 @@ impl StateLayout {
 impl StateLayout {
     /// Number of components of the state.
     pub fn len(&self) -> usize {
-        self.slots
-            .iter()
-            .map(|slot| slot.positions.len() + slot.rates.len())
-            .sum()
+        let of_slots = self.slots.iter();
+        let of_slots = of_slots.map(|slot| slot.positions.len() + slot.rates.len());
+        of_slots.sum::<usize>() + self.states.len()
     }
 
     /// True if the state has no components.

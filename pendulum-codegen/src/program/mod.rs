@@ -20,7 +20,7 @@ pub use block::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
 pub use drawing::{Drawing, Outline};
 pub use equations::{ConstraintForce, Equations, Listing, Row, RowKind};
-pub use layout::{Slot, SlotKind, StateLayout};
+pub use layout::{Slot, SlotKind, StateLayout, StateVariable};
 pub use output::Event;
 pub(crate) use output::{functions_of_event, functions_of_output, is_function, saturation};
 pub use routine::{Argument, Cost, Role, Routine, Shape};
@@ -168,7 +168,7 @@ impl Program {
             Some((_, rhs)) => rhs.roots.clone(),
             None => {
                 let (balance, _) = forms.closed().unwrap_or((&dynamics.balance, &dynamics.lagrangian));
-                model.written_out(&balance.rows)
+                model.written_out(&[&balance.rows[..], &model.state_rates()].concat())
             }
         };
         let layout = StateLayout::new(model, &[deciding, model.written_out(&model.watched())].concat());

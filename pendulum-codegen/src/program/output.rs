@@ -86,7 +86,7 @@ pub(super) struct Observed<'g> {
 pub(super) fn routines<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Vec<(Head, Chosen<'g>)> {
     let mut routines = Vec::new();
     for observed in Observed::each_and_all(&model.outputs) {
-        // the rate of a rate depends on the accelerations, and those on the inputs
+        // the rate of a rate depends on the accelerations, and those on the inputs, as may the rate of a state
         let takes_inputs = !model.inputs.is_empty() && has_rates(model, &observed.values);
         let values = observed.values.clone();
         let chosen = [form::values, form::rates, form::values_and_jacobian].map(|form| form(forms, model, &values));
@@ -184,9 +184,9 @@ impl Head {
     }
 }
 
-/// True if expressions depend on the rates of the state.
+/// True if expressions depend on rates or first-order states.
 fn has_rates<'g>(model: &Model<'g>, values: &[Expr<'g>]) -> bool {
     let values = model.with_drives(values);
     let mut symbols = model.graph.symbols_of(&values);
-    symbols.any(|symbol| matches!(symbol.kind, SymbolKind::Rate(_)))
+    symbols.any(|symbol| matches!(symbol.kind, SymbolKind::Rate(_) | SymbolKind::State(_)))
 }

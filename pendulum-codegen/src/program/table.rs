@@ -428,10 +428,10 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "parameter_jacobian",
         name: "parameter_jacobian",
         role: Role::Function,
-        doc: "The derivatives of the accelerations with respect to the parameters: one column for each, in the order \
-              of their declaration.",
+        doc: "The derivatives of the right-hand side with respect to the parameters at a fixed state: one column for \
+              each, in the order of their declaration.",
         arguments: &[Inputs],
-        shapes: &[Matrix(Freedom, Parameters)],
+        shapes: &[Matrix(State, Parameters)],
         wanted: ASKED,
         form: form::parameter_jacobian,
     },

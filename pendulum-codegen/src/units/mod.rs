@@ -36,6 +36,15 @@ impl Unit {
         syn::parse_str(text).ok()
     }
 
+    /// Text of the unit of a rate of change.
+    pub(crate) fn rate(&self) -> String {
+        let rate = self.dimension.times(Dimension::TIME, -Power::one());
+        match rate.filter(|_| self.text.contains('/')) {
+            Some(rate) => rate.to_string(),
+            None => format!("{}/s", self.text),
+        }
+    }
+
     /// Iterates over the names in the unit, without their powers.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         let words = self.text.split(|c: char| !c.is_ascii_alphabetic());

@@ -105,6 +105,8 @@ pub(super) struct AtModes<V: Lanes, const N: usize> {
     ready: Vec<(usize, Progress<V::Scalar, N>)>,
     hold: Hold<V>,
     laws: [Law<V>; MAX_CONSTRAINTS],
+    /// Number of degrees of freedom.
+    dof: usize,
 }
 
 impl<F, M, V, W, const N: usize> Leave<Adaptive<F>, M, V, W, N> for AtModes<V, N>
@@ -123,6 +125,7 @@ where
             ready: Vec::new(),
             hold: Hold::default(),
             laws: [Law::default(); MAX_CONSTRAINTS],
+            dof: N / 2,
         }
     }
 
@@ -152,7 +155,7 @@ where
     #[inline(always)]
     fn begin<S: System<V, N>>(&mut self, system: &S) {
         if let Some(hybrid) = system.hybrid() {
-            self.laws = hybrid.laws();
+            (self.laws, self.dof) = (hybrid.laws(), hybrid.dof());
         }
         for (n, force) in self.hold.forces.iter_mut().enumerate() {
             let zero = V::Scalar::default();
@@ -177,7 +180,7 @@ where
         let Pacing::Controlled(control) = steps else { return };
         let zero = V::Scalar::default();
         let (constraints, measures) = (hybrid.constraints(), hybrid.measures(step.t0, &step.x0));
-        let room = room((constraints, &self.laws), &measures, terms);
+        let room = room((constraints, &self.laws, self.dof), &measures, terms);
         for (lane, own) in self.modes.iter_mut().enumerate() {
             let (Some(index), Some(own)) = (members.index(lane), own) else {
                 continue;

@@ -195,11 +195,11 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             least = Some(least.map_or(outcome, |least: SVector<T, N>| least.zip_map(&outcome, T::min)));
             most = Some(most.map_or(outcome, |most: SVector<T, N>| most.zip_map(&outcome, T::max)));
         }
-        let (least, most) = (least?, most?);
-        let sizes = [self.x, least, most].map(|x| self.gains.of_kind(&x));
+        let (least, most, dof) = (least?, most?, self.system.dof());
+        let sizes = [self.x, least, most].map(|x| self.gains.of_kind(dof, &x));
         let size = |k: usize| sizes.iter().fold(T::default(), |size, sizes| size.max(sizes[k]));
         let differences = most - least;
-        let matters = (N / 2..N).any(|k| differences[k] > ulps(ORDER_MATTERS, size(k)));
+        let matters = (dof..2 * dof).any(|k| differences[k] > ulps(ORDER_MATTERS, size(k)));
         matters.then_some(differences)
     }
 

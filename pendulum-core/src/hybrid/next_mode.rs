@@ -79,7 +79,8 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// Sizes of the terms that sum up to the accelerations of the constraints.
     pub(super) fn sizes_of_accelerations(&self, response: &Response<T, N>) -> [T; MAX_CONSTRAINTS] {
         let mut of_accelerations = self.x;
-        for k in N / 2..N {
+        let dof = self.system.dof();
+        for k in dof..2 * dof {
             of_accelerations[k] = response.rates[k];
         }
         self.gains.sizes(self.system, self.t, &of_accelerations).rates

@@ -21,13 +21,16 @@ const FEW: usize = MAX_DEGREE + 1;
 /// Number of terms of a polynomial of any scheme.
 const MANY: usize = MAX_ORDER + 1;
 
+/// A witness of a constraint, and the number of degrees of freedom.
+pub(super) type Watched<'a> = (&'a Constraint<'a>, Witness, usize);
+
 /// Lower bounds, over a step in lanes, of the rate of each constraint in its direction and of its distance from its
 /// limits, where nothing is held. The mode of a lane does not end if both are positive. All rates are sums of
 /// components of the state.
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(crate) fn room<V: Lanes, const N: usize>(
-    (constraints, laws): (&[Constraint], &[Law<V>; MAX_CONSTRAINTS]),
+    (constraints, laws, dof): (&[Constraint], &[Law<V>; MAX_CONSTRAINTS], usize),
     measures: &[[V; 2]; MAX_CONSTRAINTS],
     terms: &[SVector<V, N>],
 ) -> [[V; 2]; MAX_CONSTRAINTS] {
@@ -37,14 +40,14 @@ pub(crate) fn room<V: Lanes, const N: usize>(
         let [value, rate] = measures[n];
         // no closures: they might not be inlined
         let low = match laws[n].low {
-            Some(low) => least((value - low, one), (constraint, Witness::Low), terms),
+            Some(low) => least((value - low, one), (constraint, Witness::Low, dof), terms),
             None => one,
         };
         let high = match laws[n].high {
-            Some(high) => least((high - value, -one), (constraint, Witness::High), terms),
+            Some(high) => least((high - value, -one), (constraint, Witness::High, dof), terms),
             None => one,
         };
-        let rate = least((rate.abs(), rate.signum()), (constraint, Witness::Slip), terms);
+        let rate = least((rate.abs(), rate.signum()), (constraint, Witness::Slip, dof), terms);
         room[n] = [rate, (low - high).select(low, high)];
     }
     room
@@ -54,7 +57,7 @@ pub(crate) fn room<V: Lanes, const N: usize>(
 /// with a sum of components of the polynomial `x0 + c_1 theta + c_2 theta^2 + ..`.
 #[cfg(feature = "std")]
 #[inline(always)]
-fn least<V: Lanes, const N: usize>(start: (V, V), witness: (&Constraint, Witness), terms: &[SVector<V, N>]) -> V {
+fn least<V: Lanes, const N: usize>(start: (V, V), witness: Watched<'_>, terms: &[SVector<V, N>]) -> V {
     if terms.len() < FEW {
         Polynomial::<V, FEW>::new(start, witness, terms).least()
     } else {
@@ -65,7 +68,7 @@ fn least<V: Lanes, const N: usize>(start: (V, V), witness: (&Constraint, Witness
 /// True if the lower bound of a witness over a step is positive.
 pub(super) fn stays_positive<T: Float, const N: usize>(
     start: (T, T),
-    witness: (&Constraint, Witness),
+    witness: Watched<'_>,
     terms: &[SVector<T, N>],
 ) -> bool {
     if terms.len() < FEW {
@@ -97,7 +100,7 @@ pub(super) enum Course<T> {
 /// `noise`. Undershoots of at most `noise` do not count as zeros.
 pub(super) fn course<T: Float, const N: usize>(
     start: (T, T),
-    witness: (&Constraint, Witness),
+    witness: Watched<'_>,
     terms: &[SVector<T, N>],
     (is_positive, noise): (bool, T),
 ) -> Course<T> {
@@ -118,10 +121,10 @@ impl<V: Lanes, const TERMS: usize> Polynomial<V, TERMS> {
     #[inline(always)]
     fn new<const N: usize>(
         (value, sign): (V, V),
-        (constraint, witness): (&Constraint, Witness),
+        (constraint, witness, dof): Watched<'_>,
         terms: &[SVector<V, N>],
     ) -> Self {
-        let back = if witness.is_gap() { N / 2 } else { 0 };
+        let back = if witness.is_gap() { dof } else { 0 };
         let mut coefficients = [V::default(); TERMS];
         coefficients[0] = value;
         for (coefficient, term) in coefficients[1..].iter_mut().zip(terms) {

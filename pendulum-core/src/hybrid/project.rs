@@ -22,7 +22,7 @@ pub(crate) fn project<T: Float, const N: usize>(
     if bits(hold.held).all(|n| !constraints[n].rate.is_empty()) {
         return;
     }
-    let laws = system.laws();
+    let (laws, dof) = (system.laws(), system.dof());
     let response = system.response(t, x, &hold.forces);
     let touched = set_of((0..MAX_CONSTRAINTS).filter(|&n| touching[n].touches()));
     let placed = if touched & !hold.held == 0 {
@@ -33,9 +33,9 @@ pub(crate) fn project<T: Float, const N: usize>(
     // the second pass removes the quadratic error of the first
     for _ in 0..2 {
         let measures = system.measures(t, x);
-        shift(x, N / 2, &response, placed, &apart(&laws, touching, &measures));
+        shift(x, dof, (&response, dof), placed, &apart(&laws, touching, &measures));
         let rates = system.measures(t, x).map(|[_, rate]| rate);
-        shift(x, 0, &response, hold.solved, &rates);
+        shift(x, 0, (&response, dof), hold.solved, &rates);
     }
     pin(system, hold.held, x);
 }
@@ -66,7 +66,7 @@ pub(crate) fn place_coordinates<T: Float, const N: usize>(
     let apart = apart(&system.laws(), touching, &system.measures(t, x));
     for (n, constraint) in system.constraints().iter().enumerate() {
         if let Some(&(component, sign)) = constraint.rate.last() {
-            x[component - N / 2] -= T::from_f64(f64::from(sign)) * apart[n];
+            x[component - system.dof()] -= T::from_f64(f64::from(sign)) * apart[n];
         }
     }
 }
@@ -76,13 +76,13 @@ pub(crate) fn place_coordinates<T: Float, const N: usize>(
 pub(super) fn shift<T: Float, const N: usize>(
     x: &mut SVector<T, N>,
     before: usize,
-    response: &Response<T, N>,
+    (response, dof): (&Response<T, N>, usize),
     solved: u8,
     surplus: &[T; MAX_CONSTRAINTS],
 ) {
     let moves = solve_negated(&response.matrix, solved, surplus);
     for n in bits(solved) {
-        for component in N / 2..N {
+        for component in dof..2 * dof {
             x[component - before] += response.columns[n][component] * moves[n];
         }
     }

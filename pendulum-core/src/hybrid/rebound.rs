@@ -219,7 +219,8 @@ impl<'a, T: Float, const N: usize> Flight<'a, T, N> {
         rebounds.for_each(|rebound| self.heights[rebound.of] += rebound.rise(time));
         let now = &mut self.now;
         let rates = rhs(now.system, &self.next.hold, now.t, &now.x);
-        for k in N / 2..N {
+        let dof = now.system.dof();
+        for k in dof..2 * dof {
             now.x[k] += time * rates[k];
         }
         for n in bits(self.flying) {

@@ -151,7 +151,8 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             let response = self.system.response(self.t, &self.x, &[T::default(); MAX_CONSTRAINTS]);
             let solved = independent(&response.matrix, self.touched() | self.resting);
             let apart = apart(&self.laws, &self.touching, &self.system.measures(self.t, &self.x));
-            shift(&mut self.x, N / 2, &response, solved, &apart);
+            let dof = self.system.dof();
+            shift(&mut self.x, dof, (&response, dof), solved, &apart);
         }
         place_coordinates(self.system, &self.touching, self.t, &mut self.x);
     }
@@ -168,7 +169,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         let response = self.system.response(self.t, &self.x, &[T::default(); MAX_CONSTRAINTS]);
         let solved = independent(&response.matrix, self.resting);
         let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
-        shift(&mut self.x, 0, &response, solved, &rates);
+        shift(&mut self.x, 0, (&response, self.system.dof()), solved, &rates);
         // constraints held by the others rest too
         for (n, [_, rate]) in self.system.measures(self.t, &self.x).into_iter().enumerate() {
             let rests = n < constraints.len() && rate.abs() <= ulps(AT_LIMIT, sizes.rates[n]);

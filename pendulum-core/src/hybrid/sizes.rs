@@ -47,7 +47,7 @@ impl<T: Float, const N: usize> Gains<T, N> {
         gains.note(system, t, x);
         // the gap between a hanging pendulum and the floor has a zero derivative there
         let mut turned = *x;
-        for k in 0..N / 2 {
+        for k in 0..system.dof() {
             if gains.is_angle[k] {
                 turned[k] += T::from_f64(1.0);
             }
@@ -61,13 +61,14 @@ impl<T: Float, const N: usize> Gains<T, N> {
     /// Updates the derivatives by those at a state, where a rate is linear in the rates of the coordinates.
     fn note(&mut self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) {
         let by_itself = rates_at_rest(system, t, x);
-        for k in N / 2..N {
+        let dof = system.dof();
+        for k in dof..2 * dof {
             let mut moving = *x;
-            for (other, rate) in moving.iter_mut().enumerate().skip(N / 2) {
+            for (other, rate) in moving.iter_mut().enumerate().take(2 * dof).skip(dof) {
                 *rate = T::from_f64(if other == k { 1.0 } else { 0.0 });
             }
             let measures = system.measures(t, &moving);
-            let gains = if self.is_angle[k - N / 2] {
+            let gains = if self.is_angle[k - dof] {
                 &mut self.by_angles
             } else {
                 &mut self.by_lengths
@@ -82,8 +83,9 @@ impl<T: Float, const N: usize> Gains<T, N> {
     /// Sizes at a state. An angle counts as at least 1 rad, which is the size of the factor of its sine and cosine. A
     /// driven position is as accurate as the time.
     pub(super) fn sizes(&self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Sizes<T> {
-        let [length, angle] = self.largest(x.iter().take(N / 2));
-        let [speed, turning] = self.largest(x.iter().skip(N / 2));
+        let dof = system.dof();
+        let [length, angle] = self.largest(x.iter().take(dof));
+        let [speed, turning] = self.largest(x.iter().take(2 * dof).skip(dof));
         let angle = angle.max(T::from_f64(1.0));
         let by_itself = rates_at_rest(system, t, x).map(|rate| rate.abs());
         let all = |length: T, angle: T, n: usize| (self.by_lengths[n] * length).max(self.by_angles[n] * angle);
@@ -94,9 +96,9 @@ impl<T: Float, const N: usize> Gains<T, N> {
     }
 
     /// For each component, the largest rate of its kind: of lengths, or of angles.
-    pub(super) fn of_kind(&self, x: &SVector<T, N>) -> SVector<T, N> {
-        let [speed, turning] = self.largest(x.iter().skip(N / 2));
-        SVector::from_fn(|k, _| if self.is_angle[k % (N / 2)] { turning } else { speed })
+    pub(super) fn of_kind(&self, dof: usize, x: &SVector<T, N>) -> SVector<T, N> {
+        let [speed, turning] = self.largest(x.iter().take(2 * dof).skip(dof));
+        SVector::from_fn(|k, _| if self.is_angle[k % dof] { turning } else { speed })
     }
 
     /// Largest of the lengths and largest of the angles, among positions or rates.
@@ -135,8 +137,12 @@ pub(super) fn rates_at_rest<T: Float, const N: usize>(
     {
         return [T::default(); MAX_CONSTRAINTS];
     }
-    let mut at_rest = *x;
-    at_rest.iter_mut().skip(N / 2).for_each(|rate| *rate = T::default());
+    let (mut at_rest, dof) = (*x, system.dof());
+    at_rest
+        .iter_mut()
+        .take(2 * dof)
+        .skip(dof)
+        .for_each(|rate| *rate = T::default());
     system.measures(t, &at_rest).map(|[_, rate]| rate)
 }
 

@@ -51,6 +51,8 @@ pub(super) struct StepInMode<'a, T, const N: usize> {
     pub(super) mode: &'a Mode,
     pub(super) hold: &'a Hold<T>,
     pub(super) laws: [Law<T>; MAX_CONSTRAINTS],
+    /// Number of degrees of freedom.
+    dof: usize,
     pub(super) dense: &'a Dense<'a, T, N>,
     /// Number of evaluations of the equations of motion.
     pub(super) evaluations: Cell<usize>,
@@ -66,6 +68,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
             mode,
             hold,
             laws: system.laws(),
+            dof: system.dof(),
             dense,
             evaluations: Cell::new(0),
         }
@@ -279,7 +282,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
     pub(super) fn stays_positive(&self, start: &Place<T>, (n, witness): (usize, Witness)) -> bool {
         self.sign((n, witness)).is_some_and(|sign| {
             let (start, constraint) = (self.value(start, (n, witness)), &self.system.constraints()[n]);
-            stays_positive((start, sign), (constraint, witness), self.dense.terms())
+            stays_positive((start, sign), (constraint, witness, self.dof), self.dense.terms())
         })
     }
 
@@ -287,7 +290,12 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
     pub(super) fn course(&self, start: &Place<T>, (n, witness): (usize, Witness), known: (bool, T)) -> Course<T> {
         self.sign((n, witness)).map_or(Course::Unclear, |sign| {
             let (start, constraint) = (self.value(start, (n, witness)), &self.system.constraints()[n]);
-            course((start, sign), (constraint, witness), self.dense.terms(), known)
+            course(
+                (start, sign),
+                (constraint, witness, self.dof),
+                self.dense.terms(),
+                known,
+            )
         })
     }
 }

@@ -198,6 +198,11 @@ where
     }
 
     #[inline(always)]
+    fn dof(&self) -> usize {
+        self.system.dof()
+    }
+
+    #[inline(always)]
     fn constraints(&self) -> &[Constraint<'_>] {
         self.system.constraints()
     }

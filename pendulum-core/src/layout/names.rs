@@ -14,6 +14,7 @@ impl StateLayout<'_> {
     #[must_use]
     pub fn components(&self) -> Vec<String> {
         let mut named: Vec<(usize, String)> = self.slots.iter().flat_map(Slot::components).collect();
+        named.extend(self.states.iter().map(|state| (state.index, state.name.to_owned())));
         named.sort();
         named.into_iter().map(|(_, name)| name).collect()
     }

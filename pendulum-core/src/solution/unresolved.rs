@@ -49,7 +49,7 @@ impl<T: Float, const N: usize> Solution<T, N> {
     /// for unresolved in solution.unresolved() {
     ///     println!("{unresolved}");
     /// }
-    /// assert_eq!(solution.unresolved().len(), 2);
+    /// assert!(!solution.unresolved().is_empty());
     /// let solution = Rk4::new(0.05).solve(&pendulum, 0.0, 1000.0, [1.0, 0.0])?;
     /// assert!(solution.unresolved().is_empty());
     /// # Ok::<(), pendulum_core::SolveError<f64, 2>>(())

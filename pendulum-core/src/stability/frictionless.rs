@@ -44,7 +44,8 @@ impl<'a, const N: usize> Frictionless<'a, N> {
 
     /// Projects to an exact state of rest: zero rates, exactly on the limits.
     pub(super) fn place(&self, mut x: SVector<f64, N>) -> SVector<f64, N> {
-        (N / 2..N).for_each(|n| x[n] = 0.0);
+        let dof = self.system.dof();
+        (dof..2 * dof).for_each(|n| x[n] = 0.0);
         project(self.system, &self.hold, &self.mode.0, 0.0, &mut x);
         place_coordinates(self.system, &self.mode.0, 0.0, &mut x);
         x

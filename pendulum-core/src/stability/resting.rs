@@ -44,7 +44,8 @@ where
         rule,
     })?;
     let mut x = seed.into_state();
-    (N / 2..N).for_each(|n| x[n] = 0.0);
+    let dof = hybrid.dof();
+    (dof..2 * dof).for_each(|n| x[n] = 0.0);
     if let Some(resting) = Resting::at(system, x)? {
         return Ok(resting);
     }
@@ -109,7 +110,8 @@ impl<const N: usize> Resting<N> {
         S: Jacobian<f64, N> + ?Sized,
     {
         let rule = "it must be the place of a coordinate in the state, which come before the rates";
-        require(coordinate < N / 2, "coordinate", coordinate as f64, rule)?;
+        let dof = system.hybrid().map_or(N / 2, |hybrid| hybrid.dof());
+        require(coordinate < dof, "coordinate", coordinate as f64, rule)?;
         let rule = "the distance up to which to look must be finite and positive";
         require(reach.is_finite() && reach > 0.0, "reach", reach, rule)?;
         let mut ends = [f64::NEG_INFINITY, f64::INFINITY];

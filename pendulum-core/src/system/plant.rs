@@ -9,7 +9,7 @@ use crate::real::lanes::Lanes;
 
 /// A model with external inputs, forces along constraints, or both.
 ///
-/// The state is `[q; qd]`. Arrays of constraints always have the length [`MAX_CONSTRAINTS`]; only the first entries are
+/// The state is `[q; qd]`, followed by the first-order states if there are any. Arrays of constraints always have the length [`MAX_CONSTRAINTS`]; only the first entries are
 /// used. A model with constraints implements all methods, since the defaults panic for it. Without constraints,
 /// [`eval`](Self::eval) is sufficient.
 #[diagnostic::on_unimplemented(
@@ -26,6 +26,13 @@ pub trait Plant<T: Real, const N: usize> {
 
     /// Time derivative of the state.
     fn eval(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> SVector<T, N>;
+
+    /// Number of degrees of freedom: of positions, and of the rates that follow them in the state. All other components
+    /// are first-order states. By default there are none.
+    #[inline(always)]
+    fn dof(&self) -> usize {
+        N / 2
+    }
 
     /// Constraints of the motion, at most [`MAX_CONSTRAINTS`]; none by default.
     #[inline(always)]

@@ -257,9 +257,13 @@ impl<'a> Comparison<'a> {
             }
         }
         if let Some(results) = program.routine("parameter_jacobian", self.place) {
-            for (p, column) in results[0].chunks(n).enumerate() {
+            for (p, column) in results[0].chunks(2 * n).enumerate() {
                 let slope = self.slope(&rhs[0][n..], By::Parameter(p));
-                note("parameter_jacobian", self.residual(&rhs[0][n..], column, &slope));
+                let of_rates = largest(column[..n].iter().map(|entry| entry.abs()));
+                note(
+                    "parameter_jacobian",
+                    of_rates + self.residual(&rhs[0][n..], &column[n..], &slope),
+                );
             }
         }
     }

@@ -38,11 +38,18 @@ impl Scene<'_> {
     /// Name of a variable in generated code, and the expression it is copied from.
     pub(super) fn variable(&self, variable: Variable) -> (String, String) {
         let listed = |name: &str, n: usize, list: &str| (format!("{name}{n}"), format!("{list}[{n}]"));
-        let (positions, rates) = (&self.positions, &self.rates);
+        let (positions, rates, states) = (&self.positions, &self.rates, &self.states);
         let (inputs, parameters) = (&self.inputs, &self.parameters);
         match variable {
             Variable::State(n) if n < positions.len() => (format!("q_{}", positions[n]), format!("x[{n}]")),
-            Variable::State(n) => (format!("qd_{}", rates[n - positions.len()]), format!("x[{n}]")),
+            Variable::State(n) => {
+                let n_rate = n - positions.len();
+                let name = match rates.get(n_rate) {
+                    Some(name) => format!("qd_{name}"),
+                    None => format!("s_{}", states[n_rate - rates.len()]),
+                };
+                (name, format!("x[{n}]"))
+            }
             Variable::Acceleration(n) => (format!("qdd_{}", rates[n]), format!("qdd[{n}]")),
             Variable::Time => ("t".to_owned(), "t".to_owned()),
             Variable::Input(n) => (format!("u_{}", inputs[n]), format!("u->{}", inputs[n])),

@@ -43,6 +43,7 @@ struct Scene<'p> {
     inputs: Vec<String>,
     positions: Vec<String>,
     rates: Vec<String>,
+    states: Vec<String>,
 }
 
 impl<'p> Scene<'p> {
@@ -55,6 +56,7 @@ impl<'p> Scene<'p> {
             inputs: identifiers(program.inputs.iter().map(|input| &input.name)),
             positions: identifiers(&positions),
             rates: identifiers(&rates),
+            states: identifiers(program.layout.states.iter().map(|state| &state.name)),
         }
     }
 

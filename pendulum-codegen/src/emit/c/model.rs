@@ -23,6 +23,8 @@ impl Scene<'_> {
         let names = positions.iter().chain(&rates);
         let state = units.chain(units_of_rates).zip(names);
         let state = state.map(|((n, of, unit), name)| format!("x[{n}]  {of}{name}, in {unit}"));
+        let states = program.layout.states.iter();
+        let state = state.chain(states.map(|own| format!("x[{}]  {}, in {}", own.index, own.name, own.unit)));
         let meanings = program.constants_text.iter().enumerate();
         let codes = (1..).zip(self.codes()).zip(self.rules());
         let code = |((n, code), rule): ((usize, String), String)| format!("/// {rule}\n{code} = {n},");

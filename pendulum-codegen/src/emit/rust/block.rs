@@ -35,7 +35,10 @@ impl Names<'_> {
         match variable {
             Variable::State(n) => match positions.get(n) {
                 Some(name) => of_state("q", name),
-                None => of_state("qd", &rates[n - positions.len()]),
+                None => match rates.get(n - positions.len()) {
+                    Some(name) => of_state("qd", name),
+                    None => of_state("s", &program.layout.states[n - positions.len() - rates.len()].name),
+                },
             },
             Variable::Acceleration(n) => of_state("qdd", &rates[n]),
             Variable::Time => format_ident!("t"),

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::{Items, count};
-use crate::program::{Cost, Operations, Slot, SlotKind, StateLayout};
+use crate::program::{Cost, Operations, Slot, SlotKind, StateLayout, StateVariable};
 
 impl Items<'_> {
     /// Names, costs and equations.
@@ -25,6 +25,7 @@ impl Items<'_> {
         });
         let layout = layout(&program.layout);
         let places = program.layout.slots.iter().map(places);
+        let places = places.chain(program.layout.states.iter().map(place));
         let (about_freedom, about_names) = docs_of_freedom(&program.layout);
         let outputs = names_of("OUTPUTS", "Names of the components of all outputs.", &program.outputs);
         let events: Vec<String> = program.events.iter().map(|event| event.name.clone()).collect();
@@ -120,6 +121,24 @@ fn places(slot: &Slot) -> TokenStream {
     }
 }
 
+/// Constant for the index of a first-order state.
+fn place(state: &StateVariable) -> TokenStream {
+    let StateVariable {
+        name,
+        docs,
+        unit,
+        index,
+        ..
+    } = state;
+    let (constant, index) = (format_ident!("{}", state.constant), count(*index));
+    let own = format!("Index of the state `{name}`, in {unit}.");
+    quote! {
+        #[doc = #own]
+        #(#[doc = #docs])*
+        pub const #constant: usize = #index;
+    }
+}
+
 /// Cost as a value of the core's type.
 fn cost(of: &Cost) -> TokenStream {
     let (form, operations) = (&of.form, operations(&of.operations));
@@ -165,12 +184,19 @@ fn layout(of: &StateLayout) -> TokenStream {
             ::pendulum_core::Slot::new(#name, ::pendulum_core::SlotKind::#kind, #positions, #rates) #periodic #cyclic
         }
     });
+    let states = of.states.iter().map(|state| {
+        let (name, unit, index) = (&state.name, &state.unit, count(state.index));
+        quote!(::pendulum_core::StateVariable::new(#name, #unit, #index))
+    });
+    let states = (!of.states.is_empty()).then(|| quote!(.with_states(&[#(#states),*])));
     let autonomous = of.autonomous.then(|| quote!(.autonomous()));
-    quote!(::pendulum_core::StateLayout::new(&[#(#slots),*]) #autonomous)
+    quote!(::pendulum_core::StateLayout::new(&[#(#slots),*]) #states #autonomous)
 }
 
 /// Documentation of `DOF` and `COORDINATES`.
 fn docs_of_freedom(layout: &StateLayout) -> (&'static str, &'static str) {
+    const NAMES: &str =
+        " Names of the coordinates. The state holds their positions and then their rates in this order.";
     if layout.dependents().next().is_some() {
         (
             " Number of degrees of freedom, and of rates. The state also holds dependent coordinates.",
@@ -182,10 +208,15 @@ fn docs_of_freedom(layout: &StateLayout) -> (&'static str, &'static str) {
             " Names of the coordinates, in the order of their rates in the state. An orientation is listed as \
              the axes of its angular velocity.",
         )
-    } else {
+    } else if layout.states.is_empty() {
         (
             " Number of degrees of freedom. The state has twice as many components.",
-            " Names of the coordinates. The state holds their positions and then their rates in this order.",
+            NAMES,
+        )
+    } else {
+        (
+            " Number of degrees of freedom. The state has two components for each, and then the first-order states.",
+            NAMES,
         )
     }
 }

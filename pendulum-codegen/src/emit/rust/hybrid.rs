@@ -18,10 +18,22 @@ impl Items<'_> {
             .program
             .with_role(Role::Response)
             .and_then(|response| self.modes(response));
+        let layout = &self.program.layout;
+        let dof = count(layout.dof());
+        // the default is half of the state
+        let dof = (!layout.states.is_empty()).then(|| {
+            quote! {
+                #[inline(always)]
+                fn dof(&self) -> usize {
+                    #dof
+                }
+            }
+        });
         let functions = quote! {
             type Given = #given;
             #inline
             #eval
+            #dof
             #modes
         };
         let plant = self.implement(Some(self.named("Plant")), &functions);

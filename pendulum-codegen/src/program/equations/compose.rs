@@ -12,7 +12,7 @@ use super::{ConstraintForce, Equations, Listing, Row, RowKind};
 use crate::dynamics::{Balance, Lagrangian};
 use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand};
 use crate::form::expanded;
-use crate::model::{Constraint, Law, Model};
+use crate::model::{Constraint, Law, Model, State};
 use crate::pass::{Products, nest};
 
 /// Maximum number of products of terms in the closed form of the text.
@@ -53,6 +53,7 @@ pub(crate) fn equations<'g>(
     Equations {
         constraint_forces: composer.constraint_forces(),
         closings: composer.closings(),
+        states: composer.states(),
         coordinates: model.coordinate_names().into_iter().map(str::to_owned).collect(),
         driven: !model.drives.is_empty(),
         acted: !model.actions.is_empty(),
@@ -110,6 +111,17 @@ impl<'g> Composer<'_, 'g> {
         let rows = self.shorter(&self.model.with_drives(&self.model.loops.closings));
         let printer = Printer::that_computes(self.model.graph);
         rows.into_iter().map(|row| printer.short(row.id())).collect()
+    }
+
+    /// Time derivatives of the first-order states.
+    fn states(&self) -> Vec<Definition> {
+        let printer = Printer::that_computes(self.model.graph);
+        let rates = self.model.states.iter().zip(self.model.state_rates());
+        let definition = |(state, rate): (&State<'g>, Expr<'g>)| Definition {
+            name: state.name.trim_start_matches("r#").to_owned(),
+            formula: printer.short(rate.id()),
+        };
+        rates.map(definition).collect()
     }
 
     /// Forces along the constraints, and their laws.

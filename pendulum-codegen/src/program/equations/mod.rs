@@ -29,6 +29,8 @@ pub struct Equations {
     pub short: Listing,
     /// Full form of the same equations, with torques multiplied out.
     pub full: Listing,
+    /// Time derivatives of the first-order states, by their names.
+    pub states: Vec<Definition>,
     /// Expressions that vanish where loops without a closed form are closed.
     pub closings: Vec<Formula>,
     /// Constraints.
@@ -110,11 +112,19 @@ impl Display for Listing {
 
 impl Display for Equations {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let [b, q] = self.sides();
-        let heading = format!("A qdd + b = Q, where A is symmetric, b holds {b}, Q {q}");
-        writeln!(f, "{}\n", wrapped(&heading))?;
-        let listing = if f.alternate() { &self.full } else { &self.short };
-        Display::fmt(listing, f)?;
+        if !self.coordinates.is_empty() {
+            let [b, q] = self.sides();
+            let heading = format!("A qdd + b = Q, where A is symmetric, b holds {b}, Q {q}");
+            writeln!(f, "{}\n", wrapped(&heading))?;
+            let listing = if f.alternate() { &self.full } else { &self.short };
+            Display::fmt(listing, f)?;
+            if !self.states.is_empty() {
+                f.write_str("\nand the first-order states\n")?;
+            }
+        }
+        for Definition { name, formula } in &self.states {
+            writeln!(f, "{}", wrapped(&format!("dot({name}) = {formula}")))?;
+        }
         if !self.closings.is_empty() {
             writeln!(f, "\nwith {SOLVED}")?;
         }
@@ -154,8 +164,12 @@ impl Equations {
     /// Returns the short form in LaTeX, a displayed formula for each row, for documents that load `amsmath`.
     pub fn latex(&self) -> String {
         let [b, q] = self.sides();
-        let mut text =
-            format!("\\[ A\\,\\ddot{{q}} + b = Q, \\]\nwhere $A$ is symmetric, $b$ holds {b}, and $Q$ {q}:\n");
+        let mut text = match self.coordinates.is_empty() {
+            true => String::new(),
+            false => {
+                format!("\\[ A\\,\\ddot{{q}} + b = Q, \\]\nwhere $A$ is symmetric, $b$ holds {b}, and $Q$ {q}:\n")
+            }
+        };
         for row in &self.short.rows {
             text.push_str(&row.formula.latex_equation(&row.entry()));
         }
@@ -163,6 +177,12 @@ impl Equations {
             text.push_str("where\n");
         }
         text.push_str(&latex_definitions(&self.short.definitions));
+        if !self.states.is_empty() && !self.coordinates.is_empty() {
+            text.push_str("and the first-order states\n");
+        }
+        for Definition { name, formula } in &self.states {
+            text.push_str(&formula.latex_equation(&Formula::rate(name)));
+        }
         if !self.closings.is_empty() {
             text.push_str(&format!("with {}:\n", SOLVED.replace('_', "\\_")));
         }

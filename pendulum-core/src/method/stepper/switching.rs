@@ -245,6 +245,7 @@ where
         (set, differences): (u8, SVector<T, N>),
         x: &SVector<T, N>,
     ) -> Option<Ambiguity<T>> {
+        let dof = self.system.hybrid().map_or(N / 2, |hybrid| hybrid.dof());
         let matters = |difference: T, x: T| match &self.smooth.steps {
             Steps::Equal(_) => true,
             Steps::Controlled { control, .. } => {
@@ -252,7 +253,7 @@ where
                 difference > T::from_f64(LEAST_AMBIGUITY) * (atol + rtol * x.abs())
             }
         };
-        let rates = || differences.iter().zip(x.iter()).skip(N / 2);
+        let rates = || differences.iter().zip(x.iter()).take(2 * dof).skip(dof);
         let difference = rates().fold(T::default(), |most, (&difference, _)| most.max(difference));
         let matters = rates().any(|(&difference, &x)| matters(difference, x));
         matters.then_some(Ambiguity { t, difference, set })
