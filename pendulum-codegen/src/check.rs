@@ -36,15 +36,15 @@ pub(crate) fn check(
             )
         } else if body.inertia.mass.is_zero() && errors.is_in_file(spans.bodies[n]) {
             format!(
-                "write `repair` behind the path to hold joints that move no mass, or change `body {name}` \
-                 in the scene: give it mass or make the joint `fixed`"
+                "write `repair` after the path to fix joints that move no mass, or change `body {name}` in the \
+                 scene: give it mass or make the joint `fixed`"
             )
         } else if body.inertia.mass.is_zero() {
             format!("give `{name}` mass or make the joint `fixed`")
         } else {
             format!(
-                "the joint of `{name}` moves no mass that other joints do not move in the same way: \
-                 check where its mass and its axis are"
+                "other joints move the mass of `{name}` in the same way as its own joint: check the position of its \
+                 mass, and its joint axis"
             )
         };
         errors.at(Code::SingularMassMatrix, spans.bodies[n], fact, help);
@@ -76,7 +76,7 @@ fn report_walls(model: &Model<'_>, spans: &Spans, errors: &mut Errors) {
                 Code::NoGap,
                 span,
                 fact,
-                "build it from coordinates, or from points of bodies that move by themselves",
+                "build it from coordinates, or from points whose positions depend on coordinates",
             );
         }
     }
@@ -119,7 +119,7 @@ fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'
     let spans = spans.parameters.iter().chain(&spans.inputs);
     for ((kind, name, symbol), span) in parameters.chain(inputs).zip(spans) {
         if !read.contains(&symbol.id()) {
-            let fact = format_args!("{kind} `{name}` changes nothing");
+            let fact = format_args!("{kind} `{name}` has no effect");
             let help =
                 "it drops out of the equations of motion: remove it, or check the axes and points where it is used";
             errors.at(Code::Unused, *span, fact, help);

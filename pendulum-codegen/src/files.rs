@@ -51,22 +51,19 @@ fn manifest_folder() -> PathBuf {
 
 /// Returns the text of a file, or why it cannot be read and a help text.
 fn text_of(folder: &Path, name: &str) -> Result<String, Unreadable> {
-    let begins = "the path begins at the folder in which `Cargo.toml` is";
+    let begins = "the path is relative to the folder of `Cargo.toml`";
     if name.trim().is_empty() {
-        let help =
-            "write that of a file, as in `urdf(\"src/robot.urdf\")`; it begins at the folder in which `Cargo.toml` is";
+        let help = "write the path of a file, as in `urdf(\"src/robot.urdf\")`, relative to the folder of \
+                    `Cargo.toml`";
         return Err(("the path of the robot is empty".to_owned(), help));
     }
     let path = folder.join(name);
     if path.is_dir() {
-        return Err((format!("`{name}` is a folder"), "name the URDF file in it"));
+        return Err((format!("`{name}` is a folder"), "write the path of a URDF file in it"));
     }
     std::fs::read_to_string(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound | ErrorKind::NotADirectory => (format!("there is no file `{name}`"), begins),
-        ErrorKind::InvalidData => (
-            format!("`{name}` is not in UTF-8"),
-            "save it in that encoding, which is the usual one",
-        ),
+        ErrorKind::InvalidData => (format!("`{name}` is not valid UTF-8"), "save it as UTF-8"),
         _ => (format!("`{name}` cannot be read: {error}"), begins),
     })
 }

@@ -53,8 +53,8 @@ fn compile(scene: &mut Scene, files: &Files<'_>, mut errors: Errors) -> Result<P
     let dynamics = Dynamics::new(&model);
     check::check(&model, &spans, &dynamics, later)?;
     Program::new(&model, &dynamics).map_err(|NotFinite(constant)| {
-        let fact = format!("the constant `{constant}` has no finite value in double precision");
-        let help = "choose other units or other numbers: it overflows, or divides by something that vanishes";
+        let fact = format!("the constant `{constant}` is out of range in double precision");
+        let help = "it overflows or divides by zero: choose other units or numbers";
         Errors::one(Code::NumberRange, scene.head.name.span(), fact, help)
     })
 }

@@ -31,7 +31,7 @@ pub(crate) fn advice<'a>(
     let help = match meant {
         Some(meant) if known.len() == 1 => format!("did you mean `{meant}`?"),
         Some(meant) => format!("did you mean `{meant}`? known here: {list}"),
-        None if known.is_empty() => "nothing is declared that could stand here".to_owned(),
+        None if known.is_empty() => "nothing suitable is declared".to_owned(),
         None => format!("known here: {list}"),
     };
     Advice { meant, help }
@@ -72,7 +72,7 @@ pub(crate) const ITEMS: &Synonyms = &[
     (&["mesh", "geometry", "solid", "shapes"], "shape"),
     (
         &["options", "emit", "functions", "routines"],
-        "what a scene needs is listed by `generate: [rhs, jacobian, energy],`",
+        "list the routines to generate: `generate: [rhs, jacobian, energy],`",
     ),
     (
         &[
@@ -119,7 +119,7 @@ pub(crate) const ITEMS: &Synonyms = &[
     ),
     (
         &["drive", "driver", "prescribed", "motor"],
-        "a joint is driven by `motion: e(t)` in the braces of its body, in place of its coordinate",
+        "drive a joint by `motion: e(t)` in the braces of its body, instead of a coordinate",
     ),
     (
         &["urdf", "file", "import", "include"],
@@ -137,11 +137,12 @@ pub(crate) const ITEMS: &Synonyms = &[
     ),
     (
         &["solver", "method", "integrator", "time", "tspan"],
-        "a scene holds the mechanism; the method and the span of time are given where it is solved",
+        "a scene declares the mechanism only; the method and the time span are arguments of `solve`",
     ),
 ];
 
-const START: &str = "a scene holds the mechanism; its state is given where it is solved: `solve(&model, t0, t1, x0)`";
+const START: &str = "the initial condition is an argument of `solve`, not a part of the scene: `solve(&model, t0, \
+                     t1, x0)`";
 
 /// Fields of bodies and shapes.
 pub(crate) const FIELDS: &Synonyms = &[
@@ -212,7 +213,7 @@ pub(crate) const FIELDS: &Synonyms = &[
             "translation",
             "xyz",
         ],
-        "the place belongs to the joint: write `joint: revolute(z) at [x, y, z]`",
+        "the position belongs to the joint: write `joint: revolute(z) at [x, y, z]`",
     ),
     (
         &["rpy", "orientation", "rotation"],
@@ -220,11 +221,11 @@ pub(crate) const FIELDS: &Synonyms = &[
     ),
     (
         &["parent", "on", "base"],
-        "the parent stands before the braces: write `body name on parent { .. }`",
+        "the parent comes before the braces: write `body name on parent { .. }`",
     ),
     (
         &["shape"],
-        "the shape stands before the braces: write `body name on parent: shape { .. }`",
+        "the shape comes before the braces: write `body name on parent: shape { .. }`",
     ),
     (
         &["length", "size", "radius", "width", "height"],
@@ -239,17 +240,17 @@ pub(crate) const FIELDS: &Synonyms = &[
     (&["min", "max"], "write both limits: `stop: [low, high]`"),
     (
         &["restitution", "bounce"],
-        "it stands after the limits: write `stop: [low, high] restitution(0.5)`",
+        "it comes after the limits: write `stop: [low, high] restitution(0.5)`",
     ),
     (&["initial", "initialangle", "x0", "theta0", "velocity"], START),
     (&["density"], "give the mass of each solid; its density is uniform"),
     (
         &["name"],
-        "the name stands before the braces: write `body name on parent { .. }`",
+        "the name comes before the braces: write `body name on parent { .. }`",
     ),
     (
         &["visual", "color", "mesh"],
-        "leave it out: a body is what it weighs and how it moves",
+        "leave it out: a body has mass properties and a joint, not an appearance",
     ),
 ];
 
@@ -267,7 +268,7 @@ pub(crate) const WALL: &Synonyms = &[
     (&["threshold", "rest", "minrate"], "slow"),
     (
         &["friction", "dryfriction", "mu"],
-        "walls have no friction: they push along their gap alone",
+        "walls have no friction: they push only along their gap",
     ),
 ];
 
@@ -303,31 +304,32 @@ pub(crate) const JOINTS: &Synonyms = &[
     (&["helix"], "helical"),
     (
         &["planar"],
-        "write it as three: two bodies without mass that slide, `joint: prismatic(x)` \
-         and on that `joint: prismatic(y)`, and on the second the body itself with `joint: revolute(z)`",
+        "write a chain: a massless body with `joint: prismatic(x)`, on it another with `joint: prismatic(y)`, and \
+         on that the body itself with `joint: revolute(z)`",
     ),
     (
         &["cylindrical", "cylinder"],
-        "write it as two: a body without mass with `joint: prismatic(z)`, \
-         and on it the body itself with `joint: revolute(z)`",
+        "write a chain: a massless body with `joint: prismatic(z)`, and on it the body itself with `joint: \
+         revolute(z)`",
     ),
     (
         &["universal", "cardan", "hooke", "u"],
-        "write it as two: a body without mass with `joint: revolute(x)`, \
-         and on it the body itself with `joint: revolute(y)`",
+        "write a chain: a massless body with `joint: revolute(x)`, and on it the body itself with `joint: \
+         revolute(y)`",
     ),
     (
         &["gimbal", "euler"],
-        "write it as three: bodies without mass with `joint: revolute(x)` and on that `joint: revolute(y)`, \
-         and on the second the body itself with `joint: revolute(z)`; `ball` turns about all axes as well",
+        "write a chain: a massless body with `joint: revolute(x)`, on it another with `joint: revolute(y)`, and on \
+         that the body itself with `joint: revolute(z)`; or use `ball`, which turns about all axes",
     ),
     (
         &["gear", "gears", "rack", "rackandpinion", "pulley", "belt", "mimic"],
-        "a joint that follows another has a motion: `joint: revolute(z), motion: 0.5*theta`",
+        "couple the joint to another by its motion: `joint: revolute(z), motion: 0.5*theta`",
     ),
     (
         &["distance", "rope", "cable", "link", "tether"],
-        "a rod is a body between two hinges or balls; a cable is `spring between a and b: (k, l)`, between two points",
+        "a rod is a body with a hinge or ball joint at each end; a cable between two points is `spring between a \
+         and b: (k, l)`",
     ),
     (
         &["spherical", "balljoint", "socket", "ballandsocket", "quaternion", "s"],
@@ -369,8 +371,8 @@ pub(crate) const SYMBOLS: &Synonyms = &[
     (&["euler"], "write `exp(1)`"),
     (
         &["inf", "infinity"],
-        "a number is finite: a stop on one side is a wall, `wall name { gap: s - low }`; for a `clamp` on one side \
-         write a limit that is never reached, such as 1e9",
+        "numbers are finite: write a one-sided stop as a wall, `wall name { gap: s - low }`, and a one-sided \
+         `clamp` with a limit that is never reached, such as 1e9",
     ),
     (
         &["q"],
@@ -388,12 +390,12 @@ pub(crate) const SYMBOLS: &Synonyms = &[
 pub(crate) const FUNCTIONS: &Synonyms = &[
     (
         &["sign", "signum", "sgn"],
-        "it jumps at 0: dry friction of a joint is `dry_friction: mu`; \
-         elsewhere write `tanh(x/eps)`, which is smooth and nearly the same outside of a width eps",
+        "it is discontinuous at 0: for dry friction of a joint write `dry_friction: mu`; elsewhere write \
+         `tanh(x/eps)`, which is smooth, with a small width eps",
     ),
     (
         &["step", "heaviside", "theta"],
-        "it jumps at 0: write `(1 + tanh(x/eps))/2`, which is smooth",
+        "it is discontinuous at 0: write `(1 + tanh(x/eps))/2`, which is smooth",
     ),
     (&["sinh"], "write `(exp(x) - exp(-x))/2`"),
     (&["cosh"], "write `(exp(x) + exp(-x))/2`"),
@@ -418,7 +420,7 @@ pub(crate) const FUNCTIONS: &Synonyms = &[
     (&["saturate", "saturation", "sat", "limit", "limiter", "bound"], "clamp"),
     (
         &["floor", "ceil", "round", "mod", "rem", "fract"],
-        "it jumps: the language has smooth functions and `abs`",
+        "it is discontinuous, and only continuous functions are supported",
     ),
     (
         &["rad", "radians", "toradians", "deg2rad", "deg", "degrees"],
@@ -428,15 +430,15 @@ pub(crate) const FUNCTIONS: &Synonyms = &[
     (&["dist", "range", "separation"], "distance"),
     (
         &["rotation", "orientation", "attitude"],
-        "a rotation is a matrix: it stands alone, as in `output r: rotation(arm),`",
+        "a rotation is a matrix: write it alone, as in `output r: rotation(arm),`",
     ),
     (
         &["ddot"],
-        "accelerations cannot be used: they are what the equations give",
+        "accelerations cannot be used: they follow from the equations of motion",
     ),
     (
         &["if", "ifelse", "where", "piecewise", "select"],
-        "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0",
+        "use a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0",
     ),
 ];
 
@@ -457,11 +459,11 @@ pub(crate) const ROUTINES: &Synonyms = &[
     (&["draw", "drawing", "picture", "shape", "geometry", "visual"], "shapes"),
     (
         &["outputs", "output", "points"],
-        "write `output name: e,`: what is declared is generated",
+        "outputs are always generated: write `output name: e,`",
     ),
     (
         &["events", "event"],
-        "write `event name: e,`: what is declared is generated",
+        "events are always generated: write `event name: e,`",
     ),
     (&["motor", "drive", "drives", "driveforce"], "drive_forces"),
     (

@@ -70,8 +70,9 @@ impl<'g> Lower<'g> {
         let value = self.expr(e, &place)?;
         let value = self.smooth(e, value, 1, &place, "force")?;
         if !value.is_zero() && !self.has_rates(value) {
-            let help = "the force is minus its derivative by the rate: write `c/2*dot(theta)^2` for viscous friction";
-            let fact = "the dissipation depends on no rate, so nothing is lost";
+            let help = "the force is minus its derivative with respect to the rate: write `c/2*dot(theta)^2` for \
+                        viscous friction";
+            let fact = "the dissipation depends on no rate, so it has no effect";
             return Err(self.errors.on(Code::NoEffect, e, fact, help));
         }
         Ok(Action::Dissipation(value))
@@ -115,9 +116,9 @@ impl<'g> Lower<'g> {
         let help = match kind {
             Kind::Orientation => format!(
                 "write `dissipation: -m*dot({name}).x` for a moment `m`, such as `2 N m`, about the x axis of \
-                 `{body}`; the others are those of `dot({name}).y` and `dot({name}).z`"
+                 `{body}`, and `dot({name}).y` or `dot({name}).z` for the other axes"
             ),
-            _ => format!("push a point: `point middle on {body},` and `force on middle: [fx, fy, fz]`"),
+            _ => format!("apply the force to a point: `point middle on {body},` and `force on middle: [fx, fy, fz]`"),
         };
         Err(self.errors.at(Code::WrongKind, name.span(), fact, help))
     }
@@ -148,7 +149,7 @@ impl<'g> Lower<'g> {
         let ends = self.ends([a, b], at);
         let what = format!("the spring between `{a}` and `{b}`");
         let (stiffness, length) = self.read(law)?;
-        let instead = "a spring pulls back; write a force that pushes away by its `potential: ..`";
+        let instead = "it must not be negative: write a repelling force by its `potential: ..`";
         let of_stiffness = Place::fixed(format!("the stiffness of {what}")).in_unit("N/m");
         let k = self.stiffness(stiffness, &of_stiffness, instead);
         let of_length = Place::fixed(format!("the length of {what}")).in_unit("m");
@@ -237,8 +238,8 @@ impl<'g> Lower<'g> {
             return Ok(());
         }
         let fact = match ends {
-            [_] => format!("`{at}` does not move, so a force on it changes nothing"),
-            _ => "neither point moves, so a force between them changes nothing".to_owned(),
+            [_] => format!("`{at}` does not move, so a force on it has no effect"),
+            _ => "neither point moves, so a force between them has no effect".to_owned(),
         };
         Err(self
             .errors

@@ -128,7 +128,7 @@ impl<'g> Lower<'g> {
             (false, Some(coordinate)) => Err(self.errors.at(
                 Code::JointCoordinate,
                 coordinate.span(),
-                format_args!("the joint of `{name}` is fixed, so `{coordinate}` cannot change"),
+                format_args!("the joint of `{name}` is fixed, so it cannot have the coordinate `{coordinate}`"),
                 "remove the coordinate, or give the joint an axis: `joint: revolute(z)`",
             )),
             (false, None) => {
@@ -136,7 +136,7 @@ impl<'g> Lower<'g> {
                     self.errors.on(
                         Code::NoConstraint,
                         &stop.tokens,
-                        format_args!("the joint of `{name}` is fixed, so it needs no stop"),
+                        format_args!("the joint of `{name}` is fixed, so it cannot have a stop"),
                         "remove it, or give the joint an axis and a coordinate",
                     );
                 }

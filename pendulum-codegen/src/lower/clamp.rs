@@ -52,7 +52,7 @@ impl<'g> Lower<'g> {
         let fact = if low == high {
             format!("the limits of `clamp` in {what} are equal: {from} and {to}")
         } else {
-            format!("`clamp` in {what} has its limits the wrong way round: from {from} to {to}")
+            format!("the limits of `clamp` in {what} are reversed: {from} and {to}")
         };
         let rule = format!("the limits of `clamp` in {what} must be in order: {from} below {to}");
         let help = "write `clamp(x, low, high)`, the lower limit first";

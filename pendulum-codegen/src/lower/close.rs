@@ -90,9 +90,13 @@ impl<'g> Lower<'g> {
             near.or(vectors.map(|near| near.tokens.clone()).next())
         };
         if let Some(near) = items.bodies.iter().find_map(guesses) {
-            let help = "leave it out: `near` says where closed loops are assembled, and there are none";
-            self.errors
-                .on(Code::LoopCount, near, "there is nothing to assemble", help);
+            let help = "remove it: `near` is the guess from which closed loops are assembled";
+            self.errors.on(
+                Code::LoopCount,
+                near,
+                "`near` has no effect: there are no closed loops",
+                help,
+            );
         }
     }
 
@@ -100,16 +104,16 @@ impl<'g> Lower<'g> {
     fn refuse_in_state(&mut self, items: &ast::Items) {
         let words = items.generate.iter().flat_map(|(_, list)| list);
         if let Some(word) = words.into_iter().find(|word| **word == "canonical") {
-            let fact = "a scene with loops that have no closed form has no canonical equations: more positions than \
-                        momenta are in its state";
-            let help = "leave out `canonical`, or let other coordinates depend; explicit methods, `Rodas5P` and \
-                        `Taylor` keep the loops closed";
+            let fact = "canonical equations are not available for loops without a closed form: the state has more \
+                        positions than momenta";
+            let help = "leave out `canonical`, or mark other coordinates `depends`, so that each loop is a \
+                        triangle; explicit methods, `Rodas5P` and `Taylor` keep the loops closed";
             self.errors.at(Code::NotGenerated, word.span(), fact, help);
         }
         if let Some(first) = constraints_of(items).first() {
-            let fact = "dry friction, stops and walls are not supported in a scene with loops that have no closed form";
-            let help = "let other coordinates depend, so that the loops are triangles, or write smooth laws: viscous \
-                        friction, and a `potential` in the place of a stop or a wall";
+            let fact = "dry friction, stops and walls are not supported in a scene with loops without a closed form";
+            let help = "mark other coordinates `depends`, so that each loop is a triangle, or use smooth laws: \
+                        viscous friction, and a `potential` instead of a stop or a wall";
             let help = self.left_out(first, help);
             self.errors.on(Code::NoConstraint, first, fact, help);
         }
@@ -153,7 +157,7 @@ impl<'g> Lower<'g> {
             .map(|([a, b], _)| format!("`margin({a}, {b})`"))
             .collect();
         let help = match &known[..] {
-            [] => "no loop is closed here: `close a at [..] to b at [..]: revolute(z)`".to_owned(),
+            [] => "there are no closed loops: `close a at [..] to b at [..]: revolute(z)` closes one".to_owned(),
             known => format!("write {}", known.join(" or ")),
         };
         Err(self.errors.on(Code::Arguments, expr, fact, help))
@@ -205,10 +209,11 @@ impl<'g> Lower<'g> {
             return;
         };
         if fields.depends.is_some() {
-            let fact = format_args!("the coordinate of `{name}` depends on others, so nothing can hold it by itself");
+            let fact =
+                format_args!("the coordinate of `{name}` depends on others, so it cannot have dry friction or a stop");
             let help = self.left_out(
                 held,
-                "let another coordinate of the loop depend; a `wall` limits anything",
+                "mark another coordinate of the loop `depends`, or limit this one by a `wall`",
             );
             self.errors.on(Code::NoConstraint, held, fact, help);
         }
@@ -238,7 +243,7 @@ impl<'g> Lower<'g> {
         });
         let owner = &closure.ends[0].body;
         if *owner == closure.ends[1].body {
-            let fact = format_args!("`{owner}` is tied to itself");
+            let fact = format_args!("the loop connects `{owner}` to itself");
             let help = "name two bodies: `close coupler at [b, 0, 0] to rocker at [c, 0, 0]: revolute(z)`";
             return Err(self.errors.at(Code::LoopJoint, closure.ends[1].body.span(), fact, help));
         }
@@ -248,7 +253,7 @@ impl<'g> Lower<'g> {
             JointKind::Ball => Tie::Ball,
             JointKind::Fixed => Tie::Fixed,
             _ => {
-                let fact = "no joint of this kind closes a loop";
+                let fact = "this kind of joint cannot close a loop";
                 let help = "write `revolute(z)`, `prismatic(x)`, `ball` or `fixed`";
                 return Err(self.errors.at(Code::LoopJoint, closure.word.span(), fact, help));
             }
@@ -336,10 +341,10 @@ impl<'g> Lower<'g> {
             if turns && beside.min(TAU - beside) > FAR {
                 // reduce to within half a turn
                 let found = found - TAU * (found / TAU).round();
-                let fact = format_args!("`{name}` is {found:.2} where the loops close, which is far from {guess}");
+                let fact = format_args!("the loops close at `{name}` = {found:.2}, far from its guess {guess}");
                 let help = format_args!(
-                    "write `coordinate: {name} depends near {found:.2}`, or, for the other assembly, let the numbers \
-                     of all coordinates of the loop be near that"
+                    "write `coordinate: {name} depends near {found:.2}`, or, for the other assembly, guesses near \
+                     it for all coordinates of the loop"
                 );
                 return Err(self.errors.at(Code::AmbiguousLoop, depends.span(), fact, help));
             }
@@ -361,7 +366,7 @@ impl<'g> Lower<'g> {
         let fact = format_args!("the loop from `{a}` to `{b}` is closed twice at the same place");
         Err(self
             .errors
-            .at(Code::GivenTwice, closures[n].1, fact, "leave out one of the two"))
+            .at(Code::GivenTwice, closures[n].1, fact, "remove one of the two"))
     }
 }
 

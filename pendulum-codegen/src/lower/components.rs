@@ -115,7 +115,7 @@ impl<'g> Lower<'g> {
         Some(match found {
             Some(&(_, value)) => Ok(Quantity { value, measure }),
             None => {
-                let fact = format_args!("{} has no `{axis}`", components.kind.one());
+                let fact = format_args!("{} has no component `{axis}`", components.kind.one());
                 let known = components.values.iter().map(|(axis, _)| *axis);
                 let help = format!("write {}", listed(known, |axis| format!("{name}.{axis}")));
                 Err(self.errors.at(Code::UnknownName, axis.span(), fact, help))
@@ -142,7 +142,7 @@ impl<'g> Lower<'g> {
             if let Some(reported) = self.broken.get(&name.to_string()) {
                 return Err(*reported);
             }
-            let fact = format_args!("`{name}` is no orientation, so its rate has no components");
+            let fact = format_args!("`{name}` is not an orientation, so its rate has no components");
             let help = match self.names.kind(&name.to_string()) {
                 Some(Kind::Point) => format!("write `dot({name}.{axis})` for the rate of a component"),
                 Some(Kind::Coordinate) => format!("write `dot({name})`"),
@@ -153,7 +153,7 @@ impl<'g> Lower<'g> {
         let found = components.rates.iter().find(|(known, _)| axis == known);
         let [_, measure] = components.measures();
         let Some(&(_, value)) = found else {
-            let fact = format_args!("the rate of {} has no `{axis}`", components.kind.one());
+            let fact = format_args!("the rate of {} has no component `{axis}`", components.kind.one());
             let help = format!(
                 "write {}",
                 listed(AXES.into_iter(), |axis| format!("dot({name}).{axis}"))

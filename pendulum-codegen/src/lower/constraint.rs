@@ -41,17 +41,20 @@ impl<'g> Lower<'g> {
         let constraints = constraints_of(items);
         if let (Some(first), true) = (constraints.first(), has_orientations) {
             let fact = "dry friction, stops and walls are not supported in a scene with ball or free joints";
-            let help = "write smooth laws: viscous friction, and a `potential` in the place of a stop or a wall";
+            let help = "use smooth laws: viscous friction, and a `potential` instead of a stop or a wall";
             let help = self.left_out(first, help);
             self.errors.on(Code::NoConstraint, first, fact, help);
         }
         if let Some(ninth) = constraints.get(MAX_CONSTRAINTS) {
             let fact = format_args!(
-                "{} joints with dry friction or a stop and walls are declared: at most {MAX_CONSTRAINTS} in all are \
-                 possible",
+                "{} constraints are declared, but at most {MAX_CONSTRAINTS} are supported: a wall is one, and so is \
+                 a joint with dry friction or a stop",
                 constraints.len()
             );
-            let help = self.left_out(ninth, "leave some out, or write smooth laws");
+            let help = self.left_out(
+                ninth,
+                "remove some, or use smooth laws: viscous friction, and a `potential` instead of a stop or a wall",
+            );
             self.errors.on(Code::TooManyConstraints, ninth, fact, help);
         }
     }
@@ -59,7 +62,7 @@ impl<'g> Lower<'g> {
     /// Help for a rejected constraint. For a constraint from a file, the help names the options that omit all of them.
     pub(super) fn left_out(&self, constraint: &TokenStream, help: &str) -> String {
         if self.errors.is_from_file(constraint) {
-            let words = "leave out `limits` behind the path of the robot, or write `without dry_friction` there";
+            let words = "leave out `limits` after the path of the robot, or write `without dry_friction` there";
             return format!("{words}; or else {help}");
         }
         help.to_owned()
@@ -88,7 +91,8 @@ impl<'g> Lower<'g> {
                 return Ok(());
             };
             let fact = format_args!("`{name}` has `static_friction`, but no `dry_friction`");
-            let help = "add `dry_friction: e`, the friction while it slips, or rename it to that if both are the same";
+            let help = "add `dry_friction: e`, the friction during sliding; if both are equal, write only \
+                        `dry_friction`";
             return Err(self.errors.on(Code::Constraint, at_rest, fact, help));
         };
         let slipping = self.positive(kinetic, &place("dry friction"), Requirement::NonNegative);
@@ -97,8 +101,9 @@ impl<'g> Lower<'g> {
         law.slipping = slipping?;
         law.sticking = sticking?.unwrap_or(law.slipping);
         if let Some(at_rest) = at_rest {
-            let fact = format!("the static friction of `{name}` is below its dry friction");
-            let help = "it takes at least as much to start a motion as to go on: swap the two, or leave it out";
+            let fact = format!("the static friction of `{name}` is less than its dry friction");
+            let help = "`static_friction` must be at least `dry_friction`, the friction during sliding: swap the \
+                        two, or remove it";
             let rule = format!("the static friction of `{name}` must not be below its dry friction");
             let difference = law.sticking - law.slipping;
             self.obeys(
@@ -130,13 +135,13 @@ impl<'g> Lower<'g> {
         let (low, high) = (low?, high?);
         impact?;
         let [from, to] = stop.limits.each_ref().map(|e| written(e, None).to_string());
-        let fact = format!("{owner} leaves no way to go: it begins at {from} and ends at {to}");
+        let fact = format!("{owner} has no range: its lower limit {from} is not below its upper limit {to}");
         let rule = format!("{owner} must end above where it begins");
         let checked = (high - low, Requirement::Positive);
         let help = if self.errors.is_from_file(&stop.tokens) {
             format!(
-                "let `lower` be less than `upper` in the `limit` of its joint, where 0 stands for one that is left \
-                 out, or write `stop: [low, high]` in a `body {}` of the scene",
+                "set `lower` below `upper` in the `limit` of its joint (0 if left out), or write `stop: [low, \
+                 high]` in a `body {}` of the scene",
                 body.name
             )
         } else {
@@ -160,7 +165,7 @@ impl<'g> Lower<'g> {
             let given = self.quantity(e, &place)?;
             self.require_plain(e, given, &place.what);
             let value = given.value;
-            let help = "it lies between 0, where nothing rebounds, and 1, where no energy is lost";
+            let help = "a restitution lies between 0 (no rebound) and 1 (no loss of energy)";
             let rule = format!("{} must lie between 0 and 1", place.what);
             for checked in [value, 1 - value] {
                 let fact = format!("{} is {}", place.what, written(e, None));
@@ -174,7 +179,7 @@ impl<'g> Lower<'g> {
             law.restitution = value;
         }
         if let Some(e) = slow {
-            let place = Place::fixed(format!("the least rate of a rebound at {owner}")).in_unit(unit_of_rate);
+            let place = Place::fixed(format!("the rebound threshold of {owner}")).in_unit(unit_of_rate);
             law.slow = self.positive(e, &place, Requirement::NonNegative)?;
         }
         Ok(())
@@ -189,7 +194,7 @@ impl<'g> Lower<'g> {
             let name = &wall.name;
             // the core identifies a constraint by its name alone in messages
             if coordinates.contains(&name) {
-                let fact = format_args!("`{name}` is a coordinate, and the name of a wall as well");
+                let fact = format_args!("`{name}` is the name of both a coordinate and a wall");
                 self.errors
                     .at(Code::NameTaken, name.span(), fact, "choose another name");
             } else if items.walls[..n].iter().any(|other| other.name == *name) {

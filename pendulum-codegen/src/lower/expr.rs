@@ -58,15 +58,15 @@ impl Only {
     /// Help for a symbol that is not allowed.
     fn help(self) -> &'static str {
         match self {
-            Self::All | Self::State => "an input is known only where the model is used: add its part there",
+            Self::All | Self::State => "inputs are known only at run time: add this term where the model is used",
             Self::Positions => {
-                "build it from coordinates, points, the time and parameters; \
-                 write what depends on rates or inputs as `force coordinate: e`, and what is lost as `dissipation: e`"
+                "build it from coordinates, points, the time and parameters; a force that depends on rates or \
+                 inputs is `force theta: e`, and a loss is `dissipation: e`"
             }
-            Self::Gap => "a gap is where bodies are: build it from coordinates, points, the time and parameters",
+            Self::Gap => "a gap depends on positions: build it from coordinates, points, the time and parameters",
             Self::Motion => {
-                "a driven joint follows the time, or other joints: build it from `t` and parameters, or from \
-                 coordinates; a joint that moves by itself has a `coordinate`"
+                "build it from `t` and parameters for a prescribed motion, or from coordinates of other joints; a \
+                 joint that moves by itself has a `coordinate`"
             }
         }
     }
@@ -115,8 +115,8 @@ impl<'g> Lower<'g> {
         let quantity = self.operation(expr, place)?;
         let value = quantity.value;
         if value.depth() > MOST_DEPTH {
-            let fact = format_args!("{} has more than {MOST_DEPTH} operations in one another", place.what);
-            let help = "write it with fewer `let`s that use each other";
+            let fact = format_args!("{} has more than {MOST_DEPTH} nested operations", place.what);
+            let help = "write it with fewer nested `let`s";
             return Err(self.errors.on(Code::TooLong, expr, fact, help));
         }
         if value.level() > place.most {
@@ -126,7 +126,7 @@ impl<'g> Lower<'g> {
                 .next()
                 .map_or("the motion".to_owned(), |symbol| format!("`{}`", symbol.name));
             let help = if place.joint.is_some() {
-                "give the coefficient of viscous friction here, and any other law as `torque: ..`"
+                "give the coefficient of viscous friction here, and write any other law as `torque: ..`"
             } else {
                 "build it from numbers and parameters: it is computed once, when the model is built"
             };
@@ -136,8 +136,8 @@ impl<'g> Lower<'g> {
         let double = value.constant();
         let vanishes = double == Some(0.0) && value.as_number().is_some() && !value.is_zero();
         if vanishes || double.is_some_and(|value| !value.is_finite()) {
-            let fact = format_args!("{} has no value in double precision", place.what);
-            let help = "its size must lie between 1e-300 and 1e300";
+            let fact = format_args!("{} is out of range in double precision", place.what);
+            let help = "its magnitude must lie between 1e-300 and 1e300";
             return Err(self.errors.on(Code::NumberRange, expr, fact, help));
         }
         self.fits(expr, quantity, place);
@@ -155,8 +155,8 @@ impl<'g> Lower<'g> {
         let quantity = self.unchecked(expr, place)?;
         let value = quantity.value;
         if value.as_number().is_none() && value.constant().is_some_and(|value| !value.is_finite()) {
-            let help = "look for a division by zero or the root or logarithm of a negative number";
-            let fact = format_args!("a part of {} has no finite value", place.what);
+            let help = "check for a division by zero, or a root or logarithm of a negative number";
+            let fact = format_args!("a part of {} is not finite", place.what);
             return Err(self.errors.on(Code::Undefined, expr, fact, help));
         }
         Ok(quantity)
@@ -203,9 +203,7 @@ impl<'g> Lower<'g> {
         let ([x, y], measures) = ([left.value, right.value], [left.measure, right.measure]);
         if operator == Operator::Div && y.is_zero() {
             let fact = format_args!("division by zero in {}", place.what);
-            return Err(self
-                .errors
-                .on(Code::Undefined, b, fact, "the divisor must not be the number 0"));
+            return Err(self.errors.on(Code::Undefined, b, fact, "the divisor must not be 0"));
         }
         let (measure, value) = match operator {
             Operator::Add => (self.require_alike([a, b], measures, "added"), x + y),
@@ -237,7 +235,7 @@ impl<'g> Lower<'g> {
         if !n.is_integer() {
             let less = n - ratio(1, 1);
             let instead = |x: &str| format!("`abs({x})^({n})`, or `{x}*abs({x})^({less})` to keep its sign");
-            self.never_negative(base, x, "a power with a fraction", instead)?;
+            self.never_negative(base, x, "a fractional power", instead)?;
         }
         let power = n.numer().to_i32().zip(n.denom().to_i32());
         let power = power.map_or(Power::one(), |(numerator, denominator)| {
@@ -268,15 +266,17 @@ impl<'g> Lower<'g> {
     fn exponent(&mut self, given: &ast::Expr, value: Expr<'g>, place: &Place<'g>) -> Result<&'g Rational, Reported> {
         let Some(n) = value.as_number() else {
             let help = "write an integer or a fraction, such as `x^2` or `x^(1/2)`; `exp(b*ln(a))` is a to the power b";
-            let fact = format_args!("a power in {} is not a number", place.what);
+            let fact = format_args!("an exponent in {} is not a number", place.what);
             return Err(self.errors.on(Code::Exponent, given, fact, help));
         };
         let small = |n: &BigInt| n.abs().to_i64().is_some_and(|n| n <= MOST_POWER);
         if small(n.numer()) && small(n.denom()) {
             return Ok(n);
         }
-        let fact = format_args!("a power in {} is {n}", place.what);
-        let help = format_args!("numerator and denominator go up to {MOST_POWER}; `exp(b*ln(a))` is a to the power b");
+        let fact = format_args!("an exponent in {} is {n}", place.what);
+        let help = format_args!(
+            "its numerator and denominator must be at most {MOST_POWER}; `exp(b*ln(a))` is a to the power b"
+        );
         Err(self.errors.on(Code::Exponent, given, fact, help))
     }
 
@@ -295,7 +295,7 @@ impl<'g> Lower<'g> {
         else {
             return Ok(());
         };
-        let fact = format_args!("{what} has no value where `{x}` is negative");
+        let fact = format_args!("{what} is undefined where `{x}` is negative");
         let help = format!("write {}", instead(x));
         Err(self.errors.on(Code::Undefined, given, fact, help))
     }

@@ -72,7 +72,7 @@ impl<'g> Lower<'g> {
             return;
         }
         let fact = format_args!(
-            "{what} must be an angle or a plain number, but {} {}",
+            "{what} must be dimensionless or an angle, but {} {}",
             short(e),
             given.measure
         );
@@ -130,12 +130,12 @@ impl<'g> Lower<'g> {
         let (fact, help) = if self.errors.is_from_file(e) {
             let radians = (angle.to_radians() * 1e4).round() / 1e4;
             let help = format!(
-                "write {radians} there for {angle} degrees; where {angle} rad are meant, write `{angle} rad` in the \
-                 scene, in a `body` of this name, which changes that of the file"
+                "write {radians} there for {angle} degrees; if it is {angle} rad, write `{angle} rad` in a `body` \
+                 of this name in the scene, which overrides the file"
             );
             (format!("{what} is {angle}, more than a turn: angles are in rad"), help)
         } else {
-            let help = format!("write `{angle} deg` for degrees, or `{angle} rad` if it is meant");
+            let help = format!("write `{angle} deg` for degrees, or `{angle} rad` if radians are meant");
             (format!("{what} is more than a turn: angles are in rad"), help)
         };
         self.errors.on(Code::Degrees, e, fact, help);
@@ -157,7 +157,7 @@ impl<'g> Lower<'g> {
             }
             (ExprKind::Measured(_), Some(unit)) if given == Measure::ONE => {
                 return format!(
-                    "write a value in {unit} in place of the angle; a parameter that is an angle is in rad"
+                    "write a value in {unit} instead of an angle; a parameter that is an angle is declared in rad"
                 );
             }
             _ => {}
@@ -166,7 +166,7 @@ impl<'g> Lower<'g> {
             return format!("a factor in {missing} is missing{}", number.with_unit(missing));
         }
         if Measure::in_dimension(factor(given, needed)) == Measure::ONE.rate() {
-            return "a factor in s is missing, or a `dot` is too many".to_owned();
+            return "a factor in s is missing, or there is one `dot` too many".to_owned();
         }
         format!("a factor in {missing} is missing")
     }
@@ -190,7 +190,8 @@ impl<'g> Lower<'g> {
             let name = &unit.text;
             let kind = self.names.kind(name)?;
             Some(format!(
-                "`{digits} {name}` has the unit {name}; its product with the {kind} `{name}` is `{digits}*{name}`"
+                "`{digits} {name}` is a number with the unit {name}; for the product with the {kind} `{name}` write \
+                 `{digits}*{name}`"
             ))
         })
     }
@@ -269,7 +270,7 @@ impl Bare {
             missing
         };
         let (text, unit) = (&self.text, after_number(of_number));
-        format!("; if the number stands for a quantity, give it its unit: `{text} {unit}`")
+        format!("; if {text} has a unit, write it: `{text} {unit}`")
     }
 }
 

@@ -78,7 +78,7 @@ impl<'g> Lower<'g> {
         let Some((stiffness, rest)) = &body.fields.spring else {
             return Ok((self.graph.zero(), self.graph.zero()));
         };
-        let instead = "a spring pulls back; write a force that pushes away as `torque: ..`";
+        let instead = "it must not be negative: write a repelling force as `torque: ..`";
         let of_stiffness = Place::fixed(format!("the stiffness of `{}`", body.name)).in_unit(units.stiffness());
         let of_rest = Place::fixed(format!("the rest position of `{}`", body.name)).in_unit(units.coordinate());
         let stiffness = self.stiffness(stiffness, &of_stiffness, instead);

@@ -10,9 +10,9 @@ use crate::error::{Code, Reported};
 use crate::parse::HINGES;
 
 /// Name of the orientation field, and help if it is missing.
-pub(super) const ORIENTATION: [&str; 2] = ["orientation", "add `orientation: o`, the name of its unit quaternion"];
+pub(super) const ORIENTATION: [&str; 2] = ["orientation", "add `orientation: o`, a name for its unit quaternion"];
 /// Name of the position field, and help if it is missing.
-const POSITION: [&str; 2] = ["position", "add `position: p`, the name of the place of its frame"];
+const POSITION: [&str; 2] = ["position", "add `position: p`, a name for the position of its frame"];
 
 /// `Some(false)` for a ball joint, `Some(true)` for a free joint, which slides as well, and none for any other joint.
 pub(super) fn freedom(body: &ast::Body) -> Option<bool> {
@@ -27,8 +27,11 @@ impl<'g> Lower<'g> {
     /// Rejects names of orientations and positions on joints that have none.
     pub(super) fn require_no_freedom(&mut self, body: &ast::Body) -> Result<(), Reported> {
         let names = [
-            (&body.fields.orientation, "turn freely, so it has no orientation"),
-            (&body.fields.position, "move freely, so it has no position"),
+            (
+                &body.fields.orientation,
+                "neither `ball` nor `free`, so it has no orientation",
+            ),
+            (&body.fields.position, "not `free`, so it has no position"),
         ];
         let given = names.into_iter().find_map(|(name, what)| Some((name.as_ref()?, what)));
         let Some((name, what)) = given else { return Ok(()) };
@@ -38,9 +41,9 @@ impl<'g> Lower<'g> {
             (None, Some(reported)) => return Err(reported),
             _ => {}
         }
-        let fact = format_args!("the joint of `{}` does not {what}", body.name);
+        let fact = format_args!("the joint of `{}` is {what}", body.name);
         let help =
-            "`joint: ball` has an `orientation`, `joint: free` a `position` too, and other joints a `coordinate`";
+            "`joint: ball` has an `orientation`, `joint: free` also a `position`, and other joints a `coordinate`";
         Err(self.errors.at(Code::JointCoordinate, name.span(), fact, help))
     }
 
@@ -65,7 +68,7 @@ impl<'g> Lower<'g> {
         let kind = if slides { "free" } else { "ball" };
         let joint = format!("the {kind} joint of `{name}` has an orientation");
         if let Some(depends) = &fields.depends {
-            let fact = format_args!("{joint}, which cannot depend");
+            let fact = format_args!("{joint}, which cannot be marked `depends`");
             return self.errors.at(Code::FreeRotation, depends.span(), fact, HINGES);
         }
         let help = match (&fields.orientation, slides) {
@@ -73,7 +76,7 @@ impl<'g> Lower<'g> {
             (None, true) => "write `orientation: o, position: p`; components are `o.w` and `p.x`",
             (None, false) => "write `orientation: o`; its components are `o.w`, `o.x`, `o.y` and `o.z`",
         };
-        let fact = format_args!("{joint}, and not one coordinate");
+        let fact = format_args!("{joint}, not a coordinate");
         self.errors.at(Code::FreeRotation, coordinate.span(), fact, help)
     }
 
@@ -96,10 +99,10 @@ impl<'g> Lower<'g> {
         match &fields.position {
             Some(position) if !slides => {
                 let fact = format_args!(
-                    "the ball joint of `{}` stays where it is, so it has no position",
+                    "the ball joint of `{}` does not translate, so it has no position",
                     body.name
                 );
-                let help = "leave it out, or make the joint `free`";
+                let help = "remove it, or make the joint `free`";
                 Err(self.errors.at(Code::JointCoordinate, position.span(), fact, help))
             }
             None if slides && fields.coordinate.is_none() && fields.motion.is_none() => {
@@ -112,7 +115,7 @@ impl<'g> Lower<'g> {
     /// Reports a missing field, unless it may be one that could not be parsed.
     pub(super) fn missing(&mut self, body: &ast::Body, [what, help]: [&str; 2]) -> Reported {
         body.unread.unwrap_or_else(|| {
-            let fact = format_args!("the joint of `{}` has no {what}", body.name);
+            let fact = format_args!("missing `{what}` for the joint of `{}`", body.name);
             self.errors.at(Code::JointCoordinate, body.name.span(), fact, help)
         })
     }
@@ -126,40 +129,40 @@ fn senseless(body: &ast::Body, slides: bool) -> [(Option<&TokenStream>, &'static
     let (fields, name) = (&body.fields, &body.name);
     let orientation = fields.orientation.as_ref().map_or("o".to_owned(), ToString::to_string);
     let moment = format!(
-        "write `dissipation: -m*dot({orientation}).x,` for a moment `m` about the x axis of the body, \
-         or `force on tip: [fx, fy, fz] in {name},` for a force on a point of it, along its axes"
+        "write `dissipation: -m*dot({orientation}).x,` for a moment `m` about the x axis of the body, or `force on \
+         tip: [fx, fy, fz] in {name},` for a force on a point, in the body frame"
     );
     [
         (
             tokens(&fields.motion),
             "cannot follow a motion",
-            "drive joints with one coordinate each".into(),
+            "drive a chain of joints with one coordinate each".into(),
         ),
         (
             fields.spring.as_ref().map(|(stiffness, _)| &stiffness.tokens),
-            "has no spring",
+            "cannot have a spring",
             "write `spring between a and b: (k, l),` between points, or a `potential`".into(),
         ),
-        (tokens(&fields.torque), "has no scalar torque", moment.into()),
+        (tokens(&fields.torque), "cannot have a scalar torque", moment.into()),
         (
             tokens(&fields.friction).filter(|_| slides),
-            "has no friction",
-            "nothing touches what moves freely: write drag as `force on point: ..`".into(),
+            "cannot have friction",
+            "write drag as `force on point: ..`".into(),
         ),
         (
             tokens(&fields.dry_friction),
-            "has no dry friction",
-            "write viscous friction, `friction: e`".into(),
+            "cannot have dry friction",
+            "use viscous friction, `friction: e`".into(),
         ),
         (
             tokens(&fields.static_friction),
-            "has no dry friction",
-            "write viscous friction, `friction: e`".into(),
+            "cannot have dry friction",
+            "use viscous friction, `friction: e`".into(),
         ),
         (
             fields.stop.as_ref().map(|stop| &stop.tokens),
-            "has no stop",
-            "write a `potential` that keeps it away".into(),
+            "cannot have a stop",
+            "use a `potential` that rises steeply at the limit".into(),
         ),
     ]
 }

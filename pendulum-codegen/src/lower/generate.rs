@@ -63,16 +63,16 @@ impl Lower<'_> {
 fn hindrance(word: &str, has: Has) -> Option<(String, String)> {
     let (fact, help) = match word {
         "parameter_jacobian" if !has.parameters => (
-            "there are no parameters to derive by",
+            "there are no parameters for `parameter_jacobian`",
             "declare the quantities of interest in `params { .. }`; numbers are constants",
         ),
         "drive_forces" if !has.drives => (
-            "no joint is driven by the time",
-            "write a motion with `t`, such as `motion: a*sin(w*t)`, or leave it out",
+            "no joint has a prescribed motion",
+            "drive a joint by a function of `t`, such as `motion: a*sin(w*t)`, or leave out `drive_forces`",
         ),
         "loop_wrenches" if !has.loops => (
-            "no loop is closed",
-            "tie two bodies by `close a at [..] to b at [..]: revolute(z)`, or leave it out",
+            "there are no closed loops",
+            "close one by `close a at [..] to b at [..]: revolute(z)`, or leave out `loop_wrenches`",
         ),
         "energy" | "mass_matrix" | "bias" | "momentum" | "canonical" | "inverse_dynamics" | "shapes"
             if !has.coordinates && has.states =>
@@ -87,14 +87,15 @@ fn hindrance(word: &str, has: Has) -> Option<(String, String)> {
             "leave out `canonical`; all methods but `Gauss4` and `Gauss6` integrate such scenes",
         ),
         "canonical" if has.orientations => (
-            "a scene with orientations has no canonical equations: angular velocities are the rates of no coordinates",
-            "leave out `canonical`; explicit methods, `Rodas5P` and `Taylor` put orientations back to unit length",
+            "canonical equations are not available with ball or free joints: angular velocities are not rates of \
+             coordinates",
+            "leave out `canonical`; explicit methods, `Rodas5P` and `Taylor` normalise orientations",
         ),
         _ => {
             let what = motion_under_inputs(word).filter(|_| has.inputs)?;
             return Some((
-                format!("{what} not known: their law is given after the code is written"),
-                format!("leave out `{word}`, or write the law into a `torque` in place of the input"),
+                format!("{what} not available with inputs: their values are given at run time"),
+                format!("leave out `{word}`, or write the law as a `torque` instead of an input"),
             ));
         }
     };
@@ -104,8 +105,8 @@ fn hindrance(word: &str, has: Has) -> Option<(String, String)> {
 /// Subject of the error for a routine that would need the inputs as functions of time.
 fn motion_under_inputs(word: &str) -> Option<&'static str> {
     match word {
-        "canonical" => Some("the canonical equations of a motion under inputs are"),
-        "taylor" => Some("the Taylor series of a motion under inputs is"),
+        "canonical" => Some("canonical equations are"),
+        "taylor" => Some("the Taylor series is"),
         _ => None,
     }
 }

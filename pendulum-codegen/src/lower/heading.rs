@@ -28,8 +28,8 @@ impl<'g> Lower<'g> {
             let Some(word) = absolute else {
                 return Ok((Heading { rest, ..before }, own));
             };
-            let fact = format_args!("the coordinate of `{}` is no angle", body.name);
-            let help = "`absolute` is for angles measured from ground; leave it out";
+            let fact = format_args!("the coordinate of `{}` is not an angle", body.name);
+            let help = "remove `absolute`: it is for angles measured from ground";
             return Err(self.errors.at(Code::Absolute, word.span(), fact, help));
         };
         let axis = rest * screw.angular;
@@ -38,10 +38,11 @@ impl<'g> Lower<'g> {
             && (before.station.is_some() || sign.is_none())
         {
             let fact = format_args!(
-                "`{}` cannot be measured from ground: a joint below it turns about another axis, or about all",
+                "`{}` cannot be measured from ground: a joint between them turns about another axis, or is a ball \
+                 or free joint",
                 body.name
             );
-            let help = "leave out `absolute`; the coordinate is then relative to the parent";
+            let help = "remove `absolute`: the coordinate is then relative to the parent";
             return Err(self.errors.at(Code::Absolute, word.span(), fact, help));
         }
         let Some(sign) = sign else {

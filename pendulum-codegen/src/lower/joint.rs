@@ -80,7 +80,7 @@ impl<'g> Lower<'g> {
         let at = joint
             .at
             .as_ref()
-            .map_or(Ok(zero), |v| self.vector(v, &place("place", "m")));
+            .map_or(Ok(zero), |v| self.vector(v, &place("position", "m")));
         let rpy = joint
             .rpy
             .as_ref()
@@ -113,7 +113,7 @@ impl<'g> Lower<'g> {
                         .any(|name| ["rad", "mrad", "deg", "turn"].contains(&name))
                 {
                     let Measured { digits, unit, .. } = &**measured;
-                    let fact = format_args!("the pitch of the joint of `{body}` does not say for which angle it is");
+                    let fact = format_args!("the pitch of the joint of `{body}` is a length, not a length per angle");
                     let help = format_args!("write `{digits} {0}/turn` or `{digits} {0}/rad`", unit.text);
                     self.errors.on(Code::UnitMismatch, pitch, fact, help);
                 }

@@ -65,7 +65,8 @@ impl<'g> Lower<'g> {
             (Some(given), Turns::Freely) => {
                 let fact =
                     format!("the inertia of `{body}` is one number, but the body turns about more than one axis");
-                let help = "give the principal moments `[ixx, iyy, izz]`, or all six";
+                let help = "give the principal moments `[ixx, iyy, izz]`, or all six entries `[ixx, iyy, izz, ixy, \
+                            ixz, iyz]`";
                 return Err(self.errors.on(Code::MassProperties, given.tokens, fact, help));
             }
         }
@@ -86,11 +87,11 @@ impl<'g> Lower<'g> {
         let com = com.as_ref().map(|com| &com.components[0]);
         let inertia = inertia.as_ref().map(|inertia| &inertia.entries[0]);
         if let Some(other) = mass.as_ref().or(com).or(inertia) {
-            let help = "give either solids, or mass, com and inertia";
+            let help = "give either `solids`, or `mass`, `com` and `inertia`";
             return Err(self.errors.at(
                 Code::MassProperties,
                 other.span(),
-                format_args!("`{owner}` is given by its solids already"),
+                format_args!("the mass properties of `{owner}` follow from its solids"),
                 help,
             ));
         }

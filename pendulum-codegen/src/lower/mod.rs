@@ -143,14 +143,13 @@ fn check_size(items: &Items, errors: &mut Errors) -> Result<(), Errors> {
     let (bodies, motions) = (items.bodies.len(), items.motions());
     let (fact, help) = if bodies > MOST_BODIES {
         (
-            format!("{bodies} bodies are declared: at most {MOST_BODIES} are possible"),
-            "replace bodies that are fixed to each other by one",
+            format!("{bodies} bodies are declared, but at most {MOST_BODIES} are supported"),
+            "merge bodies that are fixed to each other",
         )
     } else if motions > MOST_MOTIONS {
         (
-            format!("{motions} coordinates and motions are declared: at most {MOST_MOTIONS} are possible"),
-            "hold joints that do not matter, by `joint: fixed` in a `body` of their name, or model parts of the \
-             mechanism apart",
+            format!("{motions} coordinates and motions are declared, but at most {MOST_MOTIONS} are supported"),
+            "fix joints that are not needed by `joint: fixed`, or split the mechanism into several models",
         )
     } else {
         return Ok(());
@@ -283,13 +282,13 @@ impl<'g> Lower<'g> {
             (
                 Code::NothingMoves,
                 format!("only driven joints move in `{name}`, so it has no state"),
-                "give one joint a coordinate in place of its motion",
+                "give one joint a coordinate instead of a motion",
             )
         } else if !scene.items.closures.is_empty() {
             (
                 Code::NothingMoves,
-                format!("closed loops leave nothing in `{name}` that moves by itself"),
-                "close fewer loops, or give one more body a joint whose coordinate does not depend",
+                format!("closed loops leave no degree of freedom in `{name}`"),
+                "close fewer loops, or add a body with an independent coordinate",
             )
         } else if scene.items.bodies.is_empty() {
             (

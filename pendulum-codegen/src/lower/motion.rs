@@ -81,15 +81,16 @@ impl<'g> Lower<'g> {
         let law = self.expr(motion, &place);
         if let Some(coordinate) = &body.fields.coordinate {
             let fact =
-                format_args!("the joint of `{name}` has a motion, so `{coordinate}` is no coordinate of the state");
-            let help = "give it either `coordinate: name`, to move by itself, or `motion: e`, to follow the time";
+                format_args!("the joint of `{name}` has a motion, so it cannot have the coordinate `{coordinate}`");
+            let help = "write either `coordinate: name` for a degree of freedom, or `motion: e` for a prescribed \
+                        motion";
             self.errors.at(Code::JointCoordinate, coordinate.span(), fact, help);
         }
         if law.as_ref().is_ok_and(|&law| !self.coordinates_of(law).is_empty()) {
             return law;
         }
         if let Some(stop) = &body.fields.stop {
-            let fact = format_args!("the joint of `{name}` is driven, so no stop can end its motion");
+            let fact = format_args!("the joint of `{name}` is driven, so it cannot have a stop");
             let help = "remove the stop, or drive the joint by a `torque`";
             self.errors.on(Code::NoConstraint, &stop.tokens, fact, help);
         }
@@ -128,10 +129,10 @@ impl<'g> Lower<'g> {
             .map(|friction| &friction.tokens);
         if let Some(constrained) = constrained.next().or(fields.stop.as_ref().map(|stop| &stop.tokens)) {
             let fact = format_args!(
-                "the joint of `{}` follows others, so it has neither dry friction nor stops",
+                "the joint of `{}` follows others, so it cannot have dry friction or a stop",
                 body.name
             );
-            let help = "give them to a joint that it follows";
+            let help = "move it to a joint that this one follows";
             self.errors.on(Code::NoConstraint, constrained, fact, help);
         }
         let mut sum = Combination::default();
@@ -146,7 +147,7 @@ impl<'g> Lower<'g> {
         let start = self.graph.substitute(&[law], zeros)[0];
         if start.level() >= Level::State {
             let fact = format_args!("the motion of `{}` depends on the time and on other joints", body.name);
-            let help = "let it follow either; two bodies in a row, one without mass, do both";
+            let help = "use only one of them; for both, chain two joints, with a massless body between them";
             return Err(self.errors.on(Code::Motion, motion, fact, help));
         }
         Ok(Motion::Following(sum, start))
@@ -164,8 +165,8 @@ impl<'g> Lower<'g> {
         let name = &body.name;
         if let Some(orientation) = self.orientation_of(position).map(str::to_owned) {
             let fact = format_args!("the motion of `{name}` follows the orientation `{orientation}`");
-            let help = "the components of a quaternion are no coordinates of joints: let it follow a joint that turns \
-                        about one axis";
+            let help = "the components of a quaternion are not joint coordinates: follow a joint that turns about \
+                        one axis";
             return Err(self.errors.on(Code::Motion, motion, fact, help));
         }
         let slope = Derivative::by(position).of(law);
@@ -177,15 +178,16 @@ impl<'g> Lower<'g> {
                     format!("write its value, {value}, with its unit: units with rad in place of turn have no pi");
                 return Err(self.errors.on(Code::Motion, motion, fact, help));
             }
-            let fact = format_args!("the motion of `{name}` is no sum of coordinates with numbers as factors");
-            let help = "a joint follows others as in `-a`, `0.5*a + 0.1` or `a - b`, where `a` and `b` are coordinates";
+            let fact = format_args!("the motion of `{name}` is not a linear combination of coordinates");
+            let help = "its coefficients must be numbers, as in `-a`, `0.5*a + 0.1` or `a - b`, where `a` and `b` \
+                        are coordinates";
             return Err(self.errors.on(Code::Motion, motion, fact, help));
         };
         // dependent angles are determined up to whole turns only
         if depends && !factor.is_integer() {
             let leader = position.as_symbol().map_or("", |symbol| &symbol.name);
-            let fact = format_args!("`{name}` follows `{leader}`, which depends, by a factor of {factor}");
-            let help = "let the factor be a whole number, or let it follow a coordinate without `depends`";
+            let fact = format_args!("`{name}` follows the dependent coordinate `{leader}` by a factor of {factor}");
+            let help = "use a whole number as the factor, or follow a coordinate without `depends`";
             return Err(self.errors.on(Code::Motion, motion, fact, help));
         }
         Ok(factor)
@@ -208,9 +210,12 @@ impl<'g> Lower<'g> {
         let corner = corner(given).unwrap_or(given);
         let is_clamp = matches!(&corner.kind, ast::ExprKind::Call(name, _) if name == "clamp");
         let (at, help) = if is_clamp {
-            ("`clamp` reaches a limit", "`limit*tanh(x/limit)` saturates smoothly")
+            (
+                "`clamp` reaches a limit",
+                "use `limit*tanh(x/limit)`, which saturates smoothly",
+            )
         } else {
-            let help = "`sqrt(x^2 + eps^2)` is a smooth `abs(x)`, and `abs(x)^3` is smooth enough";
+            let help = "use the smooth `sqrt(x^2 + eps^2)` instead of `abs(x)`; `abs(x)^3` is smooth enough";
             ("`abs`, or the root of a square, passes 0", help)
         };
         let fact = format_args!("{} is not smooth where {at}: the {what} jumps there", place.what);

@@ -71,12 +71,12 @@ impl<'g> Lower<'g> {
             }
             Some(Kind::Parameter) => {
                 let fact = format_args!("{} may not depend on `{text}`", place.what);
-                let help = "write a number; a `let` names what depends on parameters";
+                let help = "write a number, or use a `let` for a value that depends on parameters";
                 return Err(self.errors.at(Code::Dependence, name.span(), fact, help));
             }
             Some(_) => {
                 let fact = format_args!("`{text}` is used before it is defined");
-                let help = "a `let` may use only what stands before it";
+                let help = "a `let` may use only names that are defined before it";
                 return Err(self.errors.at(Code::Circle, name.span(), fact, help));
             }
         }
@@ -87,8 +87,8 @@ impl<'g> Lower<'g> {
         }
         if self.body_names.contains(&text) {
             let help = format_args!(
-                "a body is no number: declare a point, `point {text}_end on {text} at [x, y, z],`, or write \
-                 `rotation({text})`"
+                "`{text}` is a body, not a number: declare a point, `point {text}_end on {text} at [x, y, z],`, or \
+                 write `rotation({text})`"
             );
             return Err(self.errors.at(Code::WrongKind, name.span(), fact, help));
         }
@@ -318,16 +318,14 @@ impl<'g> Lower<'g> {
             )
         });
         if let Some(symbol) = without_rate {
-            let fact = format_args!("the rate of `{}` is not known here", symbol.name);
-            let help = "accelerations are what the equations give, and inputs come from outside; \
-                        the rate of an output is the function `.._rate` of the model";
+            let fact = format_args!("the rate of `{}` is not available", symbol.name);
+            let help = "accelerations follow from the equations of motion, and inputs are given without rates; the \
+                        rate of an output is the function `.._rate` of the model";
             return Err(self.errors.on(Code::NoRate, given, fact, help));
         }
         if value.level() < Level::State {
-            let fact = "it does not change, so it has no rate";
-            return Err(self
-                .errors
-                .on(Code::NoRate, given, fact, "leave it out: its rate is zero"));
+            let fact = "this is constant, so its rate is zero";
+            return Err(self.errors.on(Code::NoRate, given, fact, "remove it"));
         }
         Ok(())
     }

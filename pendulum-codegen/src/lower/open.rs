@@ -21,7 +21,7 @@ impl<'g> Lower<'g> {
                 needed.to_string()
             };
             let fact = format!("{}, but closed loops determine {many}", depend(given));
-            let help = "leave out `depends` where a joint moves by itself, or close another loop: `close a at [..] to \
+            let help = "remove `depends` from an independent coordinate, or close another loop: `close a at [..] to \
                         b at [..]: revolute(z)`";
             return Err(self.errors.at(Code::LoopCount, word.span(), fact, help));
         }
@@ -30,7 +30,7 @@ impl<'g> Lower<'g> {
         }
         let many = if needed == 1 { "coordinate" } else { "coordinates" };
         let fact = match given {
-            0 => format!("closed loops determine {needed} {many}, but none depends"),
+            0 => format!("closed loops determine {needed} {many}, but none is marked `depends`"),
             _ => format!("closed loops determine {needed} {many}, but only {}", depend(given)),
         };
         // orientations cannot depend, so other joints are missing
@@ -45,8 +45,8 @@ impl<'g> Lower<'g> {
         } else {
             let independent = in_loops.iter().rev().filter(|body| body.fields.depends.is_none());
             format!(
-                "a loop in a plane determines two, and one in space up to six: write `coordinate: {} depends near \
-                 0.3`, where the number says in which assembly",
+                "a planar loop determines two, and a spatial one up to six: write `coordinate: {} depends near \
+                 0.3`, where the number is a guess that selects the assembly",
                 first_coordinate(independent).map_or("phi".to_owned(), Ident::to_string)
             )
         };
@@ -114,7 +114,7 @@ fn assembled(bodies: &[&ast::Body]) -> String {
     };
     let name = first_coordinate([body]).map_or(String::new(), Ident::to_string);
     if body.fields.near.is_some() {
-        format!("another number behind `near` of `{name}`")
+        format!("another number after `near` of `{name}`")
     } else {
         format!("`coordinate: {name} near 0.5`")
     }
@@ -131,16 +131,16 @@ fn dependent(bodies: &[&ast::Body]) -> String {
 /// Help on the number of coordinates that a loop-closing joint determines, in a plane and in space.
 fn counted(joint: &str, [in_plane, in_space]: [&str; 2], assembled: &str) -> String {
     format!(
-        "`{joint}` determines {in_plane} coordinates of a loop in a plane, and {in_space} of one in space: let as \
-         many depend, and say where the mechanism can be assembled: {assembled}"
+        "`{joint}` determines {in_plane} coordinates of a planar loop, and {in_space} of a spatial one: mark as \
+         many `depends`, and change the guess if needed: {assembled}"
     )
 }
 
 /// Number of dependent coordinates, in words.
 fn depend(count: usize) -> String {
     match count {
-        1 => "1 coordinate depends".to_owned(),
-        _ => format!("{count} coordinates depend"),
+        1 => "1 coordinate is marked `depends`".to_owned(),
+        _ => format!("{count} coordinates are marked `depends`"),
     }
 }
 
@@ -170,25 +170,27 @@ impl Cause {
     fn fact(&self) -> String {
         match *self {
             Self::TooShort { by } => format!(
-                "cannot close: where it is assembled, its sides miss each other by {} m",
+                "cannot close: its sides miss each other by {} m at the guess",
                 readable(by)
             ),
-            Self::AtToggle => "is at its toggle where it is assembled".to_owned(),
-            Self::Undecided => "can be assembled in two ways, and the guess is as near to both".to_owned(),
+            Self::AtToggle => "is singular at the guess (a toggle position)".to_owned(),
+            Self::Undecided => "has two assemblies, equally near to the guess".to_owned(),
             Self::AlwaysOpen { by, unit } => format!(
-                "cannot close: its ends are {} {unit} apart wherever it moves",
+                "cannot close: its ends are {} {unit} apart in every position",
                 readable(by)
             ),
-            Self::ClosedByChance => "closes for the default values of the parameters alone".to_owned(),
+            Self::ClosedByChance => "closes only for the default values of the parameters".to_owned(),
             Self::NotAssembled { by, unit } => format!(
                 "cannot be assembled near the guess: its ends stay {} {unit} apart",
                 readable(by)
             ),
             Self::Turned { by } => format!(
-                "closes near the guess with its ends turned by {} rad against each other",
+                "closes near the guess, but with an angle of {} rad between its ends",
                 readable(by)
             ),
-            Self::Determines(_) | Self::DeterminesOthers => "does not determine the coordinates that depend".to_owned(),
+            Self::Determines(_) | Self::DeterminesOthers => {
+                "does not determine the coordinates marked `depends`".to_owned()
+            }
         }
     }
 
@@ -199,23 +201,25 @@ impl Cause {
             Self::TooShort { .. } | Self::AlwaysOpen { .. } | Self::NotAssembled { .. } => match no_plane {
                 Some(no_plane) => no_plane.help(joint, bodies),
                 None => format!(
-                    "check lengths and places, or say where the mechanism can be assembled: {}",
+                    "check lengths and positions, or change the guess: {}",
                     assembled(bodies)
                 ),
             },
             Self::AtToggle => format!(
-                "there it does not determine what depends: assemble it elsewhere, as by {}",
+                "it does not determine the dependent coordinates there; change the guess: {}",
                 assembled(bodies)
             ),
-            Self::Undecided => format!("say in which, by a number for each coordinate of the loop: {dependent}"),
-            Self::ClosedByChance => "give both ends one parameter where they must agree in order to close".to_owned(),
+            Self::Undecided => format!("select one by a guess for each coordinate of the loop: {dependent}"),
+            Self::ClosedByChance => "use the same parameter for lengths or angles that must be equal for the loop \
+                                     to close"
+                .to_owned(),
             Self::Turned { .. } if matches!(joint, Ok(JointKind::Revolute(_))) => format!(
-                "say where its axes have one direction: {dependent}, or turn one end over, with `rpy [..]` behind its \
-                 place"
+                "give a guess where its axes have the same direction: {dependent}, or turn one end over with `rpy \
+                 [..]` after its position"
             ),
-            Self::Turned { .. } => format!("say where the two frames coincide: {dependent}"),
+            Self::Turned { .. } => format!("give a guess where the two frames coincide: {dependent}"),
             Self::Determines(_) | Self::DeterminesOthers => format!(
-                "let coordinates of the joints in the loop depend, and assemble it away from its toggle: {dependent}"
+                "mark coordinates of joints in the loop `depends`, with a guess away from its toggle: {dependent}"
             ),
         }
     }
@@ -228,23 +232,21 @@ impl NoPlane {
         match (self, joint) {
             _ if has_orientation(bodies) => match bodies.iter().find_map(unguessed) {
                 Some(name) => format!(
-                    "where it is assembled, `{name}` is turned by nothing: say how it is turned there, \
-                     `orientation: {name} near [roll, pitch, yaw]` with angles in rad. Or, if it follows from the \
-                     loop: {HINGES}"
+                    "`{name}` has no guess: give one, `orientation: {name} near [roll, pitch, yaw]` in rad. Or, if \
+                     the loop determines it, {HINGES}"
                 ),
                 None => HINGES.to_owned(),
             },
-            (Self::Axes, _) => "check lengths, places and axes, and say near which values of all coordinates of the \
-                                loop it can be assembled; where these are right, more of them must depend"
+            (Self::Axes, _) => "check lengths, positions, axes and the guesses of all coordinates of the loop; if \
+                                these are right, mark more of them `depends`"
                 .to_owned(),
             (Self::Joint, Ok(JointKind::Fixed)) => counted("fixed", ["three", "six"], &assembled),
             (Self::Joint, Ok(JointKind::Prismatic(_))) => counted("prismatic", ["two", "five"], &assembled),
             (Self::Joint, _) => format!(
-                "give the joint that closes the loop the axis of the others, or say where the mechanism can be \
-                 assembled: {assembled}"
+                "give the joint that closes the loop the axis of the other joints, or change the guess: {assembled}"
             ),
-            (Self::Apart, _) => "check the places along the axis of the joints, and in which directions they slide: \
-                                 the ends do not lie in one plane"
+            (Self::Apart, _) => "check positions along the joint axes, and sliding directions: the ends do not lie \
+                                 in one plane"
                 .to_owned(),
         }
     }

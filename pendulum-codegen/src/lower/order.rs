@@ -33,8 +33,8 @@ impl Lower<'_> {
         let mut circle = None;
         for &n in &waiting {
             if let (true, Ok(parent)) = (hangs_on_itself(&parents, n), &bodies[n].parent) {
-                let fact = format_args!("`{}` hangs on itself", bodies[n].name);
-                let help = "follow the parents: each chain must end on `ground`";
+                let fact = format_args!("the parents of `{}` form a cycle", bodies[n].name);
+                let help = "each chain of parents must end at `ground`";
                 circle = Some(self.errors.at(Code::Circle, parent.span(), fact, help));
             }
         }
@@ -51,7 +51,7 @@ impl Lower<'_> {
         for (n, body) in bodies.iter().enumerate() {
             let (name, span) = (body.name.to_string(), body.name.span());
             if name == "ground" {
-                let fact = "`ground` is there already";
+                let fact = "`ground` is reserved for the body that does not move";
                 self.errors.at(Code::NameTaken, span, fact, "choose another name");
             } else if index.insert(name, n).is_some() {
                 let fact = format_args!("body `{}` is declared twice", body.name);

@@ -137,7 +137,7 @@ impl<'g> Lower<'g> {
                         continue;
                     }
                 };
-                let fact = format_args!("{kind} `{ident}` needs the name `{function}`, which {owner} has already");
+                let fact = format_args!("{kind} `{ident}` needs the name `{function}`, which {owner} already has");
                 self.errors
                     .at(Code::NameTaken, ident.span(), fact, "choose another name");
                 break;

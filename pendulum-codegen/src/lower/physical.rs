@@ -70,16 +70,15 @@ impl<'g> Lower<'g> {
                             Printer::new(self.graph).print(about_com.0[at].id())
                         };
                         let [a, b, c] = [p, q, r].map(|name| text(name));
-                        let fact = format!("principal moments break the triangle inequality: {a} + {b} < {c}");
+                        let fact = format!("principal moments violate the triangle inequality: {a} + {b} < {c}");
                         (fact, format!("a rigid body needs {p} + {q} >= {r}"))
                     }
                     _ => (
                         format!(
-                            "no rigid body has the inertia of `{owner}`: \
-                             its principal moments about the centre of mass break the triangle inequality"
+                            "no rigid body has the inertia of `{owner}`: its principal moments about the centre of \
+                             mass violate the triangle inequality"
                         ),
-                        "check the signs, the order [ixx, iyy, izz, ixy, ixz, iyz], and the point that it is about"
-                            .to_owned(),
+                        "check the signs, the order [ixx, iyy, izz, ixy, ixz, iyz], and the reference point".to_owned(),
                     ),
                 };
                 self.errors.on(Code::NotARigidBody, &inertia.tokens, fact, help);
@@ -113,7 +112,7 @@ impl<'g> Lower<'g> {
         let requirement = Requirement::NonNegativeWithin(about_axis);
         if let Some(number) = self.broken_by(about_com, requirement) {
             let fact = format!(
-                "the inertia of `{owner}` about its joint is too small: {number} is left about the centre of mass"
+                "the inertia of `{owner}` about its joint is too small: about the centre of mass it is {number}"
             );
             self.errors.on(
                 Code::NotARigidBody,
@@ -158,9 +157,9 @@ impl<'g> Lower<'g> {
                 continue;
             }
             if let Some(Ok(default)) = &param.default {
-                let fact = format!("the default of `{}` is refused: {}", parameter.name, rule.text);
+                let fact = format!("invalid default of `{}`: {}", parameter.name, rule.text);
                 self.errors
-                    .on(Code::RefusedDefault, default, fact, "give another default, or none");
+                    .on(Code::RefusedDefault, default, fact, "change the default, or remove it");
             }
         }
     }

@@ -9,7 +9,7 @@ impl Lower<'_> {
     /// Rejects coordinates and states whose constants have the name of another constant of the model.
     pub(super) fn check_places(&mut self, items: &ast::Items) {
         let mut taken: Vec<(String, String)> = FACTS
-            .map(|fact| (fact.to_owned(), "another fact of the model".to_owned()))
+            .map(|fact| (fact.to_owned(), "another constant of the model".to_owned()))
             .into();
         let coordinates = items.bodies.iter().flat_map(|body| body.fields.slots());
         let coordinates = coordinates.map(|(ident, slot)| ("coordinate", ident, places(&slot).to_vec(), slot));
@@ -19,8 +19,8 @@ impl Lower<'_> {
             let clash = taken.iter().find(|(constant, _)| own.contains(constant));
             if let Some((constant, owner)) = clash.filter(|(_, owner)| *owner != format!("`{slot}`")) {
                 let fact = format!(
-                    "{kind} `{slot}` needs the constant `{constant}` for its place in the state, \
-                     but {owner} has that name"
+                    "{kind} `{slot}` needs the constant `{constant}` for its index in the state, but {owner} has that \
+                     name"
                 );
                 self.errors
                     .at(Code::NameTaken, ident.span(), fact, format_args!("rename the {kind}"));

@@ -26,7 +26,7 @@ impl<'g> Lower<'g> {
                 Code::DegenerateSolid,
                 tokens,
                 format_args!("a plate of `{owner}` has {} corners", corners.len()),
-                "a plate needs three corners or more",
+                "a plate needs at least three corners",
             ));
         }
         let numbers: Vec<_> = corners.iter().map(|&(x, y)| x.constant().zip(y.constant())).collect();

@@ -74,7 +74,7 @@ impl<'g> Lower<'g> {
         let mut placed = Vec::new();
         for point in points {
             let name = point.name.to_string();
-            let place = Place::fixed(format!("the place of `{}`", point.name)).in_unit("m");
+            let place = Place::fixed(format!("the position of `{}`", point.name)).in_unit("m");
             let at = match &point.at {
                 Some(at) => self.read(at).and_then(|at| self.vector(at, &place)),
                 None => Ok(Vec3::zero(self.graph)),
@@ -115,7 +115,7 @@ impl<'g> Lower<'g> {
         let text = name.to_string();
         if let (Some(kind), Some(owner)) = (self.names.kind(&text), self.owner(name, bodies)) {
             let fact = format_args!("`{name}` is {}, not a body", kind.one());
-            let help = format_args!("write `{owner}`, to which it belongs");
+            let help = format_args!("write `{owner}`, the body that it belongs to");
             return Err(self.errors.at(Code::WrongKind, name.span(), fact, help));
         }
         let known: Vec<String> = bodies.iter().map(|body| body.name.to_string()).collect();
@@ -158,7 +158,8 @@ impl<'g> Lower<'g> {
         }
         let fact = format_args!("no point named `{text}`");
         if text == "ground" || self.body_names.contains(&text) {
-            let help = format_args!("a body is no point: declare one, `point {text}_end on {text} at [x, y, z],`");
+            let help =
+                format_args!("`{text}` is a body: declare a point on it, `point {text}_end on {text} at [x, y, z],`");
             return Err(self.errors.at(Code::WrongKind, name.span(), fact, help));
         }
         let known: Vec<String> = self.points.keys().cloned().collect();
@@ -190,7 +191,7 @@ impl<'g> Lower<'g> {
         }
         let declared = self.point_named(point)?;
         let Some(n) = ["x", "y", "z"].iter().position(|known| axis == known) else {
-            let fact = format_args!("a point has no `{axis}`");
+            let fact = format_args!("a point has no component `{axis}`");
             let help = format_args!("write `{point}.x`, `{point}.y` or `{point}.z`");
             return Err(self.errors.at(Code::UnknownName, axis.span(), fact, help));
         };
@@ -226,8 +227,8 @@ impl<'g> Lower<'g> {
         let (a, b) = (self.point_named(first), self.point_named(second));
         let ends = [a?, b?];
         if first == second {
-            let fact = format_args!("`{first}` stands at both ends");
-            return Err(self.errors.at(Code::Arguments, span, fact, "name two points"));
+            let fact = format_args!("both points are `{first}`");
+            return Err(self.errors.at(Code::Arguments, span, fact, "name two different points"));
         }
         Ok(ends)
     }

@@ -79,7 +79,7 @@ const RESERVED: [(&str, &str); 7] = [
     ("q", "a joint's own coordinate"),
     ("qd", "a joint's own rate"),
     ("dot", "the rate of a coordinate"),
-    ("on", "what a point belongs to, and a force acts on"),
+    ("on", "it precedes the body of a point, or the point of a force"),
     ("ground", "the body that does not move"),
 ];
 
@@ -102,7 +102,7 @@ impl<'g> Names<'g> {
     ) {
         let (text, span, order) = (ident.to_string(), ident.span(), self.0.len());
         if let Some(meaning) = reserved(&text) {
-            let fact = format_args!("`{text}` is a word of the language: {meaning}");
+            let fact = format_args!("`{text}` is a reserved word: {meaning}");
             errors.at(Code::NameTaken, span, fact, "choose another name");
         } else if let Some(first) = self.0.get(&text) {
             let fact = format_args!("the name `{text}` is declared twice, first as {}", first.kind.one());
@@ -220,7 +220,7 @@ impl<'g> Names<'g> {
         for (text, name) in unused {
             let help = match name.kind {
                 Kind::Point => "remove it, or use it in a force, an expression or an output",
-                _ => "remove it, or use it: every declared number must matter to the motion",
+                _ => "remove it, or use it: every declared number must affect the motion",
             };
             let what = match name.kind {
                 Kind::Let => format!("`let {text}`"),

@@ -25,8 +25,7 @@ impl<'g> Lower<'g> {
     /// Sum of the solids of a body or shape.
     pub(super) fn solids(&mut self, owner: &Ident, solids: &[Read<Solid>]) -> Result<SpatialInertia<'g>, Reported> {
         if solids.is_empty() {
-            let help =
-                "list one or more, such as `point(m, [0, -l, 0])`, or leave the field out for a body without mass";
+            let help = "list one or more, such as `point(m, [0, -l, 0])`, or leave the field out for a massless body";
             return Err(self.errors.at(
                 Code::Arguments,
                 owner.span(),

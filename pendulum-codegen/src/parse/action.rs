@@ -47,7 +47,7 @@ fn force(input: ParseStream, errors: &mut Errors) -> syn::Result<ActionKind> {
     let next = input.fork().parse::<Ident>();
     if next.is_ok_and(|next| next == "at") {
         let help = format!("declare the point: `point tip on {point} at [x, y, z],` and write `{form}`");
-        let fact = "a force acts on a point by its name";
+        let fact = "a force acts on a named point";
         return Err(at(Code::Syntax, input.span(), fact, help));
     }
     if !input.peek(Token![:]) {
@@ -82,7 +82,7 @@ fn spring(input: ParseStream, word: &Ident, errors: &mut Errors) -> syn::Result<
         match <[Expr; 2]>::try_from(numbers) {
             Ok([stiffness, length]) => Ok((stiffness, length)),
             Err(_) => {
-                let fact = "a spring has a stiffness and a length at rest";
+                let fact = "a spring takes a stiffness and a rest length";
                 Err(at(Code::Arguments, span, fact, format_args!("write `{form}`")))
             }
         }

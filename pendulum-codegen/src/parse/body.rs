@@ -56,9 +56,14 @@ const BODY_FIELDS: [Row<BodyFields>; 11] = [
     ("spring", |field, body| field.spring(body)),
     ("torque", |field, body| {
         if field.input.peek(Bracket) {
-            let help = "along a joint acts one number; a moment `m` about the x axis of a body with the orientation \
-                        `o` is `dissipation: -m*dot(o).x,` among the items of the scene";
-            return Err(at(Code::Arguments, field.key.span(), "a torque is no list", help));
+            let help = "write one number, the torque about the joint axis; a moment `m` about the x axis of a body \
+                        with the orientation `o` is `dissipation: -m*dot(o).x,` among the items of the scene";
+            return Err(at(
+                Code::Arguments,
+                field.key.span(),
+                "a torque is a number, not a list",
+                help,
+            ));
         }
         field.value(&mut body.torque)
     }),
@@ -68,10 +73,10 @@ const BODY_FIELDS: [Row<BodyFields>; 11] = [
 ];
 
 /// Help text on replacing a ball joint that depends on a closed loop by hinges.
-pub(crate) const HINGES: &str = "of the ball joints of a loop let one close it, `close a at [..] to b at [..]: ball`; \
-                                 write each other as hinges whose coordinates depend, on bodies without mass: \
-                                 `joint: revolute(x), coordinate: u depends near 0.3`, then one about y, \
-                                 and one about z";
+pub(crate) const HINGES: &str = "close the loop by one of its ball joints, `close a at [..] to b at [..]: ball`, \
+                                 and replace each other ball joint by three revolute joints on massless bodies: \
+                                 `joint: revolute(x), coordinate: u depends near 0.3`, then one about y, and one \
+                                 about z";
 
 fn names<T>(rows: &'static [Row<T>]) -> impl Iterator<Item = &'static str> {
     rows.iter().map(|(name, _)| *name)
@@ -112,7 +117,7 @@ fn parent(input: ParseStream, name: &Ident) -> Read<Ident> {
     if on.as_ref().is_some_and(|on| on == "on") {
         return identifier(
             input,
-            "the body that carries it",
+            "the parent of the body",
             &format!("body {name} on ground {{ .. }}"),
         );
     }
@@ -125,8 +130,8 @@ fn parent(input: ParseStream, name: &Ident) -> Read<Ident> {
             "write `body name on ground { .. }`",
         ));
     }
-    let help = format!("write `body {name} on ground {{ .. }}`, or name the body that carries it");
-    let fact = format_args!("body `{name}` hangs on nothing");
+    let help = format!("write `body {name} on ground {{ .. }}`, or another parent after `on`");
+    let fact = format_args!("body `{name}` has no parent");
     Err(at(Code::Syntax, name.span(), fact, help))
 }
 
@@ -240,15 +245,15 @@ impl Field<'_> {
     ) -> syn::Result<()> {
         let form = guessed.split(" near").next().unwrap_or(guessed);
         if self.input.peek(Bracket) {
-            let fact = format_args!("the {} of a joint that moves freely is a name", self.key);
+            let fact = format_args!("expected a name for the {}", self.key);
             let place = if self.key == "position" {
                 "at [x, y, z]"
             } else {
                 "rpy [roll, pitch, yaw]"
             };
             let help = format!(
-                "write `{form}`: the state to start from is given where the scene is solved; \
-                 a joint frame that sits elsewhere is `joint: .. {place}`"
+                "write `{form}`; the initial condition is an argument of `solve`, and an offset of the joint frame \
+                 is `joint: .. {place}`"
             );
             return Err(at(Code::Syntax, self.key.span(), fact, help));
         }
@@ -259,20 +264,20 @@ impl Field<'_> {
             once(place, name, self.key)?;
             return Err(match word.to_string().as_str() {
                 "depends" if self.key == "position" => {
-                    let help = "write slides in its place, on bodies without mass, and hinges for the orientation: \
-                                `joint: prismatic(x), coordinate: u depends near 0.3`, and so on";
-                    let fact = format_args!("{what} cannot depend");
+                    let help = "replace the joint by prismatic and revolute joints on massless bodies: `joint: \
+                                prismatic(x), coordinate: u depends near 0.3`, and so on";
+                    let fact = format_args!("{what} cannot be marked `depends`");
                     at(Code::FreeRotation, word.span(), fact, help)
                 }
                 "depends" => at(
                     Code::FreeRotation,
                     word.span(),
-                    format_args!("{what} cannot depend"),
+                    format_args!("{what} cannot be marked `depends`"),
                     HINGES,
                 ),
                 "near" if self.input.peek(Bracket) => return once(near, self.input.parse()?, &word),
                 "near" => {
-                    let fact = format_args!("the guess for {what} has three numbers");
+                    let fact = format_args!("the guess for {what} takes three numbers");
                     at(Code::Arguments, word.span(), fact, format_args!("write `{guessed}`"))
                 }
                 _ => {
@@ -296,8 +301,8 @@ impl Field<'_> {
                 "near" => once(&mut body.near, self.input.parse()?, &word)?,
                 _ => {
                     let fact = format_args!("unexpected `{word}` after the coordinate");
-                    let help = "it is relative to the parent, or measured from ground with the word `absolute`; \
-                                `depends near 0.3` is for one that closed loops determine";
+                    let help = "a coordinate is relative to the parent, or measured from ground with `absolute`; \
+                                `depends near 0.3` marks one that closed loops determine";
                     return Err(at(Code::Syntax, word.span(), fact, help));
                 }
             }
@@ -314,7 +319,7 @@ impl Field<'_> {
         };
         let [stiffness, rest] = <[Expr; 2]>::try_from(numbers).map_err(|_| {
             let help = format_args!("write `{form}`");
-            let fact = "a spring has a stiffness and a rest position";
+            let fact = "a spring takes a stiffness and a rest position";
             at(Code::Arguments, span, fact, help)
         })?;
         once(&mut body.spring, (stiffness, rest), self.key)
@@ -327,8 +332,7 @@ impl Parse for Inertia {
             Argument::Scalar(scalar) => (vec![scalar], None),
             Argument::List(entries, tokens) => (entries, Some(tokens)),
             Argument::Points(_, tokens) => {
-                let help =
-                    "write the six `[ixx, iyy, izz, ixy, ixz, iyz]`, with the off-diagonal entries of the matrix";
+                let help = "write the six entries `[ixx, iyy, izz, ixy, ixz, iyz]` of the matrix";
                 let fact = "an inertia is not written as a matrix";
                 return Err(on(Code::Arguments, tokens, fact, help));
             }

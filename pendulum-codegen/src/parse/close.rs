@@ -22,14 +22,14 @@ pub(super) fn close(input: ParseStream, word: Ident, errors: &mut Errors) -> syn
     if to.as_ref().is_none_or(|to| to != "to") {
         no_place(input, &first)?;
         let span = to.map_or(input.span(), |to| to.span());
-        let fact = format_args!("expected `to`, and what `{}` is tied to", first.body);
+        let fact = format_args!("expected `to` and the body to connect `{}` to", first.body);
         return Err(at(Code::Syntax, span, fact, format_args!("write `{FORM}`")));
     }
     let second = end(input)?;
     no_place(input, &second)?;
     if !input.peek(Token![:]) && !input.peek(Token![=]) {
         let fact = format_args!(
-            "expected a colon and the joint that ties `{}` and `{}`",
+            "expected a colon and the joint between `{}` and `{}`",
             first.body, second.body
         );
         return Err(at(Code::Syntax, input.span(), fact, format_args!("write `{FORM}`")));
@@ -37,12 +37,12 @@ pub(super) fn close(input: ParseStream, word: Ident, errors: &mut Errors) -> syn
     colon(input, &second.body, errors)?;
     let joint = joint::kind(input, &second.body, FORM, &CLOSING)?;
     if input.peek(Ident) && !starts_item(input) {
-        let fact = "the joint of a loop has no place of its own";
+        let fact = "the joint that closes a loop has no position of its own";
         return Err(at(
             Code::Syntax,
             input.span(),
             fact,
-            format_args!("the places stand behind the bodies: write `{FORM}`"),
+            format_args!("write the positions after the bodies: `{FORM}`"),
         ));
     }
     Ok(Closure {
@@ -55,7 +55,7 @@ pub(super) fn close(input: ParseStream, word: Ident, errors: &mut Errors) -> syn
 /// Rejects a place without the word `at`.
 fn no_place(input: ParseStream, end: &End) -> syn::Result<()> {
     if input.peek(Bracket) {
-        let fact = format_args!("expected `at` before the place on `{}`", end.body);
+        let fact = format_args!("expected `at` before the position on `{}`", end.body);
         return Err(at(Code::Syntax, input.span(), fact, format_args!("write `{FORM}`")));
     }
     Ok(())

@@ -85,7 +85,7 @@ pub(super) fn input(input: ParseStream, docs: Vec<String>, errors: &mut Errors) 
 pub(super) fn named_expression(input: ParseStream, errors: &mut Errors) -> syn::Result<Let> {
     let name = identifier(input, "a name", "let name = expression")?;
     if input.peek(Token![:]) {
-        let help = format!("write `let {name} = ..`; units stand in `params` and at inputs only");
+        let help = format!("write `let {name} = ..`; only parameters and inputs declare units");
         let fact = format_args!("`let {name}` takes no unit");
         errors.at(Code::Syntax, input.span(), fact, help);
         skip_to(input, |input| input.peek(Token![=]) || input.peek(Token![,]));

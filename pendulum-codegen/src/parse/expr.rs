@@ -25,9 +25,9 @@ impl Parse for Expr {
     fn parse(input: ParseStream) -> syn::Result<Self> {
         let (tokens, nesting) = size_until_comma(input.cursor());
         if tokens > MOST_TOKENS || nesting > MOST_NESTING {
-            let fact = "the expression is too long, or its brackets are nested too deep";
+            let fact = "the expression is too long, or its brackets are nested too deeply";
             let help = format!(
-                "up to {MOST_TOKENS} tokens and {MOST_NESTING} levels may stand here; name its parts with `let`"
+                "at most {MOST_TOKENS} tokens and {MOST_NESTING} levels are allowed; name its parts with `let`"
             );
             return Err(at(Code::TooLong, input.span(), fact, help));
         }
@@ -234,13 +234,13 @@ fn number(input: ParseStream) -> syn::Result<ExprKind> {
                 Code::NotInLanguage,
                 literal.span(),
                 "expected a number",
-                "text, characters and booleans have no place in an expression",
+                "strings, characters and booleans are not allowed in an expression",
             ));
         }
     };
     let count = digits.bytes().take_while(|digit| !b"eE".contains(digit));
     if count.filter(u8::is_ascii_digit).count() > MOST_DIGITS {
-        let help = format!("up to {MOST_DIGITS} may stand here; a double holds 17");
+        let help = format!("at most {MOST_DIGITS} are allowed; a double holds 17");
         return Err(at(Code::TooLong, literal.span(), "a number has too many digits", help));
     }
     let number = decimal(digits).ok_or_else(|| {

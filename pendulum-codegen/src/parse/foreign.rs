@@ -19,8 +19,8 @@ pub(super) fn no_operand(input: ParseStream) -> syn::Error {
         if keyword != "if" && keyword != "match" {
             return is_keyword(&keyword);
         }
-        let help = "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0";
-        let fact = format_args!("`{keyword}` has no place in an expression");
+        let help = "use a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0";
+        let fact = format_args!("`{keyword}` is not allowed in an expression");
         return at(Code::NotInLanguage, span, fact, help);
     }
     let (fact, help) = if input.peek(Token![*]) {
@@ -29,11 +29,11 @@ pub(super) fn no_operand(input: ParseStream) -> syn::Error {
             "write a power as `x^2`, not `x**2`",
         )
     } else if input.peek(Token![+]) {
-        ("a plus stands between two terms", "leave it out")
+        ("expected a term before `+`", "remove the `+`")
     } else if input.peek(Token![.]) {
         ("a number begins with a digit", "write `0.5`")
     } else if input.peek(Token![|]) {
-        ("bars have no meaning here", "write `abs(x)`")
+        ("`|` is not an operator", "write `abs(x)`")
     } else if input.peek(token::Bracket) {
         ("expected one number, not a list", "write a number, a name or a formula")
     } else {
@@ -62,7 +62,7 @@ pub(super) fn no_path(input: ParseStream, first: &Ident) -> syn::Result<()> {
         Some(sentence) if sentence.contains(' ') => sentence.to_owned(),
         meaning => format!("write `{}` alone", meaning.unwrap_or(&last.to_string())),
     };
-    let fact = "paths have no place in an expression";
+    let fact = "paths are not allowed in an expression";
     Err(on(Code::NotInLanguage, text, fact, help))
 }
 

@@ -63,8 +63,8 @@ pub(super) fn kind(
     known: &[&'static str],
 ) -> syn::Result<Read<JointKind>> {
     if input.peek(Bracket) {
-        let help = "more axes are more bodies, one on the other and without mass; `ball` turns about all axes";
-        let fact = "a body has one joint, and not a list";
+        let help = "for several axes write a chain of massless bodies, with a joint each; `ball` turns about all axes";
+        let fact = "a body has one joint, not a list";
         return Err(at(Code::Arguments, input.span(), fact, help));
     }
     let word = identifier(input, "a joint", form)?;
@@ -110,7 +110,7 @@ fn of_arguments(body: &Ident, word: &Ident, arguments: Vec<JointArgument>, known
         at(
             Code::Arguments,
             word.span(),
-            format_args!("a {word} joint takes other arguments"),
+            format_args!("wrong arguments of a {word} joint"),
             format_args!("write `{form}`{axis}"),
         )
     })
@@ -163,13 +163,13 @@ impl Arguments<'_> {
             Err(Argument::Scalar(e)) => Err(on(
                 Code::Arguments,
                 e,
-                format_args!("the joint of `{}` has no such axis", self.body),
+                format_args!("invalid axis of the joint of `{}`", self.body),
                 "an axis is x, y, z, -x, -y, -z or a vector `[x, y, z]`",
             )),
             Err(_) => Err(at(
                 Code::Arguments,
                 self.word.span(),
-                format_args!("the axis of the joint of `{}` is no vector", self.body),
+                format_args!("the axis of the joint of `{}` is not a vector", self.body),
                 "write `[x, y, z]`",
             )),
         })

@@ -67,8 +67,8 @@ const HIDDEN: [&str; 6] = ["Controlled", "Energy", "Ensemble", "Jacobian", "Meth
 pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     let mut errors = Errors::default();
     if let Some(bracket) = too_deep(tokens.clone()) {
-        let help = format!("up to {MOST_LEVELS} levels may stand here; name parts of expressions with `let`");
-        errors.at(Code::TooLong, bracket, "brackets are nested too deep", help);
+        let help = format!("at most {MOST_LEVELS} levels are allowed; name parts of expressions with `let`");
+        errors.at(Code::TooLong, bracket, "brackets are nested too deeply", help);
         return (None, errors);
     }
     let clamps = occurrences(tokens.clone(), "clamp");
@@ -171,12 +171,12 @@ fn head(input: ParseStream) -> syn::Result<Head> {
     }
     let name = identifier(input, "the name of the scene", form)?;
     if USED.iter().any(|used| name == used) {
-        let fact = format!("`{name}` is a name that the generated code uses itself");
+        let fact = format!("`{name}` is reserved for the generated code");
         let help = "choose another name, such as `DoublePendulum`";
         return Err(at(Code::NameTaken, span, fact, help));
     }
     if HIDDEN.iter().any(|hidden| name == hidden) {
-        let fact = format!("`{name}` would hide the trait of `pendulum_core::prelude`, and its methods with it");
+        let fact = format!("`{name}` would shadow the trait of `pendulum_core::prelude`, and its methods");
         let help = "choose another name, such as `DoublePendulum`";
         return Err(at(Code::NameTaken, span, fact, help));
     }
@@ -260,7 +260,7 @@ fn skip_to(input: ParseStream, ends: impl Fn(ParseStream) -> bool) {
 
 /// Parses the lines of documentation comments; rejects all other attributes.
 fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
-    const FACT: &str = "only documentation comments may stand here";
+    const FACT: &str = "only documentation comments are allowed here";
     const HELP: &str = "remove the attribute";
     let line = |attribute: Attribute| match &attribute.meta {
         Meta::NameValue(MetaNameValue {
@@ -356,7 +356,7 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
 fn no_units(input: ParseStream) -> syn::Result<()> {
     let word = identifier(input, "`none`", "units: none")?;
     if word != "none" {
-        let help = "leave it out: units are SI; `units: none` is for equations without dimensions";
+        let help = "leave it out: units are SI; `units: none` is for dimensionless equations";
         let fact = format_args!("unknown units `{word}`");
         return Err(at(Code::UnknownWord, word.span(), fact, help));
     }
@@ -366,14 +366,14 @@ fn no_units(input: ParseStream) -> syn::Result<()> {
 /// `[routine, ..]`, after the word `generate`
 fn routines(input: ParseStream) -> syn::Result<Vec<Ident>> {
     let form = "generate: [rhs, jacobian, energy]";
-    let inner = brackets(input, "what to generate", form)?;
+    let inner = brackets(input, "the routines to generate", form)?;
     list(&inner, form, |input| {
-        let word = identifier(input, "a routine", form)?;
+        let word = identifier(input, "the name of a routine", form)?;
         if input.peek(Token![-]) && input.peek2(Ident) {
             let span = input.span();
             input.parse::<Token![-]>()?;
             let rest: Ident = input.parse()?;
-            let fact = format_args!("`{word}-{rest}` is no name");
+            let fact = format_args!("`{word}-{rest}` is not a name");
             return Err(at(Code::Syntax, span, fact, format_args!("write `{word}_{rest}`")));
         }
         Ok(word)

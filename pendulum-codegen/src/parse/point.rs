@@ -14,19 +14,19 @@ pub(super) fn point(input: ParseStream) -> syn::Result<Point> {
     let form = format!("point {name} on arm at [0, -l, 0]");
     let on: Option<Ident> = input.parse()?;
     let body = if on.as_ref().is_some_and(|on| on == "on") {
-        identifier(input, "the body that it is a point of", &form)
+        identifier(input, "the body of the point", &form)
     } else {
         skip_to(input, |input| input.peek(Token![,]));
         Err(at(
             Code::Syntax,
             name.span(),
-            format_args!("point `{name}` belongs to no body"),
-            format_args!("write `{form}`, with a body or `ground` behind `on`"),
+            format_args!("point `{name}` has no body"),
+            format_args!("write `{form}`, with a body or `ground` after `on`"),
         ))
     };
     let mut place = None;
     if input.peek(token::Bracket) {
-        let fact = format_args!("expected `at` before the place of `{name}`");
+        let fact = format_args!("expected `at` before the position of `{name}`");
         return Err(at(Code::Syntax, input.span(), fact, format_args!("write `{form}`")));
     }
     if let Some((word, _)) = input.cursor().ident()

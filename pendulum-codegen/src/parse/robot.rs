@@ -13,13 +13,13 @@ pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
     let help = format!("write `{FORM}`");
     let word = identifier(input, "`urdf`", FORM)?;
     if word != "urdf" {
-        let fact = format_args!("unknown kind of robot `{word}`");
+        let fact = format_args!("unknown robot format `{word}`");
         return Err(at(Code::UnknownWord, word.span(), fact, help));
     }
     let inner = parentheses(input)?
         .ok_or_else(|| at(Code::Arguments, word.span(), "`urdf` takes the path of a file", &help))?;
     let path: LitStr = inner.parse().map_err(|error| {
-        let fact = "the path of a URDF file stands in quotes";
+        let fact = "expected the path of a URDF file in quotes";
         at(Code::Syntax, error.span(), fact, &help)
     })?;
     let mut robot = Robot {
@@ -42,14 +42,18 @@ pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
             ("repair", None) => robot.repair = true,
             ("without", Some(what)) if what == "dry_friction" => robot.without_dry_friction = true,
             ("without", Some(what)) if what == "limits" => {
-                let help = "leave it out: limits are stops only where `limits` stands behind the path";
-                return Err(at(Code::UnknownWord, what.span(), "limits are left out anyway", help));
+                let help = "remove it: limits of joints become stops only with `limits` after the path";
+                return Err(at(
+                    Code::UnknownWord,
+                    what.span(),
+                    "limits are ignored by default",
+                    help,
+                ));
             }
             _ => {
-                let help = "known here: `limits`, which makes stops of the limits of joints, `without dry_friction`, \
-                     `repair`, which changes inertias that no body can have, and `strict`, \
-                     which refuses unknown elements";
-                let fact = format_args!("unknown word `{word}`");
+                let help = "known here: `limits` (joint limits become stops), `without dry_friction`, `repair` \
+                            (changes inertias that no rigid body has), `strict` (rejects unknown elements)";
+                let fact = format_args!("unknown option `{word}`");
                 return Err(at(Code::UnknownWord, word.span(), fact, help));
             }
         }

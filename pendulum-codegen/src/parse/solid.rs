@@ -78,7 +78,7 @@ fn solid(owner: &Ident, word: Ident, arguments: Vec<Argument>) -> Read<Solid> {
         at(
             Code::Arguments,
             word.span(),
-            format_args!("a {word} takes other arguments"),
+            format_args!("wrong arguments of `{word}`"),
             format_args!("write `{form}`"),
         )
     };

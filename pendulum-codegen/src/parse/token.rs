@@ -131,7 +131,7 @@ pub(super) fn list<T>(
     let mut entries = Vec::new();
     while !input.is_empty() {
         if let Some(label) = label(input) {
-            let fact = format_args!("`{label}:` has no place here: the order tells the entries apart");
+            let fact = format_args!("`{label}:` is not allowed here: entries are positional");
             return Err(at(Code::Arguments, label.span(), fact, format_args!("write `{form}`")));
         }
         entries.push(entry(input)?);
@@ -182,7 +182,11 @@ pub(super) fn unexpected(input: ParseStream) -> syn::Error {
     let mark = input.cursor().punct().map(|(punct, _)| punct.as_char());
     let (code, fact, help) = match mark {
         _ if starts_item(input) => (Code::Syntax, "expected a comma", "items and entries end in a comma"),
-        _ if input.peek(Token![as]) => (Code::NotInLanguage, "numbers have one type", "leave out `as`"),
+        _ if input.peek(Token![as]) => (
+            Code::NotInLanguage,
+            "`as` is not allowed: all numbers have one type",
+            "remove `as`",
+        ),
         Some(';') => (
             Code::Syntax,
             "expected a comma, not a semicolon",
@@ -190,24 +194,23 @@ pub(super) fn unexpected(input: ParseStream) -> syn::Error {
         ),
         Some(':') => (
             Code::Syntax,
-            "a colon has no place here",
-            "units stand in `params` and at inputs only",
+            "a colon is not allowed here",
+            "only parameters and inputs declare units",
         ),
         Some('=') if !input.peek(Token![==]) => (
             Code::Syntax,
-            "an equals sign has no place here",
-            "it gives a parameter its default and a `let` its value; the state is given where the scene is solved",
+            "`=` is not allowed here",
+            "it sets the default of a parameter or the value of a `let`; the initial condition is an argument of \
+             `solve`",
         ),
         Some('<' | '>' | '=' | '!') => (
             Code::NotInLanguage,
-            "conditions have no place here",
-            "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0; an event is a zero, `event passes: x - 0.5`",
+            "comparisons are not allowed here",
+            "use a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0; an event is a zero, `event passes: x - 0.5`",
         ),
-        Some('%' | '&' | '|' | '?' | '@' | '~' | '$') => (
-            Code::NotInLanguage,
-            "this is not an operator",
-            "operators are + - * / ^",
-        ),
+        Some('%' | '&' | '|' | '?' | '@' | '~' | '$') => {
+            (Code::NotInLanguage, "unknown operator", "operators are + - * / ^")
+        }
         _ => (
             Code::Syntax,
             "expected a comma or an operator",

@@ -77,7 +77,7 @@ impl Parse for Stop {
             restitution = match (numbers.next(), numbers.next(), numbers.next()) {
                 (Some(coefficient), slow, None) => Some((coefficient, slow)),
                 _ => {
-                    let fact = "a restitution is one number, and perhaps the rate below which nothing rebounds";
+                    let fact = "`restitution` takes a number and, optionally, the rate below which nothing rebounds";
                     return Err(at(
                         Code::Arguments,
                         word.span(),

@@ -76,7 +76,7 @@ fn numbers_have_500_digits_and_lie_between_1e_300_and_1e300() {
 #[test]
 fn powers_have_numerators_and_denominators_up_to_64() {
     let of = |power: &str| format!("output y: (1 + theta^2)^{power},");
-    assert_limit(&of("64"), &of("65"), "a power in output `y` is 65");
+    assert_limit(&of("64"), &of("65"), "an exponent in output `y` is 65");
     assert_limit(&of("(-64)"), &of("(-65)"), "is -65");
     assert_limit(&of("(1/64)"), &of("(1/65)"), "is 1/65");
 }
@@ -109,7 +109,7 @@ fn brackets_before_the_name_of_the_scene_are_not_followed_down() {
         let brackets = "(".repeat(20_000) + &")".repeat(20_000);
         let before = attribute.replace('@', &brackets);
         let found = errors_on_stack(format!("{before} {}", pendulum("")));
-        assert!(found.contains("brackets are nested too deep"), "{attribute}: {found}");
+        assert!(found.contains("brackets are nested too deeply"), "{attribute}: {found}");
     }
 }
 
@@ -122,7 +122,7 @@ fn operations_stand_up_to_1000_deep_in_one_another() {
     ];
     for end in &ends[..if is_thorough() { 3 } else { 1 }] {
         let of = |n| chain(n, "theta", "@ * theta + 1") + &format!("{end}: a{n},");
-        assert_limit(&of(500), &of(501), "more than 1000 operations in one another");
+        assert_limit(&of(500), &of(501), "more than 1000 nested operations");
     }
     // more than 1000 that do not contain one another
     let count = if is_thorough() { 5000 } else { 1100 };
@@ -285,7 +285,7 @@ fn parameters_of_drives_matter_where_their_forces_are_generated() {
         ))
     };
     assert_eq!(driven("rhs, drive_forces"), "");
-    assert!(driven("rhs, energy").contains("parameter `k` changes nothing"));
+    assert!(driven("rhs, energy").contains("parameter `k` has no effect"));
 }
 
 /// Subject of a family of declarations, and its declaration of a given size.
@@ -374,12 +374,12 @@ fn of_motions() {
     };
     let errors = crate::program(chain(5000)).expect_err("too many").to_string();
     assert!(
-        errors.contains("5000 bodies are declared: at most 1000 are possible [M007]"),
+        errors.contains("5000 bodies are declared, but at most 1000 are supported [M007]"),
         "{errors}"
     );
     let errors = crate::program(chain(129)).expect_err("too many").to_string();
     assert!(
-        errors.contains("129 coordinates and motions are declared: at most 128 are possible [M007]"),
+        errors.contains("129 coordinates and motions are declared, but at most 128 are supported [M007]"),
         "{errors}"
     );
     assert!(!crate::expand(chain(129)).to_string().contains("struct Chain"));

@@ -20,19 +20,19 @@ fn no_two_constants_have_the_same_name() {
     for (coordinates, fact) in [
         (
             ["x1", "cost"],
-            "coordinate `cost` needs the constant `COST` for its place in the state, but another fact",
+            "coordinate `cost` needs the constant `COST` for its index in the state, but another constant",
         ),
         (
             ["x1", "X1"],
-            "coordinate `X1` needs the constant `X1` for its place in the state, but `x1`",
+            "coordinate `X1` needs the constant `X1` for its index in the state, but `x1`",
         ),
         (
             ["x1", "dot_x1"],
-            "coordinate `dot_x1` needs the constant `DOT_X1` for its place in the state, but `x1`",
+            "coordinate `dot_x1` needs the constant `DOT_X1` for its index in the state, but `x1`",
         ),
         (
             ["dot_x1", "x1"],
-            "coordinate `x1` needs the constant `DOT_X1` for its place in the state, but `dot_x1`",
+            "coordinate `x1` needs the constant `DOT_X1` for its index in the state, but `dot_x1`",
         ),
     ] {
         let errors = errors(coordinates).expect("a clash");

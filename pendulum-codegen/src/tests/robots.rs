@@ -552,7 +552,7 @@ fn joints_follow_those_that_follow() {
         .expect_err("a circle")
         .to_string();
     assert!(
-        refused.contains("mimics `c`, which mimics itself by way of others"),
+        refused.contains("mimics `c`, which mimics itself through other joints"),
         "{refused}"
     );
 }

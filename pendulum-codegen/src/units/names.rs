@@ -119,11 +119,11 @@ pub(super) fn help(word: &str) -> String {
         return if scale.is_one() {
             format!("write `{unit}`")
         } else {
-            format!("write `{unit}`; its numbers may be in {word}, such as `{unit} = 3 {word}`")
+            format!("declare `{unit}`; its values may be in {word}, as in `{unit} = 3 {word}`")
         };
     }
     match written_together(word, &NAMES.map(|(name, _)| name)) {
-        Some(apart) => format!("write `{apart}`, with the names apart"),
+        Some(apart) => format!("write `{apart}`, with spaces between the units"),
         None => advice(word, NAMES.map(|(known, _)| known), &[]).help,
     }
 }

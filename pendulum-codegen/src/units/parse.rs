@@ -92,8 +92,13 @@ impl Unit {
             return Ok(());
         }
         if input.peek(token::Paren) {
-            let help = "a `/` takes the next name only: `N/(m s)` is `N/m/s`";
-            return Err(at(Code::UnknownUnit, input.span(), "a unit has no parentheses", help));
+            let help = "`/` applies to the next unit only: write `N/(m s)` as `N/m/s`";
+            return Err(at(
+                Code::UnknownUnit,
+                input.span(),
+                "parentheses are not allowed in a unit",
+                help,
+            ));
         }
         let Ok(name) = input.parse::<Ident>() else {
             let help = "write an SI unit such as `kg m^2`, `N m s`, `m/s^2`, or `1` for a plain number";
@@ -124,7 +129,7 @@ impl Unit {
             return Err(at(Code::UnknownUnit, span, fact, names::help(name)));
         };
         if self.names().count() == MOST_NAMES {
-            let fact = format_args!("a unit has more than {MOST_NAMES} names");
+            let fact = format_args!("a unit has more than {MOST_NAMES} factors");
             return Err(at(Code::UnknownUnit, span, fact, "write powers, such as `m^2`"));
         }
         self.text.push_str(name);
@@ -143,8 +148,8 @@ impl Unit {
         let span = input.span();
         let exponent = input.parse::<LitInt>().ok().and_then(|n| n.base10_parse::<i32>().ok());
         let power = exponent.filter(|n| (1..=9).contains(n)).ok_or_else(|| {
-            let fact = "the power of a unit is not a whole number from 1 to 9";
-            at(Code::UnknownUnit, span, fact, "write such as `m^2` or `s^-1`")
+            let fact = "the exponent of a unit is not a whole number from 1 to 9";
+            at(Code::UnknownUnit, span, fact, "write it as in `m^2` or `s^-1`")
         })?;
         let power = if negative { -power } else { power };
         self.text.push_str(&format!("^{power}"));
@@ -162,7 +167,7 @@ fn begins(input: ParseStream) -> bool {
 pub(crate) fn help_after_number(number: &impl std::fmt::Display, word: &str) -> Option<String> {
     let meant = names::meant(word)?;
     let apart = if meant.contains(' ') {
-        ", with the names apart"
+        ", with spaces between the units"
     } else {
         ""
     };

@@ -58,7 +58,7 @@ impl Reader {
         let (what, help) = match read(text.trim()) {
             Some(read) if read == ZERO || is_in_range(text) => return read,
             _ if is_number(text) => ("out of range", "write a number between 1e-300 and 1e300, or 0"),
-            _ => ("no number", "write a decimal number such as 0.25 or 1e-3"),
+            _ => ("not a number", "write a decimal number such as 0.25 or 1e-3"),
         };
         self.wrong(
             Code::FileNumber,
@@ -81,8 +81,8 @@ impl Reader {
         let parts: Vec<&str> = text.split_whitespace().collect();
         let Ok(parts) = <[&str; 3]>::try_from(parts) else {
             let element = node.tag_name().name();
-            let fact = format!("`{attribute}` in `{element}` of {owner} is `{text}`");
-            self.wrong(Code::FileNumber, fact, "write three numbers with spaces between them");
+            let fact = format!("`{attribute}` in `{element}` of {owner} is `{text}`, not three numbers");
+            self.wrong(Code::FileNumber, fact, "write three numbers separated by spaces");
             return None;
         };
         Some(parts.map(|part| self.parsed(part, attribute, owner, read)))

@@ -157,10 +157,10 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
             code: Code::FileJoint,
             line: Some(joint.line),
             fact: format!(
-                "joint `{name}` is `planar`, and its axis {} is none of those of its frame",
+                "joint `{name}` is `planar`, but its axis {} is not an axis of its frame",
                 list(axis)
             ),
-            help: "let it be `1 0 0`, `0 1 0` or `0 0 1`, and turn the frame by the `rpy` of `origin`".to_owned(),
+            help: "use `1 0 0`, `0 1 0` or `0 0 1`, and rotate the frame by the `rpy` of `origin`".to_owned(),
         });
     }
     let word = if is_planar { "planar" } else { "floating" };
@@ -171,7 +171,8 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
                 code: Code::FileJoint,
                 line: Some(joint.line),
                 fact: format!(
-                    "joint `{name}` is `{word}`, and its `{attribute}` one number for ways that slide and that turn"
+                    "joint `{name}` is `{word}`, so its `{attribute}` cannot be one number: the joint slides and \
+                     turns"
                 ),
                 help: format!("remove it, and {}", instead_of_friction(joint)),
             });
@@ -182,7 +183,7 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
             code: Code::FileJoint,
             line: Some(joint.line),
             fact: format!("joint `{name}` is `{word}`, so it cannot mimic `{}`", mimic.joint),
-            help: "remove `mimic`, or let the joint turn about an axis or slide along one".to_owned(),
+            help: "remove `mimic`, or make the joint `revolute` or `prismatic`".to_owned(),
         });
     }
 }
@@ -194,7 +195,7 @@ fn instead_of_friction(joint: &Joint) -> String {
     }
     let [first, second] = joint.in_plane().map(|axis| part_of(joint, axis));
     let body = identifier(&joint.child);
-    format!("give a `friction` to the bodies `{first}`, `{second}` and `{body}` of the scene")
+    format!("give a `friction` to the bodies `{first}`, `{second}` and `{body}` in the scene")
 }
 
 /// Rejects words of the language as names of coordinates, unless the scene renames them.
@@ -214,8 +215,8 @@ fn check_reserved(robot: &Robot, replaced: &[Replaced], wrong: &mut Vec<Wrong>) 
         wrong.push(Wrong {
             code: Code::FileNames,
             line: Some(joint.line),
-            fact: format!("joint `{coordinate}` has the name of a word of the language: {meaning}"),
-            help: format!("write `body {body} on {parent} {{ coordinate: {instead} }}` in the scene, which renames it"),
+            fact: format!("the name of joint `{coordinate}` is a reserved word: {meaning}"),
+            help: format!("rename it by `body {body} on {parent} {{ coordinate: {instead} }}` in the scene"),
         });
     }
 }
@@ -266,7 +267,7 @@ fn followed(
                 Some(meant) => format!("did you mean `{meant}`? {ANOTHER}"),
                 None => ANOTHER.to_owned(),
             };
-            return Err(refused(last, mimic, ", which is no joint", &help));
+            return Err(refused(last, mimic, ", which is not a joint", &help));
         };
         let replaced = find(replaced, &leader.child);
         match &leader.mimic {
@@ -315,7 +316,7 @@ fn nearest_leader<'r>(robot: &'r Robot, joint: &Joint, mimic: &Mimic) -> Option<
 }
 
 /// Help text for a joint that cannot lead.
-const ANOTHER: &str = "let it mimic a joint that moves by itself";
+const ANOTHER: &str = "let it mimic an independent joint";
 
 /// Returns why a joint cannot follow another, and a help text.
 fn obstacle(
@@ -331,13 +332,14 @@ fn obstacle(
     } else if leader.kind.has_many() {
         (", which has more than one coordinate", ANOTHER)
     } else if leader.mimic.is_some() && replaced.is_none() {
-        (", which mimics itself by way of others", ANOTHER)
+        (", which mimics itself through other joints", ANOTHER)
     } else if replaced.is_some_and(|replaced| replaced.held) {
-        (", which the scene holds, drives or sets free", ANOTHER)
+        (", which the scene fixes, drives or makes `free`", ANOTHER)
     } else if dry_friction(joint, item).is_some() {
         (
-            ", so it has no dry `friction` of its own",
-            "give it to the joint that leads, or leave all out by `urdf(\"..\", without dry_friction)`",
+            ", so it cannot have dry `friction` of its own",
+            "move it to the joint that is mimicked, or leave out all dry friction by `urdf(\"..\", without \
+             dry_friction)`",
         )
     } else {
         return None;
@@ -353,7 +355,8 @@ fn refused(joint: &Joint, mimic: &Mimic, why: &str, help: &str) -> Wrong {
         format!("`{}`", mimic.joint)
     };
     let instead = format!(
-        "or write `body {body} on {parent} {{ joint: fixed }}` to hold it, `{{ coordinate: .. }}` to let it move"
+        "or write `body {body} on {parent} {{ joint: fixed }}` to fix it, or `{{ coordinate: .. }}` to make it \
+         independent"
     );
     Wrong {
         code: Code::FileJoint,

@@ -66,7 +66,7 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
             continue;
         };
         let with = if group.members.len() > 1 {
-            " with what is fixed to it"
+            " and the links fixed to it"
         } else {
             ""
         };
@@ -90,11 +90,11 @@ pub(super) fn check(robot: &mut Robot, replaced: &[Replaced], repair: bool, wron
             line,
             fact: format!(
                 "no rigid body has the inertia of `{name}`{with}: its principal moments about the centre of mass \
-                 break the triangle inequality, by {share} of the second moments of mass"
+                 violate the triangle inequality, by {share} of the second moments of mass"
             ),
             help: match repaired {
-                Some(_) => format!("write `repair` behind the path for the nearest that a body can have, or {give}"),
-                None => format!("{give}: none that a body can have is near"),
+                Some(_) => format!("write `repair` after the path to use the nearest possible inertia, or {give}"),
+                None => format!("{give}: no possible inertia is near"),
             },
         });
     }

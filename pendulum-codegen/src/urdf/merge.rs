@@ -46,7 +46,8 @@ fn check_new(body: &Body, links: &[Body], errors: &mut Errors) -> Option<Reporte
         (None, None) => return None,
     };
     let help = format_args!(
-        "write `body {meant} on {parent} {{ .. }}` to change that link; a new body here has a joint: `joint: fixed`"
+        "write `body {meant} on {parent} {{ .. }}` to change that link; to add a body, give it a joint: `joint: \
+         fixed`"
     );
     Some(errors.at(Code::FileChange, name.span(), fact, help))
 }
@@ -63,7 +64,7 @@ fn change(link: &mut Body, body: Body, errors: &mut Errors) {
     if let (Ok(parent), Ok(carrier)) = (&parent, &link.parent)
         && parent != carrier
     {
-        let fact = format_args!("`{name}` hangs on `{carrier}` in the file of the robot");
+        let fact = format_args!("the parent of `{name}` is `{carrier}` in the robot file");
         let help = format_args!(
             "write `body {name} on {carrier} {{ .. }}` to change it, or choose another name for a new body"
         );

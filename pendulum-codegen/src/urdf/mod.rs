@@ -47,10 +47,10 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     let (mut found, mut wrong) = read::read(&text, robot.strict);
     if found.links.len() > MOST_BODIES {
         let fact = format_args!(
-            "`{name}` has {} links: at most {MOST_BODIES} are possible",
+            "`{name}` has {} links, but at most {MOST_BODIES} are supported",
             found.links.len()
         );
-        let help = "replace links that are fixed to each other by one";
+        let help = "merge links that are fixed to each other";
         return Err(errors.at(Code::TooLong, span, fact, help));
     }
     // errors in the declaration count only if the whole file could be read
@@ -78,8 +78,8 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     }
     note_left_out(&mut found, robot);
     let tokens: TokenStream = declared.parse().map_err(|error| {
-        let fact = format_args!("`{name}` has something that is no Rust: {error}");
-        errors.at(Code::NotUrdf, span, fact, "look for unusual names and numbers")
+        let fact = format_args!("`{name}` cannot be converted to Rust tokens: {error}");
+        errors.at(Code::NotUrdf, span, fact, "check for unusual names and numbers")
     })?;
     errors.read_from(span, &name);
     let mut links = parse::bodies(at(span, tokens), errors)?;

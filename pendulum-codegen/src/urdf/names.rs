@@ -63,7 +63,7 @@ pub(super) fn check_names(robot: &Robot, wrong: &mut Vec<Wrong>) {
             wrong.push(Wrong {
                 code: Code::FileNames,
                 line: Some(owner.2),
-                fact: format!("{both} have one name here, `{name}`"),
+                fact: format!("{both} both become `{name}`"),
                 help: "rename one of the two".to_owned(),
             });
         }

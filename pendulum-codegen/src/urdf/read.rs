@@ -85,14 +85,15 @@ pub(super) fn read(text: &str, strict: bool) -> (Robot, Vec<Wrong>) {
             return (reader.robot, reader.wrong);
         }
         Err(Error::DtdDetected) => (
-            "it has a document type, `<!DOCTYPE ..>`, which is not read".to_owned(),
-            "remove it, and write out the entities that it declares",
+            "`<!DOCTYPE ..>` is not supported".to_owned(),
+            "remove it, and expand the entities that it declares",
         ),
-        Err(Error::NoRootNode) => ("it has no element".to_owned(), ROBOT),
-        Err(Error::UnclosedRootNode | Error::UnexpectedEndOfStream) => {
-            ("it ends within an element".to_owned(), "end it with `</robot>`")
-        }
-        Err(error) => (format!("it is no XML: {error}"), "mend it at this line and column"),
+        Err(Error::NoRootNode) => ("the file has no element".to_owned(), ROBOT),
+        Err(Error::UnclosedRootNode | Error::UnexpectedEndOfStream) => (
+            "unclosed element at the end of the file".to_owned(),
+            "end it with `</robot>`",
+        ),
+        Err(error) => (format!("invalid XML: {error}"), "correct it at this line and column"),
     };
     reader.wrong(Code::NotUrdf, fact, help);
     (reader.robot, reader.wrong)
@@ -127,12 +128,12 @@ impl Reader {
         if root.descendants().any(|node| is_xacro(&node)) {
             return self.wrong(
                 Code::NotUrdf,
-                "it is a xacro file, not yet a URDF file",
+                "this is a xacro file, not a URDF file",
                 "expand it first: `xacro robot.urdf.xacro > robot.urdf`",
             );
         }
         if !root.has_tag_name("robot") {
-            let fact = format!("it holds a `{}` in the place of a robot", root.tag_name().name());
+            let fact = format!("the root element is `{}`, not `robot`", root.tag_name().name());
             return self.wrong(Code::NotUrdf, fact, ROBOT);
         }
         for node in self.children(root, "the robot", &["link", "joint"]) {
@@ -159,7 +160,7 @@ impl Reader {
             if !seen.insert(name.clone()) {
                 self.wrong(
                     Code::FileNames,
-                    format!("{what} `{name}` is there twice"),
+                    format!("{what} `{name}` is declared twice"),
                     "rename one of the two",
                 );
             }
@@ -185,7 +186,7 @@ impl Reader {
             let missing = if parts.contains_key("mass") { "inertia" } else { "mass" };
             self.wrong(
                 Code::FileNumber,
-                format!("the inertial of {owner} has no `{missing}`"),
+                format!("`inertial` of {owner} has no `{missing}`"),
                 "complete it, or remove `inertial` for a link without mass",
             );
             return None;
@@ -285,10 +286,10 @@ impl Reader {
             "floating" => Kind::Floats,
             "planar" => Kind::Planar,
             _ => {
-                let known = "known are fixed, revolute, continuous, prismatic, floating and planar";
+                let known = "supported types: fixed, revolute, continuous, prismatic, floating, planar";
                 self.wrong(
                     Code::FileJoint,
-                    format!("{owner} is `{word}`, which is not read"),
+                    format!("{owner} has the unsupported type `{word}`"),
                     known,
                 );
                 return None;
@@ -339,7 +340,7 @@ impl Reader {
         let fact = format!("unknown element `{name}` in {owner}");
         let help = match meant {
             Some(meant) => format!("did you mean `{meant}`? otherwise remove it"),
-            None => format!("remove it, or leave out `strict`; read are {}", known.join(", ")),
+            None => format!("remove it, or leave out `strict`; known here: {}", known.join(", ")),
         };
         self.wrong(Code::FileElement, fact, help);
     }
@@ -353,7 +354,7 @@ impl Reader {
             if parts.insert(name, part).is_some() {
                 self.wrong(
                     Code::FileElement,
-                    format!("{owner} has two elements `{name}`"),
+                    format!("{owner} has two `{name}` elements"),
                     "keep one of the two",
                 );
             }

@@ -49,8 +49,8 @@ fn unknown_ends(robot: &Robot) -> Vec<Wrong> {
             found.push(Wrong {
                 code: Code::FileTree,
                 line: Some(joint.line),
-                fact: format!("joint `{}` is tied to `{end}`, which is no link", joint.name),
-                help: format!("add `<link name=\"{end}\"/>`, or mend the name"),
+                fact: format!("joint `{}` refers to `{end}`, which is not a link", joint.name),
+                help: format!("add `<link name=\"{end}\"/>`, or correct the name"),
             });
         }
     }
@@ -67,7 +67,10 @@ fn loops(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Vec<Wrong> {
             found.push(Wrong {
                 code: Code::FileTree,
                 line: Some(*line),
-                fact: format!("link `{name}` hangs on `{}`: a loop", parents.join("` and on `")),
+                fact: format!(
+                    "link `{name}` has more than one parent, `{}`: a loop",
+                    parents.join("` and `")
+                ),
                 help: "a URDF file describes a tree: remove all but one of its joints".to_owned(),
             });
         }
@@ -85,20 +88,20 @@ fn roots(robot: &Robot, carriers: &BTreeMap<&str, Vec<&Joint>>) -> Option<Wrong>
         .collect();
     let line = |name: &str| robot.links.iter().find(|link| link.name == name).map(|link| link.line);
     let (line, fact, help) = if known.is_empty() {
-        (None, "it has no link".to_owned(), "add `<link name=\"..\"/>`")
+        (None, "the file has no link".to_owned(), "add `<link name=\"..\"/>`")
     } else if let (Some(root), Some(other)) = (roots.first(), roots.iter().nth(1)) {
         (
             line(other),
-            format!("both `{root}` and `{other}` hang on nothing, so there is more than one root"),
-            "hang one of them on another link, by a joint of type `fixed`",
+            format!("`{root}` and `{other}` have no parent, so there is more than one root link"),
+            "connect one of them to a parent link by a joint of type `fixed`",
         )
     } else {
         let reached = reached(robot, roots);
         let link = known.difference(&reached).next()?;
         (
             line(link),
-            format!("link `{link}` hangs on itself, by way of the links that carry it"),
-            "follow the parents: each chain must end on one root",
+            format!("the parents of link `{link}` form a cycle"),
+            "each chain of parents must end at the root link",
         )
     };
     let help = help.to_owned();

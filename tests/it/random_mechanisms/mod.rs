@@ -195,7 +195,7 @@ fn shown(errors: &Worst) -> String {
 /// whose force moves nothing, an event of a constant.
 fn without_useless(tree: &Tree, errors: &str) -> Option<Tree> {
     let quoted = |end: &str| errors.split_once(end)?.0.rsplit('`').next();
-    if let Some(name) = quoted("` changes nothing") {
+    if let Some(name) = quoted("` has no effect") {
         let (kind, n) = name.split_at_checked(1)?;
         let n = n.parse().ok()?;
         return match kind {
