@@ -162,7 +162,9 @@ impl<'g> Lower<'g> {
             }
             _ => {}
         }
-        if let Some(number) = bare_factor(e) {
+        let is_rate = Measure::in_dimension(missing) == Measure::ONE.rate();
+        let coefficient = || coefficient(e).filter(|_| unit.is_none() || is_rate);
+        if let Some(number) = bare_factor(e).or_else(coefficient) {
             return format!("a factor in {missing} is missing{}", number.with_unit(missing));
         }
         if Measure::in_dimension(factor(given, needed)) == Measure::ONE.rate() {
@@ -259,6 +261,8 @@ struct Bare {
     text: String,
     /// True if it stands in a divisor.
     below: bool,
+    /// True for small integers, which most often are coefficients.
+    is_small: bool,
 }
 
 impl Bare {
@@ -279,17 +283,26 @@ impl Bare {
 fn bare_factor(e: &ast::Expr) -> Option<Bare> {
     let mut numbers = Vec::new();
     gather(e, false, &mut numbers);
+    numbers.retain(|bare| !bare.is_small);
     let decimal = numbers.iter().rposition(|bare| bare.text.contains(['.', 'e']));
     let place = decimal.or(numbers.len().checked_sub(1))?;
     Some(numbers.swap_remove(place))
 }
 
+/// The only bare number of a product, small integers included: a quantity where the product must be dimensionless, as
+/// in `sin(2*t)`.
+fn coefficient(e: &ast::Expr) -> Option<Bare> {
+    let mut numbers = Vec::new();
+    gather(e, false, &mut numbers);
+    numbers.pop().filter(|_| numbers.is_empty())
+}
+
 fn gather(e: &ast::Expr, below: bool, numbers: &mut Vec<Bare>) {
     match &e.kind {
-        ExprKind::Number(n) if n.is_integer() && *n <= ratio(4, 1) => {}
-        ExprKind::Number(_) => numbers.push(Bare {
+        ExprKind::Number(n) => numbers.push(Bare {
             text: e.tokens.to_string(),
             below,
+            is_small: n.is_integer() && *n <= ratio(4, 1),
         }),
         ExprKind::Neg(a) => gather(a, below, numbers),
         ExprKind::Call(name, arguments) if name == "clamp" => {
