@@ -50,9 +50,9 @@ impl fmt::Display for LoopGap {
             by,
             unit,
         } = self;
-        write!(f, "the loop that `{a}` and `{b}` close is open by {by:.1e} {unit}")?;
+        write!(f, "the loop between `{a}` and `{b}` is open by {by:.1e} {unit}")?;
         if *unit == "rad" {
-            f.write_str(", the angle between the two frames, or axes, that it ties")?;
+            f.write_str(", the angle between the connected frames or axes")?;
         }
         Ok(())
     }
@@ -71,16 +71,20 @@ impl fmt::Display for NotAssembled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.left.is_nan() {
             return f.write_str(
-                "the loops do not determine the coordinates that depend near this state: they are at a toggle; \
+                "the loops do not determine the dependent coordinates near this state, a singularity (toggle); \
                  guess another state",
             );
         }
         f.write_str("the loops do not close near this state: ")?;
         match self.open {
             Some(gap) => gap.fmt(f),
-            None => write!(f, "Newton's method still moves a coordinate by {:.1e}", self.left),
+            None => write!(
+                f,
+                "Newton's method did not converge, with a last correction of {:.1e}",
+                self.left
+            ),
         }?;
-        f.write_str("; check lengths, places and axes, or guess the coordinates that depend more closely")
+        f.write_str("; check lengths, positions and axes, or give a closer guess of the dependent coordinates")
     }
 }
 
@@ -259,30 +263,31 @@ impl fmt::Display for Reason {
             Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
             Self::NonFinite { component, h: None } => write!(
                 f,
-                "component {component} of the state or its derivative is not finite where the integration starts, or \
-                 goes on after a reset; check the parameters, the initial state, and the state that a reset returns"
+                "component {component} of the state or its derivative is not finite at the start of the \
+                 integration, or after a reset; check the parameters, the initial state, and the state that a reset \
+                 returns"
             ),
             Self::NonFinite { component, h: Some(h) } => write!(
                 f,
-                "component {component} of the state or its derivative is not finite after a step of {h:.3e}; \
-                 if the step is fixed, try a shorter one; else the right-hand side is singular or undefined there"
+                "component {component} of the state or its derivative is not finite after a step of {h:.3e}; if the \
+                 step is fixed, try a shorter one; otherwise the right-hand side is singular or undefined there"
             ),
             Self::CannotClose { bodies: [a, b] } => write!(
                 f,
-                "the loop that `{a}` and `{b}` close cannot close in the state to start from, or is flat there; \
+                "the loop between `{a}` and `{b}` cannot close in the initial state, or is singular (flat) there; \
                  check the state, and the lengths if they are not the defaults"
             ),
             Self::Open(gap) => write!(
                 f,
-                "{gap} in the state to start from, or that a reset returns; close it by `assemble`, from a guess near \
-                 where it closes, and check lengths, places and axes"
+                "{gap} in the initial state, or after a reset; close it by `assemble` from a nearby guess, and \
+                 check lengths, positions and axes"
             ),
             Self::Toggle { bodies, margin } => write_toggle(f, bodies, margin),
             Self::HalfTurn { coordinate } => write!(
                 f,
-                "`{coordinate}` comes to half a turn from its `near`, or may within one step, and a force takes its \
-                 turns, which do not follow from the state: let `{coordinate}` be a coordinate of the state and \
-                 another of its loop depend, or take shorter steps"
+                "`{coordinate}` reaches half a turn from its `near`, or may within one step, and a force depends on \
+                 its number of turns, which the state does not determine; make `{coordinate}` independent and mark \
+                 another coordinate of its loop `depends`, or take shorter steps"
             ),
             Self::StepUnderflow { h, least } => write!(
                 f,
@@ -291,8 +296,8 @@ impl fmt::Display for Reason {
             ),
             Self::NoConvergence { h } => write!(
                 f,
-                "the equations of an implicit step of {h:.3e} could not be solved; \
-                 take shorter steps, or look for a jump of the right-hand side there"
+                "the equations of an implicit step of {h:.3e} did not converge; take shorter steps, or check the \
+                 right-hand side for a discontinuity there"
             ),
             Self::EventNotFinite { event, t } => write!(
                 f,
@@ -307,13 +312,13 @@ impl fmt::Display for Reason {
                 rule,
             } => write!(
                 f,
-                "event {event} resets the state at t = {t:?} to one that cannot be: {what} is {value:?}; {rule}"
+                "event {event} resets the state at t = {t:?} to an invalid one: {what} is {value:?}; {rule}"
             ),
             Self::EventsAccumulate { event } => write!(
                 f,
-                "event {event} repeats without time advancing, like a bouncing ball that comes to rest; \
-                 declare a `stop` or a `wall` in its place, which comes to rest, \
-                 or let its reset lead further away"
+                "event {event} repeats without time advancing, like a bouncing ball that comes to rest; declare a \
+                 `stop` or a `wall` instead, at which motion can come to rest, or reset to a state further from the \
+                 event"
             ),
             Self::BeyondLimit {
                 constraint,
@@ -325,22 +330,21 @@ impl fmt::Display for Reason {
             ),
             Self::ConstraintNotFinite { constraint, t } => write!(
                 f,
-                "the value, the rate or the force of `{constraint}` is not finite at t = {t}; \
-                 check its gap, and that nothing is held whose mass is zero"
+                "the value, the rate or the force of `{constraint}` is not finite at t = {t}; check its gap, and \
+                 that the mass it acts on is not zero"
             ),
             Self::ModesAccumulate { constraint } => write!(
                 f,
-                "`{constraint}` keeps changing between modes while the time does not advance; \
-                 if a moving wall presses against what cannot move, let one of the two yield; \
-                 if its rebounds are too fast, set or raise `slow`; \
-                 if it has friction, check that its force is larger than rounding errors"
+                "`{constraint}` switches modes repeatedly without time advancing; if a moving wall presses against \
+                 an immovable body, let one of the two yield; if its rebounds are too fast, set or raise `slow`; if \
+                 it has dry friction, check that the friction is larger than rounding errors"
             ),
             Self::Jump { component, by } => write!(
                 f,
-                "component {component} of the derivative of the state jumps by {by:.3e} about here, and no step across \
-                 a jump meets the tolerance; if a law switches, let it pass from one value to the other within a \
-                 width, as by `clamp` or `tanh`; if it is sampled or has noise, solve from one sample to the next with \
-                 constant inputs; dry friction is `dry_friction`"
+                "component {component} of the derivative of the state jumps by {by:.3e} near here, and no step \
+                 across a jump meets the tolerance; if a law switches, make it continuous, as by `clamp` or `tanh`; \
+                 if it is sampled or noisy, solve from one sample to the next with constant inputs; for dry \
+                 friction, declare `dry_friction`"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,
@@ -355,14 +359,15 @@ fn write_toggle(f: &mut fmt::Formatter<'_>, [a, b]: [Name; 2], margin: f64) -> f
     if margin < AT_TOGGLE {
         write!(
             f,
-            "the loop that `{a}` and `{b}` close comes to its toggle: its margin is {margin:.1e}; end the motion \
-             before with an event on `margin({a}, {b})`, or, if the loop is to pass, let another coordinate depend"
+            "the loop between `{a}` and `{b}` reaches its singularity (toggle): its margin is {margin:.1e}; end the \
+             motion earlier by an event on `margin({a}, {b})`, or, to pass through, mark another coordinate \
+             `depends`"
         )
     } else {
         write!(
             f,
-            "the loop that `{a}` and `{b}` close may come to its toggle within one step, before which its margin \
-             is {margin:.1e}; take shorter steps"
+            "the loop between `{a}` and `{b}` may reach its singularity (toggle) within one step, from a margin of \
+             {margin:.1e}; take shorter steps"
         )
     }
 }

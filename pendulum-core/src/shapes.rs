@@ -26,8 +26,8 @@ use nalgebra::{Point3, SVector};
 /// # Ok::<(), pendulum_core::ParameterError>(())
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not know how it looks",
-    note = "`mechanism!` generates it where `generate` has `shapes`"
+    message = "`{Self}` has no shapes to draw",
+    note = "`mechanism!` generates them where `generate` has `shapes`"
 )]
 pub trait Shapes<const N: usize> {
     /// Returns the shapes at the time `t` in the state `x`, in the order of declaration: the solids of the bodies, then

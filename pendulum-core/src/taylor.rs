@@ -17,7 +17,7 @@ pub const MAX_ORDER: usize = 24;
 
 /// A [`System`] with the power series of its motions.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no power series of its motions",
+    message = "`{Self}` has no Taylor series of its motions",
     note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`"
 )]
 pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
@@ -60,7 +60,7 @@ pub trait HybridSeries<T: Real, const N: usize> {
 
 /// A [`Cast`] with power series in every number type, including lanes.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no power series of its motions in other number types",
+    message = "`{Self}` has no Taylor series of its motions in other number types",
     note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`"
 )]
 pub trait CastTaylor<const N: usize>: Cast<N> {

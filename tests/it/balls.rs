@@ -594,7 +594,7 @@ fn a_reset_to_a_quaternion_of_another_length_is_refused() {
     let doubled = Event::new(|t, _x| t - 0.25).reset(|_t, x| x * 2.0);
     let error = Vern9::new().solve_with(&model, 0.0, 1.0, start, &[doubled]);
     let text = error.expect_err("it is too long").to_string();
-    let said = "event 0 resets the state at t = 0.25 to one that cannot be: the length of a quaternion is 2.0";
+    let said = "event 0 resets the state at t = 0.25 to an invalid one: the length of a quaternion is 2.0";
     let same = text.get(..said.len() - 3) == said.get(..said.len() - 3);
     assert!(same && text.contains("; it must be 1, to three digits"), "{text}");
 }

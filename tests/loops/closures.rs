@@ -69,7 +69,7 @@ fn a_loop_whose_equations_contradict_each_other_is_open() {
     assert_eq!(open.bodies, ["third", "ground"]);
     assert!(open.unit == "m" && (0.05..0.12).contains(&open.by), "{error}");
     let text = error.to_string();
-    let start = "the loops do not close near this state: the loop that `third` and `ground` close is open by ";
+    let start = "the loops do not close near this state: the loop between `third` and `ground` is open by ";
     assert!(text.starts_with(start), "{text}");
     // open by less than a tenth of a millimetre
     let error = bennett(0.893)

@@ -37,7 +37,7 @@ impl<T: Float> Grid<T> {
             grid.h >= T::from_f64(LEAST_ULPS) * T::EPSILON * grid.largest(),
             "h",
             h,
-            "the step is too short for the times to resolve; lengthen it, or count time from a nearer origin",
+            "the step is below the resolution of the time; lengthen it, or count time from a closer origin",
         )?;
         Ok(grid)
     }
@@ -94,7 +94,7 @@ impl<T: Float> Grid<T> {
             steps <= MOST_KEPT,
             "h",
             self.h.to_f64(),
-            "more than ten million points to keep; lengthen the step, or take `stepper`, which keeps none",
+            "more than ten million points to store; lengthen the step, or use `stepper`, which stores none",
         )
     }
 

@@ -84,8 +84,8 @@ where
         .map(|(&x, &given)| (x - given).abs().to_f64());
     for by in moved {
         let rule = if by.is_nan() {
-            "the loops do not close from here: start nearer to where they do, as by `assemble`, and not at a toggle \
-             position"
+            "the loops do not close near this state: start from a closed one, as `assemble` returns, away from a \
+             singularity (toggle)"
         } else {
             "it must be at most 1e-3: quaternions have unit length, and `assemble` closes loops"
         };

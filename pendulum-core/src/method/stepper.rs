@@ -79,7 +79,7 @@ where
             modes: Modes::none(t0),
         };
         if let Some(hybrid) = system.hybrid() {
-            let rule = "a hybrid system runs forward: what has come to rest does not tell from where";
+            let rule = "a hybrid system can only be integrated forward in time: a state at rest has no unique past";
             require(t0 <= t1, "t1", t1.to_f64(), rule)?;
             let settled = hybrid::start((hybrid, system.layout()), t0, &x0)?;
             stepper.enter(t0, settled);

@@ -38,7 +38,7 @@ where
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         if system.hybrid().is_some() {
-            let rule = "a hybrid system must implement `Jacobian::hybrid_jacobian`, which tangents pass its modes by";
+            let rule = "tangents of a hybrid system require `Jacobian::hybrid_jacobian`";
             require(system.hybrid_jacobian().is_some(), "hybrid_jacobian", f64::NAN, rule)?;
         }
         let state = OneStep::<S, T, N>::scheme(&self.0, system, tolerance)?;

@@ -327,7 +327,7 @@ where
 
     fn check(&self, p0: f64) -> Result<(), Reason> {
         let (low, high) = self.span;
-        let rule = "a span must be finite, and rise";
+        let rule = "a span must be finite and ascending";
         require(
             low.is_finite() && high.is_finite() && low < high,
             "span",

@@ -119,7 +119,7 @@ where
             return Err(StabilityError::Integration(Reason::InvalidInput {
                 what: "hybrid_jacobian",
                 value: f64::NAN,
-                rule: "a hybrid system must have its derivatives in each mode to be at rest in one",
+                rule: "an equilibrium of a hybrid system requires `Jacobian::hybrid_jacobian`",
             }));
         }
     };

@@ -39,29 +39,29 @@ impl fmt::Display for StabilityError {
             Self::Integration(reason) => reason.fmt(f),
             Self::NotFinite => write!(
                 f,
-                "the right-hand side or a matrix is not finite; check the parameters and the state, \
-                 and look for a singularity there"
+                "the right-hand side or a matrix is not finite; check the parameters and the state, which may be \
+                 singular"
             ),
             Self::NoConvergence { iterations, residual } => write!(
                 f,
-                "{iterations} iterations left a residual of {residual:.3e}; start closer to the solution, \
-                 or look whether there is one"
+                "no convergence: after {iterations} iterations the residual is {residual:.3e}; start closer to the \
+                 solution, or check that one exists"
             ),
             Self::TimeDependent => write!(
                 f,
-                "the right-hand side depends on time, so the system has neither equilibria nor orbits of a period \
-                 of their own; search for motions with the period of the drive by `Shooting::forced`"
+                "the right-hand side depends on time, so the system has no equilibria or autonomous periodic \
+                 orbits; search for motions with the period of the drive by `Shooting::forced`"
             ),
             Self::MorePositions => write!(
                 f,
-                "periodic orbits and families of systems with quaternions, or with coordinates in the state that \
-                 follow from closed loops, are not supported: write three turns in a row in place of a ball, or let \
-                 coordinates depend so that loops are triangles"
+                "periodic orbits and families are not supported for systems with quaternions, or with dependent \
+                 coordinates in the state; replace a ball joint by three revolute joints, or mark coordinates \
+                 `depends` so that each loop is a triangle"
             ),
             Self::AtRest => write!(
                 f,
-                "the orbit shrank to a state of rest; start farther from it, \
-                 or with a period closer to that of the orbit"
+                "the orbit shrank to a steady state; start farther from it, or with a period closer to that of the \
+                 orbit"
             ),
             Self::Build(error) => error.fmt(f),
         }

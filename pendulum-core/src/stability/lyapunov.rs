@@ -179,7 +179,8 @@ impl Lyapunov {
             self.duration,
             rule,
         )?;
-        let rule = "there are no more exponents than directions: a quaternion keeps its length, and loops stay closed";
+        let rule = "there are at most as many exponents as free directions: quaternions and closed loops reduce \
+                    their number";
         require(K <= dimension(system), "K", K as f64, rule)
     }
 }

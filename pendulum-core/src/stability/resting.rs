@@ -37,7 +37,8 @@ where
     S: Jacobian<f64, N> + ?Sized,
 {
     require_autonomous(system)?;
-    let rule = "only a hybrid system with its derivatives can be held; others rest in an `equilibrium`";
+    let rule = "only a hybrid system with `Jacobian::hybrid_jacobian` can rest by friction; use `equilibrium` for \
+                others";
     let hybrid = system.hybrid_jacobian().ok_or(Reason::InvalidInput {
         what: "hybrid_jacobian",
         value: f64::NAN,
@@ -109,10 +110,10 @@ impl<const N: usize> Resting<N> {
     where
         S: Jacobian<f64, N> + ?Sized,
     {
-        let rule = "it must be the place of a coordinate in the state, which come before the rates";
+        let rule = "it must be the index of a coordinate in the state, where coordinates come before rates";
         let dof = system.hybrid().map_or(N / 2, |hybrid| hybrid.dof());
         require(coordinate < dof, "coordinate", coordinate as f64, rule)?;
-        let rule = "the distance up to which to look must be finite and positive";
+        let rule = "the search distance must be finite and positive";
         require(reach.is_finite() && reach > 0.0, "reach", reach, rule)?;
         let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
         for (end, direction) in ends.iter_mut().zip([-1.0, 1.0]) {

@@ -13,9 +13,9 @@ use crate::real::lanes::Lanes;
 /// used. A model with constraints implements all methods, since the defaults panic for it. Without constraints,
 /// [`eval`](Self::eval) is sufficient.
 #[diagnostic::on_unimplemented(
-    message = "nothing acts on `{Self}` from outside, or it cannot be told what",
-    note = "`mechanism!` implements `Plant` for scenes with inputs, dry friction, stops or walls where `generate` has \
-            `rhs`; a model by hand implements it itself, and is a `System` if nothing acts on it"
+    message = "`{Self}` is not a model with inputs or constraint forces",
+    note = "`mechanism!` implements `Plant` for scenes with inputs, dry friction, stops or walls where `generate` \
+            has `rhs`; implement it for a model of your own, or `System` if the model has neither"
 )]
 pub trait Plant<T: Real, const N: usize> {
     /// External actions: the inputs of a [`Controlled`](crate::Controlled) model, the constraint forces of a
@@ -70,7 +70,7 @@ fn require_none(constraints: &[Constraint], method: &str) {
 
 /// A [`Plant`] with derivatives at fixed external actions.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no derivatives given what acts on it",
+    message = "`{Self}` has no derivatives at given inputs and constraint forces",
     note = "`mechanism!` generates them for scenes with inputs, and for those with dry friction, stops or walls unless \
             `generate` leaves out `jacobian`"
 )]

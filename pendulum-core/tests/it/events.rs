@@ -400,8 +400,7 @@ fn undefined_events_are_errors_with_what_was_reached() {
     let error = error.expect_err("a bad reset");
     assert!(matches!(error.reason, Reason::BadReset { event: 0, .. }));
     assert_abs_diff_eq!(error.t(), 1.0, epsilon = 1e-15);
-    let said =
-        "event 0 resets the state at t = 1.0 to one that cannot be: a component is NaN; the state must be finite";
+    let said = "event 0 resets the state at t = 1.0 to an invalid one: a component is NaN; the state must be finite";
     assert_eq!(error.to_string(), said);
 }
 

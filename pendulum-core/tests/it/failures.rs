@@ -114,7 +114,7 @@ fn no_more_points_are_kept_than_fit() {
         matches!(error.reason, Reason::InvalidInput { what: "h", .. }),
         "{error}"
     );
-    assert!(error.to_string().contains("`stepper`, which keeps none"), "{error}");
+    assert!(error.to_string().contains("`stepper`, which stores none"), "{error}");
     let mut kept = Solution::start(0.0, SVector::from([0.0]));
     let followed = Rk4::new(1e-8).follow(&still, 0.0, 1.0, [0.0], &[], &mut kept);
     assert_eq!(followed, Err(error.reason));
