@@ -136,7 +136,7 @@ impl<'g> Lower<'g> {
         impact?;
         let [from, to] = stop.limits.each_ref().map(|e| written(e, None).to_string());
         let fact = format!("{owner} has no range: its lower limit {from} is not below its upper limit {to}");
-        let rule = format!("{owner} must end above where it begins");
+        let rule = format!("the upper limit of {owner} must be above its lower limit");
         let checked = (high - low, Requirement::Positive);
         let help = if self.errors.is_from_file(&stop.tokens) {
             format!(
