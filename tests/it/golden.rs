@@ -1,6 +1,7 @@
-//! The emitted code of eight scenes and of all examples, to the byte, and that it is the same every time.
+//! Compares the emitted code of eight scenes with golden files, and of all examples with digests. Checks that expansion
+//! is deterministic.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p tests --features thorough --test it golden` rewrites what is expected.
+//! `UPDATE_EXPECT=1 cargo test -p tests --features thorough --test it golden` rewrites the golden files.
 
 use std::fmt::Write;
 use std::fs;
@@ -19,7 +20,8 @@ macro_rules! gallery {
     };
 }
 
-/// The code of a declaration, with what stands in `with_std!` in its place: only as items it is printed as code.
+/// Returns the formatted code of a declaration. The contents of `with_std!` replace the macro, since only items are
+/// formatted.
 fn code(declaration: &str) -> String {
     let items = pendulum_codegen::expand(declaration.parse().expect("tokens"));
     let mut file: File = syn::parse2(items).expect("items");
@@ -48,7 +50,7 @@ fn code(declaration: &str) -> String {
     code
 }
 
-/// Items with those of the macros among them in their place.
+/// Replaces each macro among the items by the items in it.
 fn unwrapped<I: Parse>(items: Vec<I>, as_macro: fn(&I) -> Option<&Macro>) -> Vec<I> {
     let inside = |mac: &Macro| {
         let all = |input: ParseStream<'_>| {
@@ -67,7 +69,7 @@ fn unwrapped<I: Parse>(items: Vec<I>, as_macro: fn(&I) -> Option<&Macro>) -> Vec
     items.flatten().collect()
 }
 
-/// Scenes that differ in kind, each with a file of its code.
+/// Scenes of different kinds, each with a golden file: name of the file, source, and scene.
 const KINDS: [(&str, &str, &str); 8] = [
     ("eq22", SCENES, "DoublePendulum"),
     ("ur5", ROBOTS, "Ur5"),
@@ -86,8 +88,8 @@ fn emitted_code_is_the_expected_one() {
     }
 }
 
-/// The code of every example, by its number of lines and a digest. It is written to `target/tmp/emitted`, so that what
-/// changed can be compared.
+/// Compares the code of every example by its number of lines and a digest. The code is written to `target/tmp/emitted`,
+/// for a comparison of versions.
 #[test]
 #[cfg_attr(
     not(feature = "thorough"),
@@ -115,7 +117,7 @@ fn emitted_code_of_all_examples_has_the_expected_digests() {
     expect_file!["golden/examples.txt"].assert_eq(&digests);
 }
 
-/// The Rust files below a folder, in order.
+/// Returns the Rust files below a folder, in order.
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder)
         .expect("a folder")
@@ -131,19 +133,21 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
 fn the_same_declaration_gives_the_same_code_every_time() {
     let emitted = || code(declaration(SCENES, "DoublePendulum"));
     let first = emitted();
-    // hash tables are seeded for each thread, so an order taken from one would show here
+    // each thread seeds its hash tables, so an order that depends on one differs here
     let others: Vec<_> = (0..4).map(|_| std::thread::spawn(emitted)).collect();
     for other in others {
         assert_eq!(other.join().expect("no panic"), first);
     }
 }
 
-/// A rate has no name that Rust or C could take.
+/// The name of a rate, such as `dot(th)`, is not a valid identifier in Rust or C.
 #[test]
 fn sines_of_rates_have_names() {
     let scene = "pub Wobble {
         units: none,
-        body b on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: th, torque: sin(dot(th)) + cos(dot(th)) }
+        body b on ground {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: th, torque: sin(dot(th)) + cos(dot(th)),
+        }
     }";
     let items = pendulum_codegen::expand(scene.parse().expect("tokens"));
     syn::parse2::<syn::File>(items).expect("items");

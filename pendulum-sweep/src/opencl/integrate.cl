@@ -1,4 +1,4 @@
-// Integrates a trajectory in each work-item, in the steps of the Rust code. The tableau stands before this.
+// Integrates one trajectory per work-item, with the same steps as the Rust code. The tableau is prepended to this file.
 typedef pendulum_real real;
 
 #ifdef PENDULUM_SINGLE
@@ -9,10 +9,10 @@ typedef pendulum_real real;
 #define LEAST DBL_MIN
 #endif
 
-// How a trajectory ended; of NOT_FINITE the component is added in units of ENDS.
+// Status of a trajectory. NOT_FINITE also encodes the component: its index times ENDS is added.
 enum { AT_THE_END, NOT_FINITE, NOT_FINITE_AT_START, UNDERFLOW, TOO_MANY_STEPS, ENDS };
 
-// The first component that is not finite, or -1.
+// Returns the index of the first component that is not finite, or -1.
 static int not_finite(const real v[SCENE_LENGTH]) {
     for (int c = 0; c < SCENE_LENGTH; c++) {
         if (!isfinite(v[c])) return c;
