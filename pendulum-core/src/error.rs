@@ -274,8 +274,8 @@ impl fmt::Display for Reason {
             ),
             Self::CannotClose { bodies: [a, b] } => write!(
                 f,
-                "the loop between `{a}` and `{b}` cannot close in the initial state, or is singular (flat) there; \
-                 check the state, and the lengths if they are not the defaults"
+                "the loop between `{a}` and `{b}` cannot close, or is singular (flat), in the initial state or \
+                 after a reset; check the state, and the lengths if they are not the defaults"
             ),
             Self::Open(gap) => write!(
                 f,

@@ -296,7 +296,7 @@ fn what_rests_only_here_has_an_interval_of_a_point() {
     };
     for coordinate in [2, 3, 4, 17] {
         assert!(
-            refused(coordinate, 1.0).contains("place of a coordinate"),
+            refused(coordinate, 1.0).contains("index of a coordinate"),
             "{coordinate}"
         );
     }

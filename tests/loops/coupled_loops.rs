@@ -210,7 +210,7 @@ fn what_does_not_close_is_refused() {
     let open = Vern9::new()
         .solve(&plate(), 0.0, 1.0, [0.8, 0.2, 1.8, -1.7, 1.4, 0.5])
         .expect_err("it is open");
-    assert!(open.to_string().contains("as by `assemble`"), "{open}");
+    assert!(open.to_string().contains("as `assemble` returns"), "{open}");
 }
 
 /// The motion ends at a singularity (toggle), and jumps to no other assembly.

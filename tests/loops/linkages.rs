@@ -259,14 +259,14 @@ fn a_loop_that_cannot_close_is_named() {
     let error = Vern9::new().solve_with(&rocking, 0.0, 1.0, [0.8, 0.0], &[far]);
     let text = error.expect_err("it is too far").to_string();
     assert!(
-        text.contains("the loop that `coupler` and `rocker` close cannot close"),
+        text.contains("the loop between `coupler` and `rocker` cannot close"),
         "{text}"
     );
     let error = equilibrium(&rocking, [2.5, 0.0])
         .expect_err("it is too far")
         .to_string();
     assert!(
-        error.contains("the loop that `coupler` and `rocker` close cannot close"),
+        error.contains("the loop between `coupler` and `rocker` cannot close"),
         "{error}"
     );
 }

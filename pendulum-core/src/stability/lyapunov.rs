@@ -179,8 +179,8 @@ impl Lyapunov {
             self.duration,
             rule,
         )?;
-        let rule = "there are at most as many exponents as free directions: quaternions and closed loops reduce \
-                    their number";
+        let rule = "it must be at most the number of independent directions, which quaternions and closed loops \
+                    reduce";
         require(K <= dimension(system), "K", K as f64, rule)
     }
 }
