@@ -4,6 +4,7 @@
 
 pub mod chains;
 pub mod contacts;
+pub mod counted;
 pub mod digest;
 pub mod dual;
 pub mod eq22;
