@@ -27,7 +27,8 @@ pub fn exponents(size: Size) -> Row {
             .values[0]
     };
     Row {
-        case: "Lyapunov exponent of two points, m = l = 1, g = 9.81",
+        in_book: true,
+        case: "Lyapunov exponent of two point masses, m = l = 1, g = 9.81",
         claims: vec![
             Claim::close("from (2, 2.5) (1/s)", 1.45, exponent([2.0, 2.5], duration), within),
             Claim::close("from (1.5, 1.5) (1/s)", 0.82, exponent([1.5, 1.5], duration), within),
@@ -37,7 +38,7 @@ pub fn exponents(size: Size) -> Row {
                 exponent([0.5, 0.7], regular),
             ),
         ],
-        survives: "in the mean every method; no single trajectory for long",
+        survives: "every method, for the mean; none for a single trajectory over long times",
     }
 }
 
@@ -92,13 +93,14 @@ pub fn horizons(size: Size) -> Row {
     let [loose, tight] = [1e-4, 1e-12];
     let gain = horizon(tight, starts) - horizon(loose, starts);
     Row {
+        in_book: true,
         case: "Horizon of prediction",
         claims: vec![Claim::close(
-            "more of it with a tolerance of 1e-12 in place of 1e-4 (s)",
+            "gain from tolerance 1e-4 to 1e-12 (s)",
             exponents.horizon(tight, loose),
             gain,
             0.1,
         )],
-        survives: "none: eight digits more buy some 13 s",
+        survives: "none: eight more digits gain about 13 s",
     }
 }

@@ -115,6 +115,7 @@ pub fn sign(_: Size) -> Row {
         Claim::same("Rk45: how it ends", "Jump", kind(error.reason)),
     ];
     Row {
+        in_book: false,
         case: "Coulomb friction as a sign",
         claims: falls.into_iter().chain(rest).collect(),
         survives: "none: smooth the sign, or stop at an event",
@@ -139,10 +140,11 @@ pub fn smooth(_: Size) -> Row {
     let longest = max_stable_step(&Rk45::new(), &creeping).expect("finite");
     let explicit = Rk45::new().solve(&model, 0.0, time, [0.0, SPEED]).expect("smooth");
     Row {
+        in_book: true,
         case: "Coulomb friction as a smoothed sign",
         claims: vec![
             Claim::close(
-                "speed of the block that should stand (m/s)",
+                "speed of a block that should stick (m/s)",
                 creep,
                 solution.end()[1],
                 1e-9,
@@ -155,7 +157,7 @@ pub fn smooth(_: Size) -> Row {
             ),
             Claim::at_most("Rodas5P: steps", 100.0, solution.statistics().accepted as f64),
         ],
-        survives: "Rodas, Radau, Auto; but the block creeps",
+        survives: "Rodas, Radau, Auto, but the block creeps",
     }
 }
 
@@ -200,9 +202,10 @@ pub fn events(_: Size) -> Row {
     let changes: Vec<f64> = solution.modes()[1..].iter().map(|(t, _)| *t).collect();
     let [breaks, stops] = first_slip();
     Row {
-        case: "Coulomb friction that sticks",
+        in_book: true,
+        case: "Coulomb friction with sticking",
         claims: vec![
-            Claim::close("it slips at (s)", breaks.0, changes[0], 1e-12),
+            Claim::close("start of slip (s)", breaks.0, changes[0], 1e-12),
             Claim::close("it sticks at (s)", stops.0, changes[1], 1e-12),
             Claim::close("on its way of (m)", stops.1, at(changes[1])[0], 1e-12),
             Claim::at_most("from the start after a period (m)", 1e-12, at(changes[3])[0].abs()),
@@ -288,10 +291,11 @@ pub fn smoothed_against_stuck(size: Size) -> Row {
     let late = late.expect("regular").end();
     let creep = -eps * (0.5 * 9.81 * (late[0] + late[1]).sin() / mu2).atanh();
     Row {
+        in_book: true,
         case: "Double pendulum with dry friction, to 1e-6 rad after a minute",
         claims: vec![
             Claim::at_most(
-                "evaluations, of those with the best smoothed sign",
+                "evaluations, at most a tenth of those with the best smoothed sign",
                 0.1 * creeping,
                 sticking,
             ),

@@ -43,6 +43,7 @@ pub fn resolution(_: Size) -> Row {
     // both in line: 3 a1 + a2 = -19.6 sin, a1 + 2 a2 = -9.8 sin
     let exact = -(2.0 * 19.6 - 9.8) / 5.0 * far.sin();
     Row {
+        in_book: false,
         case: "Tolerances, steps, times and angles at the limits of double precision",
         claims: vec![
             Claim::same("a tolerance of 9 ulps is refused as", "rtol", refused(narrow.reason)),
@@ -79,6 +80,7 @@ pub fn not_finite(_: Size) -> Row {
         ]
     });
     Row {
+        in_book: false,
         case: "Right-hand sides that are not finite",
         claims: claims.into_iter().flatten().collect(),
         survives: "every method, by an error with the last good state",
@@ -96,6 +98,7 @@ pub fn back_in_time(_: Size) -> Row {
         (back - x0).amax()
     }
     Row {
+        in_book: false,
         case: "Forth and back in time",
         claims: vec![
             Claim::at_most(
@@ -136,6 +139,7 @@ pub fn upright(_: Size) -> Row {
     let motion = method.solve(&model, 0.0, 2.0, x0).expect("regular");
     let apart = |t: f64| (motion.at(t).expect("within") - standing.x).norm();
     Row {
+        in_book: false,
         case: "Upright",
         claims: vec![
             Claim::at_most("exactly upright, way in 1000 s (rad)", 0.0, stays.end().amax()),

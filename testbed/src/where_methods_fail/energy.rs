@@ -87,10 +87,11 @@ pub fn runge_kutta(_: Size) -> Row {
     let points = Points::new(PointsParams::default()).expect("physical");
     let chaotic = errors(&method, &points, CHAOTIC);
     Row {
+        in_book: true,
         case: "Energy of Rk4, h = 0.02 s, after 500 s",
         claims: vec![
             Claim::close(
-                "regular: part of it that is lost",
+                "regular motion: fraction lost",
                 -of_modes(&method, &model, REGULAR),
                 whole,
                 0.1,
@@ -168,10 +169,11 @@ pub fn gauss(_: Size) -> Row {
     let chaotic = errors(&Gauss4::new(H), &model, CHAOTIC);
     let tenth = regular.len() / 10;
     Row {
-        case: "Energy and structure, Gauss",
+        in_book: true,
+        case: "Energy with symplectic methods",
         claims: vec![
             Claim::at_most(
-                "Gauss4, h = 0.02 s, regular: relative error of the energy in 500 s",
+                "Gauss4, h = 0.02 s, regular motion: relative energy error in 500 s",
                 1e-9,
                 largest(&regular),
             ),

@@ -18,6 +18,7 @@ pub fn grazing(_: Size) -> Row {
     let dip = |depth: f64| passages(move |t| (t - 0.55).powi(2) - depth);
     let once = |zero: f64| format!("{:?}", passages(move |t| t - zero));
     Row {
+        in_book: false,
         case: "Events that graze, at the start, and at the end of a step",
         claims: vec![
             Claim::same("passages of a dip 1e-10 deep", 2, dip(1e-10).len()),
@@ -43,9 +44,10 @@ pub fn rebounds(_: Size) -> Row {
         .expect_err("it comes to rest");
     let rest = (2.0_f64 / 9.81).sqrt() * (1.0 + KEPT) / (1.0 - KEPT);
     Row {
-        case: "Rebounds that accumulate (Zeno)",
+        in_book: true,
+        case: "Accumulating rebounds (Zeno)",
         claims: vec![
-            Claim::same("it ends in", "EventsAccumulate", kind(error.reason)),
+            Claim::same("error", "EventsAccumulate", kind(error.reason)),
             Claim::close("at the time (s)", rest, error.t(), 1e-12),
         ],
         survives: "every method, by `stop` or `wall`",

@@ -55,9 +55,10 @@ pub fn critical(_: Size) -> Row {
         .expect("stable")
         .amax();
     Row {
+        in_book: true,
         case: "Friction with steps of 0.1 s",
         claims: vec![
-            Claim::close("Rk4 breaks at γ (N m s)", predicted, observed, 0.01),
+            Claim::close("Rk4 unstable above γ (N m s)", predicted, observed, 0.01),
             Claim::at_least("at 1.1 of that, largest rate after 400 s, truly 0 (rad/s)", 1.0, beyond),
             Claim::at_most("which stays bounded (rad/s)", 10.0, beyond),
             Claim::same("at twice of that, it ends in", "NonFinite", kind(far_beyond)),
@@ -122,7 +123,8 @@ pub fn steps(_: Size) -> Row {
     claims.extend(implicit("Rodas5P", &Rodas5P::new().rtol(TOLERANCE).atol(TOLERANCE)));
     claims.extend(implicit("Radau5", &Radau5::new().rtol(TOLERANCE).atol(TOLERANCE)));
     Row {
-        case: "Friction with steps within a tolerance of 1e-6, for 10 s",
+        in_book: true,
+        case: "Friction with a tolerance of 1e-6, for 10 s",
         claims,
         survives: "Rodas, Radau, Auto",
     }
@@ -145,6 +147,7 @@ pub fn detection(_: Size) -> Row {
         .expect("regular");
     let silent = Claim::same("changes without friction, in chaos", 0, chaotic.statistics().switches);
     Row {
+        in_book: false,
         case: "Stiffness that is noticed",
         claims: stiff.into_iter().flatten().chain([silent]).collect(),
         survives: "Auto",

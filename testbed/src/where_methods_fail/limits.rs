@@ -59,7 +59,8 @@ pub fn real_axis(_: Size) -> Row {
         Claim::close(name, predicted, longest(size, (0.5 * predicted, 1.5 * predicted)), 1e-6)
     }
     Row {
-        case: "Longest step on the real axis, |h λ|",
+        in_book: true,
+        case: "Longest stable step on the real axis, |h λ|",
         claims: each_explicit!(claim),
         survives: "Rodas, Radau, Gauss: no limit",
     }
@@ -77,7 +78,8 @@ pub fn imaginary_axis(_: Size) -> Row {
         Claim::close(name, predicted, longest(size, (0.5 * predicted, 1.5 * predicted)), 1e-6)
     }
     Row {
-        case: "Longest step on the imaginary axis, |h λ|",
+        in_book: true,
+        case: "Longest stable step on the imaginary axis, |h λ|",
         claims: each_explicit!(claim),
         survives: "Rodas, Radau, Gauss: no limit",
     }
@@ -93,7 +95,7 @@ pub fn infinity(_: Size) -> Row {
         let method = Fixed::<F>::new(1.0);
         let predicted = method.stability_function(Complex::new(-FAR, 0.0)).re;
         let after = left::<F>(&cart(0.0, FAR), 1.0, 1, [0.0, 1.0])[1];
-        let what = format!("{name}: what one step leaves of 1");
+        let what = format!("{name}: amplification factor of one step");
         if leaves_nothing {
             Claim::at_most(what, 1e-6, after.abs())
         } else {
@@ -101,7 +103,8 @@ pub fn infinity(_: Size) -> Row {
         }
     }
     Row {
-        case: "Steps far too long, h λ = −1e9",
+        in_book: true,
+        case: "Step size far beyond the time scale of a stiff mode, h λ = −1e9",
         claims: vec![
             claim::<Gauss<3>>("Gauss6", false),
             claim::<Gauss<2>>("Gauss4", false),
@@ -110,6 +113,6 @@ pub fn infinity(_: Size) -> Row {
             claim::<Rosenbrock<tableau::Steinebach5, 8>>("Rodas5P", true),
             claim::<Explicit<Kutta4, 5>>("Rk4", false),
         ],
-        survives: "Rodas, Radau; what should be gone stays with Gauss4 and rings with Gauss6",
+        survives: "Rodas, Radau damp the mode; with Gauss4 it persists, with Gauss6 it oscillates",
     }
 }

@@ -56,6 +56,7 @@ pub fn random_walk(size: Size) -> Row {
     // The increment of a step is rounded; it is about h omega times the variables at the frequency omega of 3 rad/s.
     let walk = f64::from(late).sqrt() * f64::EPSILON * H * 3.0;
     Row {
+        in_book: false,
         case: "Rounding errors of the energy, Gauss6",
         claims: vec![
             Claim::alike(

@@ -7,6 +7,8 @@ use pendulum_core::Reason;
 /// Case in which some methods fail.
 #[derive(Debug)]
 pub struct Row {
+    /// True if the table of the book has the first claim.
+    pub in_book: bool,
     pub case: &'static str,
     pub claims: Vec<Claim>,
     /// Methods that do not fail there.
