@@ -11,7 +11,7 @@ use std::slice::from_ref;
 use std::time::Instant;
 
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Stroke};
-use charts::heat::{Atlas, Map};
+use charts::heat::{Atlas, Map, Palette};
 use charts::page::{BLUE, Picture, RGBColor, VERMILION};
 use pendulum_core::prelude::*;
 use pendulum_core::stability::resting;
@@ -142,6 +142,7 @@ fn map(ends: &[SVector<f64, 4>], size: usize) -> Atlas {
         x: axis("upper rod at the start (°)"),
         y: axis("lower rod at the start (°)"),
         colors: Axis::linear(&format!("{name} rod at rest (°)"), -most..most),
+        palette: Palette::Signed,
         steps: 10,
         cells: ends
             .iter()
@@ -152,7 +153,7 @@ fn map(ends: &[SVector<f64, 4>], size: usize) -> Atlas {
     };
     Atlas {
         title: "Where a double pendulum with dry friction rests".to_owned(),
-        subtitle: "Equal rods of 1 m, from rest; white: a rod stays upright".to_owned(),
+        subtitle: "Equal rods of 1 m, from rest; grey: a rod stays upright".to_owned(),
         legend: Vec::new(),
         columns: 2,
         maps: vec![angles("Upper", Rods::THETA1, 8.0), angles("Lower", Rods::THETA2, 8.0)],

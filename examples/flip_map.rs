@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use charts::chart::Axis;
-use charts::heat::{Atlas, Map};
+use charts::heat::{Atlas, Map, Palette};
 use charts::page::Picture;
 use pendulum_core::prelude::*;
 
@@ -90,6 +90,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             x: degrees("upper rod (°)"),
             y: degrees("lower rod (°)"),
             colors: Axis::decades("First flip (s)", 0.5_f64.log10()..T_END.log10()),
+            palette: Palette::Rising,
             steps: 9,
             cells: flips
                 .iter()

@@ -14,6 +14,8 @@ use crate::scale::Scale;
 pub struct Bars {
     pub title: String,
     pub subtitle: String,
+    /// Label of the axes: the quantity with its unit.
+    pub axis: String,
     /// True for a logarithmic axis, false for a linear one from zero.
     pub logarithmic: bool,
     pub columns: Vec<String>,
@@ -35,7 +37,7 @@ const HEAD: f64 = 190.0;
 const CAPTION: f64 = 52.0;
 const BAR: f64 = 30.0;
 const GAP: f64 = 22.0;
-const FOOTER: f64 = 40.0;
+const FOOTER: f64 = 70.0;
 /// Width of the names.
 const NAMES: f64 = 138.0;
 /// Width of the number beside the longest bar.
@@ -116,7 +118,16 @@ impl Bars {
                     let corners = [(px(left), px(y - 0.37 * BAR)), (px(end), px(y + 0.37 * BAR))];
                     page.draw(&Rectangle::new(corners, color.filled()))?;
                 }
-                page.draw_text(&short(value), &style.pos(middle), (px(end + beside), px(y)))?;
+                let (number, style) = (short(value), style.pos(middle));
+                let at = (px(end + beside), px(y));
+                // covers the lines of the grid
+                let wide = i32::try_from(page.estimate_text_size(&number, &style)?.0)?;
+                let corners = [
+                    (at.0 - px(3.0), px(y - 0.4 * BAR)),
+                    (at.0 + wide + px(3.0), px(y + 0.4 * BAR)),
+                ];
+                page.draw(&Rectangle::new(corners, WHITE.filled()))?;
+                page.draw_text(&number, &style, at)?;
             }
             top += row_height(panels);
             bottom = top;
@@ -125,6 +136,7 @@ impl Bars {
         for (value, _) in scale.ticks().into_iter().filter(|&(_, strong)| strong) {
             page.draw_text(&format!("{value}"), &style, (px(x(value)), px(bottom + 4.0)))?;
         }
+        page.draw_text(&self.axis, &style, (px(left + 0.5 * length), px(bottom + 38.0)))?;
         Ok(())
     }
 }

@@ -4,13 +4,14 @@ use std::error::Error;
 use std::ops::Range;
 
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, ValueFormatter};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 pub use crate::curve::Curve;
 use crate::label::draw_labels;
 use crate::line::draw_legend;
-pub use crate::line::{Line, Stroke};
+pub use crate::line::{Line, Marker, Stroke};
 use crate::page::{GREY, GRID, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::scale::power_of_ten;
 
@@ -47,7 +48,7 @@ pub struct Axis {
     pub label: String,
     pub scale: Scale,
     pub range: Range<f64>,
-    /// Approximate number of ticks.
+    /// Largest number of ticks.
     pub ticks: usize,
 }
 
@@ -88,8 +89,12 @@ impl Figure {
     #[must_use]
     pub fn with_equal_scales(mut self) -> Self {
         let length = |axis: &Axis| axis.range.end - axis.range.start;
-        let panel = (self.column() - LABELS - self.right()) * length(&self.columns[0].y) / length(&self.columns[0].x);
-        let rows: f64 = self.rows.iter().map(|row| row.head() + CAPTION + panel + TICKS).sum();
+        let panel = (self.column() - LABELS - RIGHT) * length(&self.columns[0].y) / length(&self.columns[0].x);
+        let rows: f64 = self
+            .rows
+            .iter()
+            .map(|row| row.head() + self.caption() + panel + TICKS)
+            .sum();
         self.size.1 = (MARGIN + head(&self.legend) + rows + FOOTER).round() as u32;
         self
     }
@@ -97,6 +102,16 @@ impl Figure {
     /// Width of a panel with its labels, in pixels.
     fn column(&self) -> f64 {
         (f64::from(self.size.0) - 2.0 * MARGIN) / self.columns.len() as f64
+    }
+
+    /// Height of the titles above the panels, in pixels.
+    fn caption(&self) -> f64 {
+        let has_title = |row: &Row| self.columns.iter().any(|column| !row.title(column).is_empty());
+        if self.rows.iter().any(has_title) {
+            CAPTION
+        } else {
+            NO_CAPTION
+        }
     }
 
     fn draw_row<B: DrawingBackend>(&self, row: &Row, area: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
@@ -107,7 +122,7 @@ impl Figure {
         draw_legend(&head, &row.legend, (0, px(0.62 * LEGEND)))?;
         let panels = body.split_evenly((1, self.columns.len()));
         for ((curves, column), panel) in row.panels.iter().zip(&self.columns).zip(panels) {
-            let (head, body) = panel.split_vertically(px(CAPTION));
+            let (head, body) = panel.split_vertically(px(self.caption()));
             let style = bold(25.0).pos(Pos::new(HPos::Left, VPos::Center));
             write_line(&head, &row.title(column), &style, (px(LABELS), px(32.0)))?;
             self.draw_panel(curves, column, &body)?;
@@ -127,28 +142,24 @@ impl Figure {
         let mut chart = ChartBuilder::on(area)
             .set_label_area_size(LabelAreaPosition::Left, px(LABELS))
             .set_label_area_size(LabelAreaPosition::Bottom, px(TICKS))
-            .margin_right(px(self.right()))
-            .build_cartesian_2d(x.range.clone(), y.range.clone())?;
+            .margin_right(px(RIGHT))
+            .build_cartesian_2d(x.clone(), y.clone())?;
         chart
             .configure_mesh()
-            .x_labels(x.ticks)
-            .y_labels(y.ticks)
             .max_light_lines(0)
             .bold_line_style(GRID.stroke_width(width(1.5)))
             .axis_style(GREY.stroke_width(width(1.5)))
             .set_all_tick_mark_size(px(7.0))
             .label_style(text(22.0, INK))
             .axis_desc_style(text(23.0, INK))
-            .x_label_formatter(&|value| x.tick(*value))
-            .y_label_formatter(&|value| y.tick(*value))
             .y_desc(&y.label)
             .draw()?;
         let plot = chart.plotting_area();
         let mut curves = curves.to_vec();
-        for Curve { line, points, label } in &mut curves {
+        for Curve { line, points, .. } in &mut curves {
             let outside = |point: &(f64, f64)| !(x.shows(point.0) && y.shows(point.1));
             for run in points.split(outside).filter(|run| !run.is_empty()) {
-                if label.is_some() {
+                if line.marker.is_some() {
                     // Segment by segment: a joined corner would be a long spike where a curve turns back.
                     run.windows(2).try_for_each(|ends| line.draw(plot, ends.to_vec()))?;
                 } else {
@@ -156,20 +167,9 @@ impl Figure {
                 }
             }
             points.retain(|point| !outside(point));
-            for &point in points.iter().filter(|_| label.is_some()) {
-                plot.draw(&Circle::new(point, px(1.4 * line.width), line.color.filled()))?;
-            }
+            line.draw_marks(plot, points)?;
         }
         draw_labels(area, plot, &curves)
-    }
-
-    /// Space to the right of each panel.
-    fn right(&self) -> f64 {
-        let curves = self.rows.iter().flat_map(|row| row.panels.iter().flatten());
-        curves.fold(
-            RIGHT,
-            |right, curve| if curve.label.is_some() { WITH_LABELS } else { right },
-        )
     }
 
     /// Labels the x axis once, below each column of panels.
@@ -180,7 +180,7 @@ impl Figure {
         let style = text(23.0, INK).pos(Pos::new(HPos::Center, VPos::Center));
         let (column, height) = (self.column(), f64::from(self.size.1));
         for (n, Column { x, .. }) in self.columns.iter().enumerate() {
-            let middle = MARGIN + n as f64 * column + 0.5 * (LABELS + column - self.right());
+            let middle = MARGIN + n as f64 * column + 0.5 * (LABELS + column - RIGHT);
             page.draw_text(&x.label, &style, (px(middle), px(height - 0.62 * FOOTER)))?;
         }
         Ok(())
@@ -266,24 +266,89 @@ impl Axis {
         self.range.start <= value && value <= self.range.end
     }
 
-    /// Label of a tick: a number with a true minus sign, or a power of ten; empty between powers of ten.
-    pub(crate) fn tick(&self, value: f64) -> String {
+    /// Round numbers on the axis, at most `ticks`. On less than two decades these are powers of ten, their double and
+    /// their fivefold.
+    fn marks(&self) -> Vec<f64> {
+        let (start, end) = (self.range.start, self.range.end);
+        if self.is_short() {
+            let decades = start.floor() as i32..=end as i32;
+            let marks = decades.flat_map(|n| [1.0_f64, 2.0, 5.0].map(|factor| f64::from(n) + factor.log10()));
+            return marks.filter(|&mark| self.shows(mark)).collect();
+        }
+        let least = if self.scale == Scale::Linear {
+            f64::MIN_POSITIVE
+        } else {
+            1.0
+        };
+        let power = 10.0_f64.powf(((end - start) / self.ticks as f64).log10().floor());
+        let marks = |step: f64| {
+            let (first, last) = ((start / step - 1e-9).ceil() as i32, (end / step + 1e-9).floor() as i32);
+            (first..=last).map(|n| step * f64::from(n)).collect::<Vec<_>>()
+        };
+        let steps = [1.0, 2.0, 5.0, 10.0].map(|n| n * power);
+        let mut marks = steps.into_iter().filter(|&step| step >= least).map(marks);
+        marks.find(|marks| marks.len() <= self.ticks).unwrap_or_default()
+    }
+
+    /// True for a logarithmic axis of at most two decades.
+    fn is_short(&self) -> bool {
+        self.scale != Scale::Linear && self.range.end - self.range.start <= 2.0
+    }
+
+    /// Label of a tick: a number with a true minus sign, or a power of ten.
+    fn tick(&self, value: f64) -> String {
         // The sum removes rounding errors of steps like 0.1, and turns -0 into 0.
         let value = (value * 1e9).round() / 1e9 + 0.0;
-        let value = match self.scale {
+        let exponent = match self.scale {
             Scale::Linear => return value.to_string().replace('-', "\u{2212}"),
             Scale::Decades => value,
             Scale::Falling => 0.0 - value,
         };
-        if value.fract() == 0.0 {
-            power_of_ten(value as i32)
-        } else {
-            String::new()
+        if self.is_short() {
+            let digit = format!("{:.0e}", 10.0_f64.powf(exponent));
+            return digit.parse::<f64>().map_or(digit, |number| number.to_string());
         }
+        power_of_ten(exponent.round() as i32)
+    }
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, (start, end): (i32, i32)) -> i32 {
+        let part = (value - self.range.start) / (self.range.end - self.range.start);
+        start + (f64::from(end - start) * part).round() as i32
+    }
+
+    fn key_points<H: KeyPointHint>(&self, _hint: H) -> Vec<f64> {
+        self.marks()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.range.clone()
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format(value: &f64) -> String {
+        value.to_string()
+    }
+
+    fn format_ext(&self, value: &f64) -> String {
+        self.tick(*value)
     }
 }
 
 impl Curve {
+    /// A text beside a point.
+    pub fn note(color: RGBColor, point: (f64, f64), text: &str) -> Self {
+        Self {
+            label: Some(text.to_owned()),
+            ..Self::new(Line::solid(color), vec![point])
+        }
+    }
+
     /// A curve without a label.
     pub fn new(line: Line, points: Vec<(f64, f64)>) -> Self {
         Self {
@@ -297,8 +362,8 @@ impl Curve {
 /// Height of the legend of a row; like all lengths below in pixels of the picture.
 const LEGEND: f64 = 52.0;
 const CAPTION: f64 = 56.0;
+const NO_CAPTION: f64 = 18.0;
 const TICKS: f64 = 36.0;
 const FOOTER: f64 = 62.0;
 pub(crate) const LABELS: f64 = 96.0;
-const RIGHT: f64 = 24.0;
-const WITH_LABELS: f64 = 104.0;
+const RIGHT: f64 = 40.0;

@@ -7,6 +7,6 @@ use crate::line::Line;
 pub struct Curve {
     pub line: Line,
     pub points: Vec<(f64, f64)>,
-    /// Text beside the last point; the points of curves with a label are marked by dots.
+    /// Text beside the last point.
     pub label: Option<String>,
 }

@@ -5,6 +5,7 @@
 pub mod animation;
 pub mod bars;
 pub mod chart;
+pub mod contour;
 mod curve;
 pub mod heat;
 mod label;

@@ -1,7 +1,7 @@
 //! Line styles of the methods, in the charts of all examples.
 
-use crate::chart::Line;
-use crate::page::{BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION};
+use crate::chart::{Line, Marker};
+use crate::page::{BLUE, GREEN, INK, ORANGE, PURPLE, RGBColor, SKY, VERMILION};
 
 /// Legend of the line styles.
 pub fn legend() -> Vec<(Line, String)> {
@@ -13,20 +13,29 @@ pub fn legend() -> Vec<(Line, String)> {
     .into()
 }
 
-/// Line style of a method, in all charts.
+/// Line style of a method, in all charts: each has a colour of its own, and a mark of its own among the explicit or the
+/// implicit ones.
 pub fn line(name: &str) -> Line {
+    let explicit = |color, marker| Line::solid(color).marked(marker);
+    let implicit = |color, marker| Line::dashed(color).marked(marker);
     match name {
-        "Rk4" => Line::solid(GREY),
-        "Rk45" => Line::solid(VERMILION),
-        "Tsit5" => Line::solid(ORANGE),
-        "Vern7" => Line::solid(SKY),
-        "Vern9" => Line::solid(BLUE),
-        "Taylor" => Line::solid(GREEN),
-        "Gauss4" => Line::dashed(VERMILION),
-        "Gauss6" => Line::dashed(ORANGE),
-        "Rodas4" => Line::dashed(SKY),
-        "Rodas5P" => Line::dashed(BLUE),
-        "Radau5" => Line::dashed(PURPLE),
-        _ => Line::dashed(INK),
+        "Rk4" => explicit(SILVER, Marker::Square),
+        "Rk45" => explicit(VERMILION, Marker::Up),
+        "Tsit5" => explicit(ORANGE, Marker::Diamond),
+        "Vern7" => explicit(SKY, Marker::Down),
+        "Vern9" => explicit(BLUE, Marker::Circle),
+        "Taylor" => explicit(GREEN, Marker::Cross),
+        "Rodas4" => implicit(OLIVE, Marker::Up),
+        "Rodas5P" => implicit(VIOLET, Marker::Circle),
+        "Radau5" => implicit(PURPLE, Marker::Square),
+        "Gauss4" => implicit(BROWN, Marker::Down),
+        "Gauss6" => implicit(WINE, Marker::Diamond),
+        _ => implicit(INK, Marker::Cross),
     }
 }
+
+const SILVER: RGBColor = RGBColor(130, 130, 130);
+const OLIVE: RGBColor = RGBColor(128, 138, 0);
+const VIOLET: RGBColor = RGBColor(96, 60, 190);
+const BROWN: RGBColor = RGBColor(130, 80, 40);
+const WINE: RGBColor = RGBColor(150, 0, 60);

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use charts::chart::Axis as Scale;
-use charts::heat::{Atlas, Map};
+use charts::heat::{Atlas, Map, Palette};
 use charts::page::Picture;
 use pendulum_core::prelude::*;
 use pendulum_sweep::{Axis, Sweep, Table};
@@ -57,6 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         x: throws("upper rod at the start (rad/s)"),
         y: throws("lower rod at the start (rad/s)"),
         colors: Scale::linear(label, range),
+        palette: Palette::Signed,
         steps,
         cells: table["theta2"].iter().map(|&angle| cell(angle)).collect(),
         across: size,

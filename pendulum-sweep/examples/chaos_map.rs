@@ -7,9 +7,9 @@
 use std::error::Error;
 use std::path::Path;
 
-use charts::chart::Axis as Scale;
-use charts::heat::{Atlas, Map};
-use charts::page::Picture;
+use charts::chart::{Axis as Scale, Line};
+use charts::heat::{Atlas, Map, Palette};
+use charts::page::{INK, Picture};
 use pendulum_core::prelude::*;
 use pendulum_core::stability::Lyapunov;
 use pendulum_sweep::{Axis, Sweep, Table};
@@ -54,21 +54,32 @@ fn main() -> Result<(), Box<dyn Error>> {
     let chaotic = |row: &usize| table["exponent"][*row] > 3.0 * table["uncertainty"][*row].max(1e-3);
     let count = (0..table.rows()).filter(chaotic).count();
     println!("{count} of {} are chaotic", table.rows());
-    let scale = |label: &str, [from, to]: [f64; 2]| Scale::linear(label, from..to);
+    let scale = |label: &str, [from, to]: [f64; 2]| Scale {
+        ticks: 9,
+        ..Scale::linear(label, from..to)
+    };
+    let zero = Line {
+        width: 0.9,
+        ..Line::solid(INK)
+    };
     let atlas = Atlas {
         title: "Chaos of a driven pendulum".to_owned(),
-        subtitle: "From near rest, after 200 s, over 600 s".to_owned(),
-        legend: Vec::new(),
+        subtitle: "From near rest, after 200 s, over 600 s; chaotic where it is red".to_owned(),
+        legend: vec![(zero, "exponent zero".to_owned())],
         columns: 1,
-        maps: vec![Map {
-            x: scale("Frequency of the drive (rad/s)", FREQUENCIES),
-            y: scale("Amplitude of the drive (weight)", AMPLITUDES),
-            colors: Scale::linear("Largest Lyapunov exponent (1/s)", -0.25..0.2),
-            steps: 18,
-            cells: table["exponent"].to_vec(),
-            across: size,
-            curves: Vec::new(),
-        }],
+        maps: vec![
+            Map {
+                x: scale("frequency of the drive (rad/s)", FREQUENCIES),
+                y: scale("amplitude of the drive (weight)", AMPLITUDES),
+                colors: Scale::linear("Largest Lyapunov exponent (1/s)", -0.25..0.25),
+                palette: Palette::Signed,
+                steps: 50,
+                cells: table["exponent"].to_vec(),
+                across: size,
+                curves: Vec::new(),
+            }
+            .with_zeros(zero, size / 8),
+        ],
     };
     let picture = atlas.save_png(Path::new(&format!("out/chaos_map_{size}")))?;
     println!("{}", picture.display());

@@ -76,8 +76,8 @@ fn chart(results: &Results) -> Bars {
     };
     Bars {
         title: "Trajectories in lanes: RK4 on the double pendulum".to_owned(),
-        subtitle: "Million steps a second on one core; C++: AVX-512 intrinsics, and SLEEF's sines to 1 and 3.5 ulp"
-            .to_owned(),
+        subtitle: "On one core; C++: AVX-512 intrinsics, and SLEEF's sines to 1 and 3.5 ulp".to_owned(),
+        axis: "steps per second (millions)".to_owned(),
         logarithmic: false,
         columns: numbers.map(str::to_owned).into(),
         rows: vec![("Double pendulum".to_owned(), numbers.map(panel).into())],

@@ -189,8 +189,8 @@ fn chart(results: &Results, functions: &[Function]) -> Bars {
     };
     Bars {
         title: "Time of one evaluation".to_owned(),
-        subtitle: "Nanoseconds on logarithmic axes: the generated code and the best form of each peer, taken in turns"
-            .to_owned(),
+        subtitle: "Generated code and the best form of each peer, taken in turns; logarithmic axes".to_owned(),
+        axis: "time (ns)".to_owned(),
         logarithmic: true,
         columns: functions.iter().map(|function| capital(function.title())).collect(),
         rows: MODELS

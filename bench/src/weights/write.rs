@@ -139,6 +139,7 @@ fn chart(results: &Results) -> Bars {
         subtitle:
             "In generated functions, evaluated in sequence (with a critical path) or side by side; logarithmic axes"
                 .to_owned(),
+        axis: "time of an operation over that of an addition".to_owned(),
         logarithmic: true,
         columns: vec!["Least squares".to_owned(), "One operation more".to_owned()],
         rows: operations

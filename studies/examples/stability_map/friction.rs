@@ -9,7 +9,7 @@ use pendulum_core::stability::{Equilibrium, Stability, equilibria};
 use crate::progress::on_all_cores;
 use crate::scene::DoublePendulum;
 use charts::chart::{Axis, Scale};
-use charts::heat::{Atlas, Map};
+use charts::heat::{Atlas, Map, Palette};
 
 /// Smallest friction, as a power of ten in N m s.
 const LEAST: f64 = -3.0;
@@ -82,6 +82,7 @@ impl Frictions {
             x: axis("friction of the upper axle γ₁ (N m s)"),
             y: axis("friction of the lower axle γ₂ (N m s)"),
             colors,
+            palette: Palette::Rising,
             steps,
             cells: self.pairs.iter().map(value).collect(),
             across: self.size,

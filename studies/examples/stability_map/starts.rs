@@ -11,8 +11,8 @@ use pendulum_core::stability::{Lyapunov, StabilityError, section};
 use crate::progress::on_all_cores;
 use crate::scene::{DoublePendulum, chaos_above};
 use charts::chart::{Axis, Curve, Line, Scale};
-use charts::heat::{Atlas, Map};
-use charts::page::VERMILION;
+use charts::heat::{Atlas, Map, Palette};
+use charts::page::INK;
 
 /// Duration of each motion, in s.
 const DURATION: f64 = 100.0;
@@ -117,11 +117,15 @@ impl Starts {
             range: -1.0..1.0,
             ticks: 5,
         };
-        let line = Line::solid(VERMILION);
-        let map = |colors: Axis, value: &dyn Fn(&Motion) -> f64| Map {
+        let line = Line {
+            width: 2.4,
+            ..Line::dashed(INK)
+        };
+        let map = |colors: Axis, palette: Palette, value: &dyn Fn(&Motion) -> f64| Map {
             x: axis("angle of the upper plate θ₁ / π"),
             y: axis("angle of the lower plate θ₂ / π"),
             colors,
+            palette,
             steps: 64,
             cells: self.motions.iter().map(value).collect(),
             across: self.size,
@@ -131,7 +135,7 @@ impl Starts {
             label: "First flip (s)".to_owned(),
             scale: Scale::Decades,
             range: 0.0..DURATION.log10(),
-            ticks: 3,
+            ticks: 7,
         };
         let exponents = Axis {
             label: "Largest finite-time Lyapunov exponent (1/s)".to_owned(),
@@ -142,14 +146,16 @@ impl Starts {
         Atlas {
             title: "Which starts at rest flip, and which are chaotic?".to_owned(),
             subtitle: format!(
-                "Double pendulum, Eq. 22, without friction, followed for {DURATION} s; white: no angle passes ±π in \
-                that time"
+                "Double pendulum, Eq. 22, without friction, followed for {DURATION} s; white: no flip in that \
+                time, or a zero exponent"
             ),
             legend: vec![(line, "just enough energy for a flip: 2 cos θ₁ + cos θ₂ = 1".to_owned())],
             columns: 2,
             maps: vec![
-                map(flips, &|motion| motion.flip.map_or(f64::NAN, f64::log10)),
-                map(exponents, &|motion| motion.exponent),
+                map(flips, Palette::Rising, &|motion| {
+                    motion.flip.map_or(f64::NAN, f64::log10)
+                }),
+                map(exponents, Palette::Signed, &|motion| motion.exponent),
             ],
         }
     }

@@ -4,7 +4,6 @@
 //! them as a table, and draws regions of stability, the energy over time, steps over friction, and the horizon of
 //! prediction. It takes half a minute.
 
-mod contour;
 mod figures;
 mod regions;
 mod table;
