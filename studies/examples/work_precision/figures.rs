@@ -1,16 +1,23 @@
-//! Charts of errors over time and over evaluations.
+//! Charts of time and of operations over errors.
 
-use pendulum_core::accuracy::{Measured, MethodRuns, Report};
+use pendulum_core::accuracy::{Measured, MethodRuns};
 
-use crate::methods::{LANES, line};
+use crate::methods::{LANES, Measurement, line};
 use crate::scenes::{NEIGHBOURS, Scene};
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
 use charts::page::GRID;
 
-/// Scenes with their reports; each scene is a row of panels.
-type Reports<'r> = &'r [(&'r Scene, Report)];
-/// Measured quantity; `None` for methods without it.
+/// Scenes with their measurements; each scene is a row of panels.
+type Scenes<'r> = &'r [(&'r Scene, Measurement)];
+/// Measured error; `None` for methods without it.
 type Value = fn(&Measured) -> Option<f64>;
+
+/// Cost of a run.
+#[derive(Clone, Copy)]
+enum Cost {
+    Time,
+    Operations,
+}
 
 /// Settings of a column of panels.
 #[derive(Clone, Copy)]
@@ -19,7 +26,7 @@ struct Panels {
     error: (&'static str, Value),
     /// Uncertainty of the reference for this error.
     uncertainty: fn(&Scene) -> f64,
-    cost: (&'static str, Value),
+    cost: (&'static str, Cost),
     /// Range of the cost axis, in powers of ten.
     decades: [f64; 2],
     shows: fn(&MethodRuns) -> bool,
@@ -32,16 +39,14 @@ const TIME: Panels = Panels {
     title: "time",
     error: ("error at the end (rad, rad/s)", |measured| Some(measured.errors.last)),
     uncertainty: |scene| scene.reference.uncertainty(scene.t1),
-    cost: ("time for a trajectory (µs)", |measured| Some(1e6 * measured.minimum)),
-    decades: [0.0, 4.5],
+    cost: ("time for a trajectory (µs)", Cost::Time),
+    decades: [0.65, 4.25],
     shows: |series| !series.name.ends_with(LANES),
 };
-const EVALUATIONS: Panels = Panels {
-    title: "evaluations",
-    cost: ("evaluations of the right-hand side, or series", |measured| {
-        Some(measured.work?.evaluations as f64)
-    }),
-    decades: [1.0, 5.5],
+const OPERATIONS: Panels = Panels {
+    title: "operations",
+    cost: ("additions and multiplications, counted", Cost::Operations),
+    decades: [4.1, 7.7],
     ..TIME
 };
 const IN_LANES: Panels = Panels {
@@ -70,21 +75,22 @@ const ENERGY: Panels = Panels {
     ..TIME
 };
 
-pub(crate) fn methods(reports: Reports<'_>) -> Figure {
+pub(crate) fn methods(scenes: Scenes<'_>) -> Figure {
     figure(
-        "Error of each method against the time that it takes",
-        "Each dot is a tolerance or a step; lower is faster, further right is more accurate",
-        reports,
-        &[TIME, EVALUATIONS],
+        "Time and operations of each method against its error",
+        "Each mark is a tolerance or a step; lower is faster, further right is more accurate. Operations are those of \
+        model and method",
+        scenes,
+        &[TIME, OPERATIONS],
     )
 }
 
-pub(crate) fn stiff(reports: Reports<'_>) -> Figure {
+pub(crate) fn stiff(scenes: Scenes<'_>) -> Figure {
     figure(
         "A stiff motion",
         "Friction of 10⁴ N m s stops the first swing within milliseconds, and then the pendulum creeps; the largest \
         error includes the start",
-        reports,
+        scenes,
         &[
             Panels {
                 title: "error at the end",
@@ -95,43 +101,43 @@ pub(crate) fn stiff(reports: Reports<'_>) -> Figure {
     )
 }
 
-pub(crate) fn lanes(reports: Reports<'_>) -> Figure {
+pub(crate) fn lanes(scenes: Scenes<'_>) -> Figure {
     figure(
         "Many trajectories at a time, in the lanes of vector registers",
         &format!(
             "Alone, and {NEIGHBOURS} together from starts a little apart, of which the first one's error is shown"
         ),
-        reports,
+        scenes,
         &[Panels { title: "alone", ..TIME }, IN_LANES],
     )
 }
 
-pub(crate) fn dense_and_energy(reports: Reports<'_>) -> Figure {
+pub(crate) fn dense_and_energy(scenes: Scenes<'_>) -> Figure {
     figure(
         "Errors between the steps, and of the energy",
         "Dense output at eight times within each step; largest difference of the energy at a step",
-        reports,
+        scenes,
         &[DENSE, ENERGY],
     )
 }
 
-fn figure(title: &str, subtitle: &str, reports: Reports<'_>, columns: &[Panels]) -> Figure {
-    let row = |(scene, report): &(&Scene, Report)| Row {
+fn figure(title: &str, subtitle: &str, scenes: Scenes<'_>, columns: &[Panels]) -> Figure {
+    let row = |(scene, measurement): &(&Scene, Measurement)| Row {
         caption: scene.title.to_owned(),
         legend: Vec::new(),
-        panels: columns.iter().map(|panels| panels.curves(scene, report)).collect(),
+        panels: columns.iter().map(|panels| panels.curves(scene, measurement)).collect(),
     };
     Figure {
         title: title.to_owned(),
         subtitle: subtitle.to_owned(),
-        size: (1600, 140 + 780 * reports.len() as u32),
+        size: (1600, 140 + 780 * scenes.len() as u32),
         legend: [
             charts::methods::legend(),
             vec![(Line::area(GRID), "within the uncertainty of the reference".to_owned())],
         ]
         .concat(),
         columns: columns.iter().map(Panels::column).collect(),
-        rows: reports.iter().map(row).collect(),
+        rows: scenes.iter().map(row).collect(),
     }
 }
 
@@ -153,13 +159,21 @@ impl Panels {
     }
 
     /// Clamps errors below the axis to its end.
-    fn curves(&self, scene: &Scene, report: &Report) -> Vec<Curve> {
+    fn curves(&self, scene: &Scene, measurement: &Measurement) -> Vec<Curve> {
         let falling = |error: f64| -error.log10().max(ERRORS[0]);
-        let point = |measured: &Measured| Some((falling((self.error.1)(measured)?), (self.cost.1)(measured)?.log10()));
-        let curve = |series: &MethodRuns| Curve {
-            line: line(&series.name),
-            points: series.measured().filter_map(|(_, measured)| point(measured)).collect(),
-            label: Some(series.name.trim_end_matches(LANES).to_owned()),
+        let curve = |(n, series): (usize, &MethodRuns)| {
+            let point = |(setting, measured): (f64, &Measured)| {
+                let cost = match self.cost.1 {
+                    Cost::Time => 1e6 * measured.minimum,
+                    Cost::Operations => measurement.flops(n, setting)? as f64,
+                };
+                Some((falling((self.error.1)(measured)?), cost.log10()))
+            };
+            Curve {
+                line: line(&series.name),
+                points: series.measured().filter_map(point).collect(),
+                label: Some(series.name.trim_end_matches(LANES).to_owned()),
+            }
         };
         let [least, most] = self.decades;
         let [known, end] = [falling((self.uncertainty)(scene)), -ERRORS[0]];
@@ -167,7 +181,12 @@ impl Panels {
             Line::area(GRID),
             vec![(known, least), (end, least), (end, most), (known, most)],
         );
-        let shown = report.methods.iter().filter(|series| (self.shows)(series));
+        let shown = measurement
+            .report
+            .methods
+            .iter()
+            .enumerate()
+            .filter(|(_, series)| (self.shows)(series));
         std::iter::once(unknown).chain(shown.map(curve)).collect()
     }
 }

@@ -1,4 +1,4 @@
-//! Work-precision study: errors of all methods over time and evaluations, and errors of simpler models over their cost.
+//! Work-precision study: errors of all methods over time and operations, and errors of simpler models over their cost.
 //!
 //! `cargo run --release -p studies --example work_precision` measures a regular, a chaotic and a stiff motion of the
 //! double pendulum, and the small-motion model over the amplitude. It prints the tables of the book, and writes charts,
@@ -21,31 +21,31 @@ const OUT: &str = "out/work_precision";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let [regular, chaotic, stiff] = scenes::scenes()?;
-    let mut reports = Vec::new();
+    let mut measured = Vec::new();
     for scene in [&regular, &chaotic] {
         eprintln!("measuring: {} ..", scene.title);
-        reports.push((scene, methods::measure(scene)));
+        measured.push((scene, methods::measure(scene)));
     }
     eprintln!("measuring: {} ..", stiff.title);
-    reports.push((&stiff, methods::measure_stiff(&stiff)));
+    measured.push((&stiff, methods::measure_stiff(&stiff)));
     eprintln!("measuring: simpler models ..");
     let simpler = simpler::measure()?;
 
     let folder = Path::new(OUT);
     let mut files = Vec::new();
     for (stem, figure) in [
-        ("methods", figures::methods(&reports[..2])),
-        ("lanes", figures::lanes(&reports[..2])),
-        ("dense_and_energy", figures::dense_and_energy(&reports[..2])),
-        ("stiff", figures::stiff(&reports[2..])),
+        ("methods", figures::methods(&measured[..2])),
+        ("lanes", figures::lanes(&measured[..2])),
+        ("dense_and_energy", figures::dense_and_energy(&measured[..2])),
+        ("stiff", figures::stiff(&measured[2..])),
         ("simpler_models", simpler.figure()),
     ] {
         files.extend(figure.save(&folder.join(stem))?);
     }
-    let table = [&reports[..2], &reports[2..]].map(table::markdown).join("\n\n");
+    let table = [&measured[..2], &measured[2..]].map(table::markdown).join("\n\n");
     println!("{table}\n\n{simpler}\n");
     let page = folder.join("index.html");
-    fs::write(&page, page::page(&reports, &simpler, &table))
+    fs::write(&page, page::page(&measured, &simpler, &table))
         .map_err(|error| format!("cannot write {}: {error}", page.display()))?;
     files.push(page);
     for path in files {

@@ -1,7 +1,6 @@
 //! HTML page with all charts and tables.
 
-use pendulum_core::accuracy::Report;
-
+use crate::methods::Measurement;
 use crate::scenes::Scene;
 use crate::simpler::Simpler;
 
@@ -11,7 +10,7 @@ margin: 2em auto; padding: 0 1em } \
                      line-height: 1.35; overflow-x: auto; background: #f6f6f6; padding: 1em }";
 
 /// Formats the page, which links to the pictures beside it.
-pub(crate) fn page(reports: &[(&Scene, Report)], simpler: &Simpler, table: &str) -> String {
+pub(crate) fn page(scenes: &[(&Scene, Measurement)], simpler: &Simpler, table: &str) -> String {
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Accuracy against \
         speed</title>\n<style>{STYLE}</style>\n\
@@ -24,9 +23,8 @@ pub(crate) fn page(reports: &[(&Scene, Report)], simpler: &Simpler, table: &str)
     for (stem, text) in [
         (
             "methods",
-            "One evaluation of <code>Taylor</code> is a whole power series, and implicit methods solve equations as \
-            well: \
-             the charts on the left include that.",
+            "Operations are the additions and multiplications of the model and of the method, counted one by one: \
+            those of power series and of linear systems, too. The control of the step size is not counted.",
         ),
         (
             "lanes",
@@ -57,11 +55,11 @@ pub(crate) fn page(reports: &[(&Scene, Report)], simpler: &Simpler, table: &str)
         "<h2>Simpler models</h2>\n<pre>{}</pre>\n",
         escaped(&simpler.to_string())
     );
-    for (scene, report) in reports {
+    for (scene, measurement) in scenes {
         page += &format!(
             "<h2>All settings: {}</h2>\n<pre>{}</pre>\n",
             scene.title,
-            escaped(&report.to_string())
+            escaped(&measurement.report.to_string())
         );
     }
     page

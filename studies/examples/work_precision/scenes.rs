@@ -4,6 +4,8 @@ use std::error::Error;
 
 use pendulum_core::accuracy::{Problem, Reference};
 use pendulum_core::prelude::*;
+use pendulum_core::{Operations, Statistics};
+use testbed::counted::{Counted, spent};
 use testbed::trajectories;
 
 mechanism! {
@@ -107,6 +109,21 @@ fn scene(
 impl Scene {
     pub(crate) fn problem(&self) -> Problem<'_, DoublePendulum, 4> {
         Problem::new(&self.model, 0.0, self.t1, self.x0, &self.reference).energy(self.energy)
+    }
+
+    /// Counts the operations of a method from the start to the end; `None` if it does not reach the end.
+    pub(crate) fn count(
+        &self,
+        method: &impl Method<DoublePendulum<Counted>, Counted, 4>,
+    ) -> Option<(Operations, Statistics)> {
+        let model = self.model.cast::<Counted>();
+        let mut work = None;
+        let operations = spent(|| {
+            let stepper = method.stepper(&model, Counted(0.0), Counted(self.t1), self.x0.map(Counted));
+            let end = stepper.map(|mut stepper| stepper.run().map(|_| stepper.statistics()));
+            work = end.ok().and_then(Result::ok);
+        });
+        work.map(|work| (operations, work))
     }
 
     /// Initial states close to the one of the scene.
