@@ -9,8 +9,8 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::transition;
 
 use crate::scenes::{DoublePendulum, DoublePendulumParams};
-use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
-use charts::page::{BLUE, GREEN, GREY, VERMILION};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Marker, Row};
+use charts::page::{BLUE, GREEN, VERMILION};
 
 mechanism! {
     /// Like `DoublePendulum`, but without friction.
@@ -29,7 +29,7 @@ const T1: f64 = 10.0;
 const TOLERANCE: f64 = 1e-6;
 /// Errors at which the amplitude is marked.
 const LEVELS: [(f64, &str); 2] = [(1e-2, "1 %"), (1e-3, "0.1 %")];
-const NAMES: [&str; 3] = ["linear", "frictionless", "full, 1e-6"];
+const NAMES: [&str; 3] = ["linear", "without friction", "full, tolerance 1e-6"];
 
 /// Results of the models at all amplitudes.
 pub(crate) struct Simpler {
@@ -112,42 +112,52 @@ impl Simpler {
     }
 
     pub(crate) fn figure(&self) -> Figure {
-        let lines = [VERMILION, BLUE, GREEN].map(Line::solid);
-        let within = Line {
-            width: 2.0,
-            ..Line::dashed(GREY)
-        };
+        let lines = [Line::solid(VERMILION), Line::dashed(BLUE), Line::solid(GREEN)];
         let panel = |value: fn((f64, f64)) -> f64| -> Vec<Curve> {
-            let curve = |n: usize| Curve {
-                line: lines[n],
-                points: self
-                    .amplitudes
-                    .iter()
-                    .map(|at| (at.degrees.log10(), value(at.models[n]).log10()))
-                    .collect(),
-                label: Some(NAMES[n].to_owned()),
+            let curve = |n: usize| {
+                let point = |at: &Amplitude| (at.degrees.log10(), value(at.models[n]).log10());
+                Curve::new(lines[n], self.amplitudes.iter().map(point).collect())
             };
             (0..NAMES.len()).map(curve).collect()
         };
-        let mut errors: Vec<Curve> = LEVELS
-            .into_iter()
-            .filter_map(|(level, name)| {
-                let limit = self.limit(level)?.log10();
-                let y = level.log10();
-                Some(Curve {
-                    line: within,
-                    points: vec![(limit, ERRORS[0]), (limit, y), (2.0, y)],
-                    label: Some(name.to_owned()),
-                })
+        let note =
+            |n: usize, (x, y): (f64, f64), text: String| Curve::note(lines[n].color, (x.log10(), y.log10()), &text);
+        let times_of = |n: usize| {
+            let times = self.amplitudes.iter().map(|at| at.models[n].1);
+            times.fold((f64::INFINITY, 0.0_f64), |(least, most), time| {
+                (least.min(time), most.max(time))
             })
-            .collect();
-        errors.extend(panel(|(error, _)| error));
+        };
+        let mut errors = panel(|(error, _)| error);
+        for (level, name) in LEVELS {
+            if let Some(limit) = self.limit(level) {
+                errors.push(Curve {
+                    line: Line::solid(lines[0].color).marked(Marker::Circle),
+                    ..note(0, (limit, level), format!("within {name} up to {limit:.1}°"))
+                });
+            }
+        }
+        let frictionless = self.amplitudes[0].models[1].0;
+        errors.push(note(
+            1,
+            (0.3, frictionless),
+            format!("without friction: {:.0} %", 100.0 * frictionless),
+        ));
+        let mut times = panel(|(_, time)| 1e6 * time);
+        let (least, most) = times_of(2);
+        times.push(note(
+            2,
+            (5.0, 1e6 * least),
+            format!("full: {:.0} to {:.0} µs", 1e6 * least, 1e6 * most),
+        ));
+        let (least, _) = times_of(0);
+        times.push(note(0, (5.0, 1e6 * least), format!("linear: {:.0} ns", 1e9 * least)));
         let column = |title: &str, label: &str, [least, most]: [f64; 2]| {
             Column::new(
                 title,
                 Axis::decades("amplitude of both angles (°)", -1.0..2.0),
                 Axis {
-                    ticks: 9,
+                    ticks: 10,
                     ..Axis::decades(label, least..most)
                 },
             )
@@ -155,29 +165,26 @@ impl Simpler {
         Figure {
             title: "Up to which amplitude is a simpler model enough?".to_owned(),
             subtitle: format!(
-                "Released at rest with equal angles, γ = 0.1 N m s, {T1} s; full: the whole model by Taylor with a \
-                tolerance of 1e-6"
+                "Double pendulum released at rest with equal angles, γ = 0.1 N m s, followed for {T1} s; all but the \
+                linear model by Taylor"
             ),
             size: (1600, 960),
-            legend: vec![(
-                within,
-                format!(
-                    "linear model within 1 % up to {:.1}°, within 0.1 % up to {:.1}°",
-                    self.limit(1e-2).unwrap_or(f64::NAN),
-                    self.limit(1e-3).unwrap_or(f64::NAN)
-                ),
-            )],
+            legend: NAMES
+                .into_iter()
+                .zip(lines)
+                .map(|(name, line)| (line, name.to_owned()))
+                .collect(),
             columns: vec![
                 column("Largest error of angles and rates", "error over the amplitude", ERRORS),
                 column("Time for the state after 10 s", "time (µs)", TIMES),
             ],
-            rows: vec![Row::new(vec![errors, panel(|(_, time)| 1e6 * time)])],
+            rows: vec![Row::new(vec![errors, times])],
         }
     }
 }
 
 /// Range of the error axis, in powers of ten.
-const ERRORS: [f64; 2] = [-9.0, 1.0];
+const ERRORS: [f64; 2] = [-8.0, 1.0];
 /// Range of the time axis, in powers of ten.
 const TIMES: [f64; 2] = [-3.0, 2.0];
 
