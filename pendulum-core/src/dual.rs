@@ -1,13 +1,15 @@
 //! Dual numbers: values with exact derivatives.
 
+use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::real::Real;
+use crate::real::lanes::Lanes;
+use crate::real::{Float, Real};
 
 /// A value with its derivatives with respect to `N` variables, propagated through every operation by the chain rule.
 ///
 /// Code generic over [`Real`] accepts it unchanged, and its values are bit by bit the same as without derivatives.
-/// Where a function has no derivative, such as [`Real::abs`] at 0, the slopes are limits of the derivative, or zero.
+/// Comparisons are those of the values. Where a function has no derivative, such as [`Real::abs`] at 0, the slopes are limits of the derivative, or zero.
 ///
 /// ```
 /// use pendulum_core::dual::Dual;
@@ -18,7 +20,7 @@ use crate::real::Real;
 /// ```
 ///
 /// A. Griewank, A. Walther, "Evaluating Derivatives", 2nd ed. (2008), chapter 3.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Dual<T, const N: usize> {
     /// The value.
     pub value: T,
@@ -129,6 +131,15 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     }
 
     #[inline]
+    fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
+        let [(s, c), (other_s, other_c)] = self.value.sin_cos_pair(other.value);
+        [
+            (self.chain(s, c), self.chain(c, -s)),
+            (other.chain(other_s, other_c), other.chain(other_c, -other_s)),
+        ]
+    }
+
+    #[inline]
     fn tan(self) -> Self {
         let tan = self.value.tan();
         self.chain(tan, T::from_f64(1.0) + tan * tan)
@@ -200,6 +211,129 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         })
     }
 }
+
+impl<T: PartialEq, const N: usize> PartialEq for Dual<T, N> {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl<T: PartialOrd, const N: usize> PartialOrd for Dual<T, N> {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        self.value.partial_cmp(&other.value)
+    }
+}
+
+/// Points, in fractions of the reach, of a difference of fourth order, and their weights.
+const STENCIL: [(f64, f64); 4] = [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)];
+/// Spacing of the points relative to the reach.
+const SPACING: f64 = 1e-3;
+
+macro_rules! float {
+    ($float:ident) => {
+        /// A single lane.
+        impl<const N: usize> Lanes for Dual<$float, N> {
+            type Scalar = Self;
+            type Double = Self;
+
+            #[inline]
+            fn splat(v: Self) -> Self {
+                v
+            }
+
+            #[inline]
+            fn from_fn(mut f: impl FnMut(usize) -> Self) -> Self {
+                f(0)
+            }
+
+            #[inline]
+            fn lane(&self, i: usize) -> Self {
+                assert!(i == 0, "lane {i} of one");
+                *self
+            }
+
+            #[inline]
+            fn all_finite(self) -> bool {
+                Float::is_finite(self)
+            }
+
+            #[inline]
+            fn select(self, negative: Self, otherwise: Self) -> Self {
+                if self.value.is_sign_negative() {
+                    negative
+                } else {
+                    otherwise
+                }
+            }
+        }
+
+        /// Decisions depend on the values alone, so that an integration takes the same steps as without derivatives.
+        impl<const N: usize> Float for Dual<$float, N> {
+            const EPSILON: Self = Self {
+                value: $float::EPSILON,
+                slopes: [0.0; N],
+            };
+            const MIN_POSITIVE: Self = Self {
+                value: $float::MIN_POSITIVE,
+                slopes: [0.0; N],
+            };
+
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self.value.into()
+            }
+
+            /// True if the value and all derivatives are finite.
+            #[inline]
+            fn is_finite(self) -> bool {
+                self.value.is_finite() && self.slopes.iter().all(|slope| slope.is_finite())
+            }
+
+            #[inline]
+            fn max(self, other: Self) -> Self {
+                if self.value >= other.value || other.value.is_nan() {
+                    self
+                } else {
+                    other
+                }
+            }
+
+            #[inline]
+            fn min(self, other: Self) -> Self {
+                if self.value <= other.value || other.value.is_nan() {
+                    self
+                } else {
+                    other
+                }
+            }
+
+            /// The zero follows its function: `dz = -df / f'`, with `f'` by a difference of fourth order.
+            fn zero_of(self, reach: Self, function: impl Fn(Self) -> Self) -> Self {
+                let spacing = $float::from_f64(SPACING) * reach.value;
+                let at = |steps: f64| Self::constant(self.value + $float::from_f64(steps) * spacing);
+                let difference = STENCIL
+                    .iter()
+                    .map(|&(steps, weight)| $float::from_f64(weight) * function(at(steps)).value);
+                let slope = difference.sum::<$float>() / ($float::from_f64(12.0) * spacing);
+                let residual = function(at(0.0));
+                Self {
+                    value: self.value,
+                    slopes: residual.slopes.map(|own| -own / slope),
+                }
+            }
+
+            #[inline]
+            fn has_same_slopes(&self, other: &Self) -> bool {
+                self.slopes == other.slopes
+            }
+        }
+    };
+}
+
+float!(f64);
+float!(f32);
 
 /// 1 if `a` is larger, 0 if `b` is, and 1/2 if they are equal.
 fn over<T: Real>(a: T, b: T) -> T {

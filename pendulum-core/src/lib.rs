@@ -73,6 +73,8 @@ pub mod layout;
 pub mod method;
 pub mod real;
 #[cfg(feature = "std")]
+pub mod sensitivity;
+#[cfg(feature = "std")]
 pub mod shapes;
 #[cfg(feature = "std")]
 pub mod solution;
@@ -110,8 +112,8 @@ pub use real::{Float, Real};
 pub use solution::{BelowTolerance, Observer, OutsideSpan, Solution, Unresolved};
 pub use statistics::Statistics;
 pub use system::{
-    Acting, Canonical, Cast, CastJacobian, Energy, FnSystem, IntoState, Jacobian, Plant, PlantCanonical, PlantJacobian,
-    System,
+    Acting, Canonical, Cast, CastJacobian, Energy, FnSystem, IntoState, Jacobian, Parametric, Plant, PlantCanonical,
+    PlantJacobian, System,
 };
 pub use taylor::{CastTaylor, TaylorSeries};
 

@@ -213,9 +213,11 @@ impl<T: Float, const N: usize> Solution<T, N> {
             .t
             .partition_point(|&point| if forward { point <= t } else { point >= t })
             - 1;
-        if self.t[left] == t {
+        if self.t[left] == t && self.t[left].has_same_slopes(&t) {
             return Ok(self.x[left]);
         }
+        // the last point, at a time that depends on other variables than `t`
+        let left = left.min(self.t.len() - 2);
         let right = left + 1;
         let theta = (t - self.t[left]) / (self.t[right] - self.t[left]);
         let first = if left == 0 { 0 } else { self.ends[left - 1] };

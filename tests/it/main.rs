@@ -23,6 +23,7 @@ mod points;
 mod quaternions;
 mod random_mechanisms;
 mod robots;
+mod sensitivities;
 mod sincos;
 mod states;
 mod stiff;

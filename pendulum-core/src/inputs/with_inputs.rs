@@ -12,8 +12,8 @@ use crate::real::lanes::Lanes;
 #[cfg(feature = "std")]
 use crate::shapes::{Shape, Shapes};
 use crate::system::{
-    ActsWith, Cast, CastJacobian, Differences, Energy, Hybrid, HybridJacobian, Jacobian, Plant, PlantJacobian, System,
-    WithJacobian, by_sign,
+    ActsWith, Cast, CastJacobian, Differences, Energy, Hybrid, HybridJacobian, Jacobian, Parametric, Plant,
+    PlantJacobian, System, WithJacobian, by_sign,
 };
 
 /// A [`Controlled`] model whose `M` inputs follow the [`ControlLaw`] `L`: a [`System`] that can be integrated.
@@ -303,6 +303,25 @@ impl<T: Real, S: Energy<T, N>, L, const N: usize, const M: usize> Energy<T, N> f
 }
 
 /// The models may differ in their constants, but share the law.
+impl<S, L, const P: usize, const M: usize> Parametric<P> for WithInputs<S, Generic<L>, M>
+where
+    S: Parametric<P>,
+    L: Clone,
+{
+    type Of<T: Real> = WithInputs<S::Of<T>, Generic<L>, M>;
+
+    fn parameters(&self) -> [f64; P] {
+        self.system.parameters()
+    }
+
+    fn with_parameters<T: Real>(&self, parameters: [T; P]) -> Self::Of<T> {
+        WithInputs {
+            system: self.system.with_parameters(parameters),
+            law: self.law.clone(),
+        }
+    }
+}
+
 impl<S, L, const N: usize, const M: usize> Cast<N> for WithInputs<S, Generic<L>, M>
 where
     S: CastControlled<N, M>,

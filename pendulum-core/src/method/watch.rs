@@ -265,7 +265,11 @@ impl<T: Float, const N: usize> Reached<T, N> {
         let Some((from, mode)) = stepper.mode() else {
             return false;
         };
-        let (jumps, changes) = (x != self.x, self.mode != Some((from, mode)));
+        let is_same = x
+            .iter()
+            .zip(&self.x)
+            .all(|(x, before)| x == before && x.has_same_slopes(before));
+        let (jumps, changes) = (!is_same, self.mode != Some((from, mode)));
         if jumps {
             observer.jump(t, x);
         }

@@ -83,7 +83,8 @@ fn root_from<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T), mut fractio
         };
         fraction = fraction.max(least).min(most);
     }
-    if is_past(a.1) { a.0 } else { b.0 }
+    let zero = if is_past(a.1) { a.0 } else { b.0 };
+    zero.zero_of(one, f)
 }
 
 /// Finds where a function of the same sign at three positions, closest to zero at the middle one, touches or passes

@@ -112,4 +112,18 @@ pub trait Float: lanes::Lanes<Scalar = Self> + PartialOrd {
 
     /// Minimum of two numbers; if one is NaN, the other.
     fn min(self, other: Self) -> Self;
+
+    /// Completes a zero of a function that was located by comparisons: these determine its value, but no derivatives.
+    /// `reach` is the distance over which the function is smooth. Numbers without derivatives are returned unchanged.
+    #[inline(always)]
+    #[must_use]
+    fn zero_of(self, _reach: Self, _function: impl Fn(Self) -> Self) -> Self {
+        self
+    }
+
+    /// True if two numbers have the same derivatives, as all numbers do that have none.
+    #[inline(always)]
+    fn has_same_slopes(&self, _other: &Self) -> bool {
+        true
+    }
 }

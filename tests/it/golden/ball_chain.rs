@@ -95,6 +95,13 @@ t29 = t27 + t26 - t27
         params: BallPendulumParams,
         constants: [T; 0],
     }
+    /// Constants of the model, from its parameters.
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    #[inline]
+    fn constants<T: ::pendulum_core::real::Real>(given: [T; 0]) -> [T; 0] {
+        let [] = given;
+        []
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl BallPendulum {
         /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
@@ -108,11 +115,6 @@ t29 = t27 + t26 - t27
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
             #[inline]
             fn rules<T: ::pendulum_core::real::Real>(given: [T; 0]) -> [T; 0] {
-                let [] = given;
-                []
-            }
-            #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 0]) -> [T; 0] {
                 let [] = given;
                 []
             }
@@ -2214,6 +2216,22 @@ t29 = t27 + t26 - t27
             model: &BallPendulum<T>,
         ) -> &impl ::pendulum_core::Jacobian<T, 14> {
             model
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Parametric<0> for BallPendulum {
+        type Of<T: ::pendulum_core::real::Real> = BallPendulum<T>;
+        fn parameters(&self) -> [f64; 0] {
+            self.params.to_array()
+        }
+        fn with_parameters<T: ::pendulum_core::real::Real>(
+            &self,
+            parameters: [T; 0],
+        ) -> BallPendulum<T> {
+            BallPendulum {
+                params: self.params,
+                constants: constants(parameters),
+            }
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -162,6 +162,120 @@ k43 = b*w^2*ny^2*(m1 + m2)
         params: DrivenPivotParams,
         constants: [T; 44],
     }
+    /// Constants of the model, from its parameters.
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    #[inline]
+    fn constants<T: ::pendulum_core::real::Real>(given: [T; 10]) -> [T; 44] {
+        let [p_m1, p_m2, p_l1, p_l2, p_a, p_b, p_w, p_nx, p_ny, p_gamma] = given;
+        let t0 = p_m2 * (T::from_f64(0.5) * p_l2);
+        let t1 = T::from_f64(4.905) * (p_m1 * p_l1 + p_l1 * (T::from_f64(2.0) * p_m2));
+        let t2 = -p_gamma;
+        let t3 = T::from_f64(2.0) * p_gamma;
+        let t4 = T::from_f64(9.81) * (p_m1 * p_b + p_m2 * p_b);
+        let t5 = p_w * p_nx;
+        let t6 = p_w * p_ny;
+        let t7 = p_m1 + p_m2;
+        let t8 = t7 * (t5 * (p_a * t5));
+        let t9 = t6 * (t6 * (p_b * t7));
+        let t10 = T::from_f64(9.81) * t7;
+        let t11 = p_m2 * p_l1;
+        let t12 = p_m1 * (T::from_f64(0.5) * p_l1) + t11;
+        let t13 = p_l2 * t11;
+        let t14 = T::from_f64(0.25) * (t13 * t13);
+        let t15 = T::from_f64(0.5) * t13;
+        let t16 = p_l1 * (T::from_f64(0.5) * p_m1);
+        let t17 = p_b * t16;
+        let t18 = p_a * t16;
+        let t19 = p_w * p_w;
+        let t20 = p_ny * p_ny;
+        let t21 = p_b * t11;
+        let t22 = t17 * t19 * t20 + t20 * (t19 * t21);
+        let t23 = p_a * t11;
+        let t24 = p_ny * (p_w * t17) + p_ny * (p_w * t21);
+        let t25 = p_nx * (p_w * t18) + p_nx * (p_w * t23);
+        let t26 = p_nx * p_nx;
+        let t27 = t19 * t18 * t26 + t26 * (t19 * t23);
+        let t28 = p_l2 * p_l2;
+        let t29 = p_m2 * t28;
+        let t30 = T::from_f64(0.16666666666666666) * t29;
+        let t31 = T::from_f64(0.3333333333333333) * t29;
+        let t32 = T::from_f64(-1.0) / t31;
+        let t33 = t15 * t32;
+        let t34 = p_gamma * t32;
+        let t35 = p_m2 * p_l2;
+        let t36 = T::from_f64(4.905) * t35;
+        let t37 = p_l1 * p_l1;
+        let t38 = T::from_f64(0.16666666666666666)
+            * (p_m1 * t37 + t37 * (T::from_f64(3.0) * p_m2));
+        let t39 = t28 * (t37 * (p_m2 * (T::from_f64(4.0) * p_m1)))
+            + t28 * (t37 * (T::from_f64(3.0) * (p_m2 * p_m2)));
+        let t40 = T::from_f64(0.027777777777777776) * t39;
+        let t41 = p_b * t35;
+        let t42 = T::from_f64(0.5) * (t20 * (t19 * t41));
+        let t43 = p_a * t35;
+        let t44 = T::from_f64(0.5) * (t26 * (t19 * t43));
+        let t45 = T::from_f64(0.5) * (p_ny * (p_w * t41));
+        let t46 = T::from_f64(0.5) * (p_nx * (p_w * t43));
+        let t47 = p_a * p_a;
+        let t48 = T::from_f64(0.5)
+            * (t26 * (t19 * (p_m1 * t47)) + t26 * (t19 * (p_m2 * t47)));
+        let t49 = p_b * p_b;
+        let t50 = T::from_f64(0.5)
+            * (t20 * (t19 * (p_m1 * t49)) + t20 * (t19 * (p_m2 * t49)));
+        let t51 = p_w * p_w * p_w;
+        let t52 = p_ny * p_ny * p_ny;
+        let t53 = t17 * t51 * t52 + t52 * (t21 * t51);
+        let t54 = T::from_f64(0.5) * (t52 * (t41 * t51));
+        let t55 = p_nx * p_nx * p_nx;
+        let t56 = t18 * t51 * t55 + t55 * (t23 * t51);
+        let t57 = T::from_f64(0.5) * (t55 * (t43 * t51));
+        [
+            p_l1,
+            p_l2,
+            p_a,
+            p_b,
+            p_w,
+            p_nx,
+            p_ny,
+            p_gamma,
+            t5,
+            t6,
+            t0,
+            t10,
+            t12,
+            t13,
+            t22,
+            t27,
+            t24,
+            t25,
+            t14,
+            t15,
+            t31,
+            t1,
+            t36,
+            t2,
+            t3,
+            t38,
+            t30,
+            t4,
+            t40,
+            t32,
+            t42,
+            t44,
+            t45,
+            t46,
+            t48,
+            t50,
+            t33,
+            t34,
+            t53,
+            t56,
+            t54,
+            t57,
+            t8,
+            t9,
+        ]
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl DrivenPivot {
         /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
@@ -177,119 +291,6 @@ k43 = b*w^2*ny^2*(m1 + m2)
             fn rules<T: ::pendulum_core::real::Real>(given: [T; 10]) -> [T; 3] {
                 let [p_m1, p_m2, p_l1, p_l2, p_a, p_b, p_w, p_nx, p_ny, p_gamma] = given;
                 [p_m1, p_gamma, p_m2]
-            }
-            #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 10]) -> [T; 44] {
-                let [p_m1, p_m2, p_l1, p_l2, p_a, p_b, p_w, p_nx, p_ny, p_gamma] = given;
-                let t0 = p_m2 * (T::from_f64(0.5) * p_l2);
-                let t1 = T::from_f64(4.905)
-                    * (p_m1 * p_l1 + p_l1 * (T::from_f64(2.0) * p_m2));
-                let t2 = -p_gamma;
-                let t3 = T::from_f64(2.0) * p_gamma;
-                let t4 = T::from_f64(9.81) * (p_m1 * p_b + p_m2 * p_b);
-                let t5 = p_w * p_nx;
-                let t6 = p_w * p_ny;
-                let t7 = p_m1 + p_m2;
-                let t8 = t7 * (t5 * (p_a * t5));
-                let t9 = t6 * (t6 * (p_b * t7));
-                let t10 = T::from_f64(9.81) * t7;
-                let t11 = p_m2 * p_l1;
-                let t12 = p_m1 * (T::from_f64(0.5) * p_l1) + t11;
-                let t13 = p_l2 * t11;
-                let t14 = T::from_f64(0.25) * (t13 * t13);
-                let t15 = T::from_f64(0.5) * t13;
-                let t16 = p_l1 * (T::from_f64(0.5) * p_m1);
-                let t17 = p_b * t16;
-                let t18 = p_a * t16;
-                let t19 = p_w * p_w;
-                let t20 = p_ny * p_ny;
-                let t21 = p_b * t11;
-                let t22 = t17 * t19 * t20 + t20 * (t19 * t21);
-                let t23 = p_a * t11;
-                let t24 = p_ny * (p_w * t17) + p_ny * (p_w * t21);
-                let t25 = p_nx * (p_w * t18) + p_nx * (p_w * t23);
-                let t26 = p_nx * p_nx;
-                let t27 = t19 * t18 * t26 + t26 * (t19 * t23);
-                let t28 = p_l2 * p_l2;
-                let t29 = p_m2 * t28;
-                let t30 = T::from_f64(0.16666666666666666) * t29;
-                let t31 = T::from_f64(0.3333333333333333) * t29;
-                let t32 = T::from_f64(-1.0) / t31;
-                let t33 = t15 * t32;
-                let t34 = p_gamma * t32;
-                let t35 = p_m2 * p_l2;
-                let t36 = T::from_f64(4.905) * t35;
-                let t37 = p_l1 * p_l1;
-                let t38 = T::from_f64(0.16666666666666666)
-                    * (p_m1 * t37 + t37 * (T::from_f64(3.0) * p_m2));
-                let t39 = t28 * (t37 * (p_m2 * (T::from_f64(4.0) * p_m1)))
-                    + t28 * (t37 * (T::from_f64(3.0) * (p_m2 * p_m2)));
-                let t40 = T::from_f64(0.027777777777777776) * t39;
-                let t41 = p_b * t35;
-                let t42 = T::from_f64(0.5) * (t20 * (t19 * t41));
-                let t43 = p_a * t35;
-                let t44 = T::from_f64(0.5) * (t26 * (t19 * t43));
-                let t45 = T::from_f64(0.5) * (p_ny * (p_w * t41));
-                let t46 = T::from_f64(0.5) * (p_nx * (p_w * t43));
-                let t47 = p_a * p_a;
-                let t48 = T::from_f64(0.5)
-                    * (t26 * (t19 * (p_m1 * t47)) + t26 * (t19 * (p_m2 * t47)));
-                let t49 = p_b * p_b;
-                let t50 = T::from_f64(0.5)
-                    * (t20 * (t19 * (p_m1 * t49)) + t20 * (t19 * (p_m2 * t49)));
-                let t51 = p_w * p_w * p_w;
-                let t52 = p_ny * p_ny * p_ny;
-                let t53 = t17 * t51 * t52 + t52 * (t21 * t51);
-                let t54 = T::from_f64(0.5) * (t52 * (t41 * t51));
-                let t55 = p_nx * p_nx * p_nx;
-                let t56 = t18 * t51 * t55 + t55 * (t23 * t51);
-                let t57 = T::from_f64(0.5) * (t55 * (t43 * t51));
-                [
-                    p_l1,
-                    p_l2,
-                    p_a,
-                    p_b,
-                    p_w,
-                    p_nx,
-                    p_ny,
-                    p_gamma,
-                    t5,
-                    t6,
-                    t0,
-                    t10,
-                    t12,
-                    t13,
-                    t22,
-                    t27,
-                    t24,
-                    t25,
-                    t14,
-                    t15,
-                    t31,
-                    t1,
-                    t36,
-                    t2,
-                    t3,
-                    t38,
-                    t30,
-                    t4,
-                    t40,
-                    t32,
-                    t42,
-                    t44,
-                    t45,
-                    t46,
-                    t48,
-                    t50,
-                    t33,
-                    t34,
-                    t53,
-                    t56,
-                    t54,
-                    t57,
-                    t8,
-                    t9,
-                ]
             }
             let given = params.to_array();
             for (name, value) in DrivenPivotParams::NAMES.into_iter().zip(given) {
@@ -975,6 +976,22 @@ k43 = b*w^2*ny^2*(m1 + m2)
             model: &DrivenPivot<T>,
         ) -> &impl ::pendulum_core::Jacobian<T, 4> {
             model
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Parametric<10> for DrivenPivot {
+        type Of<T: ::pendulum_core::real::Real> = DrivenPivot<T>;
+        fn parameters(&self) -> [f64; 10] {
+            self.params.to_array()
+        }
+        fn with_parameters<T: ::pendulum_core::real::Real>(
+            &self,
+            parameters: [T; 10],
+        ) -> DrivenPivot<T> {
+            DrivenPivot {
+                params: self.params,
+                constants: constants(parameters),
+            }
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

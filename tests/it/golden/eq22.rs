@@ -107,6 +107,30 @@ k11 = -m*c*d/(inertia + m*c^2)
         params: DoublePendulumParams,
         constants: [T; 12],
     }
+    /// Constants of the model, from its parameters.
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    #[inline]
+    fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 12] {
+        let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
+        let t0 = p_gamma1 + p_gamma2;
+        let t1 = p_c * p_c;
+        let t2 = p_m * t1;
+        let t3 = p_inertia + t2;
+        let t4 = T::from_f64(0.5) * t3;
+        let t5 = T::from_f64(-1.0) / t3;
+        let t6 = p_d * p_d;
+        let t7 = p_inertia + (t2 + p_m * t6);
+        let t8 = t1 * (p_inertia * (T::from_f64(2.0) * p_m)) + t6 * (p_m * p_inertia)
+            + p_m * p_m * (p_c * p_c * p_c * p_c);
+        let t9 = t8 + p_inertia * p_inertia;
+        let t10 = T::from_f64(0.5) * t7;
+        let t11 = p_m * p_c;
+        let t12 = p_d * t11;
+        let t13 = t12 * t5;
+        let t14 = p_g * t11;
+        let t15 = t14 + p_g * (p_m * p_d);
+        [p_gamma2, t3, t7, t12, t14, t15, t0, t9, t10, t4, t5, t13]
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl DoublePendulum {
         /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
@@ -122,28 +146,6 @@ k11 = -m*c*d/(inertia + m*c^2)
             fn rules<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 4] {
                 let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
                 [p_m, p_inertia, p_gamma1, p_gamma2]
-            }
-            #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 12] {
-                let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
-                let t0 = p_gamma1 + p_gamma2;
-                let t1 = p_c * p_c;
-                let t2 = p_m * t1;
-                let t3 = p_inertia + t2;
-                let t4 = T::from_f64(0.5) * t3;
-                let t5 = T::from_f64(-1.0) / t3;
-                let t6 = p_d * p_d;
-                let t7 = p_inertia + (t2 + p_m * t6);
-                let t8 = t1 * (p_inertia * (T::from_f64(2.0) * p_m))
-                    + t6 * (p_m * p_inertia) + p_m * p_m * (p_c * p_c * p_c * p_c);
-                let t9 = t8 + p_inertia * p_inertia;
-                let t10 = T::from_f64(0.5) * t7;
-                let t11 = p_m * p_c;
-                let t12 = p_d * t11;
-                let t13 = t12 * t5;
-                let t14 = p_g * t11;
-                let t15 = t14 + p_g * (p_m * p_d);
-                [p_gamma2, t3, t7, t12, t14, t15, t0, t9, t10, t4, t5, t13]
             }
             let given = params.to_array();
             for (name, value) in DoublePendulumParams::NAMES.into_iter().zip(given) {
@@ -853,6 +855,22 @@ k11 = -m*c*d/(inertia + m*c^2)
             model: &DoublePendulum<T>,
         ) -> &impl ::pendulum_core::Jacobian<T, 4> {
             model
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Parametric<7> for DoublePendulum {
+        type Of<T: ::pendulum_core::real::Real> = DoublePendulum<T>;
+        fn parameters(&self) -> [f64; 7] {
+            self.params.to_array()
+        }
+        fn with_parameters<T: ::pendulum_core::real::Real>(
+            &self,
+            parameters: [T; 7],
+        ) -> DoublePendulum<T> {
+            DoublePendulum {
+                params: self.params,
+                constants: constants(parameters),
+            }
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

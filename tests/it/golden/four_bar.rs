@@ -139,6 +139,91 @@ k36 = -1
         params: FourBarParams,
         constants: [T; 37],
     }
+    /// Constants of the model, from its parameters.
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    #[inline]
+    fn constants<T: ::pendulum_core::real::Real>(given: [T; 5]) -> [T; 37] {
+        let [p_a, p_b, p_c, p_d, p_gamma] = given;
+        let t0 = T::from_f64(3.141592653589793) + T::from_f64(0.0).atan2(p_a);
+        let t1 = T::from_f64(0.0).atan2(p_b);
+        let t2 = T::from_f64(0.18) * p_a;
+        let t3 = T::from_f64(0.09) * p_a;
+        let t4 = T::from_f64(19.1295) * p_a;
+        let t5 = T::from_f64(6.283185307179586)
+            - (T::from_f64(3.141592653589793) + T::from_f64(0.0).atan2(p_c));
+        let t6 = p_b * p_b;
+        let t7 = p_c * p_c;
+        let t8 = T::from_f64(0.3) * t7;
+        let t9 = T::from_f64(0.15) * t7;
+        let t10 = t6 - t7;
+        let t11 = T::from_f64(0.5) * t10;
+        let t12 = t7 * t6;
+        let t13 = t12.sqrt();
+        let t14 = T::from_f64(1.0) / t12.sqrt();
+        let t15 = T::from_f64(54.0) + T::from_f64(275.0) * t6;
+        let t16 = T::from_f64(0.0013333333333333333) * t15;
+        let t17 = T::from_f64(0.0006666666666666666) * t15;
+        let t18 = p_a * p_a;
+        let t19 = T::from_f64(1.8666666666666667) * t18;
+        let t20 = T::from_f64(0.9333333333333333) * t18;
+        let t21 = T::from_f64(1.0)
+            - T::from_f64(0.0).atan2(t18 - p_d * p_d) / T::from_f64(3.141592653589793);
+        let t22 = T::from_f64(1.0) - t21;
+        let t23 = p_d * t22;
+        let t24 = t22 * T::from_f64(0.0).atan2(p_d);
+        let t25 = T::from_f64(18.0) * p_a + p_b * (T::from_f64(55.0) * p_a);
+        let t26 = T::from_f64(0.02) * t25;
+        let t27 = T::from_f64(0.01) * t25;
+        let t28 = T::from_f64(0.0981) * (T::from_f64(18.0) + T::from_f64(55.0) * p_b);
+        let t29 = T::from_f64(4.4145) * p_c;
+        let t30 = T::from_f64(1.0) / p_b;
+        let t31 = t28 * t30;
+        let t32 = T::from_f64(0.8829) * t30;
+        let t33 = p_b * t30;
+        let t34 = T::from_f64(1.0) / p_c;
+        let t35 = t29 * t34;
+        let t36 = p_c * t34;
+        let t37 = -t36;
+        [
+            p_a,
+            p_b,
+            p_c,
+            p_d,
+            p_gamma,
+            t6,
+            t10,
+            t11,
+            t13,
+            t21,
+            t0,
+            t23,
+            t24,
+            t1,
+            t26,
+            t2,
+            t16,
+            t19,
+            t8,
+            t3,
+            t27,
+            t28,
+            t29,
+            t20,
+            t17,
+            t9,
+            t4,
+            t30,
+            t14,
+            t34,
+            t35,
+            t31,
+            t32,
+            t5,
+            t33,
+            t36,
+            t37,
+        ]
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl FourBar {
         /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
@@ -154,91 +239,6 @@ k36 = -1
             fn rules<T: ::pendulum_core::real::Real>(given: [T; 5]) -> [T; 1] {
                 let [p_a, p_b, p_c, p_d, p_gamma] = given;
                 [p_gamma]
-            }
-            #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 5]) -> [T; 37] {
-                let [p_a, p_b, p_c, p_d, p_gamma] = given;
-                let t0 = T::from_f64(3.141592653589793) + T::from_f64(0.0).atan2(p_a);
-                let t1 = T::from_f64(0.0).atan2(p_b);
-                let t2 = T::from_f64(0.18) * p_a;
-                let t3 = T::from_f64(0.09) * p_a;
-                let t4 = T::from_f64(19.1295) * p_a;
-                let t5 = T::from_f64(6.283185307179586)
-                    - (T::from_f64(3.141592653589793) + T::from_f64(0.0).atan2(p_c));
-                let t6 = p_b * p_b;
-                let t7 = p_c * p_c;
-                let t8 = T::from_f64(0.3) * t7;
-                let t9 = T::from_f64(0.15) * t7;
-                let t10 = t6 - t7;
-                let t11 = T::from_f64(0.5) * t10;
-                let t12 = t7 * t6;
-                let t13 = t12.sqrt();
-                let t14 = T::from_f64(1.0) / t12.sqrt();
-                let t15 = T::from_f64(54.0) + T::from_f64(275.0) * t6;
-                let t16 = T::from_f64(0.0013333333333333333) * t15;
-                let t17 = T::from_f64(0.0006666666666666666) * t15;
-                let t18 = p_a * p_a;
-                let t19 = T::from_f64(1.8666666666666667) * t18;
-                let t20 = T::from_f64(0.9333333333333333) * t18;
-                let t21 = T::from_f64(1.0)
-                    - T::from_f64(0.0).atan2(t18 - p_d * p_d)
-                        / T::from_f64(3.141592653589793);
-                let t22 = T::from_f64(1.0) - t21;
-                let t23 = p_d * t22;
-                let t24 = t22 * T::from_f64(0.0).atan2(p_d);
-                let t25 = T::from_f64(18.0) * p_a + p_b * (T::from_f64(55.0) * p_a);
-                let t26 = T::from_f64(0.02) * t25;
-                let t27 = T::from_f64(0.01) * t25;
-                let t28 = T::from_f64(0.0981)
-                    * (T::from_f64(18.0) + T::from_f64(55.0) * p_b);
-                let t29 = T::from_f64(4.4145) * p_c;
-                let t30 = T::from_f64(1.0) / p_b;
-                let t31 = t28 * t30;
-                let t32 = T::from_f64(0.8829) * t30;
-                let t33 = p_b * t30;
-                let t34 = T::from_f64(1.0) / p_c;
-                let t35 = t29 * t34;
-                let t36 = p_c * t34;
-                let t37 = -t36;
-                [
-                    p_a,
-                    p_b,
-                    p_c,
-                    p_d,
-                    p_gamma,
-                    t6,
-                    t10,
-                    t11,
-                    t13,
-                    t21,
-                    t0,
-                    t23,
-                    t24,
-                    t1,
-                    t26,
-                    t2,
-                    t16,
-                    t19,
-                    t8,
-                    t3,
-                    t27,
-                    t28,
-                    t29,
-                    t20,
-                    t17,
-                    t9,
-                    t4,
-                    t30,
-                    t14,
-                    t34,
-                    t35,
-                    t31,
-                    t32,
-                    t5,
-                    t33,
-                    t36,
-                    t37,
-                ]
             }
             let given = params.to_array();
             for (name, value) in FourBarParams::NAMES.into_iter().zip(given) {
@@ -1762,6 +1762,22 @@ k36 = -1
             model: &FourBar<T>,
         ) -> &impl ::pendulum_core::Jacobian<T, 2> {
             model
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Parametric<5> for FourBar {
+        type Of<T: ::pendulum_core::real::Real> = FourBar<T>;
+        fn parameters(&self) -> [f64; 5] {
+            self.params.to_array()
+        }
+        fn with_parameters<T: ::pendulum_core::real::Real>(
+            &self,
+            parameters: [T; 5],
+        ) -> FourBar<T> {
+            FourBar {
+                params: self.params,
+                constants: constants(parameters),
+            }
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -71,6 +71,13 @@ k4 = 1/m
         params: BlockParams,
         constants: [T; 5],
     }
+    /// Constants of the model, from its parameters.
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    #[inline]
+    fn constants<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 5] {
+        let [p_m, p_mu, p_at_rest, p_pull] = given;
+        [p_mu, p_at_rest, p_pull, T::from_f64(0.5) * p_m, -(T::from_f64(-1.0) / p_m)]
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl Block {
         /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
@@ -86,17 +93,6 @@ k4 = 1/m
             fn rules<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 3] {
                 let [p_m, p_mu, p_at_rest, p_pull] = given;
                 [p_m, p_mu, p_at_rest - p_mu]
-            }
-            #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 5] {
-                let [p_m, p_mu, p_at_rest, p_pull] = given;
-                [
-                    p_mu,
-                    p_at_rest,
-                    p_pull,
-                    T::from_f64(0.5) * p_m,
-                    -(T::from_f64(-1.0) / p_m),
-                ]
             }
             let given = params.to_array();
             for (name, value) in BlockParams::NAMES.into_iter().zip(given) {
@@ -666,6 +662,22 @@ k4 = 1/m
             model: &Block<T>,
         ) -> &impl ::pendulum_core::Jacobian<T, 2> {
             model
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Parametric<4> for Block {
+        type Of<T: ::pendulum_core::real::Real> = Block<T>;
+        fn parameters(&self) -> [f64; 4] {
+            self.params.to_array()
+        }
+        fn with_parameters<T: ::pendulum_core::real::Real>(
+            &self,
+            parameters: [T; 4],
+        ) -> Block<T> {
+            Block {
+                params: self.params,
+                constants: constants(parameters),
+            }
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

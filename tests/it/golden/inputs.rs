@@ -97,6 +97,26 @@ k8 = -0.5/(1/3*l)
         params: CartPoleParams,
         constants: [T; 9],
     }
+    /// Constants of the model, from its parameters.
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    #[inline]
+    fn constants<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 9] {
+        let [p_cart, p_pole, p_l, p_g] = given;
+        let t0 = T::from_f64(0.5) * (p_cart + p_pole);
+        let t1 = p_pole * p_l;
+        let t2 = T::from_f64(0.25) * (t1 * t1);
+        let t3 = T::from_f64(0.5) * (p_g * t1);
+        let t4 = T::from_f64(0.5) * t1;
+        let t5 = p_l * p_l;
+        let t6 = T::from_f64(0.08333333333333333)
+            * (t5 * (p_pole * (T::from_f64(4.0) * p_cart)) + t5 * (p_pole * p_pole));
+        let t7 = p_pole * t5;
+        let t8 = T::from_f64(0.16666666666666666) * t7;
+        let t9 = T::from_f64(0.3333333333333333) * t7;
+        let t10 = T::from_f64(-1.0) / t9;
+        let t11 = t4 * t10;
+        [t2, t4, t9, t3, t8, t6, t10, t0, t11]
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl CartPole {
         /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
@@ -112,25 +132,6 @@ k8 = -0.5/(1/3*l)
             fn rules<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 2] {
                 let [p_cart, p_pole, p_l, p_g] = given;
                 [p_cart, p_pole]
-            }
-            #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 9] {
-                let [p_cart, p_pole, p_l, p_g] = given;
-                let t0 = T::from_f64(0.5) * (p_cart + p_pole);
-                let t1 = p_pole * p_l;
-                let t2 = T::from_f64(0.25) * (t1 * t1);
-                let t3 = T::from_f64(0.5) * (p_g * t1);
-                let t4 = T::from_f64(0.5) * t1;
-                let t5 = p_l * p_l;
-                let t6 = T::from_f64(0.08333333333333333)
-                    * (t5 * (p_pole * (T::from_f64(4.0) * p_cart))
-                        + t5 * (p_pole * p_pole));
-                let t7 = p_pole * t5;
-                let t8 = T::from_f64(0.16666666666666666) * t7;
-                let t9 = T::from_f64(0.3333333333333333) * t7;
-                let t10 = T::from_f64(-1.0) / t9;
-                let t11 = t4 * t10;
-                [t2, t4, t9, t3, t8, t6, t10, t0, t11]
             }
             let given = params.to_array();
             for (name, value) in CartPoleParams::NAMES.into_iter().zip(given) {
@@ -510,6 +511,22 @@ k8 = -0.5/(1/3*l)
             let k3 = self.constants[3];
             let (_, cos_theta) = q_theta.sin_cos();
             cos_theta * k3
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Parametric<4> for CartPole {
+        type Of<T: ::pendulum_core::real::Real> = CartPole<T>;
+        fn parameters(&self) -> [f64; 4] {
+            self.params.to_array()
+        }
+        fn with_parameters<T: ::pendulum_core::real::Real>(
+            &self,
+            parameters: [T; 4],
+        ) -> CartPole<T> {
+            CartPole {
+                params: self.params,
+                constants: constants(parameters),
+            }
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -147,6 +147,133 @@ k57 = 77343750000000/1998607065841*l^2*k
         params: MagnetsParams,
         constants: [T; 58],
     }
+    /// Constants of the model, from its parameters.
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    #[inline]
+    fn constants<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 58] {
+        let [p_m, p_l, p_k, p_gamma] = given;
+        let t0 = -p_l;
+        let t1 = T::from_f64(0.3) * p_l;
+        let t2 = T::from_f64(1.32) * p_l;
+        let t3 = T::from_f64(0.6548788474132285) * p_l;
+        let t4 = T::from_f64(2.8814669286182055) * p_l;
+        let t5 = T::from_f64(0.4) * p_l;
+        let t6 = T::from_f64(0.8410428931875525) * p_l;
+        let t7 = T::from_f64(2.7754415475189234) * p_l;
+        let t8 = p_l * p_l;
+        let t9 = T::from_f64(2.1829294913774286) * t8;
+        let t10 = T::from_f64(2.1026072329688814) * t8;
+        let t11 = T::from_f64(2.0) * t8;
+        let t12 = T::from_f64(4.365858982754857) * t8;
+        let t13 = T::from_f64(4.205214465937763) * t8;
+        let t14 = T::from_f64(0.5) * p_l;
+        let t15 = p_m * t14;
+        let t16 = T::from_f64(0.08333333333333333) * p_m * t8 + p_m * (t14 * t14);
+        let t17 = p_m * p_l;
+        let t18 = t16 + p_l * t17;
+        let t19 = T::from_f64(9.81) * (t15 + t17);
+        let t20 = T::from_f64(4.905) * t17;
+        let t21 = T::from_f64(14.715) * t17;
+        let t22 = p_m * t8;
+        let t23 = p_l * p_k;
+        let t24 = T::from_f64(20.596067900816703) * t23;
+        let t25 = T::from_f64(18.40516233966243) * t23;
+        let t26 = T::from_f64(4.680924522912886) * t23;
+        let t27 = T::from_f64(5.577321921109827) * t23;
+        let t28 = p_k * t8;
+        let t29 = T::from_f64(31.206163486085913) * t28;
+        let t30 = T::from_f64(27.886609605549133) * t28;
+        let t31 = T::from_f64(67.43964604065718) * t28;
+        let t32 = T::from_f64(77.39765491868137) * t28;
+        let t33 = T::from_f64(7.6635961409837705) * t28;
+        let t34 = T::from_f64(11.726917411921418) * t28;
+        let t35 = T::from_f64(33.71982302032859) * t28;
+        let t36 = T::from_f64(38.698827459340684) * t28;
+        let t37 = T::from_f64(0.3333333333333333) * t22;
+        let t38 = T::from_f64(0.5) * t22;
+        let t39 = t22 * t22;
+        let t40 = T::from_f64(0.19444444444444445) * t39;
+        let t41 = T::from_f64(0.25) * t39;
+        let t42 = T::from_f64(-1.0) / t37;
+        let t43 = t37 * t42;
+        let t44 = t38 * t42;
+        let t45 = p_gamma * t42;
+        let t46 = p_k * (p_l * p_l * p_l);
+        let t47 = T::from_f64(102.1812818797836) * t46;
+        let t48 = T::from_f64(449.59764027104785) * t46;
+        let t49 = T::from_f64(117.26917411921418) * t46;
+        let t50 = T::from_f64(386.9882745934068) * t46;
+        let t51 = p_l * p_l * p_l * p_l;
+        let t52 = T::from_f64(0.0340604272932612)
+            * (p_k * (T::from_f64(4131.0) * t8) + p_k * (T::from_f64(10000.0) * t51));
+        let t53 = T::from_f64(0.11726917411921418)
+            * (p_k * (T::from_f64(989.0) * t8) + p_k * (T::from_f64(2500.0) * t51));
+        let t54 = p_k * t51;
+        let t55 = T::from_f64(681.208545865224) * t54;
+        let t56 = T::from_f64(586.3458705960709) * t54;
+        let t57 = T::from_f64(340.604272932612) * t54;
+        let t58 = T::from_f64(293.17293529803544) * t54;
+        [
+            p_m,
+            p_l,
+            p_k,
+            p_gamma,
+            t0,
+            t8,
+            t15,
+            t16,
+            t18,
+            t22,
+            t1,
+            t2,
+            t3,
+            t4,
+            t9,
+            t5,
+            t6,
+            t7,
+            t10,
+            t11,
+            t12,
+            t13,
+            t23,
+            t28,
+            t37,
+            t38,
+            t20,
+            t40,
+            t41,
+            t21,
+            t24,
+            t25,
+            t26,
+            t27,
+            t29,
+            t30,
+            t42,
+            t43,
+            t44,
+            t19,
+            t46,
+            t55,
+            t47,
+            t31,
+            t48,
+            t52,
+            t56,
+            t49,
+            t32,
+            t50,
+            t53,
+            t57,
+            t33,
+            t58,
+            t34,
+            t45,
+            t35,
+            t36,
+        ]
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl Magnets {
         /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
@@ -162,134 +289,6 @@ k57 = 77343750000000/1998607065841*l^2*k
             fn rules<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 2] {
                 let [p_m, p_l, p_k, p_gamma] = given;
                 [p_m, p_gamma]
-            }
-            #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 58] {
-                let [p_m, p_l, p_k, p_gamma] = given;
-                let t0 = -p_l;
-                let t1 = T::from_f64(0.3) * p_l;
-                let t2 = T::from_f64(1.32) * p_l;
-                let t3 = T::from_f64(0.6548788474132285) * p_l;
-                let t4 = T::from_f64(2.8814669286182055) * p_l;
-                let t5 = T::from_f64(0.4) * p_l;
-                let t6 = T::from_f64(0.8410428931875525) * p_l;
-                let t7 = T::from_f64(2.7754415475189234) * p_l;
-                let t8 = p_l * p_l;
-                let t9 = T::from_f64(2.1829294913774286) * t8;
-                let t10 = T::from_f64(2.1026072329688814) * t8;
-                let t11 = T::from_f64(2.0) * t8;
-                let t12 = T::from_f64(4.365858982754857) * t8;
-                let t13 = T::from_f64(4.205214465937763) * t8;
-                let t14 = T::from_f64(0.5) * p_l;
-                let t15 = p_m * t14;
-                let t16 = T::from_f64(0.08333333333333333) * p_m * t8
-                    + p_m * (t14 * t14);
-                let t17 = p_m * p_l;
-                let t18 = t16 + p_l * t17;
-                let t19 = T::from_f64(9.81) * (t15 + t17);
-                let t20 = T::from_f64(4.905) * t17;
-                let t21 = T::from_f64(14.715) * t17;
-                let t22 = p_m * t8;
-                let t23 = p_l * p_k;
-                let t24 = T::from_f64(20.596067900816703) * t23;
-                let t25 = T::from_f64(18.40516233966243) * t23;
-                let t26 = T::from_f64(4.680924522912886) * t23;
-                let t27 = T::from_f64(5.577321921109827) * t23;
-                let t28 = p_k * t8;
-                let t29 = T::from_f64(31.206163486085913) * t28;
-                let t30 = T::from_f64(27.886609605549133) * t28;
-                let t31 = T::from_f64(67.43964604065718) * t28;
-                let t32 = T::from_f64(77.39765491868137) * t28;
-                let t33 = T::from_f64(7.6635961409837705) * t28;
-                let t34 = T::from_f64(11.726917411921418) * t28;
-                let t35 = T::from_f64(33.71982302032859) * t28;
-                let t36 = T::from_f64(38.698827459340684) * t28;
-                let t37 = T::from_f64(0.3333333333333333) * t22;
-                let t38 = T::from_f64(0.5) * t22;
-                let t39 = t22 * t22;
-                let t40 = T::from_f64(0.19444444444444445) * t39;
-                let t41 = T::from_f64(0.25) * t39;
-                let t42 = T::from_f64(-1.0) / t37;
-                let t43 = t37 * t42;
-                let t44 = t38 * t42;
-                let t45 = p_gamma * t42;
-                let t46 = p_k * (p_l * p_l * p_l);
-                let t47 = T::from_f64(102.1812818797836) * t46;
-                let t48 = T::from_f64(449.59764027104785) * t46;
-                let t49 = T::from_f64(117.26917411921418) * t46;
-                let t50 = T::from_f64(386.9882745934068) * t46;
-                let t51 = p_l * p_l * p_l * p_l;
-                let t52 = T::from_f64(0.0340604272932612)
-                    * (p_k * (T::from_f64(4131.0) * t8)
-                        + p_k * (T::from_f64(10000.0) * t51));
-                let t53 = T::from_f64(0.11726917411921418)
-                    * (p_k * (T::from_f64(989.0) * t8)
-                        + p_k * (T::from_f64(2500.0) * t51));
-                let t54 = p_k * t51;
-                let t55 = T::from_f64(681.208545865224) * t54;
-                let t56 = T::from_f64(586.3458705960709) * t54;
-                let t57 = T::from_f64(340.604272932612) * t54;
-                let t58 = T::from_f64(293.17293529803544) * t54;
-                [
-                    p_m,
-                    p_l,
-                    p_k,
-                    p_gamma,
-                    t0,
-                    t8,
-                    t15,
-                    t16,
-                    t18,
-                    t22,
-                    t1,
-                    t2,
-                    t3,
-                    t4,
-                    t9,
-                    t5,
-                    t6,
-                    t7,
-                    t10,
-                    t11,
-                    t12,
-                    t13,
-                    t23,
-                    t28,
-                    t37,
-                    t38,
-                    t20,
-                    t40,
-                    t41,
-                    t21,
-                    t24,
-                    t25,
-                    t26,
-                    t27,
-                    t29,
-                    t30,
-                    t42,
-                    t43,
-                    t44,
-                    t19,
-                    t46,
-                    t55,
-                    t47,
-                    t31,
-                    t48,
-                    t52,
-                    t56,
-                    t49,
-                    t32,
-                    t50,
-                    t53,
-                    t57,
-                    t33,
-                    t58,
-                    t34,
-                    t45,
-                    t35,
-                    t36,
-                ]
             }
             let given = params.to_array();
             for (name, value) in MagnetsParams::NAMES.into_iter().zip(given) {
@@ -1027,6 +1026,22 @@ k57 = 77343750000000/1998607065841*l^2*k
             model: &Magnets<T>,
         ) -> &impl ::pendulum_core::Jacobian<T, 4> {
             model
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Parametric<4> for Magnets {
+        type Of<T: ::pendulum_core::real::Real> = Magnets<T>;
+        fn parameters(&self) -> [f64; 4] {
+            self.params.to_array()
+        }
+        fn with_parameters<T: ::pendulum_core::real::Real>(
+            &self,
+            parameters: [T; 4],
+        ) -> Magnets<T> {
+            Magnets {
+                params: self.params,
+                constants: constants(parameters),
+            }
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

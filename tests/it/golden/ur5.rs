@@ -109,6 +109,13 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         params: Ur5Params,
         constants: [T; 0],
     }
+    /// Constants of the model, from its parameters.
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    #[inline]
+    fn constants<T: ::pendulum_core::real::Real>(given: [T; 0]) -> [T; 0] {
+        let [] = given;
+        []
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl Ur5 {
         /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
@@ -122,11 +129,6 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
             #[inline]
             fn rules<T: ::pendulum_core::real::Real>(given: [T; 0]) -> [T; 0] {
-                let [] = given;
-                []
-            }
-            #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 0]) -> [T; 0] {
                 let [] = given;
                 []
             }
@@ -3472,6 +3474,22 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             model: &Ur5<T>,
         ) -> &impl ::pendulum_core::Jacobian<T, 12> {
             model
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Parametric<0> for Ur5 {
+        type Of<T: ::pendulum_core::real::Real> = Ur5<T>;
+        fn parameters(&self) -> [f64; 0] {
+            self.params.to_array()
+        }
+        fn with_parameters<T: ::pendulum_core::real::Real>(
+            &self,
+            parameters: [T; 0],
+        ) -> Ur5<T> {
+            Ur5 {
+                params: self.params,
+                constants: constants(parameters),
+            }
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -22,6 +22,11 @@ impl Items<'_> {
             (count(program.checked.results.len()), &program.constants_text, allowed());
         let of_any_type = self.with_parameters();
         quote! {
+            /// Constants of the model, from its parameters.
+            #allowed
+            #[inline]
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; #given]) -> [T; #constants] #compute
+
             #allowed
             impl #name {
                 /// Builds the model: checks the parameters, and computes all constants that depend on them alone.
@@ -33,8 +38,6 @@ impl Items<'_> {
                 pub fn new(params: #parameters) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
                     #[inline]
                     fn rules<T: ::pendulum_core::real::Real>(given: [T; #given]) -> [T; #checked] #rules
-                    #[inline]
-                    fn constants<T: ::pendulum_core::real::Real>(given: [T; #given]) -> [T; #constants] #compute
                     let given = params.to_array();
                     for (name, value) in #parameters::NAMES.into_iter().zip(given) {
                         if !value.is_finite() {

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::{Lanes, Pack};
+use crate::dual::Dual;
 use crate::real::Float;
 
 /// True if the machine has a feature. Without `std`, the target features of the compilation decide.
@@ -113,7 +114,7 @@ impl fmt::Debug for Isa {
     }
 }
 
-/// A scalar type of lanes: `f64` or `f32`.
+/// A scalar type of lanes: `f64`, `f32`, or dual numbers, which are single lanes.
 pub trait LaneElement: Float {
     /// Runs a kernel whose lanes fill one register.
     fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output;
@@ -139,4 +140,17 @@ macro_rules! lane {
 lane! {
     f64: Ymm64 Zmm64;
     f32: Ymm32 Zmm32;
+}
+
+impl<const N: usize> LaneElement for Dual<f64, N> {
+    #[inline]
+    fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output {
+        match isa.0 {
+            Set::Portable => kernel.run::<Self>(),
+            #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+            Set::Avx2 => super::x86::avx2::<K, Self>(kernel),
+            #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+            Set::Avx512 => super::x86::avx512::<K, Self>(kernel),
+        }
+    }
 }

@@ -1,0 +1,159 @@
+//! Derivatives of trajectories by initial conditions and parameters.
+//!
+//! A sensitivity is the derivative of the state at a time by a number on which the motion depends. It satisfies the
+//! variational equations `S' = (df/dx) S + df/dp`. Here the method itself is differentiated: it integrates
+//! [dual numbers](crate::dual), which carry the derivatives through each step, with the step sizes of the values. Thus
+//! they are exact derivatives of the numerical solution at these steps, for every method, and converge with it.
+//!
+//! A mode switch, an impact or an event with a reset occurs at a time that depends on the variables. Its time carries
+//! derivatives, too, and so does everything after it: the jump of the derivatives (saltation) follows.
+//!
+//! ```
+//! use pendulum_core::prelude::*;
+//! use pendulum_core::sensitivity::{self, Variable};
+//!
+//! mechanism! {
+//!     pub Swing {
+//!         params { l: m = 1, damping: N m s = 0.1 }
+//!         gravity: [0, -9.81, 0],
+//!         body bob on ground {
+//!             solids: [point(1, [0, -l, 0])], joint: revolute(z), coordinate: theta, friction: damping,
+//!         }
+//!     }
+//! }
+//!
+//! let swing = Swing::new(SwingParams::default())?;
+//! // by the initial angle, and by both parameters
+//! let by = [Variable::Start(Swing::THETA), Variable::Parameter(0), Variable::Parameter(1)];
+//! let method = Vern9::new().rtol(1e-10).atol(1e-10);
+//! let motion = sensitivity::solve(&method, &swing, 0.0, 2.0, [1.0, 0.0], by)?;
+//! let (x, derivatives) = motion.end();
+//! // the angle after 2 s with a length of 1.001 m
+//! let longer = Swing::new(SwingParams { l: 1.001, ..SwingParams::default() })?;
+//! let end = method.solve(&longer, 0.0, 2.0, [1.0, 0.0])?.end();
+//! assert!((x[0] + 0.001 * derivatives[(0, 1)] - end[0]).abs() < 1e-5);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! C. Fuehrer, E. Eich-Soellner, "Numerical Methods in Multibody Dynamics" (1998), section 4.6; A. Griewank, A. Walther,
+//! "Evaluating Derivatives" (2008), chapter 3.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::dual::Dual;
+use crate::error::SolveError;
+use crate::method::Method;
+use crate::solution::{OutsideSpan, Solution};
+use crate::system::{IntoState, Parametric, System};
+
+/// A number on which a trajectory depends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Variable {
+    /// Component of the initial condition, by its index in the state.
+    Start(usize),
+    /// Parameter, by its index in the declaration.
+    Parameter(usize),
+}
+
+/// A trajectory of a state of `N` components, with its derivatives by `K` variables.
+#[derive(Clone, Debug)]
+pub struct Sensitivity<const N: usize, const K: usize> {
+    solution: Solution<Dual<f64, K>, N>,
+}
+
+/// Integrates a model from `t0` to `t1` with the derivatives by some variables.
+///
+/// The errors of the values are controlled as without derivatives. The derivatives have errors of the same order:
+/// choose a tolerance tighter by one or two digits where they matter.
+///
+/// # Errors
+///
+/// Those of [`Method::solve`]. The derivatives of a motion that grazes a limit or the zero of an event are infinite:
+/// [`Reason::NonFinite`](crate::Reason::NonFinite).
+///
+/// # Panics
+///
+/// If a variable is not below `N` or `P`.
+pub fn solve<X, M, const N: usize, const P: usize, const K: usize>(
+    method: &X,
+    model: &M,
+    t0: f64,
+    t1: f64,
+    x0: impl IntoState<f64, N>,
+    variables: [Variable; K],
+) -> Result<Sensitivity<N, K>, SolveError<Dual<f64, K>, N>>
+where
+    M: Parametric<P>,
+    M::Of<Dual<f64, K>>: System<Dual<f64, K>, N>,
+    X: Method<M::Of<Dual<f64, K>>, Dual<f64, K>, N>,
+{
+    let (model, x0) = seeded(model, x0, variables);
+    let [t0, t1] = [t0, t1].map(Dual::constant);
+    Ok(method.solve(&model, t0, t1, x0)?.into())
+}
+
+/// The model and the initial condition as dual numbers, whose derivatives are those by some variables: for
+/// [`Method::solve_with`] with events, or a [`stepper`](Method::stepper). The [`Solution`] converts to a
+/// [`Sensitivity`].
+///
+/// An initial condition that depends on the variables gets their derivatives from the caller.
+///
+/// # Panics
+///
+/// If a variable is not below `N` or `P`.
+pub fn seeded<M, const N: usize, const P: usize, const K: usize>(
+    model: &M,
+    x0: impl IntoState<f64, N>,
+    variables: [Variable; K],
+) -> (M::Of<Dual<f64, K>>, SVector<Dual<f64, K>, N>)
+where
+    M: Parametric<P>,
+{
+    let mut x0 = x0.into_state().map(Dual::constant);
+    let mut parameters = model.parameters().map(Dual::constant);
+    for (k, variable) in variables.into_iter().enumerate() {
+        let number = match variable {
+            Variable::Start(n) => &mut x0[n],
+            Variable::Parameter(n) => &mut parameters[n],
+        };
+        number.slopes[k] = 1.0;
+    }
+    (model.with_parameters(parameters), x0)
+}
+
+/// Splits a state into its values and its derivatives: a row for each component, a column for each variable.
+#[must_use]
+pub fn split<const N: usize, const K: usize>(x: &SVector<Dual<f64, K>, N>) -> (SVector<f64, N>, SMatrix<f64, N, K>) {
+    (x.map(|x| x.value), SMatrix::from_fn(|n, k| x[n].slopes[k]))
+}
+
+impl<const N: usize, const K: usize> Sensitivity<N, K> {
+    /// State at the time `t`, and its derivatives: a row for each component, a column for each variable.
+    ///
+    /// # Errors
+    ///
+    /// If `t` is outside of the span.
+    pub fn at(&self, t: f64) -> Result<(SVector<f64, N>, SMatrix<f64, N, K>), OutsideSpan> {
+        self.solution.at(Dual::constant(t)).map(|x| split(&x))
+    }
+
+    /// Last state, and its derivatives. If an event ended the motion, they are those at the time of the event, which
+    /// depends on the variables.
+    #[must_use]
+    pub fn end(&self) -> (SVector<f64, N>, SMatrix<f64, N, K>) {
+        split(&self.solution.end())
+    }
+
+    /// Solution in dual numbers: points, [events](Solution::events), [modes](Solution::modes) and
+    /// [impacts](Solution::impacts), with their times.
+    #[must_use]
+    pub fn solution(&self) -> &Solution<Dual<f64, K>, N> {
+        &self.solution
+    }
+}
+
+impl<const N: usize, const K: usize> From<Solution<Dual<f64, K>, N>> for Sensitivity<N, K> {
+    fn from(solution: Solution<Dual<f64, K>, N>) -> Self {
+        Self { solution }
+    }
+}
