@@ -18,6 +18,7 @@ pages! {
     driven_pivot: "src/recipes/driven-pivot.md",
     dry_friction: "src/recipes/dry-friction.md",
     cart_pole: "src/recipes/cart-pole.md",
+    clock: "src/recipes/clock.md",
     computed_torque: "src/recipes/computed-torque.md",
     flip_map: "src/recipes/flip-map.md",
     identification: "src/recipes/identification.md",
@@ -30,6 +31,7 @@ pages! {
     saturation: "src/recipes/saturation.md",
     stiff_friction: "src/recipes/stiff-friction.md",
     sweep: "src/recipes/sweep.md",
+    throw: "src/recipes/throw.md",
     units: "src/recipes/units.md",
     urdf: "src/recipes/urdf.md",
 }

@@ -104,7 +104,24 @@ macro_rules! operator {
 operator! { Add::add, AddAssign::add_assign, |a, b| a + b, |_c, da, db| da + db }
 operator! { Sub::sub, SubAssign::sub_assign, |a, b| a - b, |_c, da, db| da - db }
 operator! { Mul::mul, MulAssign::mul_assign, |a, b| a * b, |_c, da, db| da * b + a * db }
-operator! { Div::div, DivAssign::div_assign, |a, b| a / b, |c, da, db| (da - c * db) / b }
+
+impl<T: Real, const N: usize> Div for Dual<T, N> {
+    type Output = Self;
+
+    /// One more division in place of one for each variable.
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let (value, over) = (self.value / other.value, T::from_f64(1.0) / other.value);
+        self.join(other, value, |da, db| (da - value * db) * over)
+    }
+}
+
+impl<T: Real, const N: usize> DivAssign for Dual<T, N> {
+    #[inline]
+    fn div_assign(&mut self, other: Self) {
+        *self = *self / other;
+    }
+}
 
 impl<T: Real, const N: usize> Neg for Dual<T, N> {
     type Output = Self;
@@ -122,6 +139,16 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     #[inline]
     fn from_f64(v: f64) -> Self {
         Self::constant(T::from_f64(v))
+    }
+
+    #[inline]
+    fn is_constant(&self) -> bool {
+        self.slopes.iter().all(|slope| *slope == T::default())
+    }
+
+    #[inline]
+    fn scaled(self, factor: Self) -> Self {
+        self.chain(factor.value * self.value, factor.value)
     }
 
     #[inline]
@@ -195,8 +222,8 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     #[inline]
     fn atan2(self, x: Self) -> Self {
         let (a, b) = (self.value, x.value);
-        let square = a * a + b * b;
-        self.join(x, a.atan2(b), |da, db| (b * da - a * db) / square)
+        let over = T::from_f64(1.0) / (a * a + b * b);
+        self.join(x, a.atan2(b), |da, db| (b * da - a * db) * over)
     }
 
     #[inline]
@@ -230,6 +257,9 @@ impl<T: PartialOrd, const N: usize> PartialOrd for Dual<T, N> {
 const STENCIL: [(f64, f64); 4] = [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)];
 /// Spacing of the points relative to the reach.
 const SPACING: f64 = 1e-3;
+/// Least change of a function from point to point, relative to its largest value there, for which it passes its zero
+/// instead of touching it.
+const TOUCHING: f64 = 1e-6;
 
 macro_rules! float {
     ($float:ident) => {
@@ -309,14 +339,19 @@ macro_rules! float {
                 }
             }
 
-            /// The zero follows its function: `dz = -df / f'`, with `f'` by a difference of fourth order.
+            /// The zero follows its function: `dz = -df / f'`, with `f'` by a difference of fourth order. Where the
+            /// function only touches zero, the derivatives do not exist: NaN.
             fn zero_of(self, reach: Self, function: impl Fn(Self) -> Self) -> Self {
                 let spacing = $float::from_f64(SPACING) * reach.value;
                 let at = |steps: f64| Self::constant(self.value + $float::from_f64(steps) * spacing);
-                let difference = STENCIL
-                    .iter()
-                    .map(|&(steps, weight)| $float::from_f64(weight) * function(at(steps)).value);
-                let slope = difference.sum::<$float>() / ($float::from_f64(12.0) * spacing);
+                let (mut change, mut largest) = (0.0, 0.0);
+                for (steps, weight) in STENCIL {
+                    let value = function(at(steps)).value;
+                    change += $float::from_f64(weight / 12.0) * value;
+                    largest = $float::max(largest, value.abs());
+                }
+                let touches = change.abs() <= $float::from_f64(TOUCHING) * largest;
+                let slope = if touches { $float::NAN } else { change / spacing };
                 let residual = function(at(0.0));
                 Self {
                     value: self.value,

@@ -1,13 +1,16 @@
 //! Derivatives of trajectories by initial conditions and parameters.
 
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::dual::Dual;
 use pendulum_core::prelude::*;
+use pendulum_core::real::Real;
 use pendulum_core::sensitivity::{self, Sensitivity, Variable};
-use pendulum_core::{Parametric, System, stability};
+use pendulum_core::{InputLaw, Parametric, System, stability};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 use crate::states::{
-    Linkage, LinkageParams, Lorenz, LorenzParams, Mixed, MixedParams, Robertson, RobertsonParams, Servo, ServoParams,
+    Linkage, LinkageParams, Lorenz, LorenzParams, Mixed, MixedParams, Motor, MotorParams, Robertson, RobertsonParams,
+    Servo, ServoParams,
 };
 
 use Variable::{Parameter, Start};
@@ -252,4 +255,183 @@ fn of_loops_balls_and_states() {
         Radau5::new().rtol(1e-11).atol(1e-15) => 1e-8,
         Rodas5P::new().rtol(1e-10).atol(1e-14) => 1e-8,
     ]);
+}
+
+mechanism! {
+    /// A ball that falls from a height.
+    pub Ball {
+        params { g: m/s^2 = 9.81, e: 1 = 0.7, floor: m = 0.1 }
+        gravity: [0, -g, 0],
+        wall ground { gap: y - floor, restitution: e }
+        body ball on ground { mass: 1, joint: prismatic(y), coordinate: y }
+        event top: dot(y),
+    }
+}
+
+mechanism! {
+    /// The ball without its floor.
+    pub Thrown {
+        params { g: m/s^2 = 9.81 }
+        gravity: [0, -g, 0],
+        body ball on ground { mass: 1, joint: prismatic(y), coordinate: y }
+    }
+}
+
+/// Height and rate at a time after the first impact, in closed form, in any number type.
+fn rebounded<T: Real>([height, g, e, floor]: [T; 4], t: T) -> [T; 3] {
+    let (half, two) = (T::from_f64(0.5), T::from_f64(2.0));
+    let impact = (two * (height - floor) / g).sqrt();
+    let (since, rate) = (t - impact, e * g * impact);
+    [
+        floor + rate * since - half * g * since * since,
+        rate - g * since,
+        impact,
+    ]
+}
+
+#[test]
+fn impacts_have_the_derivatives_of_the_closed_form() {
+    let ball = Ball::new(BallParams::default()).expect("physical");
+    let by = [Start(0), Parameter(0), Parameter(1), Parameter(2)];
+    let given = [1.0, 9.81, 0.7, 0.1];
+    let seeds: [Dual<f64, 4>; 4] = std::array::from_fn(|n| Dual::variable(given[n], n));
+    let check = |what: &str, motion: Sensitivity<2, 4>| {
+        let [impact] = motion.solution().impacts() else {
+            panic!("one impact")
+        };
+        for t in [0.5, 0.6, 0.7] {
+            let [height, rate, at] = rebounded(seeds, Dual::from_f64(t));
+            let (x, slopes) = motion.at(t).expect("inside");
+            let expected = SMatrix::from_fn(|n, k| [height, rate][n].slopes[k]);
+            close(&format!("{what} at {t}"), &slopes, &expected, 1e-11);
+            assert!((x[0] - height.value).abs() < 1e-12);
+            for k in 0..4 {
+                assert!(
+                    (impact.t.slopes[k] - at.slopes[k]).abs() < 1e-11,
+                    "{what}: {:?}",
+                    impact.t
+                );
+            }
+        }
+    };
+    check(
+        "Vern9",
+        sensitivity::solve(&Vern9::new(), &ball, 0.0, 0.7, [1.0, 0.0], by).expect("regular"),
+    );
+    check(
+        "Rk4",
+        sensitivity::solve(&Rk4::new(0.01), &ball, 0.0, 0.7, [1.0, 0.0], by).expect("regular"),
+    );
+    check(
+        "Tsit5",
+        sensitivity::solve(&Tsit5::new(), &ball, 0.0, 0.7, [1.0, 0.0], by).expect("regular"),
+    );
+    check(
+        "Rodas5P",
+        sensitivity::solve(&Rodas5P::new(), &ball, 0.0, 0.7, [1.0, 0.0], by).expect("regular"),
+    );
+}
+
+#[test]
+fn events_and_resets_have_the_derivatives_of_the_closed_form() {
+    let thrown = Thrown::new(ThrownParams::default()).expect("physical");
+    let by = [Start(0), Parameter(0)];
+    let (model, x0) = sensitivity::seeded(&thrown, [1.0, 0.0], by);
+    let floor = Event::new(|_t, x: &SVector<Dual<f64, 2>, 2>| x[0] - Dual::from_f64(0.1)).falling();
+    let floor = floor.reset(|_t, x| SVector::from([x[0], x[1] * Dual::from_f64(-0.7)]));
+    let [t0, t1] = [0.0, 0.7].map(Dual::from_f64);
+    let method = Vern9::new().rtol(1e-12).atol(1e-12);
+    let motion: Sensitivity<2, 2> = method.solve_with(&model, t0, t1, x0, &[floor]).expect("regular").into();
+    let seeds = [
+        Dual::variable(1.0, 0),
+        Dual::variable(9.81, 1),
+        Dual::from_f64(0.7),
+        Dual::from_f64(0.1),
+    ];
+    for t in [0.5, 0.6, 0.7] {
+        let [height, rate, at] = rebounded(seeds, Dual::from_f64(t));
+        let expected = SMatrix::from_fn(|n, k| [height, rate][n].slopes[k]);
+        close(
+            &format!("reset at {t}"),
+            &motion.at(t).expect("inside").1,
+            &expected,
+            1e-11,
+        );
+        let [event] = motion.solution().events() else {
+            panic!("one event")
+        };
+        for k in 0..2 {
+            assert!((event.t.slopes[k] - at.slopes[k]).abs() < 1e-11, "{:?} {at:?}", event.t);
+        }
+    }
+    // a motion that an event ends: at the event, and just before
+    let floor = Event::new(|_t, x: &SVector<Dual<f64, 2>, 2>| x[0] - Dual::from_f64(0.1)).terminal();
+    let motion: Sensitivity<2, 2> = method.solve_with(&model, t0, t1, x0, &[floor]).expect("regular").into();
+    let (x, slopes) = motion.end();
+    assert!(
+        (x[0] - 0.1).abs() < 1e-12 && slopes.row(0).amax() < 1e-11,
+        "it ends on the floor: {slopes}"
+    );
+    let (t, _) = motion.solution().last();
+    let at = rebounded(seeds, t)[2];
+    assert!((t.slopes[0] - at.slopes[0]).abs() < 1e-11 && (t.slopes[1] - at.slopes[1]).abs() < 1e-11);
+    let (_, at_end) = motion.at(t.value).expect("inside");
+    let falling = SMatrix::from([[1.0, 0.0], [-0.5 * at.value * at.value, -at.value]]);
+    close("at the time of the end", &at_end, &falling, 1e-10);
+}
+
+#[test]
+fn a_motion_that_grazes_is_reported() {
+    let thrown = Thrown::new(ThrownParams::default()).expect("physical");
+    let (model, x0) = sensitivity::seeded(&thrown, [1.0, 0.0], [Start(0), Parameter(0)]);
+    let above = |x: &SVector<Dual<f64, 2>, 2>| x[0] - Dual::from_f64(0.1);
+    // its zero has no slope, so that the derivatives of its time are a quotient of zeros
+    let touched = Event::new(move |_t, x: &SVector<_, 2>| above(x) * above(x) * above(x))
+        .reset(|_t, x| *x * Dual::from_f64(-0.5));
+    let [t0, t1] = [0.0, 0.7].map(Dual::from_f64);
+    let error = Vern9::new()
+        .solve_with(&model, t0, t1, x0, &[touched])
+        .expect_err("no derivatives");
+    assert!(
+        error.to_string().contains("only touches the zero of an event"),
+        "{error}"
+    );
+}
+
+#[test]
+fn variables_without_influence_are_listed() {
+    let ball = Ball::new(BallParams::default()).expect("physical");
+    // at rest in the air nothing is held
+    let falls = sensitivity::solve(&Vern9::new(), &ball, 0.0, 0.3, [1.0, 0.0], [Start(1)]).expect("regular");
+    close("rate", &falls.end().1, &SMatrix::from([[0.3, 1.0]]), 1e-12);
+    let by = [Start(0), Parameter(0), Parameter(1), Parameter(2)];
+    let falls = sensitivity::solve(&Vern9::new(), &ball, 0.0, 0.3, [1.0, 0.0], by).expect("regular");
+    assert!(falls.without_influence().eq([2, 3]));
+    let rebounds = sensitivity::solve(&Vern9::new(), &ball, 0.0, 0.7, [1.0, 0.0], by).expect("regular");
+    assert_eq!(rebounds.without_influence().count(), 0);
+    // the end alone is the same
+    let (x, slopes) = sensitivity::end(&Vern9::new(), &ball, 0.0, 0.7, [1.0, 0.0], by).expect("regular");
+    assert_eq!((x, slopes), rebounds.end());
+}
+
+/// Closed loops of a model and a law carry derivatives through both.
+#[test]
+fn laws_carry_derivatives() {
+    let swing = Motor::new(MotorParams::default()).expect("physical");
+    let closed = swing.with_law(Damping);
+    let by = [Start(0), Parameter(2), Parameter(4)];
+    let tight = Vern9::new().rtol(1e-13).atol(1e-13);
+    let expected = by_differences(&tight, &closed, (0.0, 1.0), [0.5, 0.0, 0.0, 0.0], by);
+    let motion = sensitivity::solve(&tight, &closed, 0.0, 1.0, [0.5, 0.0, 0.0, 0.0], by).expect("regular");
+    close("law", &motion.end().1, &expected, 1e-9);
+}
+
+/// A voltage against the rate.
+#[derive(Clone, PartialEq)]
+struct Damping;
+
+impl InputLaw<4, 1> for Damping {
+    fn inputs<T: Real>(&self, _t: T, x: &SVector<T, 4>) -> [T; 1] {
+        [x[Motor::DOT_THETA] * T::from_f64(-3.0)]
+    }
 }

@@ -48,7 +48,8 @@ pub(crate) fn start<T: Float, const N: usize>(
                 settling.rest(n, rests);
             }
         }
-        settling.rest(n, rate == T::default());
+        // away from limits only friction holds a rate, with its derivatives
+        settling.rest(n, rate == T::default() && settling.has_friction(n));
     }
     let settled = finish(system, t, settling.settle(), &zero, &mut |_, _| {});
     match settled.contradiction() {

@@ -115,7 +115,14 @@ where
 /// Checks that an initial condition is finite.
 pub(crate) fn check_state<T: Float, const N: usize>(x: &SVector<T, N>) -> Result<(), Reason> {
     for x in x.iter() {
-        require(x.is_finite(), COMPONENT[0], x.to_f64(), "the state must be finite")?;
+        // a value that is finite itself has derivatives that are not
+        let rule = if x.to_f64().is_finite() {
+            "its derivatives must be finite: where a motion only touches the zero of an event, the time of the event has \
+             none"
+        } else {
+            "the state must be finite"
+        };
+        require(x.is_finite(), COMPONENT[0], x.to_f64(), rule)?;
     }
     Ok(())
 }

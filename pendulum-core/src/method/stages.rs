@@ -32,13 +32,20 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
 ) -> SVector<T, N> {
     let mut sums = [T::default(); N];
     let mut is_first = true;
+    let is_constant = h.is_constant();
     for i in 0..count {
         if weights[i] == 0.0 {
             continue;
         }
-        let weight = h * T::from_f64(weights[i]);
+        let weight = T::from_f64(weights[i]);
+        let weight = if is_constant { weight.scaled(h) } else { h * weight };
         for (component, sum) in sums.iter_mut().enumerate() {
-            let term = weight * stages[i].data.0[0][component];
+            let stage = stages[i].data.0[0][component];
+            let term = if is_constant {
+                stage.scaled(weight)
+            } else {
+                weight * stage
+            };
             *sum = if is_first { term } else { *sum + term };
         }
         is_first = false;
@@ -61,7 +68,7 @@ pub(crate) fn combination<T: Real, const N: usize>(
             if weight != 0.0 {
                 let weight = T::from_f64(weight);
                 for (sum, &component) in sums.iter_mut().zip(&stage.data.0[0]) {
-                    *sum += component * weight;
+                    *sum += component.scaled(weight);
                 }
             }
         }

@@ -42,6 +42,18 @@ pub trait Real:
     /// Converts `v` to the nearest number of the type.
     fn from_f64(v: f64) -> Self;
 
+    /// True if the number carries no derivatives, or only zeros.
+    #[inline(always)]
+    fn is_constant(&self) -> bool {
+        true
+    }
+
+    /// Product with a factor that [carries no derivatives](Self::is_constant).
+    #[inline(always)]
+    fn scaled(self, factor: Self) -> Self {
+        factor * self
+    }
+
     /// Sine and cosine of an angle in radians; NaN if the angle is not finite.
     ///
     /// For `f64` and `f32`, and lanes of these, errors are below 1 ulp and results are bit-identical on every machine.
