@@ -30,6 +30,7 @@ pub mod furuta;
 pub mod kapitza;
 pub mod leg;
 pub mod magnets;
+pub mod motor;
 mod page;
 pub mod point_masses;
 pub mod quadruped;
@@ -83,6 +84,7 @@ pub const SYSTEMS: &[System] = systems![
     coupled_pendulums,
     cart_pole,
     furuta,
+    motor,
     arm,
     tumbling_body,
     ball_pendulum,
