@@ -186,7 +186,8 @@ fn held(model: &Rods, ends: &[SVector<f64, 4>]) -> Result<Figure, Box<dyn Error>
         left.push((from.to_degrees(), theta2.to_degrees()));
         right.push((to.to_degrees(), theta2.to_degrees()));
     }
-    assert!(error < 1e-14, "the border is off by {error:e} rad");
+    // a state rests where its accelerations are zero within 100 ulps of their terms
+    assert!(error < 1e-13, "the border is off by {error:e} rad");
     println!("the border of what friction holds agrees with the closed form to {error:.1e} rad");
     for x in ends {
         let [first, second] = loads(x);
