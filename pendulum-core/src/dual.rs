@@ -9,7 +9,8 @@ use crate::real::{Float, Real};
 /// A value with its derivatives with respect to `N` variables, propagated through every operation by the chain rule.
 ///
 /// Code generic over [`Real`] accepts it unchanged, and its values are bit by bit the same as without derivatives.
-/// Comparisons are those of the values. Where a function has no derivative, such as [`Real::abs`] at 0, the slopes are limits of the derivative, or zero.
+/// Comparisons are those of the values. Where a function has no derivative, such as [`Real::abs`] at 0, the slopes are
+/// limits of the derivative, or zero.
 ///
 /// ```
 /// use pendulum_core::dual::Dual;

@@ -37,8 +37,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! C. Fuehrer, E. Eich-Soellner, "Numerical Methods in Multibody Dynamics" (1998), section 4.6; A. Griewank, A. Walther,
-//! "Evaluating Derivatives" (2008), chapter 3.
+//! C. Fuehrer, E. Eich-Soellner, "Numerical Methods in Multibody Dynamics" (1998), section 4.6; A. Griewank, A.
+//! Walther, "Evaluating Derivatives" (2008), chapter 3.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -70,7 +70,7 @@ pub struct Sensitivity<const N: usize, const K: usize> {
 ///
 /// # Errors
 ///
-/// Those of [`Method::solve`]. Where a motion only touches a limit, or the zero of an event that resets it, the time of
+/// As for [`Method::solve`]. Where a motion only touches a limit, or the zero of an event that resets it, the time of
 /// the event has no derivatives, and the motion ends with an error that says so.
 ///
 /// # Panics
@@ -99,7 +99,7 @@ where
 ///
 /// # Errors
 ///
-/// Those of [`Method::stepper`].
+/// As for [`Method::stepper`].
 ///
 /// # Panics
 ///

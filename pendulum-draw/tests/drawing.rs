@@ -183,7 +183,9 @@ mechanism! {
     Cart {
         gravity: [0, -9.81, 0],
         body base on ground { solids: [cuboid(1, [1, 0.1, 0.1], [0, -1, 0])] }
-        body cart on base { solids: [cuboid(2, [0.5, 0.2, 0.2], [0, 0, 0])], joint: prismatic(x) at [0, 0.1, 0], coordinate: s }
+        body cart on base {
+            solids: [cuboid(2, [0.5, 0.2, 0.2], [0, 0, 0])], joint: prismatic(x) at [0, 0.1, 0], coordinate: s,
+        }
         body pole on cart {
             mass: 0.4, com: [0, -0.6, 0], inertia: 0.05, joint: revolute(z), coordinate: theta,
         }

@@ -173,7 +173,8 @@ fn a_regular_double_pendulum() {
     close("transition", &motion.end().1, &transition.1, 1e-10);
 }
 
-/// Runs a function on a deep stack: without optimisation, a Taylor series of dual numbers takes more than that of a test.
+/// Runs a function on a deep stack: without optimisation, a Taylor series of dual numbers takes more than that of a
+/// test.
 fn with_deep_stack<R: Send>(run: impl FnOnce() -> R + Send) -> R {
     std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().stack_size(1 << 26);
@@ -184,7 +185,8 @@ fn with_deep_stack<R: Send>(run: impl FnOnce() -> R + Send) -> R {
 
 /// Checks a model with some methods against differences.
 macro_rules! check {
-    ($model:expr, $span:expr, $x0:expr, $variables:expr, $reference:expr, [$($method:expr => $within:expr),* $(,)?]) => {{
+    ($model:expr, $span:expr, $x0:expr, $variables:expr, $reference:expr,
+     [$($method:expr => $within:expr),* $(,)?]) => {{
         let (model, span, x0, variables) = ($model, $span, $x0, $variables);
         let expected = by_differences(&$reference, &model, span, x0, variables);
         println!("{expected}");
@@ -236,22 +238,30 @@ fn through_breakaway_and_stops() {
 fn of_loops_balls_and_states() {
     let tight = Vern9::new().rtol(1e-13).atol(1e-13);
     let linkage = Linkage::new(LinkageParams::default()).expect("physical");
-    check!(linkage, (0.0, 1.0), [0.7, 0.0, 0.0], [Start(0), Start(1), Start(2), Parameter(0), Parameter(1), Parameter(2), Parameter(3)], tight, [
+    check!(linkage, (0.0, 1.0), [0.7, 0.0, 0.0],
+        [Start(0), Start(1), Start(2), Parameter(0), Parameter(1), Parameter(2), Parameter(3)],
+        tight, [
         Vern9::new().rtol(1e-12).atol(1e-12) => 1e-9,
         Taylor::new().rtol(1e-14).atol(1e-14) => 1e-9,
     ]);
     let mixed = Mixed::new(MixedParams::default()).expect("physical");
-    check!(mixed, (0.0, 2.0), [1.0, 0.0, 0.0, 0.0, 0.5, -0.7, 1.1, 0.3], [Start(4), Start(5), Start(7), Parameter(0), Parameter(1), Parameter(2), Parameter(3)], tight, [
+    check!(mixed, (0.0, 2.0), [1.0, 0.0, 0.0, 0.0, 0.5, -0.7, 1.1, 0.3],
+        [Start(4), Start(5), Start(7), Parameter(0), Parameter(1), Parameter(2), Parameter(3)],
+        tight, [
         Vern9::new().rtol(1e-12).atol(1e-12) => 1e-9,
         Taylor::new().rtol(1e-14).atol(1e-14) => 1e-9,
     ]);
     let lorenz = Lorenz::new(LorenzParams::default()).expect("valid");
-    check!(lorenz, (0.0, 3.0), [1.0, 1.0, 20.0], [Start(0), Start(1), Start(2), Parameter(0), Parameter(1), Parameter(2)], tight, [
+    check!(lorenz, (0.0, 3.0), [1.0, 1.0, 20.0],
+        [Start(0), Start(1), Start(2), Parameter(0), Parameter(1), Parameter(2)],
+        tight, [
         Vern9::new().rtol(1e-13).atol(1e-13) => 1e-8,
         Taylor::new().rtol(1e-14).atol(1e-14) => 1e-8,
     ]);
     let robertson = Robertson::new(RobertsonParams::default()).expect("valid");
-    check!(robertson, (0.0, 40.0), [1.0, 0.0, 0.0], [Start(0), Parameter(0), Parameter(1), Parameter(2)], Radau5::new().rtol(1e-12).atol(1e-16), [
+    check!(robertson, (0.0, 40.0), [1.0, 0.0, 0.0],
+        [Start(0), Parameter(0), Parameter(1), Parameter(2)],
+        Radau5::new().rtol(1e-12).atol(1e-16), [
         Radau5::new().rtol(1e-11).atol(1e-15) => 1e-8,
         Rodas5P::new().rtol(1e-10).atol(1e-14) => 1e-8,
     ]);

@@ -237,7 +237,8 @@ pub(crate) struct End {
     pub rpy: Option<Read<Vector>>,
 }
 
-/// Maximum number of coordinates, states and motions of a scene; the time of expansion grows with about their third power.
+/// Maximum number of coordinates, states and motions of a scene; the time of expansion grows with about their third
+/// power.
 pub(crate) const MOST_MOTIONS: usize = 128;
 /// Bodies of the largest scene: the time of expansion grows with the square of their number.
 pub(crate) const MOST_BODIES: usize = 1000;

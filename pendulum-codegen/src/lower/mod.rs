@@ -294,7 +294,8 @@ impl<'g> Lower<'g> {
             (
                 Code::NoScene,
                 format!("`{name}` has no body"),
-                "add `body name on ground { mass: .., joint: .., coordinate: .. }`, or `state name { unit: .., rate: .. }`",
+                "add `body name on ground { mass: .., joint: .., coordinate: .. }`, or \
+                 `state name { unit: .., rate: .. }`",
             )
         } else {
             (

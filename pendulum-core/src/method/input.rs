@@ -117,8 +117,8 @@ pub(crate) fn check_state<T: Float, const N: usize>(x: &SVector<T, N>) -> Result
     for x in x.iter() {
         // a value that is finite itself has derivatives that are not
         let rule = if x.to_f64().is_finite() {
-            "its derivatives must be finite: where a motion only touches the zero of an event, the time of the event has \
-             none"
+            "its derivatives must be finite: where a motion only touches the zero of an event, the time of the event \
+             has none"
         } else {
             "the state must be finite"
         };

@@ -38,8 +38,8 @@ impl<T: Float, const N: usize> Solution<T, N> {
     /// and for adaptive methods, which choose their steps.
     ///
     /// A component is listed if its rate varies within a step about as much as over the whole motion, on average over
-    /// the steps. This finds steps that are far too long, not inaccurate ones: to estimate the error, compare with half the
-    /// step.
+    /// the steps. This finds steps that are far too long, not inaccurate ones: to estimate the error, compare with half
+    /// the step.
     ///
     /// ```
     /// use pendulum_core::prelude::*;

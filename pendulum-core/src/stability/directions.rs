@@ -13,7 +13,8 @@ pub(super) fn dimension<const N: usize>(system: &(impl System<f64, N> + ?Sized))
 }
 
 /// Admissible directions of a state as orthonormal columns: first directions of the positions, `q' = K(q) v`, then
-/// directions of the rates and of first-order states. `None` if all directions are admissible, since there are no more positions than rates.
+/// directions of the rates and of first-order states. `None` if all directions are admissible, since there are no more
+/// positions than rates.
 ///
 /// Quaternions stay on the unit sphere, and dependent coordinates of closed loops follow the independent ones. `K` is a
 /// block of the Jacobian.

@@ -9,9 +9,9 @@ use crate::real::lanes::Lanes;
 
 /// A model with external inputs, forces along constraints, or both.
 ///
-/// The state is `[q; qd]`, followed by the first-order states if there are any. Arrays of constraints always have the length [`MAX_CONSTRAINTS`]; only the first entries are
-/// used. A model with constraints implements all methods, since the defaults panic for it. Without constraints,
-/// [`eval`](Self::eval) is sufficient.
+/// The state is `[q; qd]`, followed by the first-order states if there are any. Arrays of constraints always have the
+/// length [`MAX_CONSTRAINTS`]; only the first entries are used. A model with constraints implements all methods, since
+/// the defaults panic for it. Without constraints, [`eval`](Self::eval) is sufficient.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a model with inputs or constraint forces",
     note = "`mechanism!` implements `Plant` for scenes with inputs, dry friction, stops or walls where `generate` \
