@@ -61,7 +61,7 @@ impl fmt::Display for SweepError {
             Self::File(path, error) => write!(f, "{}: {error}", path.display()),
             Self::Busy(path) => write!(
                 f,
-                "another process is at work on {}; wait for it, give this sweep another name, or let both compute \
+                "another process is working on {}; wait for it, give this sweep another name, or let both compute \
                  shares",
                 path.display()
             ),

@@ -415,7 +415,7 @@ fn two_at_once_do_not_disturb_each_other() -> Outcome {
     meanwhile(100, || ()).run_to(&alone)?;
     let busy = |result: Result<(), SweepError>| {
         let error = result.expect_err("another process").to_string();
-        let text = format!("another process is at work on {};", path.display());
+        let text = format!("another process is working on {};", path.display());
         assert!(error.starts_with(&text), "{error}");
     };
     // the same sweep, another one, a share, and a merge

@@ -144,7 +144,7 @@ impl Kernel {
         let (parameters, starts) = (transposed(parameters, count), transposed(starts, count));
         // SAFETY: all buffers have the lengths that the kernel reads and writes, its arguments have the declared order
         // and types, and reading waits until the kernel has ended.
-        #[expect(unsafe_code, reason = "OpenCL does not know what a kernel does")]
+        #[expect(unsafe_code, reason = "OpenCL does not check kernels")]
         unsafe {
             let kernel = opencl3::kernel::Kernel::create(&self.program, "integrate")?;
             let to_device = |numbers: &[T]| {

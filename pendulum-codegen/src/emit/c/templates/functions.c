@@ -1,4 +1,4 @@
-// What code may call. A section starts with a name; of a function of the platform it says which one that is where nothing else is defined.
+// Functions that generated code may call. Each section starts with the name of one; for a function of the platform, it also gives the default.
 
 //! PENDULUM_ATAN2: atan2
 #ifndef PENDULUM_ATAN2

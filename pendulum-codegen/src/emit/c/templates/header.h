@@ -40,7 +40,7 @@ typedef struct {
     double k[@constants@];
 } @name@_model;
 
-/// What @name@_new returns.
+/// Return values of @name@_new.
 enum {
     @NAME@_OK = 0,
     @codes@
@@ -53,7 +53,7 @@ enum {
 /// Returns 0, or the code of the first rule that is broken; then the model stays as it was.
 int @name@_new(@name@_model *model, const @name@_params *params);
 
-/// What a code means: "`parameter`: what it must be".
+/// Returns the meaning of a code: "`parameter`: its rule".
 const char *@name@_error(int code);
 @routines@
 

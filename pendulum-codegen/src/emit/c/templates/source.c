@@ -9,7 +9,7 @@
 #pragma GCC diagnostic ignored "-Wunused-variable"
 #endif
 #if defined(__GNUC__) && !defined(__clang__)
-// GCC does not know the pragma of C99, and where it vectorises it fuses even with -ffp-contract=off.
+// GCC ignores the pragma of C99, and fuses operations that it vectorises even with -ffp-contract=off.
 #pragma GCC optimize("fp-contract=off", "no-tree-vectorize")
 #else
 #pragma STDC FP_CONTRACT OFF
