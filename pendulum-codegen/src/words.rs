@@ -258,7 +258,7 @@ pub(crate) const FIELDS: &Synonyms = &[
 pub(crate) const STATE: &Synonyms = &[
     (&["units", "dimension"], "unit"),
     (&["derivative", "dot", "der", "equation", "rhs", "ode"], "rate"),
-    (&["initial", "start", "x0", "value", "default"], START),
+    (&["init", "initial", "start", "x0", "value", "default"], START),
 ];
 
 /// Fields of walls.

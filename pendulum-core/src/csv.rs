@@ -1,6 +1,6 @@
 //! Export of solutions as tables.
 
-use std::io;
+use std::{fmt, io};
 
 use nalgebra::SVector;
 
@@ -8,7 +8,8 @@ use crate::layout::{StateLayout, WrongLength};
 use crate::real::Float;
 use crate::solution::Solution;
 
-impl<T: Float, const N: usize> Solution<T, N> {
+/// Not for dual numbers, which are more than one column.
+impl<T: Float + fmt::Display, const N: usize> Solution<T, N> {
     /// Writes the accepted points as CSV: a header with `t` and the names of the [components](StateLayout::components),
     /// then a line for each point. Numbers are written with all digits, such that they read back as the same bits.
     ///

@@ -361,6 +361,20 @@ macro_rules! float {
             }
 
             #[inline]
+            fn largest_slope(&self) -> f64 {
+                let slopes = self.slopes.iter().map(|slope| slope.abs());
+                slopes
+                    .fold(0.0, |largest, slope| {
+                        if slope > largest || slope.is_nan() {
+                            slope
+                        } else {
+                            largest
+                        }
+                    })
+                    .into()
+            }
+
+            #[inline]
             fn has_same_slopes(&self, other: &Self) -> bool {
                 self.slopes == other.slopes
             }

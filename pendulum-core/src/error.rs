@@ -240,6 +240,12 @@ pub enum Reason {
         /// Name of a constraint whose status changes.
         constraint: Name,
     },
+    /// Derivatives of the motion do not exist: contacts close at the same time, but would not if the variables were
+    /// slightly different, or a limit is only touched. See [`sensitivity`](crate::sensitivity).
+    NotDifferentiable {
+        /// Name of a constraint whose status changes.
+        constraint: Name,
+    },
     /// The right-hand side jumps, or is noisy, so that steps become too short or too many.
     Jump {
         /// Component of the derivative of the state that jumps the most.
@@ -338,6 +344,12 @@ impl fmt::Display for Reason {
                 "`{constraint}` switches modes repeatedly without time advancing; if a moving wall presses against \
                  an immovable body, let one of the two yield; if its rebounds are too fast, set or raise `slow`; if \
                  it has dry friction, check that the friction is larger than rounding errors"
+            ),
+            Self::NotDifferentiable { constraint } => write!(
+                f,
+                "`{constraint}` and another contact close at the same time, but not for other values of the variables, \
+                 or it only touches its limit: the motion has no derivatives there; choose a slightly different initial \
+                 condition, or fewer variables"
             ),
             Self::Jump { component, by } => write!(
                 f,

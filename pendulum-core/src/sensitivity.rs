@@ -7,8 +7,12 @@
 //!
 //! A mode switch, an impact or an event with a reset occurs at a time that depends on the variables. Its time carries
 //! derivatives, too, and so does everything after it: the jump of the derivatives (saltation) follows. A rate that dry
-//! friction holds has no derivatives. An initial rate of exactly zero counts as held, even if the force exceeds the
-//! friction: there the derivatives of the two directions differ.
+//! friction holds has no derivatives. Where a motion starts from rest against dry friction and slips, those by the initial
+//! rate are one-sided, in the direction of the slip.
+//!
+//! Contacts that close at the same time have derivatives only if they close together for other values of the variables,
+//! too: otherwise the error is [`Reason::NotDifferentiable`]. Where the order of impacts decides the motion, which
+//! [`Solution::ambiguities`] reports, it is one of several.
 //!
 //! ```
 //! use pendulum_core::prelude::*;
@@ -65,8 +69,9 @@ pub struct Sensitivity<const N: usize, const K: usize> {
 
 /// Integrates a model from `t0` to `t1` with the derivatives by some variables.
 ///
-/// The errors of the values are controlled as without derivatives. The derivatives have errors of the same order:
-/// choose a tolerance tighter by one or two digits where they matter.
+/// The errors of the values are controlled as without derivatives. For explicit methods and [`Radau5`](crate::Radau5)
+/// the derivatives have errors of the same order: choose a tolerance tighter by one or two digits where they matter. On
+/// stiff models those of Rosenbrock methods are several digits worse.
 ///
 /// # Errors
 ///
@@ -158,7 +163,8 @@ pub fn split<const N: usize, const K: usize>(x: &SVector<Dual<f64, K>, N>) -> (S
 }
 
 impl<const N: usize, const K: usize> Sensitivity<N, K> {
-    /// State at the time `t`, and its derivatives: a row for each component, a column for each variable.
+    /// State at the time `t`, and its derivatives at this time: a row for each component, a column for each variable.
+    /// At the time of an event that ended the motion they differ from those of [`end`](Self::end).
     ///
     /// # Errors
     ///

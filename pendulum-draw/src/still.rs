@@ -76,6 +76,11 @@ impl Motion {
             part.points.iter().for_each(|point| include(point, part.radius));
         }
         walls.iter().flatten().for_each(|point| include(point, 0.0));
+        if let Some([from, to]) = walls.iter().find(|wall| wall.iter().flatten().any(|x| !x.is_finite())) {
+            return Err(format!(
+                "a wall from {from:?} to {to:?} cannot be drawn: its ends must be finite"
+            ));
+        }
         if low.iter().chain(&high).any(|bound| !bound.is_finite()) {
             return Err(
                 "nothing can be drawn: the scene has no bodies, or is seen from a direction parallel to `up`"

@@ -278,6 +278,9 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Box<dyn Error>> {
     let along = Drawing::new(&zoo, &solution).seen_from([0.0, 1.0, 0.0], [0.0, 2.0, 0.0]);
     let error = along.picture(&stem("along")).expect_err("no view");
     assert!(error.to_string().contains("parallel"), "{error}");
+    let wall = Drawing::new(&zoo, &solution).wall([0.0, f64::NAN, 0.0], [1.0, 0.0, 0.0]);
+    let error = wall.picture(&stem("wall")).expect_err("no place");
+    assert!(error.to_string().contains("must be finite"), "{error}");
     let still = Drawing::new(&zoo, &solution).speed(0.0).animation(&stem("still"));
     assert!(still.expect_err("no speed").to_string().contains("positive"));
     Ok(())

@@ -5,7 +5,7 @@ use pendulum_core::dual::Dual;
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
 use pendulum_core::sensitivity::{self, Sensitivity, Variable};
-use pendulum_core::{InputLaw, Parametric, System, stability};
+use pendulum_core::{InputLaw, Parametric, Reason, System, stability};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 use crate::states::{
@@ -444,4 +444,85 @@ impl InputLaw<4, 1> for Damping {
     fn inputs<T: Real>(&self, _t: T, x: &SVector<T, 4>) -> [T; 1] {
         [x[Motor::DOT_THETA] * T::from_f64(-3.0)]
     }
+}
+
+mechanism! {
+    /// Two balls that fall side by side.
+    pub Pair {
+        params { g: m/s^2 = 10 }
+        gravity: [0, -g, 0],
+        wall below_a { gap: a, restitution: 0.5 }
+        wall below_b { gap: b, restitution: 0.5 }
+        body first on ground { mass: 1, joint: prismatic(y), coordinate: a }
+        body second on ground { mass: 1, joint: prismatic(y), coordinate: b }
+    }
+}
+
+/// Contacts that close at the same time, and at other times for other values of the variables, are reported: one time
+/// cannot carry the derivatives of both.
+#[test]
+fn simultaneous_contacts_are_reported_unless_they_stay_so() {
+    let pair = Pair::new(PairParams::default()).expect("physical");
+    let method = Vern9::new().rtol(1e-12).atol(1e-12);
+    for starts in [[1.25, 1.25, 0.0, 0.0], [1.25, 1.25 + 1e-14, 0.0, 0.0]] {
+        let error = sensitivity::end(&method, &pair, 0.0, 0.8, starts, [Start(0), Start(1)]).expect_err("two times");
+        assert!(matches!(error, Reason::NotDifferentiable { .. }), "{error}");
+        assert!(error.to_string().contains("close at the same time"), "{error}");
+    }
+    // gravity moves both contacts alike
+    let by_gravity = sensitivity::end(&method, &pair, 0.0, 0.8, [1.25, 1.25, 0.0, 0.0], [Parameter(0)])
+        .expect("one time")
+        .1;
+    let seeds = [
+        Dual::constant(1.25),
+        Dual::variable(10.0, 0),
+        Dual::constant(0.5),
+        Dual::constant(0.0),
+    ];
+    let [height, rate, _] = rebounded::<Dual<f64, 1>>(seeds, Dual::from_f64(0.8));
+    let [height, rate] = [height, rate].map(|x| x.slopes[0]);
+    close(
+        "gravity",
+        &by_gravity,
+        &SMatrix::from([[height, height, rate, rate]]),
+        1e-11,
+    );
+    // one after the other they have derivatives of their own
+    let apart = sensitivity::end(&method, &pair, 0.0, 0.8, [1.25, 1.24, 0.0, 0.0], [Start(0), Start(1)])
+        .expect("two times")
+        .1;
+    assert!(
+        apart[(0, 1)].abs() < 1e-12 && apart[(1, 0)].abs() < 1e-12 && apart[(0, 0)] > 0.3 && apart[(1, 1)] > 0.3,
+        "{apart}"
+    );
+}
+
+mechanism! {
+    /// A block on the floor, pushed.
+    pub Push {
+        params { f: N = 3, mu: N = 2 }
+        body block on ground { mass: 1, joint: prismatic(x), coordinate: x, dry_friction: mu, torque: f }
+    }
+}
+
+#[test]
+fn a_start_from_rest_against_friction_has_the_derivatives_of_the_slip() {
+    let by = [Start(1), Parameter(0), Parameter(1)];
+    let slips = sensitivity::solve(
+        &Vern9::new(),
+        &Push::new(PushParams::default()).expect("physical"),
+        0.0,
+        1.0,
+        [0.0; 2],
+        by,
+    );
+    close(
+        "slips",
+        &slips.expect("regular").end().1,
+        &SMatrix::from([[1.0, 1.0], [0.5, 1.0], [-0.5, -1.0]]),
+        1e-12,
+    );
+    let weak = Push::new(PushParams { f: 1.0, mu: 2.0 }).expect("physical");
+    let held = sensitivity::solve(&Vern9::new(), &weak, 0.0, 1.0, [0.0; 2], by).expect("regular");
+    assert!(held.without_influence().eq([0, 1, 2]));
 }

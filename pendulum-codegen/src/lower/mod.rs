@@ -183,6 +183,9 @@ impl<'g> Lower<'g> {
             tree.points.iter().for_each(|point| self.names.mark_used(&point.name));
         }
         tree.actions = self.actions(items, &tree.points);
+        if items.bodies.is_empty() && !tree.states.is_empty() {
+            self.report_without_bodies(items);
+        }
         let loops = self.close(items, &mut tree);
         let outputs = self.outputs(items, &Poses::new(&tree));
         let mut events = self.events(&items.events);
@@ -269,6 +272,19 @@ impl<'g> Lower<'g> {
     fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3<'g> {
         let given = gravity.and_then(|g| self.vector(g, &Place::fixed("gravity").in_unit("m/s^2")).ok());
         given.unwrap_or(Vec3::zero(self.graph))
+    }
+
+    /// Reports gravity and forces in a scene without bodies on which they could act.
+    fn report_without_bodies(&mut self, items: &Items) {
+        let help = "leave it out, or declare the body on which it acts";
+        if let Some(gravity) = &items.gravity {
+            let fact = "gravity acts on nothing: the scene has no body";
+            self.errors.on(Code::Unused, &gravity.components[0], fact, help);
+        }
+        for action in &items.actions {
+            let fact = format_args!("`{}` acts on nothing: the scene has no body", action.word);
+            self.errors.at(Code::NoEffect, action.word.span(), fact, help);
+        }
     }
 
     /// Reports a scene without motion, unless another error may be the cause.

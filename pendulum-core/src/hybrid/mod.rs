@@ -134,6 +134,6 @@ pub(crate) use settled::Settled;
 pub(crate) use step::ABOUT_THE_END;
 #[cfg(feature = "std")]
 pub(crate) use switch::rate;
-pub(crate) use switch::{start, switch};
+pub(crate) use switch::{start, switch, without_derivatives};
 pub(crate) use watch::disproves;
 pub(crate) use witness::Witnesses;

@@ -12,10 +12,10 @@ use super::settling::Settling;
 use super::sizes::Gains;
 use super::watch::ModeWatch;
 use super::witness::{Witness, Witnesses};
-use super::{Hold, Hybrid, MAX_CONSTRAINTS};
+use super::{Hold, Hybrid, MAX_CONSTRAINTS, project};
 use crate::error::Reason;
 use crate::layout::StateLayout;
-use crate::real::Float;
+use crate::real::{Float, Real};
 #[cfg(feature = "std")]
 use crate::system::System;
 
@@ -51,7 +51,12 @@ pub(crate) fn start<T: Float, const N: usize>(
         // away from limits only friction holds a rate, with its derivatives
         settling.rest(n, rate == T::default() && settling.has_friction(n));
     }
-    let settled = finish(system, t, settling.settle(), &zero, &mut |_, _| {});
+    let mut settled = finish(system, t, settling.settle(), &zero, &mut |_, _| {});
+    // a rate of exactly zero keeps its derivatives where it is not held
+    if settled.x == *x && !x.iter().all(Real::is_constant) {
+        settled.x = *x;
+        project(system, &settled.hold, &settled.mode.0, t, &mut settled.x);
+    }
     match settled.contradiction() {
         Some(n) => Err(Reason::ModesAccumulate {
             constraint: system.constraints()[n].name.into(),
@@ -101,6 +106,28 @@ pub(crate) fn switch<T: Float, const N: usize>(
             after: (after.x, after.hold),
         });
     })
+}
+
+/// Constraint at whose end of the mode the motion has no derivatives: its time has none, or it closes together with
+/// others, and not if the variables differ a little. None for numbers without derivatives.
+pub(crate) fn without_derivatives<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    (t, x): (T, &SVector<T, N>),
+    fired: Witnesses,
+) -> Option<usize> {
+    /// Largest derivative of a gap that closes at its own time, relative to those of the state.
+    const ROUNDING: f64 = 1e-6;
+    if !t.largest_slope().is_finite() {
+        return Some(fired.first());
+    }
+    let closing = fired.filter(|(_, witness)| witness.is_gap());
+    if closing.pairs().count() < 2 || x.iter().all(Real::is_constant) {
+        return None;
+    }
+    let measures = system.measures(t, x);
+    let largest = x.iter().map(Float::largest_slope).fold(0.0, f64::max);
+    let mut closing = closing.pairs().map(|(n, _)| n);
+    closing.find(|&n| measures[n][0].largest_slope() > ROUNDING * largest)
 }
 
 /// Follows impacts at the same instant, until nothing approaches or there are too many.

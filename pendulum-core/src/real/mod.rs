@@ -133,6 +133,12 @@ pub trait Float: lanes::Lanes<Scalar = Self> + PartialOrd {
         self
     }
 
+    /// Largest magnitude of the derivatives; zero for numbers that have none.
+    #[inline(always)]
+    fn largest_slope(&self) -> f64 {
+        0.0
+    }
+
     /// True if two numbers have the same derivatives, as all numbers do that have none.
     #[inline(always)]
     fn has_same_slopes(&self, _other: &Self) -> bool {

@@ -2210,15 +2210,6 @@ t29 = t27 + t26 - t27
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::CastJacobian<14> for BallPendulum {
-        #[inline]
-        fn with_jacobian<T: ::pendulum_core::real::Real>(
-            model: &BallPendulum<T>,
-        ) -> &impl ::pendulum_core::Jacobian<T, 14> {
-            model
-        }
-    }
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl ::pendulum_core::Parametric<0> for BallPendulum {
         type Of<T: ::pendulum_core::real::Real> = BallPendulum<T>;
         fn parameters(&self) -> [f64; 0] {
@@ -2232,6 +2223,15 @@ t29 = t27 + t26 - t27
                 params: self.params,
                 constants: constants(parameters),
             }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<14> for BallPendulum {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &BallPendulum<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 14> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

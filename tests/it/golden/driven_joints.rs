@@ -970,15 +970,6 @@ k43 = b*w^2*ny^2*(m1 + m2)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::CastJacobian<4> for DrivenPivot {
-        #[inline]
-        fn with_jacobian<T: ::pendulum_core::real::Real>(
-            model: &DrivenPivot<T>,
-        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
-            model
-        }
-    }
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl ::pendulum_core::Parametric<10> for DrivenPivot {
         type Of<T: ::pendulum_core::real::Real> = DrivenPivot<T>;
         fn parameters(&self) -> [f64; 10] {
@@ -992,6 +983,15 @@ k43 = b*w^2*ny^2*(m1 + m2)
                 params: self.params,
                 constants: constants(parameters),
             }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<4> for DrivenPivot {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &DrivenPivot<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -849,15 +849,6 @@ k11 = -m*c*d/(inertia + m*c^2)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::CastJacobian<4> for DoublePendulum {
-        #[inline]
-        fn with_jacobian<T: ::pendulum_core::real::Real>(
-            model: &DoublePendulum<T>,
-        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
-            model
-        }
-    }
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl ::pendulum_core::Parametric<7> for DoublePendulum {
         type Of<T: ::pendulum_core::real::Real> = DoublePendulum<T>;
         fn parameters(&self) -> [f64; 7] {
@@ -871,6 +862,15 @@ k11 = -m*c*d/(inertia + m*c^2)
                 params: self.params,
                 constants: constants(parameters),
             }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<4> for DoublePendulum {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &DoublePendulum<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

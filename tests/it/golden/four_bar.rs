@@ -1756,15 +1756,6 @@ k36 = -1
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::CastJacobian<2> for FourBar {
-        #[inline]
-        fn with_jacobian<T: ::pendulum_core::real::Real>(
-            model: &FourBar<T>,
-        ) -> &impl ::pendulum_core::Jacobian<T, 2> {
-            model
-        }
-    }
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl ::pendulum_core::Parametric<5> for FourBar {
         type Of<T: ::pendulum_core::real::Real> = FourBar<T>;
         fn parameters(&self) -> [f64; 5] {
@@ -1778,6 +1769,15 @@ k36 = -1
                 params: self.params,
                 constants: constants(parameters),
             }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<2> for FourBar {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &FourBar<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 2> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -656,15 +656,6 @@ k4 = 1/m
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::CastJacobian<2> for Block {
-        #[inline]
-        fn with_jacobian<T: ::pendulum_core::real::Real>(
-            model: &Block<T>,
-        ) -> &impl ::pendulum_core::Jacobian<T, 2> {
-            model
-        }
-    }
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl ::pendulum_core::Parametric<4> for Block {
         type Of<T: ::pendulum_core::real::Real> = Block<T>;
         fn parameters(&self) -> [f64; 4] {
@@ -678,6 +669,15 @@ k4 = 1/m
                 params: self.params,
                 constants: constants(parameters),
             }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<2> for Block {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &Block<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 2> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

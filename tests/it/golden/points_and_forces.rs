@@ -1020,15 +1020,6 @@ k57 = 77343750000000/1998607065841*l^2*k
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::CastJacobian<4> for Magnets {
-        #[inline]
-        fn with_jacobian<T: ::pendulum_core::real::Real>(
-            model: &Magnets<T>,
-        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
-            model
-        }
-    }
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl ::pendulum_core::Parametric<4> for Magnets {
         type Of<T: ::pendulum_core::real::Real> = Magnets<T>;
         fn parameters(&self) -> [f64; 4] {
@@ -1042,6 +1033,15 @@ k57 = 77343750000000/1998607065841*l^2*k
                 params: self.params,
                 constants: constants(parameters),
             }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<4> for Magnets {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &Magnets<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -3468,15 +3468,6 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::CastJacobian<12> for Ur5 {
-        #[inline]
-        fn with_jacobian<T: ::pendulum_core::real::Real>(
-            model: &Ur5<T>,
-        ) -> &impl ::pendulum_core::Jacobian<T, 12> {
-            model
-        }
-    }
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl ::pendulum_core::Parametric<0> for Ur5 {
         type Of<T: ::pendulum_core::real::Real> = Ur5<T>;
         fn parameters(&self) -> [f64; 0] {
@@ -3490,6 +3481,15 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 params: self.params,
                 constants: constants(parameters),
             }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<12> for Ur5 {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &Ur5<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 12> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

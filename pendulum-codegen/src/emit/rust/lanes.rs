@@ -14,8 +14,29 @@ pub(super) fn inlined_into_lanes() -> TokenStream {
 }
 
 impl Items<'_> {
+    /// `impl Parametric<P>`, if the model has a right-hand side.
+    pub(super) fn over_parameters(&self) -> Option<TokenStream> {
+        self.program.with_role(Role::Rhs)?;
+        let (name, allowed, real) = (&self.head.name, allowed(), quote!(::pendulum_core::real::Real));
+        let parameters = count(self.program.parameters.len());
+        Some(quote! {
+            #allowed
+            impl ::pendulum_core::Parametric<#parameters> for #name {
+                type Of<T: #real> = #name<T>;
+
+                fn parameters(&self) -> [f64; #parameters] {
+                    self.params.to_array()
+                }
+
+                fn with_parameters<T: #real>(&self, parameters: [T; #parameters]) -> #name<T> {
+                    #name { params: self.params, constants: constants(parameters) }
+                }
+            }
+        })
+    }
+
     /// `impl Cast<N>`, or `impl CastControlled<N, M>` with inputs, if the model has a right-hand side;
-    /// `impl CastJacobian<N>` if it has a Jacobian and no inputs; `impl Parametric<P>`.
+    /// `impl CastJacobian<N>` if it has a Jacobian and no inputs.
     pub(super) fn over_numbers(&self) -> Option<TokenStream> {
         self.program.with_role(Role::Rhs)?;
         let (name, length, allowed) = (&self.head.name, self.length(), allowed());
@@ -48,22 +69,8 @@ impl Items<'_> {
                 }
             }
         });
-        let parameters = count(self.program.parameters.len());
         Some(quote! {
             #jacobian
-            #allowed
-            impl ::pendulum_core::Parametric<#parameters> for #name {
-                type Of<T: #real> = #name<T>;
-
-                fn parameters(&self) -> [f64; #parameters] {
-                    self.params.to_array()
-                }
-
-                fn with_parameters<T: #real>(&self, parameters: [T; #parameters]) -> #name<T> {
-                    #name { params: self.params, constants: constants(parameters) }
-                }
-            }
-
             #allowed
             impl ::pendulum_core::#of_trait for #name {
                 #hybrid

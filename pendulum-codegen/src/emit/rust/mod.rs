@@ -92,8 +92,13 @@ impl Items<'_> {
     }
 
     /// Implementations of traits whose methods are not routines.
-    fn beside(&self) -> [Option<TokenStream>; 3] {
-        [self.series(), self.drawing(), self.over_numbers()]
+    fn beside(&self) -> [Option<TokenStream>; 4] {
+        [
+            self.series(),
+            self.drawing(),
+            self.over_parameters(),
+            self.over_numbers(),
+        ]
     }
 
     /// Private module of items that exports the types of the declaration.

@@ -9,3 +9,12 @@ mechanism! {
         wall w { gap: y - s }
     }
 }
+
+mechanism! {
+    pub Bodiless {
+        params { k: J = 1, tau: s = 1 }
+        gravity: [0, 0, -9.81],
+        state x { unit: 1, rate: -x/tau, init: 3 }
+        potential: k*x^2,
+    }
+}

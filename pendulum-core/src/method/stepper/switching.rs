@@ -185,6 +185,10 @@ where
             ..
         } = self.modes;
         let (t, x) = (self.smooth.t(), self.smooth.x());
+        if let Some(n) = hybrid::without_derivatives(hybrid, (t, &x), fired) {
+            let constraint = hybrid.constraints()[n].name.into();
+            return Err(Reason::NotDifferentiable { constraint });
+        }
         let pass = |passage: &_| self.smooth.scheme.pass(self.system, passage);
         let settled = hybrid::switch(hybrid, (t, &x), (&mode, &hold), fired, &watch, pass);
         self.smooth.statistics.evaluations += 1;
