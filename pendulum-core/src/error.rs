@@ -348,8 +348,8 @@ impl fmt::Display for Reason {
             Self::NotDifferentiable { constraint } => write!(
                 f,
                 "`{constraint}` and another contact close at the same time, but not for other values of the variables, \
-                 or it only touches its limit: the motion has no derivatives there; choose a slightly different initial \
-                 condition, or fewer variables"
+                 or it only touches its limit: the motion has no derivatives there; choose a slightly different \
+                 initial condition, or fewer variables"
             ),
             Self::Jump { component, by } => write!(
                 f,

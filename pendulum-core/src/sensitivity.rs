@@ -7,8 +7,8 @@
 //!
 //! A mode switch, an impact or an event with a reset occurs at a time that depends on the variables. Its time carries
 //! derivatives, too, and so does everything after it: the jump of the derivatives (saltation) follows. A rate that dry
-//! friction holds has no derivatives. Where a motion starts from rest against dry friction and slips, those by the initial
-//! rate are one-sided, in the direction of the slip.
+//! friction holds has no derivatives. Where a motion starts from rest against dry friction and slips, those by the
+//! initial rate are one-sided, in the direction of the slip.
 //!
 //! Contacts that close at the same time have derivatives only if they close together for other values of the variables,
 //! too: otherwise the error is [`Reason::NotDifferentiable`]. Where the order of impacts decides the motion, which
