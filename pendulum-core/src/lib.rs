@@ -39,6 +39,7 @@
 //! | [`solution`], [`dense`] | accepted points and the states between them |
 //! | [`event`] | events along a trajectory |
 //! | [`error`] | errors |
+//! | [`sensitivity`] | derivatives of trajectories by initial conditions and parameters |
 //! | [`stability`] | equilibria, periodic orbits and their bifurcations, chaos, and the limits of methods |
 //! | [`accuracy`] | reference solutions, error norms, and work-precision measurements |
 //! | [`shapes`] | geometry of a mechanism for drawing |
@@ -48,8 +49,8 @@
 //!
 //! With `default-features = false` the crate is `no_std` and uses no heap. Generated models and the [`Stepper`] of
 //! every method work in this mode; trajectories and lists do not. The default feature `std` adds [`Method::solve`],
-//! [`solution`], [`event`], [`ensemble`], [`stability`], [`accuracy`], [`shapes`], and the detection of instruction
-//! sets at run time.
+//! [`solution`], [`event`], [`ensemble`], [`sensitivity`], [`stability`], [`accuracy`], [`shapes`], and the detection of
+//! instruction sets at run time.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(
