@@ -266,6 +266,8 @@ pub(crate) const AT_TOGGLE: f64 = 0.1;
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
+            // functions of the system have no value
+            Self::InvalidInput { what, rule, .. } if what == "hybrid_jacobian" => write!(f, "no `{what}`: {rule}"),
             Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
             Self::NonFinite { component, h: None } => write!(
                 f,

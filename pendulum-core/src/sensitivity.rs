@@ -148,8 +148,11 @@ where
     let mut parameters = model.parameters().map(Dual::constant);
     for (k, variable) in variables.into_iter().enumerate() {
         let number = match variable {
-            Variable::Start(n) => &mut x0[n],
-            Variable::Parameter(n) => &mut parameters[n],
+            Variable::Start(n) => x0.get_mut(n),
+            Variable::Parameter(n) => parameters.get_mut(n),
+        };
+        let Some(number) = number else {
+            panic!("{variable:?}: the state has {N} components, and the model {P} parameters");
         };
         number.slopes[k] = 1.0;
     }

@@ -10,8 +10,9 @@ use crate::program::{Argument, Role, Routine, Series, Shape};
 impl Scene<'_> {
     /// Documentation and prototypes of routines and series.
     pub(super) fn declarations(&self) -> String {
-        let declaration = |routine| {
-            let values = [("docs", documentation(routine)), ("prototype", self.prototype(routine))];
+        let declaration = |routine: &Routine| {
+            let docs = documentation(routine) + &self.about_forces(routine);
+            let values = [("docs", docs), ("prototype", self.prototype(routine))];
             self.fill("\n/// @docs@\n@prototype@;", &values)
         };
         let routines: String = self.program.routines.iter().map(declaration).collect();
@@ -24,6 +25,20 @@ impl Scene<'_> {
             + &series
                 .map(|_| self.fill(include_str!("templates/series.h"), &[]))
                 .collect::<String>()
+    }
+
+    /// Documentation of the forces along the constraints, if a routine takes them.
+    fn about_forces(&self, routine: &Routine) -> String {
+        if !routine.arguments.contains(&Argument::Forces) {
+            return String::new();
+        }
+        let constraints = self.program.constraints.iter();
+        let names: Vec<&str> = constraints.map(|constraint| constraint.name.as_str()).collect();
+        format!(
+            "forces: the force along each constraint, {}, in N or N m; for kinetic friction mu, -mu times the sign of \
+             the rate.",
+            names.join(", ")
+        )
     }
 
     /// Definitions of routines and series.
