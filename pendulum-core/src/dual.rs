@@ -57,16 +57,18 @@ impl<T: Real, const N: usize> Dual<T, N> {
     fn chain(self, value: T, derivative: T) -> Self {
         Self {
             value,
-            slopes: self.slopes.map(|slope| derivative * slope),
+            slopes: T::scale_each(self.slopes, derivative),
         }
     }
 
-    /// Applies a function of two numbers, given its value, and its slope as a function of their slopes.
+    /// Applies a function of two numbers, given its value, and its derivatives with respect to both.
     #[inline]
-    fn join(self, other: Self, value: T, slope: impl Fn(T, T) -> T) -> Self {
+    fn join(self, other: Self, value: T, [by_self, by_other]: [T; 2]) -> Self {
+        let own = T::scale_each(self.slopes, by_self);
+        let others = T::scale_each(other.slopes, by_other);
         Self {
             value,
-            slopes: core::array::from_fn(|n| slope(self.slopes[n], other.slopes[n])),
+            slopes: T::add_each(own, others),
         }
     }
 }
@@ -79,17 +81,17 @@ impl<T: Real, const N: usize> Default for Dual<T, N> {
 }
 
 macro_rules! operator {
-    ($trait:ident::$method:ident, $assign:ident::$assigned:ident, |$a:ident, $b:ident| $value:expr,
-     |$c:ident, $d:ident, $e:ident| $slope:expr) => {
-        #[allow(clippy::suspicious_arithmetic_impl, reason = "the rule of a product has a sum")]
+    ($trait:ident::$method:ident, $assign:ident::$assigned:ident, |$a:ident, $b:ident| $slopes:expr) => {
         impl<T: Real, const N: usize> $trait for Dual<T, N> {
             type Output = Self;
 
             #[inline]
             fn $method(self, other: Self) -> Self {
-                let ($a, $b) = (self.value, other.value);
-                let $c = $value;
-                self.join(other, $c, |$d, $e| $slope)
+                let ($a, $b) = (self, other);
+                Self {
+                    value: $trait::$method(self.value, other.value),
+                    slopes: $slopes,
+                }
             }
         }
 
@@ -102,9 +104,12 @@ macro_rules! operator {
     };
 }
 
-operator! { Add::add, AddAssign::add_assign, |a, b| a + b, |_c, da, db| da + db }
-operator! { Sub::sub, SubAssign::sub_assign, |a, b| a - b, |_c, da, db| da - db }
-operator! { Mul::mul, MulAssign::mul_assign, |a, b| a * b, |_c, da, db| da * b + a * db }
+operator! { Add::add, AddAssign::add_assign, |a, b| T::add_each(a.slopes, b.slopes) }
+operator! { Sub::sub, SubAssign::sub_assign, |a, b| T::subtract_each(a.slopes, b.slopes) }
+operator! { Mul::mul, MulAssign::mul_assign, |a, b| T::add_each(
+    T::scale_each(a.slopes, b.value),
+    T::scale_each(b.slopes, a.value)
+) }
 
 impl<T: Real, const N: usize> Div for Dual<T, N> {
     type Output = Self;
@@ -113,7 +118,11 @@ impl<T: Real, const N: usize> Div for Dual<T, N> {
     #[inline]
     fn div(self, other: Self) -> Self {
         let (value, over) = (self.value / other.value, T::from_f64(1.0) / other.value);
-        self.join(other, value, |da, db| (da - value * db) * over)
+        let change = T::subtract_each(self.slopes, T::scale_each(other.slopes, value));
+        Self {
+            value,
+            slopes: T::scale_each(change, over),
+        }
     }
 }
 
@@ -210,21 +219,21 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     fn at_least(self, low: Self) -> Self {
         let larger = over(self.value, low.value);
         let other = T::from_f64(1.0) - larger;
-        self.join(low, self.value.at_least(low.value), |da, db| larger * da + other * db)
+        self.join(low, self.value.at_least(low.value), [larger, other])
     }
 
     #[inline]
     fn at_most(self, high: Self) -> Self {
         let smaller = over(high.value, self.value);
         let other = T::from_f64(1.0) - smaller;
-        self.join(high, self.value.at_most(high.value), |da, db| smaller * da + other * db)
+        self.join(high, self.value.at_most(high.value), [smaller, other])
     }
 
     #[inline]
     fn atan2(self, x: Self) -> Self {
         let (a, b) = (self.value, x.value);
         let over = T::from_f64(1.0) / (a * a + b * b);
-        self.join(x, a.atan2(b), |da, db| (b * da - a * db) * over)
+        self.join(x, a.atan2(b), [b * over, -a * over])
     }
 
     #[inline]
@@ -232,11 +241,15 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         let (a, b) = (self.value, exponent.value);
         let by_base = b * a.powf(b - T::from_f64(1.0));
         let value = a.powf(b);
-        self.join(exponent, value, |da, db| {
-            // a constant exponent must not multiply the logarithm of a negative base: use that of a^0 = 1 instead
-            let varies = db.signum() * db.signum();
-            by_base * da + value * a.powf(varies).ln() * db
-        })
+        Self {
+            value,
+            slopes: core::array::from_fn(|n| {
+                let [da, db] = [self.slopes[n], exponent.slopes[n]];
+                // a constant exponent must not multiply the logarithm of a negative base: use that of a^0 = 1 instead
+                let varies = db.signum() * db.signum();
+                by_base * da + value * a.powf(varies).ln() * db
+            }),
+        }
     }
 }
 

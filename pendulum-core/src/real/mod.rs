@@ -54,6 +54,27 @@ pub trait Real:
         factor * self
     }
 
+    /// Sums of the numbers of two arrays, in vector registers where these hold several.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn add_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        core::array::from_fn(|n| a[n] + b[n])
+    }
+
+    /// Differences of the numbers of two arrays, like [`add_each`](Self::add_each).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn subtract_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        core::array::from_fn(|n| a[n] - b[n])
+    }
+
+    /// Products of a factor with the numbers of an array, like [`add_each`](Self::add_each).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn scale_each<const N: usize>(a: [Self; N], factor: Self) -> [Self; N] {
+        a.map(|a| factor * a)
+    }
+
     /// Sine and cosine of an angle in radians; NaN if the angle is not finite.
     ///
     /// For `f64` and `f32`, and lanes of these, errors are below 1 ulp and results are bit-identical on every machine.

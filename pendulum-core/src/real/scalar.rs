@@ -39,6 +39,22 @@ macro_rules! scalar {
                 sincos::sin_cos_pair::<$two>([self, other])
             }
 
+            #[inline(always)]
+            fn add_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+                each::<$two, N>(a, b, |a, b| a + b, |a, b| a + b)
+            }
+
+            #[inline(always)]
+            fn subtract_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+                each::<$two, N>(a, b, |a, b| a - b, |a, b| a - b)
+            }
+
+            #[inline(always)]
+            fn scale_each<const N: usize>(a: [Self; N], factor: Self) -> [Self; N] {
+                let factors = <$two as Register>::splat(factor);
+                each::<$two, N>(a, a, |a, _| factors * a, |a, _| factor * a)
+            }
+
             #[inline]
             fn signum(self) -> Self {
                 if self > 0.0 {
@@ -128,6 +144,31 @@ macro_rules! scalar {
 
 scalar!(f64, two in Two64, by libm tan exp log tanh atan2 pow sqrt);
 scalar!(f32, two in Two32, by libm tanf expf logf tanhf atan2f powf sqrtf);
+
+/// Applies an operation to each pair of numbers: in registers, and the last ones as scalars.
+#[inline(always)]
+fn each<R: Register, const N: usize>(
+    a: [R::Scalar; N],
+    b: [R::Scalar; N],
+    in_registers: impl Fn(R, R) -> R,
+    in_scalars: impl Fn(R::Scalar, R::Scalar) -> R::Scalar,
+) -> [R::Scalar; N] {
+    let mut result = a;
+    let whole = N / R::LANES * R::LANES;
+    let mut start = 0;
+    while start < whole {
+        let [a, b] = [a, b].map(|from| R::from_fn(&mut |lane| from[start + lane]));
+        let c = in_registers(a, b);
+        for lane in 0..R::LANES {
+            result[start + lane] = c.lane(lane);
+        }
+        start += R::LANES;
+    }
+    for n in whole..N {
+        result[n] = in_scalars(a[n], b[n]);
+    }
+    result
+}
 
 #[cfg(test)]
 mod tests {
