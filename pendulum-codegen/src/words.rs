@@ -454,7 +454,15 @@ pub(crate) const ROUTINES: &Synonyms = &[
     (&["hamiltonian", "hamilton"], "canonical"),
     (&["linear", "linearize", "linearization", "df"], "jacobian"),
     (&["rnea", "inversedynamic", "computedtorque"], "inverse_dynamics"),
-    (&["sensitivity", "sensitivities", "gradient"], "parameter_jacobian"),
+    (&["sensitivity", "sensitivities"], "parameter_jacobian"),
+    (
+        &["gradient", "vjp", "reverse", "backward", "pullback", "costate"],
+        "adjoint",
+    ),
+    (
+        &["hessian", "hvp", "second", "secondderivative", "secondderivatives"],
+        "hessian_product",
+    ),
     (&["series"], "taylor"),
     (&["draw", "drawing", "picture", "shape", "geometry", "visual"], "shapes"),
     (

@@ -237,7 +237,8 @@ impl fmt::Display for FunctionCost {
 ///
 /// The names are `rhs`, `jacobian` (with the right-hand side), `time_derivative` (if time occurs), `input_jacobian`,
 /// `kinetic`, `potential`, `mass_matrix`, `bias`, `momentum`, `canonical`, `canonical_jacobian`, `inverse_dynamics`,
-/// `parameter_jacobian` and `taylor` (one order of the series), as far as they were generated.
+/// `parameter_jacobian`, `adjoint`, `hessian_product` and `taylor` (one order of the series), as far as they were
+/// generated.
 ///
 /// ```
 /// # pendulum_core::mechanism! {

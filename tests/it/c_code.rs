@@ -22,7 +22,8 @@ pub(crate) fn folder(name: &str) -> Option<PathBuf> {
 }
 
 /// All results of C code at default parameters, routine by routine, followed by those of the series. Each list of
-/// numbers holds the time, the state, accelerations, which also serve as constraint forces, and inputs.
+/// numbers holds the time, the state, accelerations, which also serve as constraint forces, and inputs. The state also
+/// serves as weights, and the numbers from there on as a direction.
 pub(crate) fn results(folder: &Path, program: &Program, sources: &Sources, given: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let bytes = output(&compiled(folder, sources, &evaluation(program, &sources.name)), given);
     let numbers = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
@@ -78,6 +79,7 @@ fn evaluation(program: &Program, name: &str) -> String {
             arguments += match argument {
                 Argument::Inputs => ", &u",
                 Argument::Accelerations | Argument::Forces => ", more",
+                Argument::Weights | Argument::Direction => ", in + 1",
             };
         }
         if routine.shapes == [Shape::Scalar] {

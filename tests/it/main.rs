@@ -1,6 +1,7 @@
 //! Integration tests of generator and core: generated models against reference data, other derivations, and each other.
 #![forbid(unsafe_code)]
 
+mod adjoints;
 mod balls;
 mod c_code;
 mod canonical;

@@ -16,7 +16,7 @@ mechanism! {
         state y { unit: 1, rate: x*(rho - z) - y }
         state z { unit: 1, rate: x*y - beta*z }
         event section: z - (rho - 1),
-        generate: [rhs, jacobian, taylor, parameter_jacobian],
+        generate: [rhs, jacobian, taylor, parameter_jacobian, adjoint, hessian_product],
     }
 }
 
@@ -47,7 +47,9 @@ mechanism! {
         }
         output heat: r*i^2,
         output lag: theta - smooth,
-        generate: [rhs, jacobian, energy, parameter_jacobian, inverse_dynamics],
+        generate: [
+            rhs, jacobian, energy, parameter_jacobian, inverse_dynamics, adjoint, hessian_product,
+        ],
     }
 }
 
@@ -64,7 +66,7 @@ mechanism! {
             mass: 1, inertia: j, joint: revolute(z), coordinate: theta, torque: k*i,
             dry_friction: slipping, static_friction: sticking, stop: [-1, 4] restitution(0.4),
         }
-        generate: [rhs, jacobian, energy, taylor],
+        generate: [rhs, jacobian, energy, taylor, parameter_jacobian, adjoint, hessian_product],
     }
 }
 
@@ -78,7 +80,7 @@ mechanism! {
         body bob on pivot { mass: m, com: [0, -1, 0], inertia: [0.02, 0.03, 0.04], joint: ball, orientation: o }
         point tip on bob at [0, -1, 0],
         force on tip: [-lagging, 0, lagging/2],
-        generate: [rhs, jacobian, energy, taylor, parameter_jacobian],
+        generate: [rhs, jacobian, energy, taylor, parameter_jacobian, adjoint, hessian_product],
     }
 }
 
@@ -100,7 +102,7 @@ mechanism! {
                 coordinate: psi depends near 1.6,
         }
         close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
-        generate: [rhs, jacobian, energy, taylor, parameter_jacobian],
+        generate: [rhs, jacobian, energy, taylor, parameter_jacobian, adjoint, hessian_product],
     }
 }
 

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 
-use super::{Binary, Expr, Node, Unary};
+use super::{Binary, Expr, Graph, Node, Unary};
 
 /// Derivative with respect to one symbol, or along a direction. Results are cached, so that shared subexpressions are
 /// differentiated once.
@@ -71,6 +71,72 @@ impl<'g> Derivative<'g> {
         };
         self.known.insert(x, derivative);
         derivative
+    }
+}
+
+/// Gradient with respect to symbols of a sum of expressions, each with a weight that is held constant: by reverse
+/// accumulation, so that its length does not grow with the number of symbols.
+///
+/// A. Griewank, A. Walther, "Evaluating Derivatives", 2nd ed. (2008), section 3.2.
+pub(crate) fn gradient<'g>(terms: &[(Expr<'g>, Expr<'g>)], symbols: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    let Some(graph) = terms.first().map(|(x, _)| x.graph()) else {
+        return symbols.iter().map(|symbol| symbol.graph().zero()).collect();
+    };
+    let roots: Vec<Expr<'g>> = terms.iter().map(|&(x, _)| x).collect();
+    let order = depending(graph, &roots, symbols);
+    // the weights of each expression so far
+    let mut weights: FxHashMap<Expr<'g>, Vec<Expr<'g>>> = order.iter().map(|&x| (x, Vec::new())).collect();
+    for (x, weight) in terms {
+        weights.entry(*x).or_default().push(*weight);
+    }
+    for &x in order[symbols.len()..].iter().rev() {
+        let weight = graph.sum(weights.remove(&x).unwrap_or_default());
+        if !weight.is_zero() {
+            for (operand, partial) in partials(x) {
+                if let Some(weights) = weights.get_mut(&operand) {
+                    weights.push(partial * weight);
+                }
+            }
+        }
+    }
+    let of = |symbol: &Expr<'g>| graph.sum(weights.remove(symbol).unwrap_or_default());
+    symbols.iter().map(of).collect()
+}
+
+/// The symbols, followed by all expressions within `roots` that depend on them, each after what it depends on.
+fn depending<'g>(graph: &'g Graph, roots: &[Expr<'g>], symbols: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    let mut depends: FxHashMap<Expr<'g>, bool> = symbols.iter().map(|&symbol| (symbol, true)).collect();
+    let mut order = symbols.to_vec();
+    let mut stack = roots.to_vec();
+    while let Some(&x) = stack.last() {
+        if depends.contains_key(&x) {
+            stack.pop();
+            continue;
+        }
+        let operands: Vec<Expr<'g>> = match x.node() {
+            Node::Symbol(_) => graph.changes(x, false).into_iter().map(|(of, _)| of).collect(),
+            _ => x.operands().collect(),
+        };
+        let before = stack.len();
+        stack.extend(operands.iter().filter(|operand| !depends.contains_key(operand)));
+        if stack.len() == before {
+            stack.pop();
+            let own = operands.iter().any(|operand| depends[operand]);
+            depends.insert(x, own);
+            order.extend(own.then_some(x));
+        }
+    }
+    order
+}
+
+/// Expressions that an expression depends on directly, each with the partial derivative.
+fn partials<'g>(x: Expr<'g>) -> Vec<(Expr<'g>, Expr<'g>)> {
+    match x.node() {
+        Node::Symbol(_) => x.graph().changes(x, false),
+        Node::Number(_) | Node::Pi => Vec::new(),
+        Node::Unary(op, a) => vec![(a, op.derivative(a))],
+        Node::Binary(op, a, b) => [a, b].into_iter().zip(op.derivatives(a, b)).collect(),
+        Node::Power(a, n) => vec![(a, n.clone() * a.power(n - super::ratio(1, 1)))],
     }
 }
 

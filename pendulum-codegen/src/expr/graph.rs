@@ -62,6 +62,12 @@ pub enum SymbolKind {
     Coefficient(usize),
     /// A quantity that depends on others through the closure of a loop.
     Dependent(usize),
+    /// The given weight of a component of the right-hand side.
+    Weight(usize),
+    /// A component of a given direction, in which the state and the inputs vary.
+    Direction(usize),
+    /// The multiplier of an equation of motion.
+    Multiplier(usize),
 }
 
 /// A named symbol.

@@ -26,7 +26,7 @@ mod text;
 
 use num_traits::{One, Signed, Zero};
 
-pub(crate) use derivative::Derivative;
+pub(crate) use derivative::{Derivative, gradient};
 pub(crate) use expression::Expr;
 pub use formula::{Definition, Formula, Summand};
 pub(crate) use graph::{ExprId, Graph, Level, Node, Symbol, SymbolKind};

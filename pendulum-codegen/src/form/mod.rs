@@ -1,5 +1,6 @@
 //! From dynamics to short code: generates several forms of the same motion, weighs them, and keeps the lightest.
 
+mod adjoint;
 mod canonical;
 mod chosen;
 mod closed;
@@ -15,6 +16,7 @@ mod written;
 
 use std::cell::OnceCell;
 
+pub(crate) use adjoint::{adjoint, hessian_product};
 pub(crate) use chosen::Chosen;
 use chosen::{Candidate, choose};
 use closed::Closed;
@@ -176,6 +178,11 @@ impl<'g> Forms<'g> {
     pub(crate) fn of_reactions(&self, part: impl Fn(&Reactions<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
         let candidates = self.reactions.iter();
         self.choose(candidates.map(|(form, reactions)| (*form, part(reactions))).collect())
+    }
+
+    /// Floating bodies, whose accelerations are along their own axes.
+    fn floating(&self) -> &[Floating<'g>] {
+        &self.floating
     }
 
     fn choose(&self, candidates: Vec<Candidate<'g>>) -> Chosen<'g> {

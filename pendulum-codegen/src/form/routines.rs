@@ -22,7 +22,7 @@ pub(crate) fn rhs<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
 }
 
 /// Rates of the positions: first those given directly by the rates of the state, then those of dependent coordinates.
-fn kinematics<'g>(model: &Model<'g>) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
+pub(super) fn kinematics<'g>(model: &Model<'g>) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
     let mut known = model.kinematics();
     let dependent = known.split_off(known.len() - model.in_state().count());
     (known, dependent)

@@ -22,6 +22,16 @@ pub(super) struct ByLinks<'g> {
     pub(super) articulation: Articulation<'g>,
 }
 
+/// Linear system for the accelerations in one form, with a factored matrix.
+pub(super) struct System<'a, 'g> {
+    pub(super) form: Form,
+    pub(super) inverse: &'a dyn Inverse<'g>,
+    /// Equations of motion, zero for the solution, whose unknowns are the acceleration symbols.
+    pub(super) rows: &'a [Expr<'g>],
+    /// Solution.
+    pub(super) solved: Vec<Expr<'g>>,
+}
+
 /// One way to solve for the accelerations and their derivatives.
 pub(super) struct Way<'a, 'g> {
     pub(super) form: Form,
@@ -43,6 +53,35 @@ struct Derived<'a, 'g> {
 }
 
 impl<'g> Forms<'g> {
+    /// Passes each linear system for the accelerations to `f`.
+    pub(super) fn each_system(&self, mut f: impl FnMut(System<'_, 'g>)) {
+        if let Some(by_links) = &self.by_links {
+            f(System {
+                form: by_links.form,
+                inverse: &by_links.articulation,
+                rows: &by_links.balance,
+                solved: by_links.accelerations.clone(),
+            });
+        }
+        for written in solved_from(&self.by_links, &self.oriented, &self.forms) {
+            let Written { form: own, balance, .. } = written;
+            let exact = self.solved.iter().filter(|(form, _)| form.basis == own.basis);
+            for (factored, solver) in written.factorings() {
+                let form = own.solved_by(solver);
+                let own = (form, factored.solve_negated(&balance.residual));
+                let exact = exact.clone().map(|(_, solved)| (form.exactly(), solved.clone()));
+                for (form, solved) in [own].into_iter().chain(exact) {
+                    f(System {
+                        form,
+                        inverse: &factored,
+                        rows: &balance.rows,
+                        solved,
+                    });
+                }
+            }
+        }
+    }
+
     /// Returns the shortest code for the accelerations.
     pub(crate) fn accelerations(&self) -> Chosen<'g> {
         self.accelerations.get_or_init(|| self.solve(&[])).clone()

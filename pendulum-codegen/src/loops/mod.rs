@@ -248,7 +248,9 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// Parameters, if derivatives with respect to them are generated.
     fn parameters(&self) -> Vec<Expr<'g>> {
-        let derived = self.tree.generate.contains("parameter_jacobian");
+        let derived = ["parameter_jacobian", "adjoint"]
+            .iter()
+            .any(|word| self.tree.generate.contains(word));
         let parameters = self.tree.parameters.iter().filter(|_| derived);
         parameters.map(|parameter| parameter.symbol).collect()
     }

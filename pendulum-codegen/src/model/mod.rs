@@ -44,7 +44,7 @@ pub(crate) use point::{Point, along_motion};
 pub(crate) use pose::{Poses, between};
 pub(crate) use rule::{ROUNDING, Requirement, Rule};
 
-use crate::expr::{BaseAngles, Definition, Expr, Graph, ratio};
+use crate::expr::{BaseAngles, Definition, Expr, Graph, SymbolKind, ratio};
 use crate::screw::Vec3;
 use crate::units::Unit;
 
@@ -216,6 +216,12 @@ impl<'g> Tree<'g> {
     /// Acceleration of a combination of coordinates.
     pub(crate) fn acceleration_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.coordinate(k).acceleration)
+    }
+
+    /// New symbols `name[0]`, `name[1]`, ..
+    pub(crate) fn symbols(&self, name: &str, count: usize, kind: fn(usize) -> SymbolKind) -> Vec<Expr<'g>> {
+        let symbol = |n: usize| self.graph.symbol(&format!("{name}[{n}]"), kind(n));
+        (0..count).map(symbol).collect()
     }
 
     /// Names of the coordinates.

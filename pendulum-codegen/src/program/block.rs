@@ -74,6 +74,10 @@ pub enum Variable {
     State(usize),
     /// Given acceleration: second time derivative of a coordinate.
     Acceleration(usize),
+    /// Given weight of a component of the right-hand side.
+    Weight(usize),
+    /// Component of a given direction of the state and the inputs.
+    Direction(usize),
     /// Time.
     Time,
     /// Input.

@@ -33,7 +33,7 @@ pub(crate) use crate::model::ROUNDING;
 pub use crate::pass::Operations;
 
 use crate::dynamics::Dynamics;
-use crate::expr::{Expr, ExprId, Graph, Level, Printer};
+use crate::expr::{Expr, ExprId, Graph, Level, Printer, SymbolKind};
 use crate::form::{Chosen, Forms};
 use crate::model::{self, Model, Output, Requirement};
 use build::block;
@@ -182,7 +182,7 @@ impl Program {
         let laws: Vec<Expr<'g>> = model.constraints.iter().flat_map(|c| c.law.numbers()).collect();
         let lists = chosen.iter().map(|(_, chosen)| &chosen.roots);
         let constants = constants(g, lists.chain(of_series).chain(of_sketch).chain([&laws]));
-        let known = known(model, &constants);
+        let known = known(model, &chosen, &constants);
         let routines = chosen
             .into_iter()
             .map(|(head, chosen)| Routine::new(model, head, chosen, &known));
@@ -301,7 +301,7 @@ where
 }
 
 /// Expressions available to the routines, as variables.
-fn known<'g>(model: &Model<'g>, constants: &[Expr<'g>]) -> FxHashMap<ExprId, Variable> {
+fn known<'g>(model: &Model<'g>, chosen: &[(Head, Chosen<'g>)], constants: &[Expr<'g>]) -> FxHashMap<ExprId, Variable> {
     let state = model.state().into_iter().enumerate();
     let accelerations = model.coordinates.iter().map(|c| c.acceleration).enumerate();
     let inputs = model.input_symbols().into_iter().enumerate();
@@ -313,7 +313,15 @@ fn known<'g>(model: &Model<'g>, constants: &[Expr<'g>]) -> FxHashMap<ExprId, Var
     let forces = forces.map(|(n, x)| (x.id(), Variable::Force(n)));
     let constants = constants.map(|(n, x)| (x.id(), Variable::Constant(n)));
     let all = state.chain(accelerations).chain(inputs).chain(forces).chain(constants);
-    all.chain([(model.time.id(), Variable::Time)]).collect()
+    let read = chosen
+        .iter()
+        .flat_map(|(_, chosen)| model.graph.reachable(&chosen.roots));
+    let given = read.filter_map(|id| match model.graph.as_symbol(id)?.kind {
+        SymbolKind::Weight(n) => Some((id, Variable::Weight(n))),
+        SymbolKind::Direction(n) => Some((id, Variable::Direction(n))),
+        _ => None,
+    });
+    all.chain(given).chain([(model.time.id(), Variable::Time)]).collect()
 }
 
 /// Parameters as variables: the only ones available when the model is built.

@@ -110,6 +110,10 @@ pub enum Argument {
     Accelerations,
     /// Forces along the constraints, if the scene has any.
     Forces,
+    /// Weights of the components of the right-hand side.
+    Weights,
+    /// Direction of the state and the inputs.
+    Direction,
 }
 
 /// Shape of a result, with lengths of type `N`. Entries of a matrix are in column-major order.

@@ -153,10 +153,13 @@ impl Row {
                 .filter(|argument| match argument {
                     Argument::Inputs => counts.inputs > 0,
                     Argument::Forces => counts.constraints > 0,
-                    Argument::Accelerations => true,
+                    Argument::Accelerations | Argument::Weights | Argument::Direction => true,
                 })
                 .collect(),
-            shapes: shapes.map(|shape| shape.map(|length| counts.length(length))).collect(),
+            shapes: shapes
+                .map(|shape| shape.map(|length| counts.length(length)))
+                .filter(|shape| shape.len() != 0)
+                .collect(),
         }
     }
 }
@@ -164,7 +167,7 @@ impl Row {
 /// Condition met if the scene requests the routine by its word, regardless of anything else.
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
-use Argument::{Accelerations, Forces, Inputs};
+use Argument::{Accelerations, Direction, Forces, Inputs, Weights};
 use Length::{Constraints, Dependents, Drives, Freedom, Gaps, Loops, Parameters, State, Uncounted};
 use Shape::{Matrix, Scalar, Symmetric, Vector};
 
@@ -434,6 +437,29 @@ pub(crate) const ROUTINES: &[Row] = &[
         shapes: &[Matrix(State, Parameters)],
         wanted: ASKED,
         form: form::parameter_jacobian,
+    },
+    Row {
+        word: "adjoint",
+        name: "adjoint",
+        role: Role::Function,
+        doc: "The products of weights with the derivatives of the right-hand side (its transposed Jacobians times the \
+              weights): with respect to the state, to the parameters, and to the inputs, as far as there are any.",
+        arguments: &[Inputs, Weights],
+        shapes: &[Vector(State), Vector(Parameters), Vector(Length::Inputs)],
+        wanted: ASKED,
+        form: form::adjoint,
+    },
+    Row {
+        word: "hessian_product",
+        name: "hessian_product",
+        role: Role::Function,
+        doc: "The second derivatives of the right-hand side, summed with weights of its components, times a \
+              direction: a change of the state, followed by one of the inputs. With respect to the state, and to the \
+              inputs if there are any.",
+        arguments: &[Inputs, Weights, Direction],
+        shapes: &[Vector(State), Vector(Length::Inputs)],
+        wanted: ASKED,
+        form: form::hessian_product,
     },
 ];
 

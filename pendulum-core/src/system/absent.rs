@@ -42,6 +42,12 @@ absent! {
     parameter_jacobian(X): ParameterJacobian,
         "`{Self}` has no `parameter_jacobian`",
         "write `generate: [rhs, jacobian, energy, parameter_jacobian],` in its declaration";
+    adjoint(X, W): Adjoint,
+        "`{Self}` has no `adjoint`",
+        "write `generate: [rhs, jacobian, energy, adjoint],` in its declaration";
+    hessian_product(X, W, D): HessianProduct,
+        "`{Self}` has no `hessian_product`",
+        "write `generate: [rhs, jacobian, energy, hessian_product],` in its declaration";
     drive_forces(X): DriveForces,
         "`{Self}` has no `drive_forces`",
         "write `generate: [rhs, jacobian, energy, drive_forces],` in its declaration";

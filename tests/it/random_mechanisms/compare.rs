@@ -173,6 +173,7 @@ impl<'a> Comparison<'a> {
             note(name, error);
         }
         self.accelerations(program, &mut note);
+        self.adjoint(program, &mut note);
         self.canonical(program, &mut note);
         self.observed(program, &mut note);
         if let Some(ours) = program.routine("drive_forces", place) {
@@ -265,6 +266,42 @@ impl<'a> Comparison<'a> {
                     of_rates + self.residual(&rhs[0][n..], &column[n..], &slope),
                 );
             }
+        }
+    }
+
+    /// Errors of the products of weights with the derivatives, against the derivatives themselves. They are relative to
+    /// what rounding errors can be at the condition of the mass matrix.
+    fn adjoint(&self, program: &Evaluator<'_>, note: &mut impl FnMut(&'static str, f64)) {
+        let Some(products) = program.routine("adjoint", self.place) else {
+            return;
+        };
+        let columns = |name: &str, n: usize| program.routine(name, self.place).map(|results| results[n].clone());
+        let jacobians = [
+            columns("jacobian", 1),
+            columns("parameter_jacobian", 0),
+            columns("input_jacobian", 0),
+        ];
+        // results without entries are left out
+        let has = [true, !self.tree.parameters.is_empty(), !self.tree.inputs.is_empty()];
+        let jacobians = jacobians.into_iter().zip(has).filter(|(_, has)| *has);
+        let condition = condition(self.tree, self.place);
+        for (products, (jacobian, _)) in products.iter().zip(jacobians) {
+            let Some(jacobian) = jacobian else { continue };
+            let errors = products
+                .iter()
+                .zip(jacobian.chunks(2 * self.n))
+                .map(|(product, column)| {
+                    let terms = self
+                        .place
+                        .state
+                        .iter()
+                        .zip(column)
+                        .map(|(weight, entry)| weight * entry);
+                    let terms: Vec<f64> = terms.collect();
+                    let size: f64 = terms.iter().map(|term| term.abs()).sum();
+                    (product - terms.iter().sum::<f64>()).abs() / (condition * (size + 1.0))
+                });
+            note("adjoint", largest(errors));
         }
     }
 

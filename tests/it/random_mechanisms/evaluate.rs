@@ -115,6 +115,8 @@ impl<'p> Evaluator<'p> {
         match variable {
             Variable::State(n) => place.state[n],
             Variable::Acceleration(n) => place.accelerations[n],
+            Variable::Weight(n) => place.state[n],
+            Variable::Direction(n) => place.numbers()[1 + n],
             Variable::Input(n) => place.inputs[n],
             Variable::Time => place.t,
             Variable::Constant(n) => self.constants[n],

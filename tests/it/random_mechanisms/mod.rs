@@ -212,7 +212,14 @@ fn without_useless(tree: &Tree, errors: &str) -> Option<Tree> {
 fn words(tree: &Tree, random: &mut Random) -> Vec<&'static str> {
     let mut words = vec!["rhs", "mass_matrix", "bias", "momentum", "inverse_dynamics", "energy"];
     let part = if tree.dof() < 3 { 0.7 } else { 0.25 };
-    let further = ["jacobian", "parameter_jacobian", "canonical", "taylor"];
+    let further = [
+        "jacobian",
+        "parameter_jacobian",
+        "canonical",
+        "taylor",
+        "adjoint",
+        "hessian_product",
+    ];
     words.extend(further.into_iter().filter(|_| random.between(0.0, 1.0) < part));
     if tree.drives() > 0 {
         words.push("drive_forces");

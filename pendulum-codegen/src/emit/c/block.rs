@@ -51,6 +51,8 @@ impl Scene<'_> {
                 (name, format!("x[{n}]"))
             }
             Variable::Acceleration(n) => (format!("qdd_{}", rates[n]), format!("qdd[{n}]")),
+            Variable::Weight(n) => listed("w", n, "weights"),
+            Variable::Direction(n) => listed("d", n, "direction"),
             Variable::Time => ("t".to_owned(), "t".to_owned()),
             Variable::Input(n) => (format!("u_{}", inputs[n]), format!("u->{}", inputs[n])),
             Variable::Force(n) => listed("f", n, "forces"),

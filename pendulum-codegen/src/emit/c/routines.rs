@@ -119,6 +119,11 @@ impl Scene<'_> {
             Argument::Inputs => ", const @name@_inputs *u".to_owned(),
             Argument::Forces => self.forces(),
             Argument::Accelerations => format!(", const double qdd[{}]", self.program.layout.dof()),
+            Argument::Weights => ", const double weights[@length@]".to_owned(),
+            Argument::Direction => {
+                let length = self.program.layout.len() + self.program.inputs.len();
+                format!(", const double direction[{length}]")
+            }
         });
         let results = outs(routine).map(|(out, shape)| match shape {
             Shape::Symmetric(n) => format!(", double {out}[{}]", n * n),

@@ -41,6 +41,8 @@ impl Names<'_> {
                 },
             },
             Variable::Acceleration(n) => of_state("qdd", &rates[n]),
+            Variable::Weight(n) => local(&format!("w{n}")),
+            Variable::Direction(n) => local(&format!("d{n}")),
             Variable::Time => format_ident!("t"),
             Variable::Input(n) => local(&format!("u_{}", program.inputs[n].name)),
             Variable::Force(n) => local(&format!("f{n}")),

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::lanes::inlined_into_lanes;
 use super::routines::result;
 use super::{Items, count};
-use crate::program::{Argument, Role, Routine};
+use crate::program::{Role, Routine};
 
 impl Items<'_> {
     /// Methods that belong to no trait.
@@ -75,17 +75,18 @@ impl Items<'_> {
             quote!(let #name = ::pendulum_core::IntoState::into_state(*#name);)
         };
         let (x, state) = (vector(self.length()), converted("x"));
-        let takes_accelerations = routine.arguments.contains(&Argument::Accelerations);
-        let qdd = takes_accelerations.then(|| {
-            let vector = vector(count(self.program.layout.dof()));
-            quote!(, qdd: #vector)
-        });
-        let accelerations = takes_accelerations.then(|| converted("qdd"));
+        let vectors = routine.arguments.iter().filter_map(|&argument| self.vector(argument));
+        let (arguments, conversions): (TokenStream, TokenStream) = vectors
+            .map(|(name, variables)| {
+                let (ident, vector) = (format_ident!("{name}"), vector(count(variables.len())));
+                (quote!(, #ident: #vector), converted(name))
+            })
+            .unzip();
         let statements = self.statements(routine, |values| result(&routine.shapes, values));
         quote! {
-            fn #name(&self, t: T, x: #x #more #qdd) -> #output {
+            fn #name(&self, t: T, x: #x #more #arguments) -> #output {
                 #state
-                #accelerations
+                #conversions
                 #statements
             }
         }

@@ -193,6 +193,18 @@ impl Items<'_> {
         quote!(&self, t: T, x: &#state #more)
     }
 
+    /// Name and components of an argument that is a vector.
+    pub(super) fn vector(&self, argument: Argument) -> Option<(&'static str, Vec<Variable>)> {
+        let (layout, inputs) = (&self.program.layout, self.program.inputs.len());
+        let (name, length, variable): (_, _, fn(usize) -> Variable) = match argument {
+            Argument::Inputs | Argument::Forces => return None,
+            Argument::Accelerations => ("qdd", layout.dof(), Variable::Acceleration),
+            Argument::Weights => ("weights", layout.len(), Variable::Weight),
+            Argument::Direction => ("direction", layout.len() + inputs, Variable::Direction),
+        };
+        Some((name, (0..length).map(variable).collect()))
+    }
+
     /// Argument for inputs and constraint forces, if the routine takes any.
     pub(super) fn more_arguments(&self, routine: &Routine) -> Option<TokenStream> {
         let takes = |argument: &Argument| routine.arguments.contains(argument);
@@ -226,9 +238,12 @@ impl Items<'_> {
         };
         let state = pattern(&mut (0..self.program.layout.len()).map(Variable::State));
         let mut head = quote!(let #state = x.data.0[0];);
-        if reads.iter().any(|read| matches!(read, Variable::Acceleration(_))) {
-            let accelerations = pattern(&mut (0..self.program.layout.dof()).map(Variable::Acceleration));
-            head.extend(quote!(let #accelerations = qdd.data.0[0];));
+        for argument in [Argument::Accelerations, Argument::Weights, Argument::Direction] {
+            let (name, variables) = self.vector(argument).expect("a vector");
+            if variables.iter().any(|variable| reads.contains(variable)) {
+                let (name, components) = (format_ident!("{name}"), pattern(&mut variables.into_iter()));
+                head.extend(quote!(let #components = #name.data.0[0];));
+            }
         }
         for n in 0..self.program.constraints.len() {
             if reads.contains(&Variable::Force(n)) {
