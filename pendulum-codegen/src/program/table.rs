@@ -158,7 +158,7 @@ impl Row {
                 .collect(),
             shapes: shapes
                 .map(|shape| shape.map(|length| counts.length(length)))
-                .filter(|shape| shape.len() != 0)
+                .filter(|shape| !shape.is_empty())
                 .collect(),
         }
     }
