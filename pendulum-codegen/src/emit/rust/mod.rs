@@ -18,7 +18,7 @@ mod series;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
-use crate::ast::{Head, Scene};
+use crate::ast::{Head, Input, Scene};
 use crate::program::{Program, Quantity};
 use block::{Names, local};
 
@@ -34,14 +34,15 @@ pub(crate) fn items(head: &Head, program: &Program) -> TokenStream {
 /// its traits for several lengths of the state.
 pub(crate) fn stand_in(scene: &Scene) -> TokenStream {
     let (head, inputs) = (&scene.head, &scene.items.inputs);
-    let blank = |unread| Program::blank(scene, inputs, unread);
     let is_whole = scene.items.robot.as_ref().is_none_or(|robot| robot.unread.is_none());
-    let mut programs = vec![blank(0)];
-    if !is_whole || programs[0].layout.is_empty() {
-        programs.extend((1..=MOST_UNREAD).map(blank));
-        programs.retain(|program| !program.layout.is_empty());
-    }
-    let mut all = programs.iter().map(|program| Items { head, program });
+    let is_known = is_whole && !Program::blank(scene, inputs, 0).layout.is_empty();
+    let programs = |inputs: &[Input]| -> Vec<Program> {
+        let guesses = 0..=if is_known { 0 } else { MOST_UNREAD };
+        let guesses = guesses.map(|unread| Program::blank(scene, inputs, unread));
+        guesses.filter(|program| !program.layout.is_empty()).collect()
+    };
+    let all = programs(inputs);
+    let mut all = all.iter().map(|program| Items { head, program });
     let items = all.next().expect("a guess");
     let mut parts = vec![Some(items.everything())];
     for other in all {
@@ -51,14 +52,15 @@ pub(crate) fn stand_in(scene: &Scene) -> TokenStream {
     let mut words = scene.items.generate.iter().flat_map(|(_, words)| words);
     let asks_in_vain = !inputs.is_empty() && words.any(|word| CLOSED.iter().any(|closed| word == closed));
     if asks_in_vain && items.program.constraints.is_empty() {
-        let program = &Program::blank(scene, &[], 0);
-        let closed = Items { head, program };
-        parts.extend([
-            closed.system(),
-            closed.canonical(),
-            closed.series(),
-            closed.over_numbers(),
-        ]);
+        for program in &programs(&[]) {
+            let closed = Items { head, program };
+            parts.extend([
+                closed.system(),
+                closed.canonical(),
+                closed.series(),
+                closed.over_numbers(),
+            ]);
+        }
     }
     items.in_own_module(parts.into_iter().flatten().collect())
 }
