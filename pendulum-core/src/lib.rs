@@ -113,8 +113,8 @@ pub use real::{Float, Real};
 pub use solution::{BelowTolerance, Observer, OutsideSpan, Solution, Unresolved};
 pub use statistics::Statistics;
 pub use system::{
-    Acting, Canonical, Cast, CastJacobian, Energy, FnSystem, IntoState, Jacobian, Parametric, Plant, PlantCanonical,
-    PlantJacobian, System,
+    Acting, Adjoint, Canonical, Cast, CastJacobian, ControlledAdjoint, Energy, FnSystem, IntoState, Jacobian,
+    Parametric, Plant, PlantCanonical, PlantJacobian, System,
 };
 pub use taylor::{CastTaylor, TaylorSeries};
 
@@ -155,7 +155,7 @@ pub mod prelude {
     // Only the methods of these traits are imported; their names stay free.
     #[doc(hidden)]
     pub use crate::system::Absent as _;
-    pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
+    pub use crate::{Adjoint as _, Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
     pub use crate::{Plant as _, PlantCanonical as _, PlantJacobian as _, taylor::HybridSeries as _};
     pub use nalgebra::{SMatrix, SVector};
 }

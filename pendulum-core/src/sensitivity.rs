@@ -14,6 +14,9 @@
 //! too: otherwise the error is [`Reason::NotDifferentiable`]. Where the order of impacts decides the motion, which
 //! [`Solution::ambiguities`] reports, it is one of several.
 //!
+//! Where a single number is of interest, such as a cost, [`gradient`] computes its derivatives by all variables backward
+//! in time, in a time that does not grow with their number.
+//!
 //! ```
 //! use pendulum_core::prelude::*;
 //! use pendulum_core::sensitivity::{self, Variable};
@@ -44,7 +47,11 @@
 //! C. Fuehrer, E. Eich-Soellner, "Numerical Methods in Multibody Dynamics" (1998), section 4.6; A. Griewank, A.
 //! Walther, "Evaluating Derivatives" (2008), chapter 3.
 
+mod gradient;
+
 use nalgebra::{SMatrix, SVector};
+
+pub use gradient::{Cost, Gradient, gradient};
 
 use crate::dual::Dual;
 use crate::error::{Reason, SolveError};

@@ -5,6 +5,7 @@
 //! orientation, whose position is a unit quaternion and whose rate is the angular velocity along the axes of the body.
 
 mod absent;
+mod adjoint;
 mod assembly;
 mod differences;
 mod function;
@@ -14,6 +15,7 @@ mod state;
 
 #[doc(hidden)]
 pub use absent::Absent;
+pub use adjoint::{Adjoint, ControlledAdjoint};
 #[doc(hidden)]
 pub use assembly::assemble;
 pub(crate) use assembly::{close, open};

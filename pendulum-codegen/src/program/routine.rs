@@ -57,6 +57,8 @@ pub enum Role {
     Kinetic,
     /// Potential energy.
     Potential,
+    /// Separate function: products of weights with the derivatives of the right-hand side.
+    Adjoint,
     /// Separate function: margins of closed loops from their singularities (toggles).
     LoopMargins,
     /// Separate function: closure errors of loops.
@@ -72,7 +74,12 @@ impl Role {
     pub(crate) fn is_function(self) -> bool {
         matches!(
             self,
-            Self::Function | Self::LoopMargins | Self::LoopGaps | Self::LoopCorrections | Self::TurnMargins
+            Self::Function
+                | Self::Adjoint
+                | Self::LoopMargins
+                | Self::LoopGaps
+                | Self::LoopCorrections
+                | Self::TurnMargins
         )
     }
 }

@@ -441,7 +441,7 @@ pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "adjoint",
         name: "adjoint",
-        role: Role::Function,
+        role: Role::Adjoint,
         doc: "The products of weights with the derivatives of the right-hand side (its transposed Jacobians times the \
               weights): with respect to the state, to the parameters, and to the inputs, as far as there are any.",
         arguments: &[Inputs, Weights],

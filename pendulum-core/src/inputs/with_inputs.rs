@@ -12,8 +12,8 @@ use crate::real::lanes::Lanes;
 #[cfg(feature = "std")]
 use crate::shapes::{Shape, Shapes};
 use crate::system::{
-    ActsWith, Cast, CastJacobian, Differences, Energy, Hybrid, HybridJacobian, Jacobian, Parametric, Plant,
-    PlantJacobian, System, WithJacobian, by_sign,
+    ActsWith, Adjoint, Cast, CastJacobian, ControlledAdjoint, Differences, Energy, Hybrid, HybridJacobian, Jacobian,
+    Parametric, Plant, PlantJacobian, System, WithJacobian, by_sign,
 };
 
 /// A [`Controlled`] model whose `M` inputs follow the [`ControlLaw`] `L`: a [`System`] that can be integrated.
@@ -287,6 +287,25 @@ where
     #[inline]
     fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
         self.system.measure_derivatives(t, x)
+    }
+}
+
+impl<T, S, L, const N: usize, const M: usize, const P: usize> Adjoint<T, N, P> for WithInputs<S, L, M>
+where
+    T: Real,
+    S: ControlledAdjoint<T, N, M, P>,
+    L: LawJacobian<T, N, M>,
+{
+    #[inline]
+    fn adjoint(&self, t: T, x: &SVector<T, N>, weights: &SVector<T, N>) -> (SVector<T, N>, SVector<T, P>) {
+        let (inputs, jacobian) = self.law.inputs_and_jacobian(t, x);
+        let (mut by_state, by_parameters, by_inputs) = self.system.controlled_adjoint(t, x, &inputs.into(), weights);
+        for (n, product) in by_state.iter_mut().enumerate() {
+            for m in 0..M {
+                *product += jacobian[(m, n)] * by_inputs[m];
+            }
+        }
+        (by_state, by_parameters)
     }
 }
 

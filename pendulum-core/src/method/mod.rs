@@ -1,6 +1,8 @@
 //! Integration methods: plain values with settings, each with `solve` and `stepper`.
 
 mod adaptive;
+#[cfg(feature = "std")]
+mod adjoint;
 mod auto;
 mod collocation;
 mod explicit;
@@ -68,6 +70,8 @@ pub(crate) use {
 
 pub use crate::step_size::{Estimates, Tolerance};
 pub use adaptive::Adaptive;
+#[cfg(feature = "std")]
+pub use adjoint::DiscreteAdjoint;
 pub use auto::{Auto, Switching};
 #[cfg(feature = "std")]
 pub(crate) use auto::{Bounded, Choice, SwitchInLanes, SwitchingFrom};

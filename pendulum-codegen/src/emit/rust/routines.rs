@@ -13,13 +13,12 @@ use crate::program::{Argument, Block, Role, Routine, Shape, Variable};
 impl Items<'_> {
     /// Trait implementations and inherent methods.
     pub(super) fn routines(&self) -> TokenStream {
-        let [motion, closed, canonical, energy] = self.traits();
-        let parts = [motion, closed, canonical, energy, self.inherent()];
-        parts.into_iter().flatten().collect()
+        let parts = self.traits().into_iter().chain([self.inherent()]);
+        parts.flatten().collect()
     }
 
     /// Implementations of the traits whose methods are routines.
-    pub(super) fn traits(&self) -> [Option<TokenStream>; 4] {
+    pub(super) fn traits(&self) -> [Option<TokenStream>; 5] {
         let [is_plain, is_controlled] = [self.acting().is_none(), !self.program.inputs.is_empty()];
         let motion = if is_plain { self.system() } else { self.plant() };
         let closed = if is_controlled {
@@ -33,7 +32,7 @@ impl Items<'_> {
             self.hybrid_canonical()
         };
         let energy = self.of_trait("Energy", &[Role::Kinetic, Role::Potential]);
-        [motion, closed, canonical, energy]
+        [motion, closed, canonical, energy, self.adjoint()]
     }
 
     /// `impl Trait<T, N> for Model<T>`, or the inherent `impl Model<T>`.
@@ -60,6 +59,65 @@ impl Items<'_> {
             quote!(#[inline] #function)
         });
         Some(self.implement(Some(self.named(name)), &methods.collect()))
+    }
+
+    /// Implementation of `Adjoint`, or of `ControlledAdjoint` for a model with inputs, where the engine can use it: if
+    /// the motion has one mode, and no state is corrected to close loops.
+    fn adjoint(&self) -> Option<TokenStream> {
+        let has = |role| self.program.with_role(role).is_some();
+        let is_smooth = self.program.constraints.is_empty() && !has(Role::LoopCorrections);
+        if !(has(Role::Adjoint) && has(Role::Rhs) && is_smooth) {
+            return None;
+        }
+        let vector = |length| self.shape(Shape::Vector(length));
+        let [states, parameters, inputs] = [
+            self.program.layout.len(),
+            self.program.parameters.len(),
+            self.program.inputs.len(),
+        ];
+        let (name, state, output) = (&self.head.name, vector(states), |list: &[usize]| {
+            let vectors = list.iter().map(|&length| vector(length));
+            quote!((#(#vectors),*))
+        });
+        // the routine leaves out what has no entries
+        let of_parameters = (parameters > 0).then(|| quote!(by_parameters,));
+        let none = (parameters == 0).then(|| {
+            let none = vector(0);
+            quote!(let by_parameters = <#none>::default();)
+        });
+        let [length, parameters_count, inputs_count] = [states, parameters, inputs].map(count);
+        let (of_trait, function) = if inputs > 0 {
+            let (inputs_name, output) = (self.inputs_name(), output(&[states, parameters, inputs]));
+            (
+                quote!(ControlledAdjoint<T, #length, #inputs_count, #parameters_count>),
+                quote! {
+                    fn controlled_adjoint(
+                        &self, t: T, x: &#state, inputs: &#inputs_name<T>, weights: &#state,
+                    ) -> #output {
+                        let (by_state, #of_parameters by_inputs) = #name::adjoint(self, t, x, inputs, weights);
+                        #none
+                        (by_state, by_parameters, by_inputs)
+                    }
+                },
+            )
+        } else {
+            let output = output(&[states, parameters]);
+            let parts = match parameters {
+                0 => quote!(by_state),
+                _ => quote!((by_state, by_parameters)),
+            };
+            (
+                quote!(Adjoint<T, #length, #parameters_count>),
+                quote! {
+                    fn adjoint(&self, t: T, x: &#state, weights: &#state) -> #output {
+                        let #parts = #name::adjoint(self, t, x, weights);
+                        #none
+                        (by_state, by_parameters)
+                    }
+                },
+            )
+        };
+        Some(self.implement(Some(quote!(::pendulum_core::#of_trait)), &quote!(#[inline] #function)))
     }
 
     pub(super) fn canonical(&self) -> Option<TokenStream> {

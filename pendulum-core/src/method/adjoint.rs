@@ -1,0 +1,153 @@
+//! Discrete adjoints of explicit Runge-Kutta methods.
+
+use nalgebra::SVector;
+
+use crate::dual::Dual;
+use crate::method::stages::{shifted, weighted_sum};
+use crate::method::{Adaptive, Explicit, Fixed};
+use crate::real::Float;
+use crate::sensitivity::Cost;
+use crate::system::{Adjoint, System};
+use crate::tableau::Tableau;
+
+/// A method with a discrete adjoint: the transposed derivative of its steps.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no discrete adjoint",
+    note = "explicit Runge-Kutta methods have one: `Rk4`, `Rk45`, `Tsit5`, `Vern7`, `Vern9`",
+    note = "`sensitivity::solve` computes derivatives forward, with every method"
+)]
+pub trait DiscreteAdjoint {
+    /// Repeats the step of length `h` from the state `x` at `t`, and returns the state at its end.
+    fn repeated<S, T, const N: usize>(&self, system: &S, step: (T, T), x: &SVector<T, N>) -> SVector<T, N>
+    where
+        S: System<T, N>,
+        T: Float;
+
+    /// Takes the derivatives of a result through the step of length `h` from the state `x` at `t`, backward:
+    /// `weights`, those with respect to the state, are at its end before the call, and at its start after it.
+    /// Those with respect to the parameters are added to `by_parameters`. Returns the integral of the running cost, which
+    /// the result includes, over the step.
+    fn backward<M, C, T, const N: usize, const P: usize>(
+        &self,
+        model: (&M, &C),
+        step: (T, T),
+        x: &SVector<T, N>,
+        derivatives: (&mut SVector<T, N>, &mut SVector<T, P>),
+    ) -> T
+    where
+        M: Adjoint<T, N, P>,
+        C: Cost<N>,
+        T: Float;
+}
+
+/// States at the stages of a step, and at its end before that is projected. The last stage belongs to the next step.
+#[inline]
+fn stages<B, S, T, const STAGES: usize, const N: usize>(
+    system: &S,
+    (t, h): (T, T),
+    x: &SVector<T, N>,
+) -> ([SVector<T, N>; STAGES], SVector<T, N>)
+where
+    B: Tableau<STAGES>,
+    S: System<T, N>,
+    T: Float,
+{
+    let tableau = const { &B::TABLEAU };
+    let zero = SVector::from([T::default(); N]);
+    let [mut states, mut rates] = [[zero; STAGES]; 2];
+    for i in 0..STAGES - 1 {
+        states[i] = shifted(x, &weighted_sum(h, &tableau.a[i], i, &rates));
+        rates[i] = system.rhs(t + h * T::from_f64(tableau.c[i]), &states[i]);
+    }
+    let end = shifted(x, &weighted_sum(h, &tableau.b, STAGES - 1, &rates));
+    (states, end)
+}
+
+impl<B: Tableau<STAGES>, const STAGES: usize> DiscreteAdjoint for Explicit<B, STAGES> {
+    fn repeated<S, T, const N: usize>(&self, system: &S, (t, h): (T, T), x: &SVector<T, N>) -> SVector<T, N>
+    where
+        S: System<T, N>,
+        T: Float,
+    {
+        let (_, mut end) = stages::<B, S, T, STAGES, N>(system, (t, h), x);
+        system.project(t + h, &mut end);
+        end
+    }
+
+    /// With the stages `X_i = x + h sum_j a_ij f(X_j)` of `x + h sum_i b_i f(X_i)`, and derivatives `w` at the end, those
+    /// with respect to the stages are `v_i = J_i^T h (b_i w + sum_j a_ji v_j)`, from the last one to the first, and those
+    /// at the start `w + sum_i v_i` (W. W. Hager, Numer. Math. 87 (2000) 247).
+    fn backward<M, C, T, const N: usize, const P: usize>(
+        &self,
+        (model, cost): (&M, &C),
+        (t, h): (T, T),
+        x: &SVector<T, N>,
+        (weights, by_parameters): (&mut SVector<T, N>, &mut SVector<T, P>),
+    ) -> T
+    where
+        M: Adjoint<T, N, P>,
+        C: Cost<N>,
+        T: Float,
+    {
+        let tableau = const { &B::TABLEAU };
+        let (states, end) = stages::<B, M, T, STAGES, N>(model, (t, h), x);
+        model.project_adjoint(t + h, &end, weights);
+        let zero = SVector::from([T::default(); N]);
+        let (mut by_stages, mut sum, mut integral) = ([zero; STAGES], *weights, T::default());
+        for i in (0..STAGES - 1).rev() {
+            let t = t + h * T::from_f64(tableau.c[i]);
+            let share = h * T::from_f64(tableau.b[i]);
+            let mut of_rate = weights.map(|weight| share * weight);
+            for (a, by_stage) in tableau.a[..STAGES - 1].iter().zip(&by_stages).skip(i + 1) {
+                if a[i] != 0.0 {
+                    let share = h * T::from_f64(a[i]);
+                    of_rate.zip_apply(by_stage, |sum, weight| *sum += share * weight);
+                }
+            }
+            let (mut by_state, more) = model.adjoint(t, &states[i], &of_rate);
+            by_parameters.zip_apply(&more, |sum, more| *sum += more);
+            let variables = SVector::<Dual<T, N>, N>::from_fn(|n, _| Dual::variable(states[i][n], n));
+            if let Some(running) = cost.running(Dual::constant(t), &variables) {
+                integral += share * running.value;
+                for (product, slope) in by_state.iter_mut().zip(running.slopes) {
+                    *product += share * slope;
+                }
+            }
+            sum.zip_apply(&by_state, |sum, product| *sum += product);
+            by_stages[i] = by_state;
+        }
+        *weights = sum;
+        integral
+    }
+}
+
+macro_rules! of_family {
+    ($($method:ident),*) => { $(
+        impl<F: DiscreteAdjoint> DiscreteAdjoint for $method<F> {
+            fn repeated<S, T, const N: usize>(&self, system: &S, step: (T, T), x: &SVector<T, N>) -> SVector<T, N>
+            where
+                S: System<T, N>,
+                T: Float,
+            {
+                self.family.repeated(system, step, x)
+            }
+
+            fn backward<M, C, T, const N: usize, const P: usize>(
+                &self,
+                model: (&M, &C),
+                step: (T, T),
+                x: &SVector<T, N>,
+                derivatives: (&mut SVector<T, N>, &mut SVector<T, P>),
+            ) -> T
+            where
+                M: Adjoint<T, N, P>,
+                C: Cost<N>,
+                T: Float,
+            {
+                self.family.backward(model, step, x, derivatives)
+            }
+        }
+    )* };
+}
+
+of_family!(Fixed, Adaptive);
