@@ -160,10 +160,78 @@ where
     B: Tableau<STAGES>,
     T: Lanes,
 {
-    /// Derivatives at the stages of the last attempt.
-    #[cfg(feature = "std")]
-    pub(super) fn stages(&self) -> &[SVector<T, N>; STAGES] {
-        &self.stages
+    /// [`Scheme::begin`] with any system.
+    #[inline(always)]
+    pub(super) fn begin_with(
+        &mut self,
+        system: &impl System<T, N>,
+        t: T,
+        x: &SVector<T, N>,
+        work: &mut Statistics,
+    ) -> SVector<T, N> {
+        work.evaluations += 1;
+        *self.slope() = system.rhs(t, x);
+        *self.slope()
+    }
+
+    /// [`Scheme::arrive`] with any system.
+    #[inline(always)]
+    pub(super) fn arrive_with(
+        &mut self,
+        system: &impl System<T, N>,
+        (t, x): (T, &SVector<T, N>),
+        work: &mut Statistics,
+    ) -> &SVector<T, N> {
+        if T::LANES > 1 && self.goes_on_at_once {
+            work.evaluations += 1;
+            *self.slope() = system.rhs(t, x);
+            return self.slope();
+        }
+        if self.tolerance.is_none() || const { !B::TABLEAU.error_uses_last_stage() } {
+            work.evaluations += 1;
+            self.stages[STAGES - 1] = system.rhs(t, x);
+        }
+        &self.stages[STAGES - 1]
+    }
+
+    /// [`Scheme::attempt`], with another system for the evaluations.
+    #[inline(always)]
+    pub(super) fn attempt_with<S>(
+        &mut self,
+        inner: &impl System<T, N>,
+        system: &InMode<'_, S, T>,
+        (t, x): (T, &SVector<T, N>),
+        (t_new, x_new): (T, &mut SVector<T, N>),
+        work: &mut Statistics,
+    ) -> T
+    where
+        S: System<T, N> + ?Sized,
+    {
+        if const { T::LANES == 1 } {
+            self.stages[0] = self.slope;
+        }
+        // Through a reference the right-hand side may stay a function, whereas the one of a generated model is always
+        // inlined: calls are faster than many copies of a long one. In lanes a function would not use their
+        // instructions.
+        *x_new = if const { N <= SHORT || T::LANES > 1 } {
+            inner_stages::<B, _, _, _, _>(inner, (t, x), t_new, &mut self.stages)
+        } else {
+            inner_stages::<B, _, _, _, _>(&inner, (t, x), t_new, &mut self.stages)
+        };
+        work.evaluations += STAGES - 2;
+        end_step(system, (t, x), (t_new, x_new));
+        match &self.tolerance {
+            None => T::default(),
+            Some(tolerance) => {
+                if const { B::TABLEAU.error_uses_last_stage() } {
+                    work.evaluations += 1;
+                    self.stages[STAGES - 1] = inner.rhs(t_new, x_new);
+                }
+                let weights = const { &B::TABLEAU.error_weights() };
+                let error = weighted_sum((t_new - t).abs(), weights, STAGES, &self.stages);
+                tolerance.mean_square(&error, x, x_new)
+            }
+        }
     }
 
     /// Estimates `|h lambda|` of the last attempt, of length `h`, with the fastest rate `lambda` of the system. The
@@ -203,9 +271,7 @@ where
 
     #[inline(always)]
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
-        work.evaluations += 1;
-        *self.slope() = system.rhs(t, x);
-        *self.slope()
+        self.begin_with(system, t, x, work)
     }
 
     #[inline(always)]
@@ -216,50 +282,17 @@ where
         (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
     ) -> Result<T, Stalled> {
-        if const { T::LANES == 1 } {
-            self.stages[0] = self.slope;
-        }
-        // Through a reference the right-hand side may stay a function, whereas the one of a generated model is always
-        // inlined: calls are faster than many copies of a long one. In lanes a function would not use their
-        // instructions.
-        *x_new = if const { N <= SHORT || T::LANES > 1 } {
-            attempt::<B, InMode<'_, S, T>, _, _, _>(system, (t, x), t_new, &mut self.stages)
-        } else {
-            attempt::<B, &InMode<'_, S, T>, _, _, _>(&system, (t, x), t_new, &mut self.stages)
-        };
-        work.evaluations += STAGES - 2;
-        end_step(system, (t, x), (t_new, x_new));
-        Ok(match &self.tolerance {
-            None => T::default(),
-            Some(tolerance) => {
-                if const { B::TABLEAU.error_uses_last_stage() } {
-                    work.evaluations += 1;
-                    self.stages[STAGES - 1] = system.rhs(t_new, x_new);
-                }
-                let weights = const { &B::TABLEAU.error_weights() };
-                let error = weighted_sum((t_new - t).abs(), weights, STAGES, &self.stages);
-                tolerance.mean_square(&error, x, x_new)
-            }
-        })
+        Ok(self.attempt_with(system, system, (t, x), (t_new, x_new), work))
     }
 
     #[inline(always)]
     fn arrive(
         &mut self,
         system: &InMode<'_, S, T>,
-        (t, x): (T, &SVector<T, N>),
+        end: (T, &SVector<T, N>),
         work: &mut Statistics,
     ) -> Option<&SVector<T, N>> {
-        if T::LANES > 1 && self.goes_on_at_once {
-            work.evaluations += 1;
-            *self.slope() = system.rhs(t, x);
-            return Some(self.slope());
-        }
-        if self.tolerance.is_none() || const { !B::TABLEAU.error_uses_last_stage() } {
-            work.evaluations += 1;
-            self.stages[STAGES - 1] = system.rhs(t, x);
-        }
-        Some(&self.stages[STAGES - 1])
+        Some(self.arrive_with(system, end, work))
     }
 
     #[inline(always)]
@@ -290,7 +323,7 @@ where
     }
 }
 
-/// Maximum number of stages in [`attempt`].
+/// Maximum number of stages in [`inner_stages`].
 const MAX_STAGES: usize = 20;
 /// Maximum number of extra stages of a dense output.
 const MAX_EXTRA: usize = 10;
@@ -306,7 +339,7 @@ pub(crate) const MAX_DEGREE: usize = 9;
 /// The stages are unrolled up to `MAX_STAGES` by a macro, since compilers do not unroll a loop over calls of the
 /// right-hand side: each stage then has its row of the tableau as constants, and zero coefficients vanish.
 #[inline(always)]
-fn attempt<B, S, T, const STAGES: usize, const N: usize>(
+fn inner_stages<B, S, T, const STAGES: usize, const N: usize>(
     system: &S,
     (t, x): (T, &SVector<T, N>),
     t_new: T,

@@ -1,7 +1,7 @@
 //! Interface of one-step methods. Two engines do the rest: [`Stepper`](crate::Stepper) for one trajectory, and
 //! [`ensemble`](crate::ensemble) for many, in lanes.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use crate::dense::Step;
 use crate::error::Reason;
@@ -132,12 +132,17 @@ impl<T: Lanes> Accepted<T> {
 
     /// Returns `new` in the lanes that accept, and `old` in the others.
     #[inline(always)]
-    pub fn select<const N: usize>(self, new: &SVector<T, N>, old: &SVector<T, N>) -> SVector<T, N> {
+    pub fn select<const R: usize, const C: usize>(
+        self,
+        new: &SMatrix<T, R, C>,
+        old: &SMatrix<T, R, C>,
+    ) -> SMatrix<T, R, C> {
         match self {
             Self::All => *new,
             Self::Negative(sign) => {
                 let mut selected = *old;
-                for (old, new) in selected.data.0[0].iter_mut().zip(&new.data.0[0]) {
+                let entries = selected.data.0.as_flattened_mut().iter_mut();
+                for (old, new) in entries.zip(new.data.0.as_flattened()) {
                     *old = sign.select(*new, *old);
                 }
                 selected

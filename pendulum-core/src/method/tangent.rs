@@ -1,6 +1,8 @@
 //! Explicit Runge-Kutta methods that integrate tangents by the variational equations, in the same steps.
 
-use nalgebra::SVector;
+use core::cell::Cell;
+
+use nalgebra::{SMatrix, SVector};
 
 use crate::dense::Step;
 use crate::error::Reason;
@@ -14,7 +16,7 @@ use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
 use crate::step_size::{Estimates, Tolerance};
-use crate::system::Jacobian;
+use crate::system::{Jacobian, System};
 use crate::tableau::Tableau;
 
 mod in_lanes;
@@ -24,7 +26,7 @@ pub(crate) use in_lanes::{Carried, CarriedStages, Carry};
 /// The explicit method of the tableau `B`, with `K` tangents `v' = J(t, x) v`.
 ///
 /// A step of the tangents is the derivative of the step of the state: the same tableau, with the Jacobian at each of
-/// its stages. Their errors are kept within the tolerance too, relative to the length of each tangent.
+/// its stages, which is evaluated once with the right-hand side. Their errors are kept within the tolerance too, relative to the length of each tangent.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tangent<B, const STAGES: usize, const K: usize>(Explicit<B, STAGES>);
 
@@ -61,6 +63,8 @@ pub(crate) struct Bundle<B, T, const STAGES: usize, const K: usize, const N: usi
     tried: [SVector<T, N>; K],
     /// Derivative of each tangent at each stage.
     rates: [[SVector<T, N>; STAGES]; K],
+    /// Jacobian at each stage.
+    jacobians: [SMatrix<T, N, N>; STAGES],
 }
 
 impl<B, T, const STAGES: usize, const K: usize, const N: usize> Bundle<B, T, STAGES, K, N>
@@ -81,31 +85,53 @@ where
             before: tangents,
             tried: tangents,
             rates: [[zero; STAGES]; K],
+            jacobians: [SMatrix::from_element(T::default()); STAGES],
         }
     }
 
-    /// Attempts the step of the tangents, given the stages of the state, and returns the largest mean square of their
-    /// errors.
+    /// See [`Scheme::begin`].
     #[inline(always)]
-    fn attempt_tangents<S>(&mut self, system: &S, (t, x): (T, &SVector<T, N>), h: T) -> T
+    fn begin_both<S>(
+        &mut self,
+        system: &InMode<'_, S, T>,
+        t: T,
+        x: &SVector<T, N>,
+        work: &mut Statistics,
+    ) -> SVector<T, N>
     where
         S: Jacobian<T, N> + ?Sized,
     {
-        let tableau = const { &B::TABLEAU };
-        let weights = const { &B::TABLEAU.error_weights() };
+        work.jacobians += 1;
+        self.state
+            .begin_with(&Recorder::new(system, &mut self.jacobians[..1]), t, x, work)
+    }
+
+    /// See [`Scheme::attempt`].
+    #[inline(always)]
+    fn attempt_both<S>(
+        &mut self,
+        system: &InMode<'_, S, T>,
+        (t, x): (T, &SVector<T, N>),
+        (t_new, x_new): (T, &mut SVector<T, N>),
+        work: &mut Statistics,
+    ) -> T
+    where
+        S: Jacobian<T, N> + ?Sized,
+    {
+        let recorder = Recorder::new(system, &mut self.jacobians[1..]);
+        let mut largest = self.state.attempt_with(&recorder, system, (t, x), (t_new, x_new), work);
         // the last stage has a weight only in the error estimate
         let uses_last = self.tolerance.is_some() && const { B::TABLEAU.error_uses_last_stage() };
         let count = if uses_last { STAGES } else { STAGES - 1 };
-        for (i, row) in tableau.a.iter().enumerate().take(count) {
-            let x = shifted(x, &weighted_sum(h, row, i, self.state.stages()));
-            let jacobian = system.jacobian(t + h * T::from_f64(tableau.c[i]), &x);
-            for (tangent, rates) in self.tangents.iter().zip(&mut self.rates) {
+        work.jacobians += count - 1;
+        let (tableau, h) = (const { &B::TABLEAU }, t_new - t);
+        let weights = const { &B::TABLEAU.error_weights() };
+        let tangents = self.tangents.iter().zip(&mut self.tried).zip(&mut self.rates);
+        for ((tangent, tried), rates) in tangents {
+            for (i, (row, jacobian)) in tableau.a.iter().zip(&self.jacobians).enumerate().take(count) {
                 let tangent = shifted(tangent, &weighted_sum(h, row, i, rates));
-                rates[i] = image(&jacobian, &tangent);
+                rates[i] = image(jacobian, &tangent);
             }
-        }
-        let mut largest = T::default();
-        for ((tried, tangent), rates) in self.tried.iter_mut().zip(&self.tangents).zip(&self.rates) {
             *tried = shifted(tangent, &weighted_sum(h, &tableau.b, STAGES - 1, rates));
             if let Some(tolerance) = &self.tolerance {
                 let error = square(&weighted_sum(h, weights, count, rates));
@@ -114,6 +140,75 @@ where
             }
         }
         largest
+    }
+
+    /// See [`Scheme::arrive`].
+    #[inline(always)]
+    fn arrive_both<S>(
+        &mut self,
+        system: &InMode<'_, S, T>,
+        end: (T, &SVector<T, N>),
+        work: &mut Statistics,
+    ) -> &SVector<T, N>
+    where
+        S: Jacobian<T, N> + ?Sized,
+    {
+        work.jacobians += 1;
+        let recorder = Recorder::new(system, &mut self.jacobians[STAGES - 1..]);
+        self.state.arrive_with(&recorder, end, work)
+    }
+
+    /// See [`Scheme::accept`].
+    #[inline(always)]
+    fn accept_both<S>(
+        &mut self,
+        system: &InMode<'_, S, T>,
+        step: &Step<T, N>,
+        lanes: Accepted<T>,
+        work: &mut Statistics,
+    ) where
+        S: Jacobian<T, N> + ?Sized,
+    {
+        self.state.accept(system, step, lanes, work);
+        self.before = self.tangents;
+        for (tangent, tried) in self.tangents.iter_mut().zip(&self.tried) {
+            *tangent = lanes.select(tried, tangent);
+        }
+        let last = self.jacobians[STAGES - 1];
+        self.jacobians[0] = lanes.select(&last, &self.jacobians[0]);
+    }
+}
+
+/// A system whose evaluations also fill a list of Jacobians.
+struct Recorder<'a, S: ?Sized, T, const N: usize> {
+    system: &'a InMode<'a, S, T>,
+    jacobians: &'a [Cell<SMatrix<T, N, N>>],
+    next: Cell<usize>,
+}
+
+impl<'a, S: ?Sized, T, const N: usize> Recorder<'a, S, T, N> {
+    #[inline(always)]
+    fn new(system: &'a InMode<'a, S, T>, jacobians: &'a mut [SMatrix<T, N, N>]) -> Self {
+        Self {
+            system,
+            jacobians: Cell::from_mut(jacobians).as_slice_of_cells(),
+            next: Cell::new(0),
+        }
+    }
+}
+
+impl<S, T, const N: usize> System<T, N> for Recorder<'_, S, T, N>
+where
+    S: Jacobian<T, N> + ?Sized,
+    T: Lanes,
+{
+    #[inline(always)]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        let (rate, jacobian) = self.system.rhs_and_jacobian(t, x);
+        let next = self.next.get();
+        self.jacobians[next].set(jacobian);
+        self.next.set(next + 1);
+        rate
     }
 }
 
@@ -153,7 +248,7 @@ where
 
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         self.hold(system, (t, x));
-        self.state.begin(system, t, x, work)
+        self.begin_both(system, t, x, work)
     }
 
     fn attempt(
@@ -163,15 +258,13 @@ where
         (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
     ) -> Result<T, Stalled> {
-        let mean_square = self.state.attempt(system, (t, x), (t_new, x_new), work)?;
-        let of_tangents = self.attempt_tangents(system, (t, x), t_new - t);
-        work.jacobians += STAGES - 1;
+        let mean_square = self.attempt_both(system, (t, x), (t_new, x_new), work);
         // a tangent that is not finite fails the step: the maximum ignores NaN
         let is_finite = self.tried.iter().all(|tangent| NonFinite::check(tangent).is_ok());
         if !is_finite {
             return Err(Stalled);
         }
-        Ok(larger(mean_square, of_tangents))
+        Ok(mean_square)
     }
 
     fn arrive(
@@ -180,12 +273,11 @@ where
         end: (T, &SVector<T, N>),
         work: &mut Statistics,
     ) -> Option<&SVector<T, N>> {
-        self.state.arrive(system, end, work)
+        Some(self.arrive_both(system, end, work))
     }
 
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
-        self.state.accept(system, step, lanes, work);
-        (self.before, self.tangents) = (self.tangents, self.tried);
+        self.accept_both(system, step, lanes, work);
         self.hold(system, (step.t1, &step.x1));
     }
 

@@ -192,9 +192,36 @@ struct TangentGrowth<const K: usize> {
     from: f64,
     end: f64,
     is_counting: bool,
-    /// Sums of the logarithms of lengths.
-    parts: [[f64; K]; PARTS],
+    parts: [[Growth; K]; PARTS],
     seconds: [f64; PARTS],
+}
+
+/// A product of lengths of any size: `product exp(log)`. Logarithms are taken rarely.
+#[derive(Clone, Copy)]
+struct Growth {
+    product: f64,
+    log: f64,
+}
+
+impl Growth {
+    const NONE: Self = Self { product: 1.0, log: 0.0 };
+
+    /// Range of the product: a length of any size may follow.
+    const RANGE: core::ops::Range<f64> = 1e-100..1e100;
+
+    fn multiply(&mut self, length: f64) {
+        self.product *= length;
+        if !Self::RANGE.contains(&self.product) {
+            *self = Self {
+                product: 1.0,
+                log: self.log(),
+            };
+        }
+    }
+
+    fn log(self) -> f64 {
+        self.log + libm::log(self.product)
+    }
 }
 
 impl<const K: usize> TangentGrowth<K> {
@@ -203,7 +230,7 @@ impl<const K: usize> TangentGrowth<K> {
             from,
             end,
             is_counting: false,
-            parts: [[0.0; K]; PARTS],
+            parts: [[Growth::NONE; K]; PARTS],
             seconds: [0.0; PARTS],
         }
     }
@@ -219,8 +246,8 @@ impl<const K: usize> TangentGrowth<K> {
         let part = (PARTS as f64 * (t - self.from) / (self.end - self.from)) as usize;
         let part = part.min(PARTS - 1);
         self.seconds[part] += h;
-        for (sum, length) in self.parts[part].iter_mut().zip(lengths) {
-            *sum += libm::log(length);
+        for (growth, length) in self.parts[part].iter_mut().zip(lengths) {
+            growth.multiply(length);
         }
     }
 
@@ -239,17 +266,14 @@ impl<const K: usize> TangentGrowth<K> {
     fn rates(&self) -> ([f64; K], [f64; K]) {
         let [mut values, mut uncertainty] = [[0.0; K]; 2];
         let total: f64 = self.seconds.iter().sum();
+        let logs = self.parts.map(|part| part.map(Growth::log));
         for k in 0..K {
-            values[k] = self.parts.iter().map(|part| part[k]).sum::<f64>() / total;
+            values[k] = logs.iter().map(|part| part[k]).sum::<f64>() / total;
             // Parts covered by a single longer step have no weight.
             if values[k] == f64::NEG_INFINITY {
                 continue;
             }
-            let rates = self
-                .parts
-                .iter()
-                .zip(self.seconds)
-                .filter(|&(_, seconds)| seconds > 0.0);
+            let rates = logs.iter().zip(self.seconds).filter(|&(_, seconds)| seconds > 0.0);
             let apart = rates.map(|(part, seconds)| {
                 let apart = part[k] / seconds - values[k];
                 apart * apart * seconds / total

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::{Bundle, Tangent, larger};
+use super::{Bundle, Tangent};
 use crate::dense::Step;
 use crate::ensemble::{MOST_LANES, in_lane, set_lane};
 use crate::error::Reason;
@@ -101,7 +101,7 @@ where
 
     #[inline(always)]
     fn begin(&mut self, system: &InMode<'_, S, V>, t: V, x: &SVector<V, N>, work: &mut Statistics) -> SVector<V, N> {
-        self.bundle.state.begin(system, t, x, work)
+        self.bundle.begin_both(system, t, x, work)
     }
 
     #[inline(always)]
@@ -112,14 +112,11 @@ where
         (t_new, x_new): (V, &mut SVector<V, N>),
         work: &mut Statistics,
     ) -> Result<V, Stalled> {
-        let mean_square = self.bundle.state.attempt(system, (t, x), (t_new, x_new), work)?;
-        let of_tangents = self.bundle.attempt_tangents(system, (t, x), t_new - t);
-        work.jacobians += STAGES - 1;
+        let mean_square = self.bundle.attempt_both(system, (t, x), (t_new, x_new), work);
         let mut sum = V::default();
         for tangent in &self.bundle.tried {
             tangent.data.0[0].iter().for_each(|&component| sum += component);
         }
-        let mean_square = larger(mean_square, of_tangents);
         if sum.all_finite() {
             return Ok(mean_square);
         }
@@ -136,16 +133,13 @@ where
         end: (V, &SVector<V, N>),
         work: &mut Statistics,
     ) -> Option<&SVector<V, N>> {
-        self.bundle.state.arrive(system, end, work)
+        Some(self.bundle.arrive_both(system, end, work))
     }
 
     #[inline(always)]
     fn accept(&mut self, system: &InMode<'_, S, V>, step: &Step<V, N>, lanes: Accepted<V>, work: &mut Statistics) {
         let Self { bundle, carry, index } = self;
-        bundle.state.accept(system, step, lanes, work);
-        for (tangent, tried) in bundle.tangents.iter_mut().zip(&bundle.tried) {
-            *tangent = lanes.select(tried, tangent);
-        }
+        bundle.accept_both(system, step, lanes, work);
         for (lane, &index) in index.iter().enumerate().take(V::LANES) {
             let (t, h) = (step.t0.lane(lane), step.h.lane(lane));
             // lanes without a trajectory do not move
