@@ -1,6 +1,6 @@
 //! `Real` and `Float` for the primitive floating-point types.
 
-use super::lanes::{Lanes, Pack, Pair, Register, Two32, Two64};
+use super::lanes::{Lanes, Pack, Pair, Register, Two32, Two64, Wide32, Wide64};
 use super::{Float, Real, sincos};
 
 /// Implements a method by a function.
@@ -15,7 +15,7 @@ macro_rules! forward {
 
 macro_rules! scalar {
     (
-        $float:ident, two in $two:ty,
+        $float:ident, in $narrow:ident, $wide:ident,
         by libm $tan:ident $exp:ident $ln:ident $tanh:ident $atan2:ident $powf:ident $sqrt:ident
     ) => {
         impl Real for $float {
@@ -36,23 +36,23 @@ macro_rules! scalar {
             // Inlined, since passing an array through memory takes as long as a sine.
             #[inline(always)]
             fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
-                sincos::sin_cos_pair::<$two>([self, other])
+                sincos::sin_cos_pair::<$narrow>([self, other])
             }
 
             #[inline(always)]
             fn add_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-                each::<$two, N>(a, b, |a, b| a + b, |a, b| a + b)
+                each::<$narrow, $wide, N>(a, b, |a, b| a + b, |a, b| a + b, |a, b| a + b)
             }
 
             #[inline(always)]
             fn subtract_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-                each::<$two, N>(a, b, |a, b| a - b, |a, b| a - b)
+                each::<$narrow, $wide, N>(a, b, |a, b| a - b, |a, b| a - b, |a, b| a - b)
             }
 
             #[inline(always)]
             fn scale_each<const N: usize>(a: [Self; N], factor: Self) -> [Self; N] {
-                let factors = <$two as Register>::splat(factor);
-                each::<$two, N>(a, a, |a, _| factors * a, |a, _| factor * a)
+                let (narrow, wide) = (<$narrow as Register>::splat(factor), <$wide as Register>::splat(factor));
+                each::<$narrow, $wide, N>(a, a, |a, _| wide * a, |a, _| narrow * a, |a, _| factor * a)
             }
 
             #[inline]
@@ -142,30 +142,33 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f64, two in Two64, by libm tan exp log tanh atan2 pow sqrt);
-scalar!(f32, two in Two32, by libm tanf expf logf tanhf atan2f powf sqrtf);
+scalar!(f64, in Two64, Wide64, by libm tan exp log tanh atan2 pow sqrt);
+scalar!(f32, in Two32, Wide32, by libm tanf expf logf tanhf atan2f powf sqrtf);
 
-/// Applies an operation to each pair of numbers: in registers, and the last ones as scalars.
+/// Applies an operation to each pair of numbers: in wide registers, then in narrow ones, and the last ones as scalars.
 #[inline(always)]
-fn each<R: Register, const N: usize>(
+fn each<R: Register, W: Register<Scalar = R::Scalar>, const N: usize>(
     a: [R::Scalar; N],
     b: [R::Scalar; N],
-    in_registers: impl Fn(R, R) -> R,
+    in_wide: impl Fn(W, W) -> W,
+    in_narrow: impl Fn(R, R) -> R,
     in_scalars: impl Fn(R::Scalar, R::Scalar) -> R::Scalar,
 ) -> [R::Scalar; N] {
     let mut result = a;
-    let whole = N / R::LANES * R::LANES;
     let mut start = 0;
-    while start < whole {
-        let [a, b] = [a, b].map(|from| R::from_fn(&mut |lane| from[start + lane]));
-        let c = in_registers(a, b);
-        for lane in 0..R::LANES {
-            result[start + lane] = c.lane(lane);
+    if const { W::LANES > R::LANES } {
+        while start + W::LANES <= N {
+            in_wide(W::load(&a[start..]), W::load(&b[start..])).store(&mut result[start..]);
+            start += W::LANES;
         }
+    }
+    while start + R::LANES <= N {
+        in_narrow(R::load(&a[start..]), R::load(&b[start..])).store(&mut result[start..]);
         start += R::LANES;
     }
-    for n in whole..N {
-        result[n] = in_scalars(a[n], b[n]);
+    while start < N {
+        result[start] = in_scalars(a[start], b[start]);
+        start += 1;
     }
     result
 }

@@ -42,6 +42,10 @@ pub use isa::{Isa, Kernel, LaneElement};
 pub(super) use register::{Pair, Register};
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 pub(super) use x86::{Xmm32 as Two32, Xmm64 as Two64};
+#[cfg(all(target_arch = "x86_64", target_feature = "avx2"))]
+pub(super) use x86::{Ymm32 as Wide32, Ymm64 as Wide64};
+#[cfg(not(all(target_arch = "x86_64", target_feature = "avx2")))]
+pub(super) use {Two32 as Wide32, Two64 as Wide64};
 
 /// At least two `f32` in the baseline vector register of the target.
 #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]

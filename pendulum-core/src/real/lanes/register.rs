@@ -31,6 +31,18 @@ pub trait Register:
     fn from_fn(f: &mut impl FnMut(usize) -> Self::Scalar) -> Self;
     /// Returns the number in lane `i < LANES`.
     fn lane(self, i: usize) -> Self::Scalar;
+    /// Sets the lanes to the first numbers of a slice.
+    #[inline(always)]
+    fn load(from: &[Self::Scalar]) -> Self {
+        Self::from_fn(&mut |lane| from[lane])
+    }
+    /// Writes the lanes to the front of a slice.
+    #[inline(always)]
+    fn store(self, to: &mut [Self::Scalar]) {
+        for (lane, to) in to.iter_mut().enumerate().take(Self::LANES) {
+            *to = self.lane(lane);
+        }
+    }
     /// Square root.
     fn sqrt(self) -> Self;
     /// Absolute value.

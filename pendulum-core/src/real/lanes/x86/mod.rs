@@ -17,4 +17,5 @@ mod registers;
 
 pub(super) use enter::{avx2, avx512};
 pub(in crate::real) use registers::{Xmm32, Xmm64};
-pub(super) use registers::{Ymm32, Ymm64, Zmm32, Zmm64};
+pub(in crate::real) use registers::{Ymm32, Ymm64};
+pub(super) use registers::{Zmm32, Zmm64};

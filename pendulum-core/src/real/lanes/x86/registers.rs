@@ -68,6 +68,16 @@ macro_rules! register {
             }
 
             #[inline(always)]
+            fn load(from: &[$scalar]) -> Self {
+                Self::from_array(*from.first_chunk().expect("enough numbers"))
+            }
+
+            #[inline(always)]
+            fn store(self, to: &mut [$scalar]) {
+                *to.first_chunk_mut().expect("enough numbers") = self.to_array();
+            }
+
+            #[inline(always)]
             fn from_fn(f: &mut impl FnMut(usize) -> $scalar) -> Self {
                 // The compiler does not inline the calls of `f` in `array::from_fn`.
                 let mut array = [0.0; $lanes];
