@@ -114,7 +114,7 @@ pub use solution::{BelowTolerance, Observer, OutsideSpan, Solution, Unresolved};
 pub use statistics::Statistics;
 pub use system::{
     Acting, Adjoint, Canonical, Cast, CastJacobian, ControlledAdjoint, Energy, FnSystem, IntoState, Jacobian,
-    Parametric, Plant, PlantCanonical, PlantJacobian, System,
+    Parametric, ParametricControlled, Plant, PlantCanonical, PlantJacobian, System,
 };
 pub use taylor::{CastTaylor, TaylorSeries};
 

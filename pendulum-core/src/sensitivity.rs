@@ -57,7 +57,7 @@ use crate::dual::Dual;
 use crate::error::{Reason, SolveError};
 use crate::method::Method;
 use crate::solution::{OutsideSpan, Solution};
-use crate::system::{IntoState, Parametric, System};
+use crate::system::{IntoState, Parametric};
 
 /// A number on which a trajectory depends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -97,9 +97,8 @@ pub fn solve<X, M, const N: usize, const P: usize, const K: usize>(
     variables: [Variable; K],
 ) -> Result<Sensitivity<N, K>, SolveError<Dual<f64, K>, N>>
 where
-    M: Parametric<P>,
-    M::Of<Dual<f64, K>>: System<Dual<f64, K>, N>,
-    X: Method<M::Of<Dual<f64, K>>, Dual<f64, K>, N>,
+    M: Parametric<N, P>,
+    X: Method<M::In<Dual<f64, K>>, Dual<f64, K>, N>,
 {
     let (model, x0) = seeded(model, x0, variables);
     let [t0, t1] = [t0, t1].map(Dual::constant);
@@ -125,9 +124,8 @@ pub fn end<X, M, const N: usize, const P: usize, const K: usize>(
     variables: [Variable; K],
 ) -> Result<(SVector<f64, N>, SMatrix<f64, N, K>), Reason>
 where
-    M: Parametric<P>,
-    M::Of<Dual<f64, K>>: System<Dual<f64, K>, N>,
-    X: Method<M::Of<Dual<f64, K>>, Dual<f64, K>, N>,
+    M: Parametric<N, P>,
+    X: Method<M::In<Dual<f64, K>>, Dual<f64, K>, N>,
 {
     let (model, x0) = seeded(model, x0, variables);
     let [t0, t1] = [t0, t1].map(Dual::constant);
@@ -147,9 +145,9 @@ pub fn seeded<M, const N: usize, const P: usize, const K: usize>(
     model: &M,
     x0: impl IntoState<f64, N>,
     variables: [Variable; K],
-) -> (M::Of<Dual<f64, K>>, SVector<Dual<f64, K>, N>)
+) -> (M::In<Dual<f64, K>>, SVector<Dual<f64, K>, N>)
 where
-    M: Parametric<P>,
+    M: Parametric<N, P>,
 {
     let mut x0 = x0.into_state().map(Dual::constant);
     let mut parameters = model.parameters().map(Dual::constant);

@@ -22,7 +22,7 @@ pub(crate) use assembly::{close, open};
 pub use differences::Differences;
 pub(crate) use differences::{by_number, by_state, by_time};
 pub use function::{FnSystem, WithJacobian, WithTimeDerivative};
-pub use parametric::Parametric;
+pub use parametric::{Parametric, ParametricControlled};
 pub use plant::{Acting, ActsWith, Hybrid, HybridJacobian, Plant, PlantCanonical, PlantJacobian, by_sign};
 pub use state::IntoState;
 

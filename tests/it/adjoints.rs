@@ -163,9 +163,8 @@ impl<const N: usize> Cost<N> for AtEnd {
 #[track_caller]
 fn gradients_agree<X, M, const N: usize, const P: usize>(method: &X, model: &M, t1: f64, x0: [f64; N], tolerance: f64)
 where
-    M: Parametric<P> + Adjoint<f64, N, P>,
-    M::Of<Dual<f64, 1>>: System<Dual<f64, 1>, N>,
-    X: Method<M, f64, N> + Method<M::Of<Dual<f64, 1>>, Dual<f64, 1>, N> + DiscreteAdjoint,
+    M: Parametric<N, P> + Adjoint<f64, N, P>,
+    X: Method<M, f64, N> + Method<M::In<Dual<f64, 1>>, Dual<f64, 1>, N> + DiscreteAdjoint,
 {
     let gradient = sensitivity::gradient(method, model, 0.0, t1, x0, &AtEnd).expect("regular");
     let starts = (0..N).map(|n| (Variable::Start(n), gradient.by_start[n]));

@@ -24,9 +24,8 @@ fn by_differences<M, X, const N: usize, const P: usize, const K: usize>(
     variables: [Variable; K],
 ) -> SMatrix<f64, N, K>
 where
-    M: Parametric<P>,
-    M::Of<f64>: System<f64, N>,
-    X: Method<M::Of<f64>, f64, N>,
+    M: Parametric<N, P>,
+    X: Method<M::In<f64>, f64, N>,
 {
     const STENCIL: [(f64, f64); 6] = [
         (-3.0, -1.0),

@@ -13,7 +13,7 @@ use crate::real::lanes::Lanes;
 use crate::shapes::{Shape, Shapes};
 use crate::system::{
     ActsWith, Adjoint, Cast, CastJacobian, ControlledAdjoint, Differences, Energy, Hybrid, HybridJacobian, Jacobian,
-    Parametric, Plant, PlantJacobian, System, WithJacobian, by_sign,
+    Parametric, ParametricControlled, Plant, PlantJacobian, System, WithJacobian, by_sign,
 };
 
 /// A [`Controlled`] model whose `M` inputs follow the [`ControlLaw`] `L`: a [`System`] that can be integrated.
@@ -322,18 +322,16 @@ impl<T: Real, S: Energy<T, N>, L, const N: usize, const M: usize> Energy<T, N> f
 }
 
 /// The models may differ in their constants, but share the law.
-impl<S, L, const P: usize, const M: usize> Parametric<P> for WithInputs<S, Generic<L>, M>
+impl<S, L, const N: usize, const M: usize, const P: usize> Parametric<N, P> for WithInputs<S, Generic<L>, M>
 where
-    S: Parametric<P>,
-    L: Clone,
+    S: ParametricControlled<N, M, P>,
+    L: InputLaw<N, M>,
 {
-    type Of<T: Real> = WithInputs<S::Of<T>, Generic<L>, M>;
-
     fn parameters(&self) -> [f64; P] {
         self.system.parameters()
     }
 
-    fn with_parameters<T: Real>(&self, parameters: [T; P]) -> Self::Of<T> {
+    fn with_parameters<T: Real>(&self, parameters: [T; P]) -> Self::In<T> {
         WithInputs {
             system: self.system.with_parameters(parameters),
             law: self.law.clone(),

@@ -2210,8 +2210,7 @@ t29 = t27 + t26 - t27
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::Parametric<0> for BallPendulum {
-        type Of<T: ::pendulum_core::real::Real> = BallPendulum<T>;
+    impl ::pendulum_core::Parametric<14, 0> for BallPendulum {
         fn parameters(&self) -> [f64; 0] {
             self.params.to_array()
         }

@@ -970,8 +970,7 @@ k43 = b*w^2*ny^2*(m1 + m2)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::Parametric<10> for DrivenPivot {
-        type Of<T: ::pendulum_core::real::Real> = DrivenPivot<T>;
+    impl ::pendulum_core::Parametric<4, 10> for DrivenPivot {
         fn parameters(&self) -> [f64; 10] {
             self.params.to_array()
         }

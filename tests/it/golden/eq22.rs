@@ -849,8 +849,7 @@ k11 = -m*c*d/(inertia + m*c^2)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::Parametric<7> for DoublePendulum {
-        type Of<T: ::pendulum_core::real::Real> = DoublePendulum<T>;
+    impl ::pendulum_core::Parametric<4, 7> for DoublePendulum {
         fn parameters(&self) -> [f64; 7] {
             self.params.to_array()
         }

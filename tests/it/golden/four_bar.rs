@@ -1756,8 +1756,7 @@ k36 = -1
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::Parametric<5> for FourBar {
-        type Of<T: ::pendulum_core::real::Real> = FourBar<T>;
+    impl ::pendulum_core::Parametric<2, 5> for FourBar {
         fn parameters(&self) -> [f64; 5] {
             self.params.to_array()
         }

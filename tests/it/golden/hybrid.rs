@@ -656,8 +656,7 @@ k4 = 1/m
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::Parametric<4> for Block {
-        type Of<T: ::pendulum_core::real::Real> = Block<T>;
+    impl ::pendulum_core::Parametric<2, 4> for Block {
         fn parameters(&self) -> [f64; 4] {
             self.params.to_array()
         }

@@ -514,8 +514,7 @@ k8 = -0.5/(1/3*l)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::Parametric<4> for CartPole {
-        type Of<T: ::pendulum_core::real::Real> = CartPole<T>;
+    impl ::pendulum_core::ParametricControlled<4, 1, 4> for CartPole {
         fn parameters(&self) -> [f64; 4] {
             self.params.to_array()
         }

@@ -1020,8 +1020,7 @@ k57 = 77343750000000/1998607065841*l^2*k
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::Parametric<4> for Magnets {
-        type Of<T: ::pendulum_core::real::Real> = Magnets<T>;
+    impl ::pendulum_core::Parametric<4, 4> for Magnets {
         fn parameters(&self) -> [f64; 4] {
             self.params.to_array()
         }

@@ -3468,8 +3468,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::Parametric<0> for Ur5 {
-        type Of<T: ::pendulum_core::real::Real> = Ur5<T>;
+    impl ::pendulum_core::Parametric<12, 0> for Ur5 {
         fn parameters(&self) -> [f64; 0] {
             self.params.to_array()
         }

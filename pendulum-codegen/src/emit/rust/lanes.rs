@@ -14,21 +14,23 @@ pub(super) fn inlined_into_lanes() -> TokenStream {
 }
 
 impl Items<'_> {
-    /// `impl Parametric<P>`, if the model has a right-hand side.
+    /// `impl Parametric<N, P>`, or `impl ParametricControlled<N, M, P>` with inputs, if the model has a right-hand side.
     pub(super) fn over_parameters(&self) -> Option<TokenStream> {
         self.program.with_role(Role::Rhs)?;
-        let (name, allowed, real) = (&self.head.name, allowed(), quote!(::pendulum_core::real::Real));
-        let parameters = count(self.program.parameters.len());
+        let (name, length, allowed) = (&self.head.name, self.length(), allowed());
+        let [inputs, parameters] = [self.program.inputs.len(), self.program.parameters.len()].map(count);
+        let of_trait = match self.program.inputs.is_empty() {
+            true => quote!(Parametric<#length, #parameters>),
+            false => quote!(ParametricControlled<#length, #inputs, #parameters>),
+        };
         Some(quote! {
             #allowed
-            impl ::pendulum_core::Parametric<#parameters> for #name {
-                type Of<T: #real> = #name<T>;
-
+            impl ::pendulum_core::#of_trait for #name {
                 fn parameters(&self) -> [f64; #parameters] {
                     self.params.to_array()
                 }
 
-                fn with_parameters<T: #real>(&self, parameters: [T; #parameters]) -> #name<T> {
+                fn with_parameters<T: ::pendulum_core::real::Real>(&self, parameters: [T; #parameters]) -> #name<T> {
                     #name { params: self.params, constants: constants(parameters) }
                 }
             }

@@ -47,7 +47,7 @@ pub(crate) fn stand_in(scene: &Scene) -> TokenStream {
     let mut parts = vec![Some(items.everything())];
     for other in all {
         let [motion, closed, ..] = other.traits();
-        parts.extend([motion, closed, other.over_numbers()]);
+        parts.extend([motion, closed, other.over_parameters(), other.over_numbers()]);
     }
     let mut words = scene.items.generate.iter().flat_map(|(_, words)| words);
     let asks_in_vain = !inputs.is_empty() && words.any(|word| CLOSED.iter().any(|closed| word == closed));
@@ -58,6 +58,7 @@ pub(crate) fn stand_in(scene: &Scene) -> TokenStream {
                 closed.system(),
                 closed.canonical(),
                 closed.series(),
+                closed.over_parameters(),
                 closed.over_numbers(),
             ]);
         }
