@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::real::lanes::Lanes;
+use crate::real::lanes::{Lanes, Pack, Register};
 use crate::real::{Float, Real};
 
 /// A value with its derivatives with respect to `N` variables, propagated through every operation by the chain rule.
@@ -31,7 +31,7 @@ pub struct Dual<T, const N: usize> {
 
 impl<T: Real, const N: usize> Dual<T, N> {
     /// A number independent of the variables.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn constant(value: T) -> Self {
         Self {
@@ -44,7 +44,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
     ///
     /// # Panics
     /// If `place` is not below `N`.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn variable(value: T, place: usize) -> Self {
         let mut variable = Self::constant(value);
@@ -53,7 +53,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
     }
 
     /// Applies a function of one number, given its value and its derivative there.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn chain(self, value: T, derivative: T) -> Self {
         Self {
             value,
@@ -62,7 +62,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
     }
 
     /// Applies a function of two numbers, given its value, and its derivatives with respect to both.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, value: T, [by_self, by_other]: [T; 2]) -> Self {
         let own = T::scale_each(self.slopes, by_self);
         let others = T::scale_each(other.slopes, by_other);
@@ -74,7 +74,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
 }
 
 impl<T: Real, const N: usize> Default for Dual<T, N> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn default() -> Self {
         Self::constant(T::default())
     }
@@ -85,7 +85,7 @@ macro_rules! operator {
         impl<T: Real, const N: usize> $trait for Dual<T, N> {
             type Output = Self;
 
-            #[inline]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(self, other: Self) -> Self {
                 let ($a, $b) = (self, other);
                 Self {
@@ -96,7 +96,7 @@ macro_rules! operator {
         }
 
         impl<T: Real, const N: usize> $assign for Dual<T, N> {
-            #[inline]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $assigned(&mut self, other: Self) {
                 *self = $trait::$method(*self, other);
             }
@@ -115,7 +115,7 @@ impl<T: Real, const N: usize> Div for Dual<T, N> {
     type Output = Self;
 
     /// One more division in place of one for each variable.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
         let (value, over) = (self.value / other.value, T::from_f64(1.0) / other.value);
         let change = T::subtract_each(self.slopes, T::scale_each(other.slopes, value));
@@ -127,7 +127,7 @@ impl<T: Real, const N: usize> Div for Dual<T, N> {
 }
 
 impl<T: Real, const N: usize> DivAssign for Dual<T, N> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div_assign(&mut self, other: Self) {
         *self = *self / other;
     }
@@ -136,38 +136,56 @@ impl<T: Real, const N: usize> DivAssign for Dual<T, N> {
 impl<T: Real, const N: usize> Neg for Dual<T, N> {
     type Output = Self;
 
-    #[inline]
-    fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            slopes: self.slopes.map(T::neg),
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn neg(mut self) -> Self {
+        self.value = -self.value;
+        for slope in &mut self.slopes {
+            *slope = -*slope;
         }
+        self
     }
 }
 
 impl<T: Real, const N: usize> Real for Dual<T, N> {
-    #[inline]
+    const LANES: usize = T::LANES;
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_f64(v: f64) -> Self {
         Self::constant(T::from_f64(v))
     }
 
-    #[inline]
-    fn is_constant(&self) -> bool {
-        self.slopes.iter().all(|slope| *slope == T::default())
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn as_variable(mut self, place: usize) -> Self {
+        self.slopes[place] = T::from_f64(1.0);
+        self
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn is_constant(&self) -> bool {
+        let mut sum = T::default();
+        for slope in self.slopes {
+            sum += slope.abs();
+        }
+        sum.is_zero()
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn is_zero(self) -> bool {
+        self.value.is_zero() && self.is_constant()
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled(self, factor: Self) -> Self {
         self.chain(factor.value * self.value, factor.value)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
         let [(s, c), (other_s, other_c)] = self.value.sin_cos_pair(other.value);
         [
@@ -176,67 +194,67 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         ]
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn tan(self) -> Self {
         let tan = self.value.tan();
         self.chain(tan, T::from_f64(1.0) + tan * tan)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn exp(self) -> Self {
         let exp = self.value.exp();
         self.chain(exp, exp)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn ln(self) -> Self {
         self.chain(self.value.ln(), T::from_f64(1.0) / self.value)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sqrt(self) -> Self {
         let sqrt = self.value.sqrt();
         self.chain(sqrt, T::from_f64(0.5) / sqrt)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn tanh(self) -> Self {
         let tanh = self.value.tanh();
         self.chain(tanh, T::from_f64(1.0) - tanh * tanh)
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn abs(self) -> Self {
         self.chain(self.value.abs(), self.value.signum())
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn signum(self) -> Self {
         Self::constant(self.value.signum())
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_least(self, low: Self) -> Self {
         let larger = over(self.value, low.value);
         let other = T::from_f64(1.0) - larger;
         self.join(low, self.value.at_least(low.value), [larger, other])
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_most(self, high: Self) -> Self {
         let smaller = over(high.value, self.value);
         let other = T::from_f64(1.0) - smaller;
         self.join(high, self.value.at_most(high.value), [smaller, other])
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn atan2(self, x: Self) -> Self {
         let (a, b) = (self.value, x.value);
         let over = T::from_f64(1.0) / (a * a + b * b);
         self.join(x, a.atan2(b), [b * over, -a * over])
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn powf(self, exponent: Self) -> Self {
         let (a, b) = (self.value, exponent.value);
         let by_base = b * a.powf(b - T::from_f64(1.0));
@@ -254,14 +272,14 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
 }
 
 impl<T: PartialEq, const N: usize> PartialEq for Dual<T, N> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
 impl<T: PartialOrd, const N: usize> PartialOrd for Dual<T, N> {
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.value.partial_cmp(&other.value)
     }
@@ -397,6 +415,64 @@ macro_rules! float {
 
 float!(f64);
 float!(f32);
+
+/// The lanes of the values and of the derivatives.
+impl<R: Register, const N: usize> Lanes for Dual<Pack<R>, N>
+where
+    Dual<R::Scalar, N>: Float,
+{
+    type Scalar = Dual<R::Scalar, N>;
+    /// Registers are full without interleaving.
+    type Double = Self;
+
+    #[inline(always)]
+    fn splat(v: Self::Scalar) -> Self {
+        let mut splat = Self::constant(Pack::splat(v.value));
+        for (splat, slope) in splat.slopes.iter_mut().zip(v.slopes) {
+            *splat = Pack::splat(slope);
+        }
+        splat
+    }
+
+    #[inline(always)]
+    fn from_fn(mut f: impl FnMut(usize) -> Self::Scalar) -> Self {
+        let mut lanes = Self::constant(Pack::from_fn(|lane| f(lane).value));
+        for (n, slope) in lanes.slopes.iter_mut().enumerate() {
+            *slope = Pack::from_fn(|lane| f(lane).slopes[n]);
+        }
+        lanes
+    }
+
+    #[inline(always)]
+    fn lane(&self, i: usize) -> Self::Scalar {
+        let mut lane = Dual {
+            value: self.value.lane(i),
+            slopes: [R::Scalar::default(); N],
+        };
+        for (lane, slope) in lane.slopes.iter_mut().zip(&self.slopes) {
+            *lane = slope.lane(i);
+        }
+        lane
+    }
+
+    #[inline(always)]
+    fn all_finite(self) -> bool {
+        let mut sum = self.value;
+        for slope in self.slopes {
+            sum += slope;
+        }
+        sum.all_finite()
+    }
+
+    #[inline(always)]
+    fn select(self, negative: Self, otherwise: Self) -> Self {
+        let mut selected = Self::constant(self.value.select(negative.value, otherwise.value));
+        for n in 0..N {
+            selected.slopes[n] = self.value.select(negative.slopes[n], otherwise.slopes[n]);
+        }
+        selected
+    }
+}
 
 /// 1 if `a` is larger, 0 if `b` is, and 1/2 if they are equal.
 fn over<T: Real>(a: T, b: T) -> T {

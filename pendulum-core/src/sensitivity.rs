@@ -14,6 +14,8 @@
 //! too: otherwise the error is [`Reason::NotDifferentiable`]. Where the order of impacts decides the motion, which
 //! [`Solution::ambiguities`] reports, it is one of several.
 //!
+//! [`ensemble`] integrates many trajectories with their derivatives in the lanes of vector registers.
+//!
 //! Where a single number is of interest, such as a cost, [`gradient`] computes its derivatives by all variables backward
 //! in time, in a time that does not grow with their number.
 //!
@@ -48,16 +50,20 @@
 //! Walther, "Evaluating Derivatives" (2008), chapter 3.
 
 mod gradient;
+mod seeded;
 
 use nalgebra::{SMatrix, SVector};
 
 pub use gradient::{Cost, Gradient, gradient};
+pub use seeded::Seeded;
+use seeded::started;
 
 use crate::dual::Dual;
+use crate::ensemble::{Ensemble, EnsembleError};
 use crate::error::{Reason, SolveError};
 use crate::method::Method;
 use crate::solution::{OutsideSpan, Solution};
-use crate::system::{IntoState, Parametric};
+use crate::system::{Cast, IntoState, Parametric};
 
 /// A number on which a trajectory depends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -149,19 +155,59 @@ pub fn seeded<M, const N: usize, const P: usize, const K: usize>(
 where
     M: Parametric<N, P>,
 {
-    let mut x0 = x0.into_state().map(Dual::constant);
-    let mut parameters = model.parameters().map(Dual::constant);
-    for (k, variable) in variables.into_iter().enumerate() {
-        let number = match variable {
-            Variable::Start(n) => x0.get_mut(n),
-            Variable::Parameter(n) => parameters.get_mut(n),
-        };
-        let Some(number) = number else {
-            panic!("{variable:?}: the state has {N} components, and the model {P} parameters");
-        };
-        number.slopes[k] = 1.0;
-    }
-    (model.with_parameters(parameters), x0)
+    let seeded = Seeded::new(model, variables);
+    (seeded.cast(), started(&x0.into_state(), &variables))
+}
+
+/// Integrates many trajectories at once like [`end`], in the lanes of vector registers.
+///
+/// Pass one model for each start, or a single one for all. Each result is bit-identical to [`end`].
+///
+/// ```
+/// use pendulum_core::prelude::*;
+/// use pendulum_core::sensitivity::{self, Variable};
+///
+/// mechanism! {
+///     pub Swing {
+///         params { l: m = 1 }
+///         gravity: [0, -9.81, 0],
+///         body bob on ground { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: theta }
+///     }
+/// }
+///
+/// let swing = Swing::new(SwingParams::default())?;
+/// let starts: Vec<_> = (1..=20).map(|n| SVector::from([0.1 * f64::from(n), 0.0])).collect();
+/// let by = [Variable::Start(0), Variable::Parameter(0)];
+/// let ends = sensitivity::ensemble(&Vern9::new(), &[swing], 0.0, 3.0, &starts, by)?;
+/// assert_eq!(ends[4], sensitivity::end(&Vern9::new(), &swing, 0.0, 3.0, starts[4], by)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// As for [`Ensemble::ensemble`].
+///
+/// # Panics
+///
+/// If a variable is not below `N` or `P`.
+#[allow(clippy::type_complexity, reason = "a state and its derivatives for each")]
+pub fn ensemble<'m, X, M, const N: usize, const P: usize, const K: usize>(
+    method: &X,
+    models: &'m [M],
+    t0: f64,
+    t1: f64,
+    starts: &[SVector<f64, N>],
+    variables: [Variable; K],
+) -> Result<Vec<(SVector<f64, N>, SMatrix<f64, N, K>)>, EnsembleError<Dual<f64, K>, N>>
+where
+    M: Parametric<N, P>,
+    X: Ensemble<Seeded<'m, M, N, P, K>, Dual<f64, K>, N>,
+{
+    let models: Vec<_> = models.iter().map(|model| Seeded::new(model, variables)).collect();
+    let starts: Vec<_> = starts.iter().map(|start| started(start, &variables)).collect();
+    let [t0, t1] = [t0, t1].map(Dual::constant);
+    let ends = method.ensemble(&models, t0, t1, &starts)?;
+    Ok(ends.iter().map(split).collect())
 }
 
 /// Splits a state into its values and its derivatives: a row for each component, a column for each variable.

@@ -4,8 +4,8 @@ use nalgebra::{SMatrix, SVector};
 use pendulum_core::dual::Dual;
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
-use pendulum_core::sensitivity::{self, Sensitivity, Variable};
-use pendulum_core::{InputLaw, Parametric, Reason, System, stability};
+use pendulum_core::sensitivity::{self, Seeded, Sensitivity, Variable};
+use pendulum_core::{InputLaw, Parametric, Reason, stability};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 use crate::states::{
@@ -524,4 +524,72 @@ fn a_start_from_rest_against_friction_has_the_derivatives_of_the_slip() {
     let weak = Push::new(PushParams { f: 1.0, mu: 2.0 }).expect("physical");
     let held = sensitivity::solve(&Vern9::new(), &weak, 0.0, 1.0, [0.0; 2], by).expect("regular");
     assert!(held.without_influence().eq([0, 1, 2]));
+}
+
+/// Checks that trajectories in lanes have the bits of single ones, with their derivatives.
+#[track_caller]
+fn same_in_lanes<'m, X, M, const N: usize, const P: usize, const K: usize>(
+    method: &X,
+    models: &'m [M],
+    t1: f64,
+    starts: &[SVector<f64, N>],
+    variables: [Variable; K],
+) where
+    M: Parametric<N, P>,
+    X: Method<M::In<Dual<f64, K>>, Dual<f64, K>, N> + Ensemble<Seeded<'m, M, N, P, K>, Dual<f64, K>, N>,
+{
+    let ends = sensitivity::ensemble(method, models, 0.0, t1, starts, variables).expect("regular");
+    assert_eq!(ends.len(), starts.len());
+    for (n, (end, &start)) in ends.into_iter().zip(starts).enumerate() {
+        let model = if let [model] = models { model } else { &models[n] };
+        let alone = sensitivity::end(method, model, 0.0, t1, start, variables).expect("regular");
+        assert_eq!(end, alone, "trajectory {n}");
+    }
+}
+
+#[test]
+fn lanes_have_the_bits_of_single_trajectories() {
+    let starts: Vec<_> = (0..21)
+        .map(|n| SVector::from([0.1 * f64::from(n), 1.0, 0.0, 0.0]))
+        .collect();
+    let models: Vec<_> = (0..21)
+        .map(|n| {
+            let d = 0.5 + 0.1 * f64::from(n);
+            DoublePendulum::new(DoublePendulumParams {
+                d,
+                ..DoublePendulumParams::default()
+            })
+            .expect("physical")
+        })
+        .collect();
+    // a parameter may be several variables
+    let variables = [Start(1), Parameter(0), Parameter(3), Parameter(0)];
+    same_in_lanes(&Vern9::new(), &models, 2.0, &starts, variables);
+    same_in_lanes(&Rk45::new(), &models[..1], 2.0, &starts, variables);
+    same_in_lanes(&Rk4::new(0.05), &models, 2.0, &starts, variables);
+    same_in_lanes(&Rodas5P::new(), &models, 1.0, &starts, variables);
+    with_deep_stack(|| same_in_lanes(&Taylor::new(), &models, 1.0, &starts, variables));
+}
+
+#[test]
+fn lanes_have_the_bits_of_single_trajectories_through_mode_switches() {
+    let servo = Servo::new(ServoParams::default()).expect("physical");
+    let starts: Vec<_> = (0..11)
+        .map(|n| SVector::from([0.0, 0.5 * f64::from(n), 0.0, 0.0]))
+        .collect();
+    let variables = [Start(1), Parameter(4), Parameter(5)];
+    same_in_lanes(&Vern7::new(), &[servo], 1.5, &starts, variables);
+    let model = Motor::new(MotorParams::default()).expect("physical").with_law(Damping);
+    same_in_lanes(&Vern7::new(), &[model], 1.5, &starts, variables);
+}
+
+#[test]
+fn an_ensemble_needs_a_model_for_each_start() {
+    let model = DoublePendulum::new(DoublePendulumParams::default()).expect("physical");
+    let start = SVector::from([1.0, 0.0, 0.0, 0.0]);
+    let error = sensitivity::ensemble(&Vern9::new(), &[model; 2], 0.0, 1.0, &[start; 3], [Start(0)]);
+    let error = error.expect_err("two models for three starts").to_string();
+    assert!(error.contains("one model for all starts, or one for each"), "{error}");
+    let none = sensitivity::ensemble(&Vern9::new(), &[model], 0.0, 1.0, &[], [Start(0)]);
+    assert!(none.expect("nothing to do").is_empty());
 }

@@ -48,31 +48,55 @@ pub trait Real:
         true
     }
 
+    /// True if the number is zero, in all lanes.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn is_zero(self) -> bool {
+        self == Self::default()
+    }
+
     /// Product with a factor that [carries no derivatives](Self::is_constant).
     #[inline(always)]
     fn scaled(self, factor: Self) -> Self {
         factor * self
     }
 
+    /// The number as a variable of [dual numbers](crate::dual::Dual), with the index `place` among them; unchanged in
+    /// other types.
+    #[doc(hidden)]
+    #[inline]
+    fn as_variable(self, _place: usize) -> Self {
+        self
+    }
+
     /// Sums of the numbers of two arrays, in vector registers where these hold several.
     #[doc(hidden)]
     #[inline(always)]
-    fn add_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        core::array::from_fn(|n| a[n] + b[n])
+    fn add_each<const N: usize>(mut a: [Self; N], b: [Self; N]) -> [Self; N] {
+        for n in 0..N {
+            a[n] += b[n];
+        }
+        a
     }
 
     /// Differences of the numbers of two arrays, like [`add_each`](Self::add_each).
     #[doc(hidden)]
     #[inline(always)]
-    fn subtract_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        core::array::from_fn(|n| a[n] - b[n])
+    fn subtract_each<const N: usize>(mut a: [Self; N], b: [Self; N]) -> [Self; N] {
+        for n in 0..N {
+            a[n] -= b[n];
+        }
+        a
     }
 
     /// Products of a factor with the numbers of an array, like [`add_each`](Self::add_each).
     #[doc(hidden)]
     #[inline(always)]
-    fn scale_each<const N: usize>(a: [Self; N], factor: Self) -> [Self; N] {
-        a.map(|a| factor * a)
+    fn scale_each<const N: usize>(mut a: [Self; N], factor: Self) -> [Self; N] {
+        for a in &mut a {
+            *a = factor * *a;
+        }
+        a
     }
 
     /// Sine and cosine of an angle in radians; NaN if the angle is not finite.

@@ -114,7 +114,7 @@ impl fmt::Debug for Isa {
     }
 }
 
-/// A scalar type of lanes: `f64`, `f32`, or dual numbers, which are single lanes.
+/// A scalar type of lanes: `f64`, `f32`, or [dual numbers](Dual) of these.
 pub trait LaneElement: Float {
     /// Runs a kernel whose lanes fill one register.
     fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output;
@@ -122,35 +122,29 @@ pub trait LaneElement: Float {
 
 macro_rules! lane {
     ($($scalar:ident: $avx2:ident $avx512:ident;)*) => { $(
-        impl LaneElement for $scalar {
+        lane!([] $scalar: Pack<$scalar>, Pack<super::x86::$avx2>, Pack<super::x86::$avx512>);
+        lane!(
+            [const N: usize] Dual<$scalar, N>:
+            Dual<Pack<$scalar>, N>, Dual<Pack<super::x86::$avx2>, N>, Dual<Pack<super::x86::$avx512>, N>
+        );
+    )* };
+    ([$($length:tt)*] $scalar:ty: $portable:ty, $avx2:ty, $avx512:ty) => {
+        impl<$($length)*> LaneElement for $scalar {
             #[inline]
             fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output {
                 match isa.0 {
-                    Set::Portable => kernel.run::<Pack<Self>>(),
+                    Set::Portable => kernel.run::<$portable>(),
                     #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-                    Set::Avx2 => super::x86::avx2::<K, Pack<super::x86::$avx2>>(kernel),
+                    Set::Avx2 => super::x86::avx2::<K, $avx2>(kernel),
                     #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-                    Set::Avx512 => super::x86::avx512::<K, Pack<super::x86::$avx512>>(kernel),
+                    Set::Avx512 => super::x86::avx512::<K, $avx512>(kernel),
                 }
             }
         }
-    )* };
+    };
 }
 
 lane! {
     f64: Ymm64 Zmm64;
     f32: Ymm32 Zmm32;
-}
-
-impl<const N: usize> LaneElement for Dual<f64, N> {
-    #[inline]
-    fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output {
-        match isa.0 {
-            Set::Portable => kernel.run::<Self>(),
-            #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-            Set::Avx2 => super::x86::avx2::<K, Self>(kernel),
-            #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-            Set::Avx512 => super::x86::avx512::<K, Self>(kernel),
-        }
-    }
 }

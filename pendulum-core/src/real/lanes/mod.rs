@@ -39,7 +39,7 @@ mod register;
 mod x86;
 
 pub use isa::{Isa, Kernel, LaneElement};
-pub(super) use register::{Pair, Register};
+pub(crate) use register::{Pair, Register};
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 pub(super) use x86::{Xmm32 as Two32, Xmm64 as Two64};
 #[cfg(all(target_arch = "x86_64", target_feature = "avx2"))]
@@ -69,7 +69,7 @@ pub trait Lanes: Real {
     /// Sets all lanes to the same number.
     fn splat(v: Self::Scalar) -> Self;
 
-    /// Sets each lane to `f(lane)`.
+    /// Sets each lane to `f(lane)`, which may be called more than once for a lane.
     fn from_fn(f: impl FnMut(usize) -> Self::Scalar) -> Self;
 
     /// Returns the number in lane `i`.

@@ -74,6 +74,11 @@ impl<R: Register> Real for Pack<R> {
     }
 
     #[inline(always)]
+    fn is_zero(self) -> bool {
+        self.0.all_finite() && !self.0.any_beyond(R::Scalar::default())
+    }
+
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = sincos::sin_cos(self.0);
         (Self(sin), Self(cos))
