@@ -161,6 +161,38 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
+    fn ratio_of_slopes<const M: usize>(
+        [rtol, atol]: [Self; 2],
+        v: &[Self; M],
+        [x0, x1]: [&[Self; M]; 2],
+    ) -> Option<Self> {
+        if rtol.is_constant() {
+            return None;
+        }
+        let mut largest = T::default();
+        for n in 0..N {
+            let mut squares = [T::default(); 3];
+            for (sum, vector) in squares.iter_mut().zip([v, x0, x1]) {
+                for component in vector {
+                    *sum += component.slopes[n] * component.slopes[n];
+                }
+            }
+            let [change, before, after] = squares;
+            let size = atol.value + rtol.slopes[n] * before.at_least(after).sqrt();
+            largest = largest.at_least(change.sqrt() / size);
+        }
+        Some(Self::constant(largest))
+    }
+
+    #[inline]
+    fn with_own_slopes(self) -> Self {
+        Self {
+            value: self.value,
+            slopes: [self.value; N],
+        }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_constant(&self) -> bool {
         let mut sum = T::default();
         for slope in self.slopes {

@@ -82,9 +82,10 @@ pub struct Sensitivity<const N: usize, const K: usize> {
 
 /// Integrates a model from `t0` to `t1` with the derivatives by some variables.
 ///
-/// The errors of the values are controlled as without derivatives. For explicit methods and [`Radau5`](crate::Radau5)
-/// the derivatives have errors of the same order: choose a tolerance tighter by one or two digits where they matter. On
-/// stiff models those of Rosenbrock methods are several digits worse.
+/// The errors of the values are controlled as without derivatives, those of the derivatives on request:
+/// [`control_derivatives`](crate::method::Adaptive::control_derivatives). For explicit methods and
+/// [`Radau5`](crate::Radau5) the derivatives have errors of the same order. On stiff models those of Rosenbrock methods
+/// are several digits worse.
 ///
 /// # Errors
 ///

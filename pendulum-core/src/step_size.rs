@@ -20,7 +20,8 @@ impl<T: Real> Tolerance<T> {
     /// Mean square of `error / (atol + rtol (|x0| + |x1|) / 2)`; the error is within the tolerance if it is at most 1.
     ///
     /// This is the norm of Hairer, Nørsett, Wanner I, II.4, with the mean of both states in place of the larger one,
-    /// which also works in lanes. Its square root is not taken, since the controller works on logarithms.
+    /// which also works in lanes. Its square root is not taken, since the controller works on logarithms. If the
+    /// relative tolerance has derivatives, it bounds the errors of derivatives as well.
     #[inline(always)]
     pub(crate) fn mean_square<const N: usize>(
         &self,
@@ -35,7 +36,12 @@ impl<T: Real> Tolerance<T> {
             let ratio = error.data.0[0][i] / (self.atol + half * size);
             sum += ratio * ratio;
         }
-        sum * T::from_f64(1.0 / N as f64)
+        let mean = sum * T::from_f64(1.0 / N as f64);
+        let [error, x0, x1] = [error, x0, x1].map(|vector| &vector.data.0[0]);
+        match T::ratio_of_slopes([self.rtol, self.atol], error, [x0, x1]) {
+            Some(ratio) => mean.at_least(ratio * ratio),
+            None => mean,
+        }
     }
 
     /// Means of `|v| / (atol + rtol |x|)`, of several `v`. They are not squared: the coefficients of a fast motion grow
@@ -53,7 +59,14 @@ impl<T: Real> Tolerance<T> {
                 *sum += v.data.0[0][i].abs() * weight;
             }
         }
-        sums.map(|sum| sum * T::from_f64(1.0 / N as f64))
+        let mut means = sums.map(|sum| sum * T::from_f64(1.0 / N as f64));
+        let x = &x.data.0[0];
+        for (mean, v) in means.iter_mut().zip(v) {
+            if let Some(ratio) = T::ratio_of_slopes([self.rtol, self.atol], &v.data.0[0], [x, x]) {
+                *mean = mean.at_least(ratio);
+            }
+        }
+        means
     }
 }
 

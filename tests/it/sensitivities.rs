@@ -593,3 +593,46 @@ fn an_ensemble_needs_a_model_for_each_start() {
     let none = sensitivity::ensemble(&Vern9::new(), &[model], 0.0, 1.0, &[], [Start(0)]);
     assert!(none.expect("nothing to do").is_empty());
 }
+
+mechanism! {
+    /// A pendulum that swings at 1 rad/s when it swings little.
+    Hanging {
+        params { l: m = 1 }
+        gravity: [0, -1, 0],
+        body bob on ground { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: angle }
+        generate: [rhs, jacobian, taylor],
+    }
+}
+
+#[test]
+fn errors_of_derivatives_are_controlled_on_request() {
+    let model = Hanging::new(HangingParams::default()).expect("physical");
+    // at rest, where the errors of the state are zero
+    let t1 = 10.0_f64;
+    let expected = SMatrix::<f64, 2, 2>::new(t1.cos(), t1.sin(), -t1.sin(), t1.cos());
+    macro_rules! check {
+        ($method:expr, $within:expr) => {{
+            let (method, variables) = ($method, [Start(0), Start(1)]);
+            let end = |method| sensitivity::end(&method, &model, 0.0, t1, [0.0, 0.0], variables).expect("regular");
+            let error = |method| (end(method).1 - expected).amax();
+            let [controlled, free] = [true, false].map(|controls| error(method.control_derivatives(controls)));
+            let name = stringify!($method);
+            assert!(controlled < $within && free > 0.1, "{name}: {controlled:e}, {free:e}");
+        }};
+    }
+    check!(Rk45::new().rtol(1e-8).atol(1e-8), 1e-6);
+    check!(Tsit5::new().rtol(1e-8).atol(1e-8), 1e-6);
+    check!(Vern7::new().rtol(1e-8).atol(1e-8), 1e-6);
+    check!(Vern9::new().rtol(1e-8).atol(1e-8), 1e-6);
+    check!(Taylor::new().rtol(1e-8).atol(1e-8), 1e-6);
+    check!(Rodas4::new().rtol(1e-8).atol(1e-8), 1e-6);
+    check!(Rodas5P::new().rtol(1e-8).atol(1e-8), 1e-6);
+    check!(Radau5::new().rtol(1e-8).atol(1e-8), 1e-6);
+    let method = Vern9::new().control_derivatives(true);
+    let starts = [[0.0, 0.0], [0.5, 0.0], [0.0, 1.5]].map(SVector::from);
+    same_in_lanes(&method, &[model], t1, &starts, [Start(0), Parameter(0)]);
+    with_deep_stack(|| {
+        let method = Taylor::new().control_derivatives(true);
+        same_in_lanes(&method, &[model], t1, &starts, [Start(0), Parameter(0)]);
+    });
+}

@@ -31,6 +31,7 @@ pub struct Adaptive<F> {
     h_min: f64,
     h_max: f64,
     max_steps: usize,
+    controls_derivatives: bool,
     pub(crate) family: F,
 }
 
@@ -56,6 +57,7 @@ impl<F> Adaptive<F> {
             h_min: 0.0,
             h_max: f64::INFINITY,
             max_steps: 1_000_000,
+            controls_derivatives: false,
             family: F::default(),
         }
     }
@@ -70,6 +72,7 @@ impl<F> Adaptive<F> {
             h_min,
             h_max,
             max_steps,
+            controls_derivatives,
             ..
         } = *self;
         Adaptive {
@@ -79,6 +82,7 @@ impl<F> Adaptive<F> {
             h_min,
             h_max,
             max_steps,
+            controls_derivatives,
             family,
         }
     }
@@ -134,6 +138,36 @@ impl<F> Adaptive<F> {
         self
     }
 
+    /// Sets whether the tolerances bound the errors of [derivatives](crate::sensitivity) as well: those by each variable
+    /// within `atol + rtol |s|`, with their length `|s|` over all components of the state. Default: false, which gives
+    /// the steps of an integration without derivatives.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    /// use pendulum_core::sensitivity::{self, Variable};
+    ///
+    /// mechanism! {
+    ///     pub Swing {
+    ///         gravity: [0, -1, 0],
+    ///         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle }
+    ///     }
+    /// }
+    ///
+    /// // at rest, steps of any length are right for the state, but not for its derivatives
+    /// let swing = Swing::new(SwingParams {})?;
+    /// let at = |method: Vern9| sensitivity::end(&method, &swing, 0.0, 20.0, [0.0, 0.0], [Variable::Start(0)]);
+    /// let (_, derivatives) = at(Vern9::new().control_derivatives(true))?;
+    /// assert!((derivatives[(0, 0)] - 20_f64.cos()).abs() < 1e-5);
+    /// let (_, derivatives) = at(Vern9::new())?;
+    /// assert!((derivatives[(0, 0)] - 20_f64.cos()).abs() > 0.1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn control_derivatives(mut self, controls: bool) -> Self {
+        self.controls_derivatives = controls;
+        self
+    }
+
     /// Step-size settings of an integration from `t0` to `t1`, with an error estimate of this order, for engines other
     /// than [`Stepper`].
     ///
@@ -177,10 +211,12 @@ impl<F> Adaptive<F> {
         )?;
         let rule = "it must be below 1: an error as large as the state would be within the tolerance";
         require(rtol < 1.0, "rtol", rtol, rule)?;
-        Ok(Tolerance {
-            rtol: T::from_f64(rtol),
-            atol: T::from_f64(atol),
-        })
+        let (rtol, atol) = (T::from_f64(rtol), T::from_f64(atol));
+        let rtol = match self.controls_derivatives {
+            true => rtol.with_own_slopes(),
+            false => rtol,
+        };
+        Ok(Tolerance { rtol, atol })
     }
 
     fn check_steps(&self, least: f64) -> Result<(), Reason> {
