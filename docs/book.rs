@@ -31,6 +31,7 @@ pages! {
     saturation: "src/recipes/saturation.md",
     stiff_friction: "src/recipes/stiff-friction.md",
     sweep: "src/recipes/sweep.md",
+    swing_up: "src/recipes/swing-up.md",
     throw: "src/recipes/throw.md",
     units: "src/recipes/units.md",
     urdf: "src/recipes/urdf.md",
