@@ -171,15 +171,14 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         }
         let mut largest = T::default();
         for n in 0..N {
-            let mut squares = [T::default(); 3];
-            for (sum, vector) in squares.iter_mut().zip([v, x0, x1]) {
+            let mut sizes = [T::default(); 3];
+            for (size, vector) in sizes.iter_mut().zip([v, x0, x1]) {
                 for component in vector {
-                    *sum += component.slopes[n] * component.slopes[n];
+                    *size += component.slopes[n].abs();
                 }
             }
-            let [change, before, after] = squares;
-            let size = atol.value + rtol.slopes[n] * before.at_least(after).sqrt();
-            largest = largest.at_least(change.sqrt() / size);
+            let [change, before, after] = sizes;
+            largest = largest.at_least(change / (atol.value + rtol.slopes[n] * before.at_least(after)));
         }
         Some(Self::constant(largest))
     }
@@ -245,8 +244,14 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sqrt(self) -> Self {
-        let sqrt = self.value.sqrt();
-        self.chain(sqrt, T::from_f64(0.5) / sqrt)
+        let (one, half, sqrt) = (T::from_f64(1.0), T::from_f64(0.5), self.value.sqrt());
+        let mut root = Self::constant(sqrt);
+        for (slope, own) in root.slopes.iter_mut().zip(self.slopes) {
+            // where the root is zero, what does not vary must not be multiplied by infinity
+            let varies = own.signum() * own.signum();
+            *slope = half / (sqrt + (one - varies)) * own;
+        }
+        root
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -199,6 +199,8 @@ pub enum Reason {
         /// Time of the failure.
         t: f64,
     },
+    /// A [cost](crate::sensitivity::Cost) or one of its derivatives is infinite or NaN.
+    CostNotFinite,
     /// An event resets the state to one that is not finite, or that violates the constraints of the system: its
     /// quaternions are not of unit length, or its loops are open.
     BadReset {
@@ -306,6 +308,10 @@ impl fmt::Display for Reason {
                 f,
                 "the equations of an implicit step of {h:.3e} did not converge; take shorter steps, or check the \
                  right-hand side for a discontinuity there"
+            ),
+            Self::CostNotFinite => f.write_str(
+                "the cost of the trajectory or one of its derivatives is not finite: check the cost where a square \
+                 root or a logarithm reaches zero, and shorten trajectories whose derivatives grow without bound",
             ),
             Self::EventNotFinite { event, t } => write!(
                 f,

@@ -2,13 +2,15 @@
 //!
 //! A sensitivity is the derivative of the state at a time by a number on which the motion depends. It satisfies the
 //! variational equations `S' = (df/dx) S + df/dp`. Here the method itself is differentiated: it integrates
-//! [dual numbers](crate::dual), which carry the derivatives through each step, with the step sizes of the values. Thus
+//! [dual numbers](crate::dual), which carry the derivatives through each step. Unless the method
+//! [controls their errors](crate::method::Adaptive::control_derivatives), the steps are those of the values alone. Thus
 //! they are exact derivatives of the numerical solution at these steps, for every method, and converge with it.
 //!
 //! A mode switch, an impact or an event with a reset occurs at a time that depends on the variables. Its time carries
-//! derivatives, too, and so does everything after it: the jump of the derivatives (saltation) follows. A rate that dry
-//! friction holds has no derivatives. Where a motion starts from rest against dry friction and slips, those by the
-//! initial rate are one-sided, in the direction of the slip.
+//! derivatives, too, and so does everything after it: the jump of the derivatives (saltation) follows. The derivatives of
+//! a rate that dry friction holds are zero. Where a motion starts from rest against dry friction and slips, those by the
+//! initial rate are one-sided, in the direction of the slip. Dry friction of zero does not act, and has no derivatives
+//! with respect to its coefficient: start from a small one.
 //!
 //! Contacts that close at the same time have derivatives only if they close together for other values of the variables,
 //! too: otherwise the error is [`Reason::NotDifferentiable`]. Where the order of impacts decides the motion, which
@@ -56,7 +58,7 @@ use nalgebra::{SMatrix, SVector};
 
 pub use gradient::{Cost, Gradient, gradient};
 pub use seeded::Seeded;
-use seeded::started;
+use seeded::{check, started};
 
 use crate::dual::Dual;
 use crate::ensemble::{Ensemble, EnsembleError};
@@ -94,7 +96,7 @@ pub struct Sensitivity<const N: usize, const K: usize> {
 ///
 /// # Panics
 ///
-/// If a variable is not below `N` or `P`.
+/// If the index of a variable is out of range.
 pub fn solve<X, M, const N: usize, const P: usize, const K: usize>(
     method: &X,
     model: &M,
@@ -121,7 +123,7 @@ where
 ///
 /// # Panics
 ///
-/// If a variable is not below `N` or `P`.
+/// If the index of a variable is out of range.
 pub fn end<X, M, const N: usize, const P: usize, const K: usize>(
     method: &X,
     model: &M,
@@ -147,7 +149,7 @@ where
 ///
 /// # Panics
 ///
-/// If a variable is not below `N` or `P`.
+/// If the index of a variable is out of range.
 pub fn seeded<M, const N: usize, const P: usize, const K: usize>(
     model: &M,
     x0: impl IntoState<f64, N>,
@@ -156,8 +158,9 @@ pub fn seeded<M, const N: usize, const P: usize, const K: usize>(
 where
     M: Parametric<N, P>,
 {
-    let seeded = Seeded::new(model, variables);
-    (seeded.cast(), started(&x0.into_state(), &variables))
+    check::<N, P>(&variables);
+    let model = Seeded::new(model, variables);
+    (model.cast(), started(&x0.into_state(), &variables))
 }
 
 /// Integrates many trajectories at once like [`end`], in the lanes of vector registers.
@@ -190,7 +193,7 @@ where
 ///
 /// # Panics
 ///
-/// If a variable is not below `N` or `P`.
+/// If the index of a variable is out of range.
 #[allow(clippy::type_complexity, reason = "a state and its derivatives for each")]
 pub fn ensemble<'m, X, M, const N: usize, const P: usize, const K: usize>(
     method: &X,
@@ -204,6 +207,7 @@ where
     M: Parametric<N, P>,
     X: Ensemble<Seeded<'m, M, N, P, K>, Dual<f64, K>, N>,
 {
+    check::<N, P>(&variables);
     let models: Vec<_> = models.iter().map(|model| Seeded::new(model, variables)).collect();
     let starts: Vec<_> = starts.iter().map(|start| started(start, &variables)).collect();
     let [t0, t1] = [t0, t1].map(Dual::constant);

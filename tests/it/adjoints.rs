@@ -6,7 +6,7 @@ use pendulum_core::dual::Dual;
 use pendulum_core::method::DiscreteAdjoint;
 use pendulum_core::prelude::*;
 use pendulum_core::sensitivity::{self, Cost, Variable};
-use pendulum_core::{Adjoint, ControlledAdjoint, InputLaw, Parametric, Real};
+use pendulum_core::{Adjoint, ControlledAdjoint, InputLaw, Parametric, Real, Reason};
 
 use crate::states::{
     Linkage, LinkageParams, Lorenz, LorenzParams, Mixed, MixedParams, Motor, MotorInputs, MotorParams, Servo,
@@ -309,4 +309,30 @@ fn gradients_of_dual_numbers_have_second_derivatives() {
             ours.slopes[0]
         );
     }
+}
+
+/// A cost without a derivative at the end, and one that is not finite.
+struct Distance;
+struct Logarithm;
+
+impl Cost<2> for Distance {
+    fn end<T: Real>(&self, _t: T, x: &SVector<T, 2>) -> T {
+        (x[0] * x[0] + x[1] * x[1] - T::from_f64(1.0)).sqrt()
+    }
+}
+
+impl Cost<2> for Logarithm {
+    fn end<T: Real>(&self, _t: T, x: &SVector<T, 2>) -> T {
+        (x[0] - T::from_f64(10.0)).ln()
+    }
+}
+
+#[test]
+fn a_cost_that_is_not_finite_is_an_error() {
+    let swing = Swing::new(SwingParams::default()).expect("physical");
+    let gradient = sensitivity::gradient(&Rk4::new(0.01), &swing, 0.0, 1.0, [0.5, 0.0], &Logarithm);
+    assert_eq!(gradient, Err(Reason::CostNotFinite));
+    // without motion
+    let gradient = sensitivity::gradient(&Rk4::new(0.01), &swing, 0.0, 0.0, [1.0, 0.0], &Distance);
+    assert_eq!(gradient, Err(Reason::CostNotFinite));
 }

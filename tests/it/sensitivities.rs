@@ -636,3 +636,35 @@ fn errors_of_derivatives_are_controlled_on_request() {
         same_in_lanes(&method, &[model], t1, &starts, [Start(0), Parameter(0)]);
     });
 }
+
+mechanism! {
+    /// A ball with the drag of the air.
+    Dropped {
+        params { drag: kg/m = 0.1 }
+        gravity: [0, -9.81, 0],
+        let speed = sqrt(dot(x)^2 + dot(y)^2),
+        point centre on ball,
+        force on centre: [-drag*speed*dot(x), -drag*speed*dot(y), 0],
+        body across on ground { joint: prismatic(x), coordinate: x }
+        body ball on across { mass: 1, joint: prismatic(y), coordinate: y }
+    }
+}
+
+#[test]
+fn a_root_of_zero_at_the_start_does_not_stop_what_does_not_vary_there() {
+    let ball = Dropped::new(DroppedParams::default()).expect("physical");
+    let method = Vern9::new().rtol(1e-11).atol(1e-11);
+    let (_, ours) = sensitivity::end(&method, &ball, 0.0, 2.0, [0.0; 4], [Parameter(0)]).expect("regular");
+    // v = v_t tanh(g t/v_t), with v_t^2 = m g/drag
+    let rate = |drag: f64| {
+        let last = (9.81 / drag).sqrt();
+        -last * (9.81 * 2.0 / last).tanh()
+    };
+    let h = 1e-3;
+    let expected = (8.0 * (rate(0.1 + h) - rate(0.1 - h)) - (rate(0.1 + 2.0 * h) - rate(0.1 - 2.0 * h))) / (12.0 * h);
+    assert!(
+        (ours[(3, 0)] - expected).abs() < 1e-6,
+        "{} and not {expected}",
+        ours[(3, 0)]
+    );
+}

@@ -138,9 +138,11 @@ impl<F> Adaptive<F> {
         self
     }
 
-    /// Sets whether the tolerances bound the errors of [derivatives](crate::sensitivity) as well: those by each variable
-    /// within `atol + rtol |s|`, with their length `|s|` over all components of the state. Default: false, which gives
-    /// the steps of an integration without derivatives.
+    /// Sets whether the tolerances bound the errors of [derivatives](crate::sensitivity) computed forward as well.
+    /// Default: false, which gives the steps of an integration without derivatives.
+    ///
+    /// The derivatives of the state with respect to each variable are a column `s`, whose error is bounded by
+    /// `atol + rtol |s|` as a whole: a component that is small beside others is accurate relative to these.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -212,9 +214,11 @@ impl<F> Adaptive<F> {
         let rule = "it must be below 1: an error as large as the state would be within the tolerance";
         require(rtol < 1.0, "rtol", rtol, rule)?;
         let (rtol, atol) = (T::from_f64(rtol), T::from_f64(atol));
-        let rtol = match self.controls_derivatives {
-            true => rtol.with_own_slopes(),
-            false => rtol,
+        // a relative tolerance with derivatives holds for derivatives
+        let rtol = if self.controls_derivatives {
+            rtol.with_own_slopes()
+        } else {
+            rtol
         };
         Ok(Tolerance { rtol, atol })
     }

@@ -17,16 +17,17 @@ use crate::tableau::Tableau;
     note = "`sensitivity::solve` computes derivatives forward, with every method"
 )]
 pub trait DiscreteAdjoint {
-    /// Repeats the step of length `h` from the state `x` at `t`, and returns the state at its end.
+    /// Repeats the step `(t, h)`, of length `h` from the state `x` at `t`, and returns the state at its end.
     fn repeated<S, T, const N: usize>(&self, system: &S, step: (T, T), x: &SVector<T, N>) -> SVector<T, N>
     where
         S: System<T, N>,
         T: Float;
 
-    /// Takes the derivatives of a result through the step of length `h` from the state `x` at `t`, backward:
-    /// `weights`, those with respect to the state, are at its end before the call, and at its start after it.
-    /// Those with respect to the parameters are added to `by_parameters`. Returns the integral of the running cost, which
-    /// the result includes, over the step.
+    /// Takes derivatives of a cost backward through the step `(t, h)`, of length `h` from the state `x` at `t`.
+    ///
+    /// The first of `derivatives` are those with respect to the state: at the end of the step before the call, at its
+    /// start after it. To the second, those with respect to the parameters, the share of the step is added. Returns the
+    /// integral of the running cost over the step.
     fn backward<M, C, T, const N: usize, const P: usize>(
         &self,
         model: (&M, &C),
@@ -40,7 +41,7 @@ pub trait DiscreteAdjoint {
         T: Float;
 }
 
-/// States at the stages of a step, and at its end before that is projected. The last stage belongs to the next step.
+/// States at the stages of a step, and at its end before the projection. The last stage belongs to the next step.
 #[inline]
 fn stages<B, S, T, const STAGES: usize, const N: usize>(
     system: &S,
@@ -93,30 +94,30 @@ impl<B: Tableau<STAGES>, const STAGES: usize> DiscreteAdjoint for Explicit<B, ST
         let (states, end) = stages::<B, M, T, STAGES, N>(model, (t, h), x);
         model.project_adjoint(t + h, &end, weights);
         let zero = SVector::from([T::default(); N]);
-        let (mut by_stages, mut sum, mut integral) = ([zero; STAGES], *weights, T::default());
+        let (mut by_stages, mut by_start, mut integral) = ([zero; STAGES], *weights, T::default());
         for i in (0..STAGES - 1).rev() {
-            let t = t + h * T::from_f64(tableau.c[i]);
-            let share = h * T::from_f64(tableau.b[i]);
-            let mut of_rate = weights.map(|weight| share * weight);
+            let time = t + h * T::from_f64(tableau.c[i]);
+            let weight = h * T::from_f64(tableau.b[i]);
+            let mut by_rate = weights.map(|by_end| weight * by_end);
             for (a, by_stage) in tableau.a[..STAGES - 1].iter().zip(&by_stages).skip(i + 1) {
                 if a[i] != 0.0 {
-                    let share = h * T::from_f64(a[i]);
-                    of_rate.zip_apply(by_stage, |sum, weight| *sum += share * weight);
+                    let factor = h * T::from_f64(a[i]);
+                    by_rate.zip_apply(by_stage, |sum, by_stage| *sum += factor * by_stage);
                 }
             }
-            let (mut by_state, more) = model.adjoint(t, &states[i], &of_rate);
-            by_parameters.zip_apply(&more, |sum, more| *sum += more);
+            let (mut by_state, own) = model.adjoint(time, &states[i], &by_rate);
+            by_parameters.zip_apply(&own, |sum, own| *sum += own);
             let variables = SVector::<Dual<T, N>, N>::from_fn(|n, _| Dual::variable(states[i][n], n));
-            if let Some(running) = cost.running(Dual::constant(t), &variables) {
-                integral += share * running.value;
-                for (product, slope) in by_state.iter_mut().zip(running.slopes) {
-                    *product += share * slope;
+            if let Some(running) = cost.running(Dual::constant(time), &variables) {
+                integral += weight * running.value;
+                for (by_state, slope) in by_state.iter_mut().zip(running.slopes) {
+                    *by_state += weight * slope;
                 }
             }
-            sum.zip_apply(&by_state, |sum, product| *sum += product);
+            by_start.zip_apply(&by_state, |sum, by_state| *sum += by_state);
             by_stages[i] = by_state;
         }
-        *weights = sum;
+        *weights = by_start;
         integral
     }
 }

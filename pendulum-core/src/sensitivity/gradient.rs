@@ -10,6 +10,9 @@ use crate::real::{Float, Real};
 use crate::solution::Observer;
 use crate::system::{Adjoint, IntoState};
 
+/// Maximum number of states that are kept.
+const MOST_STATES: usize = 1 << 16;
+
 /// A scalar function of a trajectory: a cost of its end, plus the integral of a running cost.
 ///
 /// It is generic over the number type, so that its derivatives follow from [dual numbers](crate::dual). A running cost
@@ -41,17 +44,20 @@ pub struct Gradient<T, const N: usize, const P: usize> {
 /// Integrates a model from `t0` to `t1` and computes the derivatives of a cost with respect to the initial condition and
 /// all parameters, backward in time.
 ///
-/// The time that this takes does not grow with the number of variables: [`end`](super::end) is faster for a few, this
-/// function for many. The result is the exact derivative of the numerical solution at the steps that the method took.
-/// The running cost is integrated by the weights of the method; its error is not controlled.
+/// The time that this takes does not grow with the number of variables; for a few of them [`end`](super::end) is faster.
+/// The result is the exact derivative of the numerical solution at the steps that the method took, which are those of the
+/// values: at rest, where these may be of any length, set [`h_max`](crate::method::Adaptive::h_max). Errors of the
+/// derivatives and of the running cost, which is integrated by the weights of the method, are not controlled.
 ///
-/// States are kept at the ends of steps, up to 65536 of them. Of a longer integration every second one is kept, or
-/// every fourth, and so on, and the steps between them are taken again.
+/// States are kept at the starts of steps, up to 65536 of them. Of a longer integration every second one is kept, or
+/// every fourth, and so on, and the steps between them are taken again. Times of steps are kept for all of them. Events
+/// are not watched.
 ///
-/// With a model and times in [dual numbers](crate::dual) the derivatives carry slopes themselves: products of the second
-/// derivatives with a direction.
+/// With a model, times and an initial condition in [dual numbers](crate::dual) the derivatives carry derivatives
+/// themselves: products of the second derivatives with a direction.
 ///
 /// ```
+/// use pendulum_core::Real;
 /// use pendulum_core::prelude::*;
 /// use pendulum_core::sensitivity::{self, Cost};
 ///
@@ -66,7 +72,7 @@ pub struct Gradient<T, const N: usize, const P: usize> {
 ///     }
 /// }
 ///
-/// /// Distance from rest at the end, and the mean square of the rate.
+/// /// Square of the angle at the end, and the integral of the square of the rate.
 /// struct Restless;
 ///
 /// impl Cost<2> for Restless {
@@ -78,7 +84,6 @@ pub struct Gradient<T, const N: usize, const P: usize> {
 ///         Some(x[1] * x[1])
 ///     }
 /// }
-/// # use pendulum_core::Real;
 ///
 /// let swing = Swing::new(SwingParams::default())?;
 /// let gradient = sensitivity::gradient(&Vern9::new(), &swing, 0.0, 10.0, [1.0, 0.0], &Restless)?;
@@ -89,7 +94,7 @@ pub struct Gradient<T, const N: usize, const P: usize> {
 ///
 /// # Errors
 ///
-/// As for [`Method::follow`].
+/// As for [`Method::follow`], and [`Reason::CostNotFinite`].
 pub fn gradient<X, M, C, T, const N: usize, const P: usize>(
     method: &X,
     model: &M,
@@ -104,14 +109,11 @@ where
     C: Cost<N>,
     T: Float,
 {
-    within(MOST_STATES, method, model, (t0, t1), x0.into_state(), cost)
+    with_checkpoints(MOST_STATES, method, model, (t0, t1), x0.into_state(), cost)
 }
 
-/// Maximum number of states that are kept.
-const MOST_STATES: usize = 1 << 16;
-
-/// [`gradient`] with a limit on the number of states that are kept.
-fn within<X, M, C, T, const N: usize, const P: usize>(
+/// [`gradient`] that keeps at most this number of states.
+fn with_checkpoints<X, M, C, T, const N: usize, const P: usize>(
     most: usize,
     method: &X,
     model: &M,
@@ -135,18 +137,22 @@ where
         steps, states, stride, ..
     } = &checkpoints;
     let mut between = Vec::with_capacity(*stride);
-    for (steps, &state) in steps.chunks(*stride).zip(states).rev() {
+    for (stretch, &state) in steps.chunks(*stride).zip(states).rev() {
         between.clear();
         between.push(state);
-        for &step in &steps[..steps.len() - 1] {
+        for &step in &stretch[..stretch.len() - 1] {
             let last = between[between.len() - 1];
             between.push(method.repeated(model, step, &last));
         }
-        for (&step, x) in steps.iter().zip(&between).rev() {
+        for (&step, x) in stretch.iter().zip(&between).rev() {
             value += method.backward((model, cost), step, x, (&mut weights, &mut by_parameters));
         }
     }
     model.project_adjoint(t0, &x0, &mut weights);
+    let derivatives = weights.iter().chain(by_parameters.iter());
+    if !(value.is_finite() && derivatives.copied().all(Float::is_finite)) {
+        return Err(Reason::CostNotFinite);
+    }
     Ok(Gradient {
         value,
         end,
@@ -203,7 +209,7 @@ impl<T: Float, const N: usize> Observer<T, N> for Checkpoints<T, N> {
 mod tests {
     use nalgebra::SVector;
 
-    use super::{Cost, MOST_STATES, within};
+    use super::{Cost, MOST_STATES, with_checkpoints};
     use crate::Vern7;
     use crate::real::Real;
     use crate::system::{Adjoint, System};
@@ -238,9 +244,9 @@ mod tests {
     #[test]
     fn steps_between_checkpoints_are_taken_again() {
         let (swing, start) = (Swing(2.0), SVector::from([1.0, 0.0]));
-        let kept = within(MOST_STATES, &Vern7::new(), &swing, (0.0, 60.0), start, &Angle).expect("regular");
+        let kept = with_checkpoints(MOST_STATES, &Vern7::new(), &swing, (0.0, 60.0), start, &Angle).expect("regular");
         for most in [1, 2, 3, 10, 64] {
-            let again = within(most, &Vern7::new(), &swing, (0.0, 60.0), start, &Angle).expect("regular");
+            let again = with_checkpoints(most, &Vern7::new(), &swing, (0.0, 60.0), start, &Angle).expect("regular");
             assert_eq!(again, kept, "{most} states");
         }
     }

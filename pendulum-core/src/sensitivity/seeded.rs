@@ -19,20 +19,7 @@ impl<'m, M, const N: usize, const P: usize, const K: usize> Seeded<'m, M, N, P, 
 where
     M: Parametric<N, P>,
 {
-    /// # Panics
-    ///
-    /// If a variable is not below `N` or `P`.
     pub(super) fn new(model: &'m M, variables: [Variable; K]) -> Self {
-        for variable in variables {
-            let exists = match variable {
-                Variable::Start(n) => n < N,
-                Variable::Parameter(n) => n < P,
-            };
-            assert!(
-                exists,
-                "{variable:?}: the state has {N} components, and the model {P} parameters"
-            );
-        }
         Self { model, variables }
     }
 
@@ -44,6 +31,23 @@ where
             }
         }
         parameters
+    }
+}
+
+/// # Panics
+///
+/// If the index of a variable is out of range.
+#[track_caller]
+pub(super) fn check<const N: usize, const P: usize>(variables: &[Variable]) {
+    for variable in variables {
+        let exists = match *variable {
+            Variable::Start(n) => n < N,
+            Variable::Parameter(n) => n < P,
+        };
+        assert!(
+            exists,
+            "{variable:?}: the state has {N} components, and the model {P} parameters"
+        );
     }
 }
 

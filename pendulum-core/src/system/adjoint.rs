@@ -12,7 +12,7 @@ use crate::real::Real;
 /// `N` is the length of the state, `P` the number of parameters.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `adjoint`",
-    note = "`mechanism!` generates it for scenes where `generate` has `adjoint`, without dry friction, stops, walls and \
+    note = "`mechanism!` generates it for scenes where `generate` has `rhs` and `adjoint`, without dry friction, stops, walls and \
             loops without a closed form; a model with inputs has it as `model.with_law(law)`",
     note = "derivatives of the others are computed forward, by `sensitivity::solve`"
 )]
@@ -21,8 +21,8 @@ pub trait Adjoint<T: Real, const N: usize, const P: usize>: System<T, N> {
     /// `weights` of its components.
     fn adjoint(&self, t: T, x: &SVector<T, N>, weights: &SVector<T, N>) -> (SVector<T, N>, SVector<T, P>);
 
-    /// Multiplies `weights` by the transposed derivative of [`System::project`] at a state before it. By default of one
-    /// that normalises the quaternions of the [layout](System::layout).
+    /// Multiplies `weights` by the transposed derivative of [`System::project`] at a state before the projection. The
+    /// default is for a projection that normalises the quaternions of the [layout](System::layout).
     #[inline]
     fn project_adjoint(&self, _t: T, x: &SVector<T, N>, weights: &mut SVector<T, N>) {
         let quaternions = self.layout().into_iter().flat_map(|layout| layout.quaternions());
@@ -41,7 +41,7 @@ pub trait Adjoint<T: Real, const N: usize, const P: usize>: System<T, N> {
 /// A [`Controlled`] model with the products of weights and the derivatives of its right-hand side, at given inputs.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `adjoint`",
-    note = "`mechanism!` generates it where `generate` has `adjoint`"
+    note = "`mechanism!` generates it where `generate` has `rhs` and `adjoint`"
 )]
 pub trait ControlledAdjoint<T: Real, const N: usize, const M: usize, const P: usize>: Controlled<T, N, M> {
     /// The transposed derivatives of the right-hand side with respect to the state, the parameters and the inputs,

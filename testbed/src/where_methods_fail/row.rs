@@ -122,6 +122,7 @@ pub fn kind(reason: Reason) -> String {
         Reason::NonFinite { .. } => "NonFinite",
         Reason::StepUnderflow { .. } => "StepUnderflow",
         Reason::NoConvergence { .. } => "NoConvergence",
+        Reason::CostNotFinite => "CostNotFinite",
         Reason::EventNotFinite { .. } => "EventNotFinite",
         Reason::EventsAccumulate { .. } => "EventsAccumulate",
         Reason::TooManySteps { .. } => "TooManySteps",
