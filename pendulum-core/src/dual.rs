@@ -148,6 +148,7 @@ impl<T: Real, const N: usize> Neg for Dual<T, N> {
 
 impl<T: Real, const N: usize> Real for Dual<T, N> {
     const LANES: usize = T::LANES;
+    const HAS_SLOPES: bool = true;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_f64(v: f64) -> Self {

@@ -37,11 +37,12 @@ impl<T: Real> Tolerance<T> {
             sum += ratio * ratio;
         }
         let mean = sum * T::from_f64(1.0 / N as f64);
-        let [error, x0, x1] = [error, x0, x1].map(|vector| &vector.data.0[0]);
-        match T::ratio_of_slopes([self.rtol, self.atol], error, [x0, x1]) {
-            Some(ratio) => mean.at_least(ratio * ratio),
-            None => mean,
+        if const { T::HAS_SLOPES }
+            && let Some(ratio) = self.ratio_of_slopes(error, x0, x1)
+        {
+            return mean.at_least(ratio * ratio);
         }
+        mean
     }
 
     /// Means of `|v| / (atol + rtol |x|)`, of several `v`. They are not squared: the coefficients of a fast motion grow
@@ -60,13 +61,21 @@ impl<T: Real> Tolerance<T> {
             }
         }
         let mut means = sums.map(|sum| sum * T::from_f64(1.0 / N as f64));
-        let x = &x.data.0[0];
-        for (mean, v) in means.iter_mut().zip(v) {
-            if let Some(ratio) = T::ratio_of_slopes([self.rtol, self.atol], &v.data.0[0], [x, x]) {
-                *mean = mean.at_least(ratio);
+        if const { T::HAS_SLOPES } {
+            for (mean, v) in means.iter_mut().zip(v) {
+                if let Some(ratio) = self.ratio_of_slopes(v, x, x) {
+                    *mean = mean.at_least(ratio);
+                }
             }
         }
         means
+    }
+
+    /// See [`Real::ratio_of_slopes`].
+    #[inline(always)]
+    fn ratio_of_slopes<const N: usize>(&self, v: &SVector<T, N>, x0: &SVector<T, N>, x1: &SVector<T, N>) -> Option<T> {
+        let [v, x0, x1] = [v, x0, x1].map(|vector| &vector.data.0[0]);
+        T::ratio_of_slopes([self.rtol, self.atol], v, [x0, x1])
     }
 }
 

@@ -194,8 +194,9 @@ where
         &self.stages[STAGES - 1]
     }
 
-    /// [`Scheme::attempt`], with another system for the evaluations.
-    #[inline(always)]
+    /// [`Scheme::attempt`], with another system for the evaluations. Inlining is not forced without optimisation, where
+    /// it would take much of the stack in lanes.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn attempt_with<S>(
         &mut self,
         inner: &impl System<T, N>,

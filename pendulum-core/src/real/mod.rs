@@ -39,6 +39,10 @@ pub trait Real:
     /// Number of lanes; 1 unless the type is a vector of [lanes](lanes::Lanes).
     const LANES: usize = 1;
 
+    /// True for [dual numbers](crate::dual::Dual), whose derivatives may have errors of their own.
+    #[doc(hidden)]
+    const HAS_SLOPES: bool = false;
+
     /// Converts `v` to the nearest number of the type.
     fn from_f64(v: f64) -> Self;
 
