@@ -1,7 +1,6 @@
 //! Times of derivatives of trajectories over those of the trajectories: `cargo bench -p benches --bench derivatives`.
 
 use std::hint::black_box;
-use std::time::{Duration, Instant};
 
 use pendulum_core::Real;
 use pendulum_core::prelude::*;
@@ -9,6 +8,9 @@ use pendulum_core::sensitivity::{self, Cost, Variable};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 use Variable::{Parameter, Start};
+use ratio::ratio;
+
+mod ratio;
 
 mechanism! {
     /// Ten links in space with 99 parameters.
@@ -110,17 +112,29 @@ fn main() {
     let by = |name: &str, ratio: f64| println!("{name:<40} {ratio:.2}");
     by(
         "Vern9, by 4 initial conditions",
-        ratio(|| sensitivity::end(&method, &model, 0.0, 10.0, x0, four), plain),
+        ratio(
+            PAIRS,
+            1,
+            || sensitivity::end(&method, &model, 0.0, 10.0, x0, four),
+            plain,
+        ),
     );
     by(
         "Vern9, by 4 and 6 parameters",
-        ratio(|| sensitivity::end(&method, &model, 0.0, 10.0, x0, ten), plain),
+        ratio(
+            PAIRS,
+            1,
+            || sensitivity::end(&method, &model, 0.0, 10.0, x0, ten),
+            plain,
+        ),
     );
     let (models, starts) = ([model], vec![SVector::from(x0); 64]);
     let plain = || method.ensemble(&models, 0.0, 10.0, &starts);
     by(
         "Vern9 in lanes, by 4 initial conditions",
         ratio(
+            PAIRS,
+            1,
             || sensitivity::ensemble(&method, &models, 0.0, 10.0, &starts, four),
             plain,
         ),
@@ -128,6 +142,8 @@ fn main() {
     by(
         "Vern9 in lanes, by 4 and 6 parameters",
         ratio(
+            PAIRS,
+            1,
             || sensitivity::ensemble(&method, &models, 0.0, 10.0, &starts, ten),
             plain,
         ),
@@ -146,24 +162,10 @@ fn main() {
                     .expect("regular")
             };
             let gradient = || sensitivity::gradient(&method, &chain, 0.0, 2.0, x0, &Tip);
-            by(stringify!($method), ratio(gradient, plain));
+            by(stringify!($method), ratio(PAIRS, 1, gradient, plain));
         }};
     }
     gradient!(Vern9);
     gradient!(Vern7);
     gradient!(Rk45);
-}
-
-/// Median ratio of the times of two functions, measured in turn.
-fn ratio<A, B>(first: impl Fn() -> A, second: impl Fn() -> B) -> f64 {
-    let ratios = (0..PAIRS).map(|_| time(&first).as_secs_f64() / time(&second).as_secs_f64());
-    let mut ratios: Vec<f64> = ratios.collect();
-    ratios.sort_by(f64::total_cmp);
-    ratios[PAIRS / 2]
-}
-
-fn time<A>(function: impl Fn() -> A) -> Duration {
-    let start = Instant::now();
-    black_box(function());
-    start.elapsed()
 }

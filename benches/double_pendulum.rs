@@ -5,13 +5,16 @@
 //! themselves.
 
 use std::hint::black_box;
-use std::time::{Duration, Instant};
 
 use divan::Bencher;
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
 use testbed::eq22::Eq22;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
+
+use ratio::ratio;
+
+mod ratio;
 
 /// Number of evaluations between two readings of the clock.
 const BATCH: usize = 1000;
@@ -21,9 +24,16 @@ const PAIRS: usize = 2001;
 fn main() {
     divan::main();
     let (generated, by_hand, x) = (generated(), by_hand(), state());
-    let rhs = ratio(|| generated.rhs(0.0, black_box(&x)), || by_hand.rhs(0.0, black_box(&x)));
+    let rhs = ratio(
+        PAIRS,
+        BATCH,
+        || generated.rhs(0.0, black_box(&x)),
+        || by_hand.rhs(0.0, black_box(&x)),
+    );
     println!("generated / by hand, right-hand side: {rhs:.3}");
     let jacobian = ratio(
+        PAIRS,
+        BATCH,
         || generated.jacobian(0.0, black_box(&x)),
         || by_hand.jacobian(0.0, black_box(&x)),
     );
@@ -43,23 +53,6 @@ fn by_hand() -> Eq22 {
 
 fn state() -> SVector<f64, 4> {
     SVector::from([0.7, -1.2, 0.4, 2.1])
-}
-
-/// Median ratio of the times of two functions, measured in turn.
-fn ratio<A, B>(first: impl Fn() -> A, second: impl Fn() -> B) -> f64 {
-    let mut ratios: Vec<f64> = (0..PAIRS)
-        .map(|_| time(&first).as_secs_f64() / time(&second).as_secs_f64())
-        .collect();
-    ratios.sort_by(f64::total_cmp);
-    ratios[PAIRS / 2]
-}
-
-fn time<A>(function: impl Fn() -> A) -> Duration {
-    let start = Instant::now();
-    for _ in 0..BATCH {
-        black_box(function());
-    }
-    start.elapsed()
 }
 
 #[divan::bench]

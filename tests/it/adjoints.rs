@@ -150,7 +150,7 @@ impl<const N: usize> Cost<N> for Mixture {
     }
 }
 
-/// The same cost without what it costs along the way, which forward derivatives do not integrate.
+/// [`Mixture`] without its running cost, which forward derivatives do not integrate.
 struct AtEnd;
 
 impl<const N: usize> Cost<N> for AtEnd {

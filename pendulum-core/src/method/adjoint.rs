@@ -11,12 +11,21 @@ use crate::system::{Adjoint, System};
 use crate::tableau::Tableau;
 
 /// A method with a discrete adjoint: the transposed derivative of its steps.
+pub trait DiscreteAdjoint {
+    /// Kind of method.
+    type Family: AdjointStep;
+
+    /// The kind of method, with its settings.
+    fn family(&self) -> &Self::Family;
+}
+
+/// A kind of method whose steps have a transposed derivative.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no discrete adjoint",
     note = "explicit Runge-Kutta methods have one: `Rk4`, `Rk45`, `Tsit5`, `Vern7`, `Vern9`",
     note = "`sensitivity::solve` computes derivatives forward, with every method"
 )]
-pub trait DiscreteAdjoint {
+pub trait AdjointStep {
     /// Repeats the step `(t, h)`, of length `h` from the state `x` at `t`, and returns the state at its end.
     fn repeated<S, T, const N: usize>(&self, system: &S, step: (T, T), x: &SVector<T, N>) -> SVector<T, N>
     where
@@ -64,7 +73,7 @@ where
     (states, end)
 }
 
-impl<B: Tableau<STAGES>, const STAGES: usize> DiscreteAdjoint for Explicit<B, STAGES> {
+impl<B: Tableau<STAGES>, const STAGES: usize> AdjointStep for Explicit<B, STAGES> {
     fn repeated<S, T, const N: usize>(&self, system: &S, (t, h): (T, T), x: &SVector<T, N>) -> SVector<T, N>
     where
         S: System<T, N>,
@@ -122,33 +131,18 @@ impl<B: Tableau<STAGES>, const STAGES: usize> DiscreteAdjoint for Explicit<B, ST
     }
 }
 
-macro_rules! of_family {
-    ($($method:ident),*) => { $(
-        impl<F: DiscreteAdjoint> DiscreteAdjoint for $method<F> {
-            fn repeated<S, T, const N: usize>(&self, system: &S, step: (T, T), x: &SVector<T, N>) -> SVector<T, N>
-            where
-                S: System<T, N>,
-                T: Float,
-            {
-                self.family.repeated(system, step, x)
-            }
+impl<F: AdjointStep> DiscreteAdjoint for Fixed<F> {
+    type Family = F;
 
-            fn backward<M, C, T, const N: usize, const P: usize>(
-                &self,
-                model: (&M, &C),
-                step: (T, T),
-                x: &SVector<T, N>,
-                derivatives: (&mut SVector<T, N>, &mut SVector<T, P>),
-            ) -> T
-            where
-                M: Adjoint<T, N, P>,
-                C: Cost<N>,
-                T: Float,
-            {
-                self.family.backward(model, step, x, derivatives)
-            }
-        }
-    )* };
+    fn family(&self) -> &F {
+        &self.family
+    }
 }
 
-of_family!(Fixed, Adaptive);
+impl<F: AdjointStep> DiscreteAdjoint for Adaptive<F> {
+    type Family = F;
+
+    fn family(&self) -> &F {
+        &self.family
+    }
+}

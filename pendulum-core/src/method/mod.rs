@@ -71,7 +71,7 @@ pub(crate) use {
 pub use crate::step_size::{Estimates, Tolerance};
 pub use adaptive::Adaptive;
 #[cfg(feature = "std")]
-pub use adjoint::DiscreteAdjoint;
+pub use adjoint::{AdjointStep, DiscreteAdjoint};
 pub use auto::{Auto, Switching};
 #[cfg(feature = "std")]
 pub(crate) use auto::{Bounded, Choice, SwitchInLanes, SwitchingFrom};

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::dense::Dense;
 use crate::dual::Dual;
 use crate::error::Reason;
-use crate::method::{DiscreteAdjoint, Method};
+use crate::method::{AdjointStep, DiscreteAdjoint, Method};
 use crate::real::{Float, Real};
 use crate::solution::Observer;
 use crate::system::{Adjoint, IntoState};
@@ -142,10 +142,12 @@ where
         between.push(state);
         for &step in &stretch[..stretch.len() - 1] {
             let last = between[between.len() - 1];
-            between.push(method.repeated(model, step, &last));
+            between.push(method.family().repeated(model, step, &last));
         }
         for (&step, x) in stretch.iter().zip(&between).rev() {
-            value += method.backward((model, cost), step, x, (&mut weights, &mut by_parameters));
+            value += method
+                .family()
+                .backward((model, cost), step, x, (&mut weights, &mut by_parameters));
         }
     }
     model.project_adjoint(t0, &x0, &mut weights);
