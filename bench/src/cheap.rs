@@ -90,6 +90,11 @@ impl<const SINES: bool, const DIVISIONS: bool> Real for Cheap<SINES, DIVISIONS> 
     }
 
     #[inline]
+    fn piecewise<const C: usize>(self, piece: impl Fn(f64) -> [f64; C]) -> [Self; C] {
+        self.0.piecewise(piece).map(Self)
+    }
+
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
         if SINES {
             let (sin, cos) = Real::sin_cos(self.0);

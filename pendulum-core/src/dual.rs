@@ -155,6 +155,11 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         Self::constant(T::from_f64(v))
     }
 
+    #[inline]
+    fn piecewise<const C: usize>(self, piece: impl Fn(f64) -> [f64; C]) -> [Self; C] {
+        self.value.piecewise(piece).map(Self::constant)
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn as_variable(mut self, place: usize) -> Self {
         self.slopes[place] = T::from_f64(1.0);

@@ -3,12 +3,16 @@
 
 mod name;
 #[cfg(feature = "std")]
+mod sample;
+#[cfg(feature = "std")]
 mod solve;
 
 use core::error::Error;
 use core::fmt;
 
 pub use name::Name;
+#[cfg(feature = "std")]
+pub use sample::SampleError;
 #[cfg(feature = "std")]
 pub use solve::SolveError;
 

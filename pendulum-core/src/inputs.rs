@@ -15,11 +15,15 @@
 //! in other number types, and therefore in an [`ensemble`](crate::Ensemble).
 
 mod law;
+#[cfg(feature = "std")]
+mod time_table;
 mod with_inputs;
 
 use nalgebra::{SMatrix, SVector};
 
 pub use law::{ControlLaw, Generic, InputLaw, LawJacobian};
+#[cfg(feature = "std")]
+pub use time_table::TimeTable;
 pub use with_inputs::WithInputs;
 
 use crate::layout::StateLayout;
@@ -63,6 +67,10 @@ pub trait Controlled<T: Real, const N: usize, const M: usize>:
     /// Reports the gap of each closed loop, as for [`System::gaps`](crate::System::gaps).
     #[inline]
     fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 3])) {}
+
+    /// Reports each component of each output, as for [`System::each_output`](crate::System::each_output).
+    #[inline]
+    fn each_output(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut(&str, T)) {}
 
     /// Closes the loop with a law for the inputs. The result is a [`System`](crate::System).
     ///

@@ -109,6 +109,12 @@ pub trait System<T: Real, const N: usize> {
     #[inline]
     fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&str; 2], [T; 3])) {}
 
+    /// Reports each component of each output with its name. By default there are none.
+    ///
+    /// [`mechanism!`](crate::mechanism) reports those of `Name::OUTPUTS`.
+    #[inline]
+    fn each_output(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut(&str, T)) {}
+
     /// Interface for the mode switches of a [hybrid](crate::hybrid) system. The default, `None`, means that the
     /// equations have a single mode.
     #[inline(always)]

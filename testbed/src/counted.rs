@@ -76,6 +76,10 @@ impl Real for Counted {
         Self(v)
     }
 
+    fn piecewise<const C: usize>(self, piece: impl Fn(f64) -> [f64; C]) -> [Self; C] {
+        self.0.piecewise(piece).map(Self)
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = Real::sin_cos(self.0);
         (count(SINCOS, sin), Self(cos))

@@ -88,6 +88,11 @@ impl<T: Real> Real for Dual<T> {
     fn from_f64(v: f64) -> Self {
         Self::new(T::from_f64(v), T::default())
     }
+    fn piecewise<const C: usize>(self, piece: impl Fn(f64) -> [f64; C]) -> [Self; C] {
+        self.value
+            .piecewise(piece)
+            .map(|coefficient| Self::new(coefficient, T::default()))
+    }
     fn sin_cos(self) -> (Self, Self) {
         let (s, c) = self.value.sin_cos();
         (self.chain(s, c), self.chain(c, -s))

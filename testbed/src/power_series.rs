@@ -122,6 +122,10 @@ impl<const LENGTH: usize> Real for Series<LENGTH> {
         Self::from_fn(|k| if k == 0 { v } else { 0.0 })
     }
 
+    fn piecewise<const C: usize>(self, piece: impl Fn(f64) -> [f64; C]) -> [Self; C] {
+        self.0[0].piecewise(piece).map(Self::from_f64)
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.0[0].sin_cos();
         (

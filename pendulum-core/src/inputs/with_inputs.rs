@@ -5,6 +5,7 @@ use core::fmt;
 use nalgebra::{SMatrix, SVector};
 
 use super::{CastControlled, ControlLaw, Controlled, Generic, InputLaw, LawJacobian};
+use crate::error::ParameterError;
 use crate::hybrid::{Constraint, Law, MAX_CONSTRAINTS, MeasureDerivatives, Response, ResponseDerivative};
 use crate::layout::StateLayout;
 use crate::real::Real;
@@ -145,6 +146,11 @@ where
     #[inline]
     fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3])) {
         self.system.gaps(t, x, tell);
+    }
+
+    #[inline]
+    fn each_output(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut(&str, T)) {
+        self.system.each_output(t, x, tell);
     }
 
     #[inline(always)]
@@ -329,6 +335,14 @@ where
 {
     fn parameters(&self) -> [f64; P] {
         self.system.parameters()
+    }
+
+    fn parameter_names(&self) -> [&str; P] {
+        self.system.parameter_names()
+    }
+
+    fn check_parameters(&self, parameters: &[f64; P]) -> Result<(), ParameterError> {
+        self.system.check_parameters(parameters)
     }
 
     fn with_parameters<T: Real>(&self, parameters: [T; P]) -> Self::In<T> {

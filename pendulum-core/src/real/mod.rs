@@ -119,6 +119,22 @@ pub trait Real:
         a
     }
 
+    /// Coefficients of a piecewise function, such as a table: those of the piece in which the number lies. They are
+    /// constants, without derivatives.
+    ///
+    /// ```
+    /// use pendulum_core::Real;
+    ///
+    /// /// 0 before 1 s, then 2 per second
+    /// fn ramp<T: Real>(t: T) -> T {
+    ///     let [from, slope] = t.piecewise(|t| if t < 1.0 { [0.0, 0.0] } else { [1.0, 2.0] });
+    ///     (t - from) * slope
+    /// }
+    ///
+    /// assert_eq!([0.5, 1.5].map(ramp), [0.0, 1.0]);
+    /// ```
+    fn piecewise<const C: usize>(self, piece: impl Fn(f64) -> [f64; C]) -> [Self; C];
+
     /// Sine and cosine of an angle in radians; NaN if the angle is not finite.
     ///
     /// For `f64` and `f32`, and lanes of these, errors are below 1 ulp and results are bit-identical on every machine.

@@ -29,6 +29,11 @@ macro_rules! scalar {
             }
 
             #[inline]
+            fn piecewise<const C: usize>(self, piece: impl Fn(f64) -> [f64; C]) -> [Self; C] {
+                piece(f64::from(self)).map(Self::from_f64)
+            }
+
+            #[inline]
             fn sin_cos(self) -> (Self, Self) {
                 sincos::sin_cos(self)
             }

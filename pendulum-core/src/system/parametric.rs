@@ -1,6 +1,7 @@
 //! Models as functions of their parameters.
 
 use super::Cast;
+use crate::error::ParameterError;
 use crate::inputs::CastControlled;
 use crate::real::Real;
 
@@ -19,6 +20,15 @@ pub trait Parametric<const N: usize, const P: usize>: Cast<N> {
     /// Values of the parameters, in the order of their declaration.
     fn parameters(&self) -> [f64; P];
 
+    /// Names of the parameters, in the order of their declaration.
+    fn parameter_names(&self) -> [&str; P];
+
+    /// Checks that the model can have these parameters.
+    ///
+    /// # Errors
+    /// The first parameter, or combination of parameters, that is impossible.
+    fn check_parameters(&self, parameters: &[f64; P]) -> Result<(), ParameterError>;
+
     /// Returns the model with other parameters, in the order of their declaration, which are not checked.
     fn with_parameters<T: Real>(&self, parameters: [T; P]) -> Self::In<T>;
 }
@@ -27,6 +37,15 @@ pub trait Parametric<const N: usize, const P: usize>: Cast<N> {
 pub trait ParametricControlled<const N: usize, const M: usize, const P: usize>: CastControlled<N, M> {
     /// See [`Parametric::parameters`].
     fn parameters(&self) -> [f64; P];
+
+    /// See [`Parametric::parameter_names`].
+    fn parameter_names(&self) -> [&str; P];
+
+    /// See [`Parametric::check_parameters`].
+    ///
+    /// # Errors
+    /// The first parameter, or combination of parameters, that is impossible.
+    fn check_parameters(&self, parameters: &[f64; P]) -> Result<(), ParameterError>;
 
     /// See [`Parametric::with_parameters`].
     fn with_parameters<T: Real>(&self, parameters: [T; P]) -> Self::In<T>;

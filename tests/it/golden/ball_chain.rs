@@ -2214,6 +2214,15 @@ t29 = t27 + t26 - t27
         fn parameters(&self) -> [f64; 0] {
             self.params.to_array()
         }
+        fn parameter_names(&self) -> [&str; 0] {
+            BallPendulumParams::NAMES
+        }
+        fn check_parameters(
+            &self,
+            parameters: &[f64; 0],
+        ) -> ::core::result::Result<(), ::pendulum_core::ParameterError> {
+            Self::new(BallPendulumParams::from_array(*parameters)).map(|_| ())
+        }
         fn with_parameters<T: ::pendulum_core::real::Real>(
             &self,
             parameters: [T; 0],

@@ -974,6 +974,15 @@ k43 = b*w^2*ny^2*(m1 + m2)
         fn parameters(&self) -> [f64; 10] {
             self.params.to_array()
         }
+        fn parameter_names(&self) -> [&str; 10] {
+            DrivenPivotParams::NAMES
+        }
+        fn check_parameters(
+            &self,
+            parameters: &[f64; 10],
+        ) -> ::core::result::Result<(), ::pendulum_core::ParameterError> {
+            Self::new(DrivenPivotParams::from_array(*parameters)).map(|_| ())
+        }
         fn with_parameters<T: ::pendulum_core::real::Real>(
             &self,
             parameters: [T; 10],

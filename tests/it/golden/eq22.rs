@@ -853,6 +853,15 @@ k11 = -m*c*d/(inertia + m*c^2)
         fn parameters(&self) -> [f64; 7] {
             self.params.to_array()
         }
+        fn parameter_names(&self) -> [&str; 7] {
+            DoublePendulumParams::NAMES
+        }
+        fn check_parameters(
+            &self,
+            parameters: &[f64; 7],
+        ) -> ::core::result::Result<(), ::pendulum_core::ParameterError> {
+            Self::new(DoublePendulumParams::from_array(*parameters)).map(|_| ())
+        }
         fn with_parameters<T: ::pendulum_core::real::Real>(
             &self,
             parameters: [T; 7],

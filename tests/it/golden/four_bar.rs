@@ -744,6 +744,17 @@ k36 = -1
             ])
         }
         #[inline]
+        fn each_output(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            tell: &mut dyn FnMut(&str, T),
+        ) {
+            for (name, output) in <FourBar>::OUTPUTS.iter().zip(&self.outputs(t, x)) {
+                tell(name, *output);
+            }
+        }
+        #[inline]
         fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
             Some(<FourBar>::LAYOUT)
         }
@@ -1759,6 +1770,15 @@ k36 = -1
     impl ::pendulum_core::Parametric<2, 5> for FourBar {
         fn parameters(&self) -> [f64; 5] {
             self.params.to_array()
+        }
+        fn parameter_names(&self) -> [&str; 5] {
+            FourBarParams::NAMES
+        }
+        fn check_parameters(
+            &self,
+            parameters: &[f64; 5],
+        ) -> ::core::result::Result<(), ::pendulum_core::ParameterError> {
+            Self::new(FourBarParams::from_array(*parameters)).map(|_| ())
         }
         fn with_parameters<T: ::pendulum_core::real::Real>(
             &self,

@@ -660,6 +660,15 @@ k4 = 1/m
         fn parameters(&self) -> [f64; 4] {
             self.params.to_array()
         }
+        fn parameter_names(&self) -> [&str; 4] {
+            BlockParams::NAMES
+        }
+        fn check_parameters(
+            &self,
+            parameters: &[f64; 4],
+        ) -> ::core::result::Result<(), ::pendulum_core::ParameterError> {
+            Self::new(BlockParams::from_array(*parameters)).map(|_| ())
+        }
         fn with_parameters<T: ::pendulum_core::real::Real>(
             &self,
             parameters: [T; 4],

@@ -518,6 +518,15 @@ k8 = -0.5/(1/3*l)
         fn parameters(&self) -> [f64; 4] {
             self.params.to_array()
         }
+        fn parameter_names(&self) -> [&str; 4] {
+            CartPoleParams::NAMES
+        }
+        fn check_parameters(
+            &self,
+            parameters: &[f64; 4],
+        ) -> ::core::result::Result<(), ::pendulum_core::ParameterError> {
+            Self::new(CartPoleParams::from_array(*parameters)).map(|_| ())
+        }
         fn with_parameters<T: ::pendulum_core::real::Real>(
             &self,
             parameters: [T; 4],

@@ -1024,6 +1024,15 @@ k57 = 77343750000000/1998607065841*l^2*k
         fn parameters(&self) -> [f64; 4] {
             self.params.to_array()
         }
+        fn parameter_names(&self) -> [&str; 4] {
+            MagnetsParams::NAMES
+        }
+        fn check_parameters(
+            &self,
+            parameters: &[f64; 4],
+        ) -> ::core::result::Result<(), ::pendulum_core::ParameterError> {
+            Self::new(MagnetsParams::from_array(*parameters)).map(|_| ())
+        }
         fn with_parameters<T: ::pendulum_core::real::Real>(
             &self,
             parameters: [T; 4],

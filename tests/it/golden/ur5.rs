@@ -3472,6 +3472,15 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
         fn parameters(&self) -> [f64; 0] {
             self.params.to_array()
         }
+        fn parameter_names(&self) -> [&str; 0] {
+            Ur5Params::NAMES
+        }
+        fn check_parameters(
+            &self,
+            parameters: &[f64; 0],
+        ) -> ::core::result::Result<(), ::pendulum_core::ParameterError> {
+            Self::new(Ur5Params::from_array(*parameters)).map(|_| ())
+        }
         fn with_parameters<T: ::pendulum_core::real::Real>(
             &self,
             parameters: [T; 0],

@@ -54,7 +54,7 @@ impl Items<'_> {
     /// of each rate.
     pub(super) fn hybrid(&self) -> Option<TokenStream> {
         self.program.with_role(Role::Rhs)?;
-        let (inline, length, layout) = (inlined_into_lanes(), self.length(), self.layout());
+        let (inline, length, labels) = (inlined_into_lanes(), self.length(), self.labels());
         let (core, assembly) = (quote!(::pendulum_core::hybrid), self.assembly());
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let system = quote! {
@@ -62,7 +62,7 @@ impl Items<'_> {
             fn rhs(&self, t: T, x: &#vector) -> #vector {
                 ::pendulum_core::Plant::eval(self, t, x, &#core::by_sign(self, t, x))
             }
-            #layout
+            #labels
             #assembly
             #[inline]
             fn hybrid(&self) -> ::core::option::Option<&dyn #core::Hybrid<T, #length>> {

@@ -17,7 +17,7 @@ impl Items<'_> {
     /// `impl Parametric<N, P>`, or `impl ParametricControlled<N, M, P>` with inputs, if the model has a right-hand side.
     pub(super) fn over_parameters(&self) -> Option<TokenStream> {
         self.program.with_role(Role::Rhs)?;
-        let (name, length, allowed) = (&self.head.name, self.length(), allowed());
+        let (name, length, allowed, params) = (&self.head.name, self.length(), allowed(), self.parameters_name());
         let [inputs, parameters] = [self.program.inputs.len(), self.program.parameters.len()].map(count);
         let of_trait = match self.program.inputs.is_empty() {
             true => quote!(Parametric<#length, #parameters>),
@@ -28,6 +28,17 @@ impl Items<'_> {
             impl ::pendulum_core::#of_trait for #name {
                 fn parameters(&self) -> [f64; #parameters] {
                     self.params.to_array()
+                }
+
+                fn parameter_names(&self) -> [&str; #parameters] {
+                    #params::NAMES
+                }
+
+                fn check_parameters(
+                    &self,
+                    parameters: &[f64; #parameters],
+                ) -> ::core::result::Result<(), ::pendulum_core::ParameterError> {
+                    Self::new(#params::from_array(*parameters)).map(|_| ())
                 }
 
                 fn with_parameters<T: ::pendulum_core::real::Real>(&self, parameters: [T; #parameters]) -> #name<T> {

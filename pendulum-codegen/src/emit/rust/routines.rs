@@ -127,9 +127,9 @@ impl Items<'_> {
     pub(super) fn system(&self) -> Option<TokenStream> {
         let (inline, rhs) = (inlined_into_lanes(), self.program.with_role(Role::Rhs)?);
         let rhs = self.function(&format_ident!("rhs"), rhs);
-        let layout = self.layout();
+        let labels = self.labels();
         let assembly = self.assembly();
-        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #layout #assembly));
+        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #labels #assembly));
         let jacobian = self.program.with_role(Role::Jacobian).map(|routine| {
             let arguments = self.arguments(routine);
             let matrix = self.shape(routine.shapes[1]);
@@ -150,10 +150,22 @@ impl Items<'_> {
         Some(quote!(#system #jacobian))
     }
 
-    /// Method of `System` and `Controlled` that returns the layout of the state.
-    pub(super) fn layout(&self) -> TokenStream {
+    /// Methods of `System` and `Controlled` that name the components of the state, and of the outputs if there are any.
+    pub(super) fn labels(&self) -> TokenStream {
         let name = &self.head.name;
+        let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let outputs = (!self.program.outputs.is_empty()).then(|| {
+            quote! {
+                #[inline]
+                fn each_output(&self, t: T, x: &#vector, tell: &mut dyn FnMut(&str, T)) {
+                    for (name, output) in <#name>::OUTPUTS.iter().zip(&self.outputs(t, x)) {
+                        tell(name, *output);
+                    }
+                }
+            }
+        });
         quote! {
+            #outputs
             #[inline]
             fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
                 Some(<#name>::LAYOUT)
@@ -184,12 +196,12 @@ impl Items<'_> {
         let (inline, length, inputs) = (inlined_into_lanes(), self.length(), count(self.program.inputs.len()));
         let name = self.inputs_name();
         let by_inputs = self.function(&format_ident!("input_jacobian"), by_inputs);
-        let (layout, assembly) = (self.layout(), self.assembly());
+        let (labels, assembly) = (self.labels(), self.assembly());
         let functions = quote! {
             type Inputs = #name<T>;
             #inline
             #by_inputs
-            #layout
+            #labels
             #assembly
         };
         Some(self.implement(

@@ -78,6 +78,11 @@ impl<R: Register> Real for Pack<R> {
         self.0.all_finite() && !self.0.any_beyond(R::Scalar::default())
     }
 
+    #[inline]
+    fn piecewise<const C: usize>(self, piece: impl Fn(f64) -> [f64; C]) -> [Self; C] {
+        core::array::from_fn(|c| self.map(|number| number.piecewise(&piece)[c]))
+    }
+
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = sincos::sin_cos(self.0);
