@@ -40,6 +40,7 @@
 //! | [`event`] | events along a trajectory |
 //! | [`error`] | errors |
 //! | [`sensitivity`] | derivatives of trajectories by initial conditions and parameters |
+//! | [`fit`](https://docs.rs/pendulum-core/latest/pendulum_core/fit) | parameters from measurements, with the feature `fit` |
 //! | [`stability`] | equilibria, periodic orbits and their bifurcations, chaos, and the limits of methods |
 //! | [`accuracy`] | reference solutions, error norms, and work-precision measurements |
 //! | [`shapes`] | geometry of a mechanism for drawing |
@@ -68,6 +69,8 @@ pub mod ensemble;
 pub mod error;
 #[cfg(feature = "std")]
 pub mod event;
+#[cfg(feature = "fit")]
+pub mod fit;
 pub mod hybrid;
 pub mod inputs;
 pub mod layout;
@@ -96,9 +99,9 @@ pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::{Dense, Step};
 #[cfg(feature = "std")]
 pub use ensemble::{Ensemble, EnsembleError, ObservedEnsemble};
-#[cfg(feature = "std")]
-pub use error::SolveError;
 pub use error::{LoopGap, Name, NotAssembled, ParameterError, Reason};
+#[cfg(feature = "std")]
+pub use error::{SampleError, SolveError};
 #[cfg(feature = "std")]
 pub use event::{Direction, Event, Missed, Occurrence};
 pub use inputs::{CastControlled, Controlled, InputLaw, WithInputs};

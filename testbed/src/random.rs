@@ -19,6 +19,15 @@ impl Random {
         low + (high - low) * unit
     }
 
+    /// Returns a normal number of mean 0 and standard deviation 1 (Box and Muller 1958).
+    pub fn normal(&mut self) -> f64 {
+        let [radius, angle] = [
+            self.between(f64::MIN_POSITIVE, 1.0),
+            self.between(0.0, std::f64::consts::TAU),
+        ];
+        (-2.0 * radius.ln()).sqrt() * angle.cos()
+    }
+
     /// Returns an integer below `count`.
     pub fn below(&mut self, count: usize) -> usize {
         (self.bits() % count as u64) as usize

@@ -12,6 +12,7 @@ mod double_pendulum;
 mod drives;
 mod emitted_c;
 mod every_method;
+mod fits;
 mod followers;
 mod forces;
 mod gauss;

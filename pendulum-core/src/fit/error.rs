@@ -1,0 +1,160 @@
+//! Errors of fits.
+
+use std::error::Error;
+use std::fmt;
+
+use crate::error::{ParameterError, Reason, debug_as_display};
+
+debug_as_display! { [] FitError; }
+
+/// A fit that cannot begin.
+#[derive(Clone, PartialEq)]
+#[non_exhaustive]
+pub enum FitError {
+    /// There is no experiment.
+    NoExperiment,
+    /// A measurement has no output.
+    NoOutput {
+        /// Index of the experiment.
+        experiment: usize,
+    },
+    /// A column is neither an output of the scene nor a component of its state.
+    UnknownOutput {
+        /// Name of the column.
+        name: String,
+        /// The most similar name, if one is similar.
+        nearest: Option<String>,
+        /// Names of all outputs and components.
+        outputs: Vec<String>,
+    },
+    /// The scene has no parameter of this name.
+    UnknownParameter {
+        /// The name.
+        name: String,
+        /// The most similar name, if one is similar.
+        nearest: Option<String>,
+        /// Names of all parameters.
+        parameters: Vec<String>,
+    },
+    /// There are no more values than unknowns.
+    TooFewValues {
+        /// Number of measured values that are not missing.
+        values: usize,
+        /// Number of free parameters and of unknown components of starts.
+        unknowns: usize,
+    },
+    /// A parameter begins outside of its bounds.
+    OutsideBounds {
+        /// Name of the parameter.
+        parameter: String,
+        /// Its value in the model.
+        value: f64,
+        /// Its bounds.
+        bounds: [f64; 2],
+    },
+    /// A setting is invalid.
+    Setting {
+        /// Name of the setting.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// Violated rule.
+        rule: &'static str,
+    },
+    /// The state of an experiment is known at a time after its first sample.
+    StartsLate {
+        /// Index of the experiment.
+        experiment: usize,
+        /// Time of the known state.
+        t: f64,
+        /// Time of the first sample.
+        first: f64,
+    },
+    /// No output depends on a free parameter, at the values of the model.
+    NoInfluence {
+        /// Name of the parameter.
+        parameter: String,
+    },
+    /// The parameters of the model are impossible.
+    Parameter(Box<ParameterError>),
+    /// The model cannot be integrated with its parameters.
+    Integration {
+        /// Index of the experiment.
+        experiment: usize,
+        /// Time at the start of the window.
+        from: f64,
+        /// Reason why the integration stopped.
+        reason: Box<Reason>,
+    },
+}
+
+impl fmt::Display for FitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let did_you_mean = |f: &mut fmt::Formatter<'_>, nearest: &Option<String>, all: &[String]| match nearest {
+            Some(nearest) => write!(f, "; did you mean `{nearest}`?"),
+            None if all.is_empty() => f.write_str("; it has none"),
+            None => write!(f, "; it has `{}`", all.join("`, `")),
+        };
+        match self {
+            Self::NoExperiment => f.write_str("there is no experiment: a fit needs at least one"),
+            Self::NoOutput { experiment } => write!(
+                f,
+                "the measurement of experiment {experiment} has no outputs: add them by `Measurement::output`"
+            ),
+            Self::UnknownOutput { name, nearest, outputs } => {
+                write!(f, "the scene has no output or component of the state `{name}`")?;
+                did_you_mean(f, nearest, outputs)
+            }
+            Self::UnknownParameter {
+                name,
+                nearest,
+                parameters,
+            } => {
+                write!(f, "the scene has no parameter `{name}`")?;
+                did_you_mean(f, nearest, parameters)
+            }
+            Self::TooFewValues { values, unknowns } => write!(
+                f,
+                "{values} measured values for {unknowns} unknowns: measure more, or fix parameters or starts"
+            ),
+            Self::OutsideBounds {
+                parameter,
+                value,
+                bounds: [low, high],
+            } => write!(
+                f,
+                "`{parameter}` is {value} in the model, outside of its bounds {low} and {high}: begin inside"
+            ),
+            Self::Setting { what, value, rule } => write!(f, "{what} is {value}: {rule}"),
+            Self::StartsLate { experiment, t, first } => write!(
+                f,
+                "the state of experiment {experiment} is known at t = {t}, after its first sample at t = {first}: \
+                 leave out the samples before by `Measurement::between`"
+            ),
+            Self::NoInfluence { parameter } => write!(
+                f,
+                "no measured output depends on `{parameter}` at its value in the model: fix it, begin at another \
+                 value, or measure a motion that depends on it"
+            ),
+            Self::Parameter(error) => error.fmt(f),
+            Self::Integration {
+                experiment,
+                from,
+                reason,
+            } => write!(
+                f,
+                "experiment {experiment} cannot be integrated from t = {from} with the parameters of the model: {reason}"
+            ),
+        }
+    }
+}
+
+impl Error for FitError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Parameter(error) => Some(error),
+            Self::Integration { reason, .. } => Some(reason),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! Results of fits.
+
+use std::fmt;
+
+use nalgebra::{DMatrix, SVector};
+
+use super::FitError;
+use super::likelihood::Likelihood;
+
+/// The result of a fit. `N` is the length of the state, `P` the number of parameters of the scene.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Fitted<const N: usize, const P: usize> {
+    /// All parameters of the scene, in the order of declaration: `NameParams::from_array(fitted.parameters)`.
+    pub parameters: [f64; P],
+    /// The free parameters, in the order of declaration.
+    pub estimates: Vec<Estimate>,
+    /// Covariance of the estimates, for residuals without correlation; infinite for undetermined parameters, and zero
+    /// for those at a bound.
+    pub covariance: DMatrix<f64>,
+    /// Combinations of free parameters that the measurements do not determine.
+    pub undetermined: Vec<Combination>,
+    /// Trajectories, in the order of the experiments and of time: one for each window.
+    pub windows: Vec<FittedWindow<N>>,
+    /// Residuals of each output of each experiment.
+    pub residuals: Vec<Residuals>,
+    /// Standard deviation of the noise of each output, given or estimated.
+    pub noise: Vec<(String, f64)>,
+    /// Likelihood of the measurements, to compare models.
+    pub likelihood: Likelihood,
+    /// What may be wrong although the fit ended.
+    pub warnings: Vec<Warning>,
+    /// Way in which the fit ended. The parameters are the best found in any case.
+    pub status: Status,
+    /// Number of steps of the search.
+    pub iterations: usize,
+    /// Number of windows that were integrated.
+    pub integrations: usize,
+}
+
+/// The estimate of a parameter.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Estimate {
+    /// Name of the parameter.
+    pub name: String,
+    /// Estimated value.
+    pub value: f64,
+    /// Its standard deviation.
+    pub deviation: f64,
+    /// Confidence interval of 95 %, by Student's distribution.
+    pub interval: [f64; 2],
+}
+
+/// A combination of parameters that the measurements do not determine: relative changes of the parameters in these
+/// proportions have less influence than the noise, even as large as the parameters themselves.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Combination {
+    /// Names and proportions, the largest first, which is 1.
+    pub terms: Vec<(String, f64)>,
+    /// Standard deviation of the relative change; infinite without any influence.
+    pub deviation: f64,
+}
+
+/// A trajectory in a window.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FittedWindow<const N: usize> {
+    /// Index of the experiment.
+    pub experiment: usize,
+    /// Time at its start.
+    pub t0: f64,
+    /// Time at its end.
+    pub t1: f64,
+    /// State at its start.
+    pub start: SVector<f64, N>,
+    /// State at its end.
+    pub end: SVector<f64, N>,
+}
+
+/// Residuals of an output in an experiment.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Residuals {
+    /// Index of the experiment.
+    pub experiment: usize,
+    /// Name of the output.
+    pub output: String,
+    /// Measured minus computed values at the times of the measurement; NaN where missing.
+    pub values: Vec<f64>,
+}
+
+impl Residuals {
+    /// Root mean square.
+    #[must_use]
+    pub fn rms(&self) -> f64 {
+        let known = || self.values.iter().filter(|value| !value.is_nan());
+        (known().map(|value| value * value).sum::<f64>() / known().count() as f64).sqrt()
+    }
+}
+
+/// Way in which a fit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Status {
+    /// No step decreases the loss noticeably.
+    Converged,
+    /// The maximum number of iterations was reached.
+    OutOfIterations,
+    /// The caller stopped the fit.
+    Stopped,
+}
+
+/// A reason to doubt a fit.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Warning {
+    /// A window is longer than the horizon of prediction: the noise at its start grows to the size of the motion.
+    /// Choose [shorter windows](super::Fit::windows).
+    BeyondHorizon {
+        /// Index of the experiment.
+        experiment: usize,
+        /// Time at the start of the window.
+        from: f64,
+        /// Length of the window.
+        length: f64,
+        /// Mean rate at which neighbouring trajectories part, in 1/s.
+        exponent: f64,
+        /// Horizon of prediction, in s.
+        horizon: f64,
+    },
+    /// A parameter is at one of its bounds; its deviation is zero, and those of the others hold for this value.
+    AtBound {
+        /// Name of the parameter.
+        parameter: String,
+        /// The bound.
+        bound: f64,
+    },
+    /// The last step was refused: the parameters there are impossible, or the model cannot be integrated. The best
+    /// parameters may lie beyond.
+    Refused(FitError),
+    /// Residuals of an output are correlated from sample to sample, so that the scene or its inputs miss something. The
+    /// deviations of the estimates are too small.
+    Correlated {
+        /// Name of the output.
+        output: String,
+        /// Correlation of consecutive residuals.
+        correlation: f64,
+    },
+    /// Residuals of an output are larger than its stated noise.
+    Misfit {
+        /// Name of the output.
+        output: String,
+        /// Their root mean square over the standard deviation of the noise.
+        ratio: f64,
+    },
+    /// The windows of a trajectory do not join: the largest gap, relative to the deviation of a start.
+    Gap(f64),
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BeyondHorizon {
+                experiment,
+                from,
+                length,
+                exponent,
+                horizon,
+            } => write!(
+                f,
+                "experiment {experiment}: the window of {length:.3} s from t = {from:.3} is longer than the horizon of \
+                 prediction, {horizon:.2} s at an exponent of {exponent:.2}/s; choose shorter windows"
+            ),
+            Self::Refused(error) => write!(f, "the best parameters may be impossible ones: {error}"),
+            Self::AtBound { parameter, bound } => write!(f, "`{parameter}` is at its bound {bound}"),
+            Self::Correlated { output, correlation } => write!(
+                f,
+                "residuals of `{output}` are correlated ({correlation:.2} from sample to sample): the scene misses \
+                 something, and deviations are too small"
+            ),
+            Self::Misfit { output, ratio } => {
+                write!(f, "residuals of `{output}` are {ratio:.1} times its noise")
+            }
+            Self::Gap(gap) => write!(
+                f,
+                "windows do not join: the largest gap is {gap:.1e} deviations of a start"
+            ),
+        }
+    }
+}
+
+impl fmt::Display for Combination {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("not determined: relative changes of")?;
+        for (n, (name, part)) in self.terms.iter().enumerate() {
+            let join = if n == 0 { "" } else { "," };
+            write!(f, "{join} {part:+.2} `{name}`")?;
+        }
+        if self.deviation.is_finite() {
+            write!(f, " (deviation {:.0} %)", 100.0 * self.deviation)
+        } else {
+            f.write_str(" (no influence)")
+        }
+    }
+}
+
+impl<const N: usize, const P: usize> Fitted<N, P> {
+    /// The estimate of a free parameter.
+    #[must_use]
+    pub fn estimate(&self, name: &str) -> Option<&Estimate> {
+        self.estimates.iter().find(|estimate| estimate.name == name)
+    }
+
+    /// Standard deviation of the noise of an output, given or estimated.
+    #[must_use]
+    pub fn noise_of(&self, output: &str) -> Option<f64> {
+        let found = self.noise.iter().find(|(name, _)| name == output);
+        found.map(|&(_, deviation)| deviation)
+    }
+
+    /// Root mean square of all residuals of an output; NaN if it is not measured.
+    #[must_use]
+    pub fn rms(&self, output: &str) -> f64 {
+        let of_output = self.residuals.iter().filter(|residuals| residuals.output == output);
+        let known = || {
+            let values = of_output.clone().flat_map(|residuals| &residuals.values);
+            values.filter(|value| !value.is_nan())
+        };
+        (known().map(|value| value * value).sum::<f64>() / known().count() as f64).sqrt()
+    }
+}
+
+/// A table of the estimates, with warnings.
+impl<const N: usize, const P: usize> fmt::Display for Fitted<N, P> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = self.estimates.iter().map(|estimate| estimate.name.chars().count());
+        let width = names.max().unwrap_or(0).max("parameter".len());
+        writeln!(
+            f,
+            "{:width$}  {:>12}  {:>9}  interval of 95 %",
+            "parameter", "estimate", "deviation"
+        )?;
+        for estimate in &self.estimates {
+            let [low, high] = estimate.interval;
+            writeln!(
+                f,
+                "{:width$}  {:>12.6}  {:>9.1e}  {low:.6} to {high:.6}",
+                estimate.name, estimate.value, estimate.deviation
+            )?;
+        }
+        for (output, noise) in &self.noise {
+            writeln!(
+                f,
+                "residuals of `{output}`: {:.2e}, noise {noise:.2e}",
+                self.rms(output)
+            )?;
+        }
+        for combination in &self.undetermined {
+            writeln!(f, "{combination}")?;
+        }
+        for warning in &self.warnings {
+            writeln!(f, "warning: {warning}")?;
+        }
+        match self.status {
+            Status::Converged => write!(f, "converged after {} iterations", self.iterations),
+            Status::OutOfIterations => write!(f, "not converged after {} iterations", self.iterations),
+            Status::Stopped => write!(f, "stopped after {} iterations", self.iterations),
+        }
+    }
+}

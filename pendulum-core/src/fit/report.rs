@@ -1,0 +1,390 @@
+//! Estimates of noise, and results with their uncertainty.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{DMatrix, DVector, SVector};
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use super::elimination::Echelon;
+use super::fitted::{Combination, Estimate, Fitted, FittedWindow, Residuals, Status, Warning};
+use super::likelihood::Likelihood;
+use super::measurement::Measurement;
+use super::search::{End, Point, Search};
+use super::shooting::{Shot, Window};
+use super::{FitError, ITERATIONS_OF_A_START};
+use std::ops::ControlFlow;
+
+/// Singular values below this part of the largest are rounding errors.
+const SINGULAR: f64 = 1e-10;
+/// A combination is undetermined if its relative deviation is larger.
+const UNDETERMINED: f64 = 1.0;
+/// Proportions in an undetermined combination below this are left out.
+const NEGLIGIBLE: f64 = 0.02;
+/// Residuals with a larger correlation from sample to sample are reported.
+const CORRELATED: f64 = 0.3;
+/// Residuals larger than this many times their noise are reported.
+const MISFIT: f64 = 1.5;
+/// Gaps between windows larger than this many deviations are reported.
+const OPEN: f64 = 1e-2;
+
+/// Names of the outputs, the index of the output of each column of each measurement, and the given deviations of their
+/// noise. A column with a noise of its own counts as another output.
+pub(super) fn sensors(measurements: &[&Measurement]) -> (Vec<String>, Vec<Vec<usize>>, Vec<Option<f64>>) {
+    let mut sensors: Vec<(&str, Option<f64>)> = Vec::new();
+    let mut of_columns = Vec::with_capacity(measurements.len());
+    for measurement in measurements {
+        let of_column = measurement.columns.iter().map(|column| {
+            let own = (column.name.as_str(), column.noise);
+            sensors.iter().position(|known| *known == own).unwrap_or_else(|| {
+                sensors.push(own);
+                sensors.len() - 1
+            })
+        });
+        let of_column = of_column.collect();
+        of_columns.push(of_column);
+    }
+    let (names, noise) = sensors
+        .into_iter()
+        .map(|(name, noise)| (name.to_owned(), noise))
+        .unzip();
+    (names, of_columns, noise)
+}
+
+impl Search<'_> {
+    /// Fits the start of a window alone. Returns it with the end of the window.
+    pub(super) fn start_alone(
+        &self,
+        window: &Window,
+        start: Vec<f64>,
+        parameters: &[f64],
+    ) -> Result<(Vec<f64>, Vec<f64>), FitError> {
+        let mut alone = Search {
+            measurements: self.measurements.clone(),
+            windows: vec![Window {
+                joined: false,
+                ..window.clone()
+            }],
+            sensors: self.sensors.clone(),
+            noise: self.noise.clone(),
+            given: self.given.clone(),
+            free: Vec::new(),
+            bounds: Vec::new(),
+            joints: None,
+            max_iterations: ITERATIONS_OF_A_START,
+            iterations: 0,
+            shots: 0,
+            refused: None,
+            ..*self
+        };
+        let point = alone.at(parameters.to_vec(), vec![start])?;
+        let (mut point, _) = alone.minimise(point, &mut |_| ControlFlow::Continue(()));
+        Ok((point.starts.swap_remove(0), point.shots.swap_remove(0).end))
+    }
+
+    /// Checks that there are enough values, and that each free parameter has an influence.
+    pub(super) fn check_influence(&self, point: &Point, names: &[&str]) -> Result<(), FitError> {
+        let (values, unknowns) = (self.values(point), self.unknowns());
+        if values <= unknowns {
+            return Err(FitError::TooFewValues { values, unknowns });
+        }
+        for (j, &parameter) in self.free.iter().enumerate() {
+            let influences = |shot: &Shot| shot.by.column(self.n + j).iter().any(|&slope| slope != 0.0);
+            if !point.shots.iter().any(influences) {
+                let parameter = names[parameter].to_owned();
+                return Err(FitError::NoInfluence { parameter });
+            }
+        }
+        Ok(())
+    }
+
+    /// Number of measured values.
+    fn values(&self, point: &Point) -> usize {
+        let mut count = 0;
+        for (w, shot) in point.shots.iter().enumerate() {
+            self.residuals(w, shot, |_, _, _, _| count += 1);
+        }
+        count
+    }
+
+    /// Number of free parameters and unknown components of starts.
+    fn unknowns(&self) -> usize {
+        let unknown = self.windows.iter().filter(|window| !window.known && !window.joined);
+        self.free.len() + self.n * unknown.count()
+    }
+
+    /// Typical standard deviation of each component of the start of a window.
+    pub(super) fn deviations_of_starts(&self, point: &Point) -> Vec<f64> {
+        let of_windows = self.eliminated(point).deviations_of_starts();
+        let of_component = |i: usize| {
+            let mut all: Vec<f64> = of_windows.iter().map(|deviations| deviations[i]).collect();
+            all.retain(|deviation| deviation.is_finite());
+            all.sort_by(f64::total_cmp);
+            let largest = point
+                .starts
+                .iter()
+                .fold(0.0_f64, |most, start| most.max(start[i].abs()));
+            let least = 1e-9 * if largest > 0.0 { largest } else { 1.0 };
+            all.get(all.len() / 2).map_or(1e6 * least, |median| median.max(least))
+        };
+        (0..self.n).map(of_component).collect()
+    }
+
+    fn warnings(&self, point: &Point, residuals: &[Residuals], outputs: &[String], names: &[&str]) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        for (&n, bounds) in self.free.iter().zip(&self.bounds) {
+            let value = point.parameters[n];
+            if let Some(&bound) = bounds.iter().find(|&&bound| bound == value) {
+                let parameter = names[n].to_owned();
+                warnings.push(Warning::AtBound { parameter, bound });
+            }
+        }
+        for (n, output) in outputs.iter().enumerate() {
+            let mut sums = [0.0; 2];
+            let mut count = 0.0_f64;
+            for (measurement, (sensors, residuals)) in self
+                .measurements
+                .iter()
+                .zip(self.sensors.iter().zip(self.by_experiment(residuals)))
+            {
+                debug_assert_eq!(measurement.columns.len(), residuals.len());
+                for (&sensor, residuals) in sensors.iter().zip(residuals) {
+                    if sensor == n {
+                        for pair in residuals
+                            .values
+                            .windows(2)
+                            .filter(|pair| !pair.iter().any(|r| r.is_nan()))
+                        {
+                            sums[0] += pair[0] * pair[1];
+                            sums[1] += pair[0] * pair[0];
+                            count += 1.0;
+                        }
+                    }
+                }
+            }
+            let correlation = sums[0] / sums[1];
+            if correlation > CORRELATED.max(3.0 / count.sqrt()) {
+                let output = output.clone();
+                warnings.push(Warning::Correlated { output, correlation });
+            }
+            let ratio = (sums[1] / count).sqrt() / self.noise[n];
+            if self.given[n] && ratio > MISFIT {
+                let output = output.clone();
+                warnings.push(Warning::Misfit { output, ratio });
+            }
+        }
+        warnings.extend(self.refused.clone().map(Warning::Refused));
+        warnings.extend(self.horizon(point));
+        if let Some(weights) = &self.joints {
+            let joined = (0..self.windows.len()).filter(|&w| self.windows[w].joined);
+            let gaps = joined.flat_map(|w| self.gap(w, point).zip(weights));
+            let gap = gaps.fold(0.0_f64, |most, (gap, weight)| most.max((gap * weight).abs()));
+            let gap = gap / super::JOINING[super::JOINING.len() - 1];
+            if gap > OPEN {
+                warnings.push(Warning::Gap(gap));
+            }
+        }
+        warnings
+    }
+
+    fn by_experiment<'r>(&self, residuals: &'r [Residuals]) -> impl Iterator<Item = &'r [Residuals]> {
+        residuals.chunk_by(|a, b| a.experiment == b.experiment)
+    }
+
+    /// The window that is longest in terms of its horizon of prediction, if it is beyond.
+    fn horizon(&self, point: &Point) -> Option<Warning> {
+        let scales = self.deviations_of_starts(point);
+        let of_window = |(w, shot): (usize, &Shot)| {
+            let window = &self.windows[w];
+            let length = window.span[1] - window.span[0];
+            let transition = DMatrix::from_fn(self.n, self.n, |i, j| shot.end_by[(i, j)] * scales[j] / scales[i]);
+            if window.known || length <= 0.0 || transition.iter().any(|entry| !entry.is_finite()) {
+                return None;
+            }
+            let exponent = libm::log(transition.singular_values().max()) / length;
+            // the smallest noise relative to the size of its output
+            let columns = &self.measurements[window.experiment].columns;
+            let size = columns.iter().enumerate().map(|(c, column)| {
+                let known = || {
+                    column.values[window.samples.clone()]
+                        .iter()
+                        .filter(|value| !value.is_nan())
+                };
+                let [low, high] = [
+                    known().copied().fold(f64::INFINITY, f64::min),
+                    known().copied().fold(f64::NEG_INFINITY, f64::max),
+                ];
+                (high - low) / self.noise[self.sensors[window.experiment][c]]
+            });
+            let size = size.fold(1.0_f64, f64::max);
+            let horizon = libm::log(size) / exponent;
+            (exponent > 0.0 && length > horizon).then_some((
+                length / horizon,
+                Warning::BeyondHorizon {
+                    experiment: window.experiment,
+                    from: window.span[0],
+                    length,
+                    exponent,
+                    horizon,
+                },
+            ))
+        };
+        let beyond = point.shots.iter().enumerate().filter_map(of_window);
+        beyond.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, warning)| warning)
+    }
+}
+
+/// The result at a point.
+pub(super) fn fitted<const N: usize, const P: usize>(
+    search: &Search<'_>,
+    point: &Point,
+    end: End,
+    names: &[&str],
+    outputs: &[String],
+) -> Fitted<N, P> {
+    let root = search.eliminated(point).parameters.upper();
+    let (values, unknowns) = (search.values(point), search.unknowns());
+    let left = values.saturating_sub(unknowns).max(1) as f64;
+    let (residuals, squares) = residuals_of(search, point);
+    let variance = squares.iter().map(|[sum, _]| sum).sum::<f64>() / left;
+    let p = search.free.len();
+    // parameters at a bound do not vary
+    let inner: Vec<usize> = (0..p)
+        .filter(|&j| !search.bounds[j].contains(&point.parameters[search.free[j]]))
+        .collect();
+    let scales: Vec<f64> = inner
+        .iter()
+        .map(|&j| point.parameters[search.free[j]].abs())
+        .map(|size| if size > 0.0 { size } else { 1.0 })
+        .collect();
+    let scaled = DMatrix::from_fn(root.nrows(), inner.len(), |i, k| root[(i, inner[k])] * scales[k]);
+    let (relative, undetermined) = uncertainty(scaled, variance, |k| names[search.free[inner[k]]]);
+    let mut covariance = DMatrix::zeros(p, p);
+    for (a, &i) in inner.iter().enumerate() {
+        for (b, &j) in inner.iter().enumerate() {
+            covariance[(i, j)] = relative[(a, b)] * scales[a] * scales[b];
+        }
+    }
+    let quantile = StudentsT::new(0.0, 1.0, left).map_or(f64::NAN, |student| student.inverse_cdf(0.975));
+    let estimates = search.free.iter().enumerate().map(|(j, &n)| {
+        let (value, deviation) = (point.parameters[n], covariance[(j, j)].sqrt());
+        let reach = if deviation > 0.0 { quantile * deviation } else { 0.0 };
+        Estimate {
+            name: names[n].to_owned(),
+            value,
+            deviation,
+            interval: [value - reach, value + reach],
+        }
+    });
+    let windows = search.windows.iter().enumerate().map(|(w, window)| FittedWindow {
+        experiment: window.experiment,
+        t0: window.span[0],
+        t1: window.span[1],
+        start: SVector::from_column_slice(&point.starts[w]),
+        end: SVector::from_column_slice(&point.shots[w].end),
+    });
+    // without the bias of the estimate that maximises the likelihood
+    let spared = (values as f64 / left).sqrt();
+    let noise = outputs.iter().zip(&search.noise).zip(&search.given);
+    let noise = noise.map(|((name, noise), given)| (name.clone(), if *given { *noise } else { noise * spared }));
+    let logarithm = squares
+        .iter()
+        .zip(&search.noise)
+        .map(|(&[sum, count], deviation)| -0.5 * (sum + count * libm::log(TAU * deviation * deviation)));
+    Fitted {
+        parameters: std::array::from_fn(|n| point.parameters[n]),
+        estimates: estimates.collect(),
+        covariance,
+        undetermined,
+        windows: windows.collect(),
+        noise: noise.collect(),
+        likelihood: Likelihood {
+            logarithm: logarithm.sum(),
+            unknowns: unknowns + search.given.iter().filter(|given| !**given).count(),
+            values,
+        },
+        warnings: search.warnings(point, &residuals, outputs, names),
+        residuals,
+        status: match end {
+            End::Converged => Status::Converged,
+            End::OutOfIterations => Status::OutOfIterations,
+            End::Stopped => Status::Stopped,
+        },
+        iterations: search.iterations,
+        integrations: search.shots,
+    }
+}
+
+/// Residuals of each column, and for each output the sum of the squares over its noise, weighted by a robust loss, with
+/// the number of values.
+fn residuals_of(search: &Search<'_>, point: &Point) -> (Vec<Residuals>, Vec<[f64; 2]>) {
+    let mut residuals: Vec<Vec<Residuals>> = Vec::new();
+    for (experiment, measurement) in search.measurements.iter().enumerate() {
+        let of_column = measurement.columns.iter().map(|column| Residuals {
+            experiment,
+            output: column.name.clone(),
+            values: vec![f64::NAN; measurement.times.len()],
+        });
+        residuals.push(of_column.collect());
+    }
+    let mut squares = vec![[0.0; 2]; search.noise.len()];
+    for (w, shot) in point.shots.iter().enumerate() {
+        let experiment = search.windows[w].experiment;
+        search.residuals(w, shot, |_, sample, column, residual| {
+            residuals[experiment][column].values[sample] = residual;
+            let sensor = search.sensors[experiment][column];
+            let z = residual / search.noise[sensor];
+            squares[sensor][0] += search.loss.of(z)[1] * z * z;
+            squares[sensor][1] += 1.0;
+        });
+    }
+    (residuals.into_iter().flatten().collect(), squares)
+}
+
+/// Covariance of relative changes, from a square root of the information matrix, and the combinations that are not
+/// determined.
+fn uncertainty<'n>(
+    root: DMatrix<f64>,
+    variance: f64,
+    name: impl Fn(usize) -> &'n str,
+) -> (DMatrix<f64>, Vec<Combination>) {
+    let p = root.ncols();
+    let mut undetermined = Vec::new();
+    let mut covariance = DMatrix::zeros(p, p);
+    if p == 0 {
+        return (covariance, undetermined);
+    }
+    // square, so that there are as many singular values as parameters
+    let square = Echelon::new(root, p).upper().resize(p, p, 0.0);
+    let svd = square.svd(false, true);
+    let Some(directions) = &svd.v_t else {
+        return (covariance, undetermined);
+    };
+    let least = SINGULAR * svd.singular_values.max();
+    for (value, direction) in svd.singular_values.iter().zip(directions.row_iter()) {
+        let direction: DVector<f64> = direction.transpose();
+        let deviation = if *value > least {
+            variance.sqrt() / value
+        } else {
+            f64::INFINITY
+        };
+        if deviation > UNDETERMINED {
+            let mut terms: Vec<(String, f64)> = (0..p).map(|k| (name(k).to_owned(), direction[k])).collect();
+            terms.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+            let largest = terms[0].1;
+            terms.iter_mut().for_each(|(_, part)| *part /= largest);
+            terms.retain(|(_, part)| part.abs() >= NEGLIGIBLE);
+            undetermined.push(Combination { terms, deviation });
+        }
+        for i in 0..p {
+            for j in 0..p {
+                let product = direction[i] * direction[j];
+                if deviation.is_finite() {
+                    covariance[(i, j)] += deviation * deviation * product;
+                } else if product.abs() > NEGLIGIBLE * NEGLIGIBLE {
+                    covariance[(i, j)] += f64::INFINITY * product.signum();
+                }
+            }
+        }
+    }
+    (covariance, undetermined)
+}

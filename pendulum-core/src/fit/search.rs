@@ -1,0 +1,385 @@
+//! The method of Levenberg and Marquardt for the starts of all windows and the free parameters.
+//!
+//! K. Madsen, H. B. Nielsen, O. Tingleff, "Methods for Non-Linear Least Squares Problems", 2nd ed. (2004), 3.2.
+
+use std::ops::ControlFlow;
+
+use nalgebra::DMatrix;
+
+use super::elimination::{Block, Damping, Echelon, Eliminated, within};
+use super::loss::Loss;
+use super::measurement::Measurement;
+use super::shooting::{Shooting, Shot, Window};
+use super::{FitError, Progress};
+
+/// First damping, relative to the lengths of the columns of the Jacobian.
+const FIRST_DAMPING: f64 = 1e-3;
+/// No step decreases the loss if one with this damping does not.
+const MOST_DAMPING: f64 = 1e12;
+/// The search ends where a step would decrease the loss by less than this part of that of one residual: parameters are
+/// then within 1e-4 of their standard deviations.
+const ENOUGH: f64 = 1e-8;
+/// The search also ends after `LAST` attempts that change the loss by less than this part of that of one residual, such as
+/// at a kink of the loss where joints begin to slip.
+const STALLED: f64 = 1e-4;
+const LAST: usize = 5;
+/// Rounding errors of the loss, as a part of it.
+const ROUNDING: f64 = 1e-14;
+/// Residuals without noise have this variance at least.
+const LEAST_VARIANCE: f64 = 1e-200;
+/// Median of the absolute value of a normal variable with standard deviation 1.
+const MEDIAN: f64 = 0.674_489_750_196_081_7;
+
+/// Numbers that the search adjusts, and the trajectories there.
+#[derive(Clone)]
+pub(super) struct Point {
+    pub(super) parameters: Vec<f64>,
+    pub(super) starts: Vec<Vec<f64>>,
+    pub(super) shots: Vec<Shot>,
+    /// Twice the negative logarithm of the likelihood, up to a constant: the losses of all residuals of known noise, `n
+    /// ln s^2` for `n` residuals of mean square `s^2` whose noise is not known, and the squares of the weighted gaps
+    /// between joined windows.
+    pub(super) loss: f64,
+}
+
+/// Problem and progress of a search.
+pub(super) struct Search<'a> {
+    pub(super) shooting: &'a dyn Shooting,
+    pub(super) measurements: Vec<&'a Measurement>,
+    pub(super) windows: Vec<Window>,
+    /// For each column of each measurement, the index of its noise.
+    pub(super) sensors: Vec<Vec<usize>>,
+    /// Standard deviations of the noise, given or estimated from the residuals.
+    pub(super) noise: Vec<f64>,
+    /// True for the noise that is given.
+    pub(super) given: Vec<bool>,
+    /// Indices of the free parameters.
+    pub(super) free: Vec<usize>,
+    /// Bounds of the free parameters.
+    pub(super) bounds: Vec<[f64; 2]>,
+    pub(super) loss: Loss,
+    /// Length of a state.
+    pub(super) n: usize,
+    /// Weights of the gaps between joined windows, for each component; none if windows are separate.
+    pub(super) joints: Option<Vec<f64>>,
+    pub(super) max_iterations: usize,
+    pub(super) iterations: usize,
+    pub(super) shots: usize,
+    /// Reason why the last step could not be taken.
+    pub(super) refused: Option<FitError>,
+}
+
+/// End of a search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    Converged,
+    OutOfIterations,
+    Stopped,
+}
+
+impl Search<'_> {
+    /// Integrates all windows.
+    ///
+    /// # Errors
+    /// The first window that cannot be integrated.
+    pub(super) fn at(&mut self, parameters: Vec<f64>, starts: Vec<Vec<f64>>) -> Result<Point, FitError> {
+        self.shooting
+            .check(&parameters)
+            .map_err(|error| FitError::Parameter(Box::new(error)))?;
+        let mut shots = Vec::with_capacity(self.windows.len());
+        for (window, start) in self.windows.iter().zip(&starts) {
+            self.shots += 1;
+            let shot = self.shooting.shoot(window, start, &parameters, &self.free);
+            shots.push(shot.map_err(|reason| FitError::Integration {
+                experiment: window.experiment,
+                from: window.span[0],
+                reason: Box::new(reason),
+            })?);
+        }
+        let mut point = Point {
+            parameters,
+            starts,
+            shots,
+            loss: 0.0,
+        };
+        point.loss = self.loss_of(&point);
+        Ok(point)
+    }
+
+    /// Calls `each` for each residual of a window: its row, its sample, its column and measured minus computed value.
+    pub(super) fn residuals(&self, w: usize, shot: &Shot, mut each: impl FnMut(usize, usize, usize, f64)) {
+        let window = &self.windows[w];
+        let columns = &self.measurements[window.experiment].columns;
+        let mut row = 0;
+        for sample in window.samples.clone() {
+            for (c, column) in columns.iter().enumerate() {
+                let residual = column.values[sample] - shot.outputs[row];
+                if !column.values[sample].is_nan() {
+                    each(row, sample, c, residual);
+                }
+                row += 1;
+            }
+        }
+    }
+
+    /// Standard deviation of the noise of a column in a window.
+    fn noise_of(&self, w: usize, column: usize) -> f64 {
+        self.noise[self.sensors[self.windows[w].experiment][column]]
+    }
+
+    /// The end of the window before minus the start of a window that continues it.
+    pub(super) fn gap<'p>(&self, w: usize, point: &'p Point) -> impl Iterator<Item = f64> + 'p {
+        let ends = point.shots[w - 1].end.iter().zip(&point.starts[w]);
+        ends.map(|(end, start)| end - start)
+    }
+
+    pub(super) fn loss_of(&self, point: &Point) -> f64 {
+        // for each output of unknown noise, the sum of squares and the number of values
+        let mut squares = vec![[0.0; 2]; self.noise.len()];
+        let mut sum = 0.0;
+        for (w, shot) in point.shots.iter().enumerate() {
+            let sensors = &self.sensors[self.windows[w].experiment];
+            self.residuals(w, shot, |_, _, column, residual| {
+                let sensor = sensors[column];
+                if self.given[sensor] || self.loss != Loss::Squares {
+                    sum += self.loss.of(residual / self.noise[sensor])[0];
+                } else {
+                    squares[sensor][0] += residual * residual;
+                    squares[sensor][1] += 1.0;
+                }
+            });
+            if let Some(weights) = self.joints.as_ref().filter(|_| self.windows[w].joined) {
+                let gaps = self.gap(w, point).zip(weights);
+                sum += gaps.map(|(gap, weight)| weight * gap * weight * gap).sum::<f64>();
+            }
+        }
+        let unknown = squares.iter().filter(|[_, count]| *count > 0.0);
+        sum += unknown
+            .map(|[sum, count]| count * libm::log((sum / count).max(LEAST_VARIANCE)))
+            .sum::<f64>();
+        if sum.is_nan() { f64::INFINITY } else { sum }
+    }
+
+    /// Estimates unknown noise from the residuals: their root mean square, which maximises the likelihood, or for a
+    /// robust loss their median, which outliers hardly move.
+    pub(super) fn estimate_noise(&mut self, point: &Point) {
+        let mut squares = vec![Vec::new(); self.noise.len()];
+        for (w, shot) in point.shots.iter().enumerate() {
+            let sensors = &self.sensors[self.windows[w].experiment];
+            self.residuals(w, shot, |_, _, column, residual| {
+                squares[sensors[column]].push(residual * residual);
+            });
+        }
+        for (n, squares) in squares.iter_mut().enumerate() {
+            if self.given[n] || squares.is_empty() {
+                continue;
+            }
+            let variance = if self.loss == Loss::Squares {
+                squares.iter().sum::<f64>() / squares.len() as f64
+            } else {
+                squares.sort_by(f64::total_cmp);
+                squares[squares.len() / 2] / (MEDIAN * MEDIAN)
+            };
+            self.noise[n] = variance.max(LEAST_VARIANCE).sqrt();
+        }
+    }
+
+    /// Mean of the weighted squares of the residuals: 1 where the noise is estimated.
+    fn mean_square(&self, point: &Point) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0_f64);
+        for (w, shot) in point.shots.iter().enumerate() {
+            self.residuals(w, shot, |_, _, column, residual| {
+                sum += self.loss.of(residual / self.noise_of(w, column))[0];
+                count += 1.0;
+            });
+        }
+        sum / count.max(1.0)
+    }
+
+    /// The linearised problem.
+    pub(super) fn blocks(&self, point: &Point) -> Vec<Block> {
+        let (n, p) = (self.n, self.free.len());
+        let block = |w: usize| {
+            let shot = &point.shots[w];
+            let mut rows = DMatrix::zeros(shot.outputs.len(), n + p + 1);
+            self.residuals(w, shot, |row, _, column, residual| {
+                let deviation = self.noise_of(w, column);
+                let root = self.loss.of(residual / deviation)[1].sqrt() / deviation;
+                for variable in 0..n + p {
+                    rows[(row, variable)] = root * shot.by[(row, variable)];
+                }
+                rows[(row, n + p)] = root * residual;
+            });
+            let joint = self.joints.as_ref().filter(|_| self.windows[w].joined).map(|weights| {
+                let (before, mut gap) = (&point.shots[w - 1], self.gap(w, point));
+                let mut rows = DMatrix::zeros(n, 2 * n + p + 1);
+                for (i, weight) in weights.iter().enumerate() {
+                    for variable in 0..n + p {
+                        let place = if variable < n { variable } else { variable + n };
+                        rows[(i, place)] = weight * before.end_by[(i, variable)];
+                    }
+                    rows[(i, n + i)] = -weight;
+                    rows[(i, 2 * n + p)] = -weight * gap.next().unwrap_or_default();
+                }
+                rows
+            });
+            Block {
+                rows: Echelon::new(rows, n + p).upper(),
+                joint,
+            }
+        };
+        (0..point.shots.len()).map(block).collect()
+    }
+
+    /// The problem without starts, for standard deviations.
+    pub(super) fn eliminated(&self, point: &Point) -> Eliminated {
+        let blocks = self.blocks(point);
+        let none = Damping {
+            starts: vec![vec![0.0; self.n]; blocks.len()],
+            parameters: vec![0.0; self.free.len()],
+        };
+        Eliminated::new(&blocks, [self.n, self.free.len()], &none)
+    }
+
+    /// Lengths of the columns of the Jacobian.
+    fn lengths(&self, blocks: &[Block]) -> Damping {
+        let (n, p) = (self.n, self.free.len());
+        let length = |block: &Block, column: usize| block.rows.column(column).norm();
+        // what has no influence has no corrections
+        let or_one = |length: f64| if length > 0.0 { length } else { 1.0 };
+        Damping {
+            starts: blocks
+                .iter()
+                .map(|block| (0..n).map(|column| or_one(length(block, column))).collect())
+                .collect(),
+            parameters: (n..n + p)
+                .map(|column| {
+                    or_one(
+                        blocks
+                            .iter()
+                            .map(|block| length(block, column) * length(block, column))
+                            .sum::<f64>()
+                            .sqrt(),
+                    )
+                })
+                .collect(),
+        }
+    }
+
+    /// Minimises the loss from a point on.
+    pub(super) fn minimise(
+        &mut self,
+        mut point: Point,
+        progress: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
+    ) -> (Point, End) {
+        let p = self.free.len();
+        let samples: usize = point.shots.iter().map(|shot| shot.outputs.len()).sum();
+        let (mut damping, mut growth) = (FIRST_DAMPING, 2.0);
+        self.estimate_noise(&point);
+        point.loss = self.loss_of(&point);
+        let mut blocks = self.blocks(&point);
+        let mut lengths = self.lengths(&blocks);
+        let mut losses = vec![point.loss];
+        let mut unit = self.mean_square(&point);
+        self.refused = None;
+        loop {
+            if self.iterations >= self.max_iterations {
+                return (point, End::OutOfIterations);
+            }
+            self.iterations += 1;
+            let root = damping.sqrt();
+            let scaled = |of: &Vec<f64>| of.iter().map(|length| root * length).collect();
+            let damped = Damping {
+                starts: lengths.starts.iter().map(scaled).collect(),
+                parameters: scaled(&lengths.parameters),
+            };
+            let eliminated = Eliminated::new(&blocks, [self.n, p], &damped);
+            let room: Vec<[f64; 2]> = (0..p)
+                .map(|j| self.bounds[j].map(|bound| bound - point.parameters[self.free[j]]))
+                .collect();
+            let change = within(&eliminated.parameters.upper(), &room);
+            let changes = eliminated.starts(&change);
+            let predicted = predicted_decrease(&blocks, &changes, &change, self.n);
+            let enough = ENOUGH.max(ROUNDING * samples as f64) * unit;
+            let stalled = losses.len() > LAST && losses[losses.len() - 1 - LAST] - point.loss <= STALLED * unit;
+            if predicted * (1.0 + damping) <= enough || stalled {
+                return (point, End::Converged);
+            }
+            let mut parameters = point.parameters.clone();
+            for ((&n, change), [low, high]) in self.free.iter().zip(&change).zip(&self.bounds) {
+                parameters[n] = (parameters[n] + change).clamp(*low, *high);
+            }
+            let mut starts = point.starts.clone();
+            for ((start, changes), window) in starts.iter_mut().zip(&changes).zip(&self.windows) {
+                if !window.known {
+                    start.iter_mut().zip(changes).for_each(|(x, change)| *x += change);
+                    self.shooting.project(window, start, &parameters);
+                }
+            }
+            let next = self.at(parameters, starts);
+            self.refused = next.as_ref().err().cloned();
+            let next = next.ok();
+            let gain = next.as_ref().map(|next| (point.loss - next.loss) / predicted);
+            match next.filter(|next| next.loss < point.loss) {
+                Some(next) => {
+                    point = next;
+                    self.estimate_noise(&point);
+                    point.loss = self.loss_of(&point);
+                    unit = self.mean_square(&point);
+                    blocks = self.blocks(&point);
+                    let now = self.lengths(&blocks);
+                    for (most, now) in lengths.starts.iter_mut().flatten().zip(now.starts.iter().flatten()) {
+                        *most = most.max(*now);
+                    }
+                    for (most, now) in lengths.parameters.iter_mut().zip(now.parameters) {
+                        *most = most.max(now);
+                    }
+                    let gain = gain.unwrap_or_default();
+                    let excess = 2.0 * gain - 1.0;
+                    damping *= (1.0 - excess * excess * excess).max(if gain > 0.9 { 0.1 } else { 1.0 / 3.0 });
+                    growth = 2.0;
+                    let report = Progress {
+                        iteration: self.iterations,
+                        loss: point.loss,
+                        parameters: &point.parameters,
+                    };
+                    if progress(&report).is_break() {
+                        return (point, End::Stopped);
+                    }
+                }
+                None => {
+                    damping *= growth;
+                    growth *= 2.0;
+                    if damping > MOST_DAMPING {
+                        return (point, End::Converged);
+                    }
+                }
+            }
+            losses.push(point.loss);
+        }
+    }
+}
+
+/// Decrease of the linearised loss by corrections.
+fn predicted_decrease(blocks: &[Block], starts: &[Vec<f64>], parameters: &[f64], n: usize) -> f64 {
+    let of = |rows: &DMatrix<f64>, changes: &[&[f64]]| {
+        let last = rows.ncols() - 1;
+        let of_row = |i: usize| {
+            let now = rows[(i, last)];
+            let change = changes.iter().flat_map(|changes| changes.iter()).enumerate();
+            let change: f64 = change.map(|(j, change)| rows[(i, j)] * change).sum();
+            // now^2 - (now - change)^2
+            change * (2.0 * now - change)
+        };
+        (0..rows.nrows()).map(of_row).sum::<f64>()
+    };
+    let mut sum = 0.0;
+    for (w, block) in blocks.iter().enumerate() {
+        debug_assert_eq!(starts[w].len(), n);
+        sum += of(&block.rows, &[&starts[w], parameters]);
+        if let Some(joint) = &block.joint {
+            sum += of(joint, &[&starts[w - 1], &starts[w], parameters]);
+        }
+    }
+    sum
+}

@@ -1,0 +1,238 @@
+//! Trajectories in windows, as functions of their starts and the parameters.
+
+use std::ops::Range;
+
+use nalgebra::{DMatrix, SVector};
+
+use super::measurement::Measurement;
+use super::{Experiment, FitError, nearest};
+use crate::dense::Dense;
+use crate::dual::Dual;
+use crate::error::{ParameterError, Reason};
+use crate::method::Method;
+use crate::real::Real;
+use crate::solution::Observer;
+use crate::system::{Parametric, System};
+
+/// Number of variables of a dual number: as many as a vector register holds. More variables are computed in parts, each
+/// in the same steps.
+pub(super) const PART: usize = 8;
+
+/// Part of an experiment.
+#[derive(Clone, Debug)]
+pub(super) struct Window {
+    pub(super) experiment: usize,
+    /// Indices of its samples.
+    pub(super) samples: Range<usize>,
+    /// Its start and end.
+    pub(super) span: [f64; 2],
+    /// True if it continues the window before.
+    pub(super) joined: bool,
+    /// True if the state at its start is known.
+    pub(super) known: bool,
+}
+
+/// A trajectory in a window, with its derivatives by the start and the free parameters.
+#[derive(Clone, Debug)]
+pub(super) struct Shot {
+    /// Outputs: all columns of the first sample, then those of the next.
+    pub(super) outputs: Vec<f64>,
+    /// A row for each output.
+    pub(super) by: DMatrix<f64>,
+    /// State at the end of the window.
+    pub(super) end: Vec<f64>,
+    /// A row for each component.
+    pub(super) end_by: DMatrix<f64>,
+}
+
+/// Models and methods behind plain numbers, so that the search is compiled once.
+pub(super) trait Shooting {
+    /// Integrates a window. Derivatives by a known start are zero.
+    fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], free: &[usize]) -> Result<Shot, Reason>;
+
+    /// Projects a start onto the constraints of the model.
+    fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64]);
+
+    /// Checks the parameters.
+    fn check(&self, parameters: &[f64]) -> Result<(), ParameterError>;
+}
+
+/// Source of a measured output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Source {
+    /// Component of the state.
+    Component(usize),
+    /// Output, by its index among all.
+    Output(usize),
+}
+
+/// The trajectories of experiments with a model.
+pub(super) struct Trajectories<'a, X, M, const N: usize> {
+    pub(super) method: &'a X,
+    pub(super) experiments: &'a [Experiment<'a, M, N>],
+    /// Sources of the columns of each experiment.
+    pub(super) sources: Vec<Vec<Source>>,
+}
+
+/// Sources of the columns of a measurement.
+pub(super) fn sources<M, const N: usize, const P: usize>(
+    model: &M,
+    measurement: &Measurement,
+) -> Result<Vec<Source>, FitError>
+where
+    M: Parametric<N, P>,
+{
+    let model = model.cast::<f64>();
+    let components = model.layout().map_or_else(Vec::new, |layout| layout.components());
+    let mut outputs = Vec::new();
+    // only names are of interest, whatever the values
+    model.each_output(0.0, &SVector::zeros(), &mut |name, _| outputs.push(name.to_owned()));
+    let names = measurement.names().map(|name| {
+        let output = outputs.iter().position(|own| own == name).map(Source::Output);
+        let component = || components.iter().position(|own| own == name).map(Source::Component);
+        output.or_else(component).ok_or_else(|| {
+            let known = || outputs.iter().chain(&components).map(String::as_str);
+            FitError::UnknownOutput {
+                name: name.to_owned(),
+                nearest: nearest(name, known()),
+                outputs: known().map(str::to_owned).collect(),
+            }
+        })
+    });
+    names.collect()
+}
+
+impl<X, M, const N: usize, const P: usize> Shooting for (&Trajectories<'_, X, M, N>, [(); P])
+where
+    M: Parametric<N, P>,
+    X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N>,
+{
+    fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], free: &[usize]) -> Result<Shot, Reason> {
+        let trajectories = self.0;
+        let experiment = &trajectories.experiments[window.experiment];
+        let sources = &trajectories.sources[window.experiment];
+        let times = &experiment.measurement.times[window.samples.clone()];
+        let [t0, t1] = window.span.map(Dual::constant);
+        let rows = times.len() * sources.len();
+        let variables = N + free.len();
+        let mut shot = Shot {
+            outputs: vec![0.0; rows],
+            by: DMatrix::zeros(rows, variables),
+            end: vec![0.0; N],
+            end_by: DMatrix::zeros(N, variables),
+        };
+        // without variables, once for the outputs
+        for first in (0..variables.max(1)).step_by(PART) {
+            let seed = |value: f64, variable: Option<usize>| {
+                let place = variable.and_then(|variable| variable.checked_sub(first));
+                match place.filter(|&place| place < PART) {
+                    Some(place) => Dual::variable(value, place),
+                    None => Dual::constant(value),
+                }
+            };
+            let model = experiment
+                .model
+                .with_parameters::<Dual<f64, PART>>(std::array::from_fn(|n| {
+                    let place = free.iter().position(|&free| free == n);
+                    seed(parameters[n], place.map(|place| N + place))
+                }));
+            let x0 = SVector::<_, N>::from_fn(|n, _| seed(start[n], (!window.known).then_some(n)));
+            let mut sampler = Sampler {
+                model: &model,
+                sources,
+                times,
+                next: 0,
+                outputs: Vec::with_capacity(rows),
+            };
+            let end = if t0.value == t1.value {
+                sampler.sample(t0, &x0);
+                x0
+            } else {
+                trajectories.method.follow(&model, t0, t1, x0, &[], &mut sampler)?
+            };
+            for (row, output) in sampler.outputs.iter().enumerate() {
+                shot.outputs[row] = output.value;
+                for column in first..variables.min(first + PART) {
+                    shot.by[(row, column)] = output.slopes[column - first];
+                }
+            }
+            for (row, component) in end.iter().enumerate() {
+                shot.end[row] = component.value;
+                for column in first..variables.min(first + PART) {
+                    shot.end_by[(row, column)] = component.slopes[column - first];
+                }
+            }
+        }
+        Ok(shot)
+    }
+
+    fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64]) {
+        let model = self.0.experiments[window.experiment].model;
+        let model = model.with_parameters::<f64>(std::array::from_fn(|n| parameters[n]));
+        let mut x = SVector::from_column_slice(start);
+        model.project(window.span[0], &mut x);
+        if x.iter().all(|x| x.is_finite()) {
+            start.copy_from_slice(x.as_slice());
+        }
+    }
+
+    fn check(&self, parameters: &[f64]) -> Result<(), ParameterError> {
+        let model = self.0.experiments[0].model;
+        model.check_parameters(&std::array::from_fn(|n| parameters[n]))
+    }
+}
+
+/// Evaluates the measured outputs at the times of the samples.
+struct Sampler<'a, S, T, const N: usize> {
+    model: &'a S,
+    sources: &'a [Source],
+    times: &'a [f64],
+    /// Index of the next sample.
+    next: usize,
+    outputs: Vec<T>,
+}
+
+impl<S, T: Real, const N: usize> Sampler<'_, S, T, N>
+where
+    S: System<T, N>,
+{
+    fn sample(&mut self, t: T, x: &SVector<T, N>) {
+        self.next += 1;
+        let first = self.outputs.len();
+        for source in self.sources {
+            self.outputs.push(match *source {
+                Source::Component(n) => x[n],
+                Source::Output(_) => T::default(),
+            });
+        }
+        if self.sources.iter().all(|source| matches!(source, Source::Component(_))) {
+            return;
+        }
+        let (mut index, outputs) = (0, &mut self.outputs[first..]);
+        self.model.each_output(t, x, &mut |_, value| {
+            for (output, source) in outputs.iter_mut().zip(self.sources) {
+                if *source == Source::Output(index) {
+                    *output = value;
+                }
+            }
+            index += 1;
+        });
+    }
+}
+
+impl<S, const N: usize, const K: usize> Observer<Dual<f64, K>, N> for Sampler<'_, S, Dual<f64, K>, N>
+where
+    S: System<Dual<f64, K>, N>,
+{
+    fn looks_into(&self, _t0: Dual<f64, K>, t1: Dual<f64, K>) -> bool {
+        self.times.get(self.next).is_some_and(|&t| t <= t1.value)
+    }
+
+    fn step(&mut self, dense: &Dense<'_, Dual<f64, K>, N>) {
+        let end = dense.step().t1.value;
+        while let Some(&t) = self.times.get(self.next).filter(|&&t| t <= end) {
+            let t = Dual::constant(t);
+            self.sample(t, &dense.at(t));
+        }
+    }
+}
