@@ -21,6 +21,7 @@ pages! {
     clock: "src/recipes/clock.md",
     computed_torque: "src/recipes/computed-torque.md",
     flip_map: "src/recipes/flip-map.md",
+    experiment_design: "src/recipes/experiment-design.md",
     identification: "src/recipes/identification.md",
     linkages: "src/recipes/linkages.md",
     quadrotor: "src/recipes/quadrotor.md",

@@ -89,6 +89,24 @@ impl Measurement {
         }
     }
 
+    /// Every `step`-th sample, the first one included. Samples farther apart than the correlation of the residuals give
+    /// [honest](super::Warning::Correlated) deviations and likelihoods.
+    ///
+    /// # Panics
+    /// If `step` is zero.
+    #[must_use]
+    pub fn every(&self, step: usize) -> Self {
+        let columns = self.columns.iter().map(|column| Column {
+            name: column.name.clone(),
+            values: column.values.iter().copied().step_by(step).collect(),
+            noise: column.noise,
+        });
+        Self {
+            times: self.times.iter().copied().step_by(step).collect(),
+            columns: columns.collect(),
+        }
+    }
+
     /// Times of the samples.
     #[must_use]
     pub fn times(&self) -> &[f64] {

@@ -84,6 +84,8 @@ use shooting::{PART, Trajectories, Window, sources};
 /// Weights of the gaps between joined windows, in standard deviations of their starts, one after the other: the last one
 /// closes them to about 1e-8 deviations.
 const JOINING: [f64; 3] = [1.0, 1e2, 1e4];
+/// Number of attempts to leave a kink by fitting each start alone.
+const KINKS: usize = 5;
 /// Number of iterations for the start of a window alone.
 const ITERATIONS_OF_A_START: usize = 20;
 
@@ -229,8 +231,8 @@ impl<X> Fit<X> {
         experiments: &[Experiment<'_, M, N>],
     ) -> Result<Fitted<N, P>, FitError>
     where
-        M: Parametric<N, P>,
-        X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N>,
+        M: Parametric<N, P> + Sync,
+        X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N> + Sync,
     {
         self.run_with(experiments, |_| ControlFlow::Continue(()))
     }
@@ -245,8 +247,8 @@ impl<X> Fit<X> {
         mut progress: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
     ) -> Result<Fitted<N, P>, FitError>
     where
-        M: Parametric<N, P>,
-        X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N>,
+        M: Parametric<N, P> + Sync,
+        X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N> + Sync,
     {
         let [first, ..] = experiments else {
             return Err(FitError::NoExperiment);
@@ -407,10 +409,16 @@ impl<X> Fit<X> {
     ) -> (Point, End) {
         let mut end;
         (point, end) = search.minimise(point, progress);
+        for _ in 0..KINKS {
+            if end != End::Kink || !search.relax(&mut point) {
+                break;
+            }
+            (point, end) = search.minimise(point, progress);
+        }
         if matches!(self.division, Division::Joined(_)) {
             let deviations = search.deviations_of_starts(&point);
             for weight in JOINING {
-                if end != End::Converged {
+                if matches!(end, End::OutOfIterations | End::Stopped) {
                     return (point, end);
                 }
                 search.joints = Some(deviations.iter().map(|deviation| weight / deviation).collect());
@@ -506,7 +514,7 @@ where
         let complete = window.known || measured.iter().all(|&measured| measured);
         before = None;
         if !complete {
-            let (fitted, end) = search.start_alone(window, start, parameters)?;
+            let (fitted, end) = search.start_alone(window, start, parameters, &search.given)?;
             start = fitted;
             before = Some(end);
         }

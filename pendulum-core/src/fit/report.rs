@@ -51,12 +51,13 @@ pub(super) fn sensors(measurements: &[&Measurement]) -> (Vec<String>, Vec<Vec<us
 }
 
 impl Search<'_> {
-    /// Fits the start of a window alone. Returns it with the end of the window.
+    /// Fits the start of a window alone, with `given` noise if known. Returns it with the end of the window.
     pub(super) fn start_alone(
         &self,
         window: &Window,
         start: Vec<f64>,
         parameters: &[f64],
+        given: &[bool],
     ) -> Result<(Vec<f64>, Vec<f64>), FitError> {
         let mut alone = Search {
             measurements: self.measurements.clone(),
@@ -66,7 +67,7 @@ impl Search<'_> {
             }],
             sensors: self.sensors.clone(),
             noise: self.noise.clone(),
-            given: self.given.clone(),
+            given: given.to_vec(),
             free: Vec::new(),
             bounds: Vec::new(),
             joints: None,
@@ -81,6 +82,30 @@ impl Search<'_> {
         Ok((point.starts.swap_remove(0), point.shots.swap_remove(0).end))
     }
 
+    /// Fits the start of each window alone, which kinks in other windows do not hinder. True if the loss decreases
+    /// noticeably.
+    pub(super) fn relax(&mut self, point: &mut Point) -> bool {
+        let given = vec![true; self.given.len()];
+        let starts = self.windows.iter().zip(&point.starts).map(|(window, start)| {
+            let alone = || self.start_alone(window, start.clone(), &point.parameters, &given).ok();
+            (!window.known)
+                .then(alone)
+                .flatten()
+                .map_or_else(|| start.clone(), |(start, _)| start)
+        });
+        let relaxed = self.at(point.parameters.clone(), starts.collect());
+        match relaxed
+            .ok()
+            .filter(|relaxed| relaxed.loss < point.loss - self.mean_square(point))
+        {
+            Some(relaxed) => {
+                *point = relaxed;
+                true
+            }
+            None => false,
+        }
+    }
+
     /// Checks that there are enough values, and that each free parameter has an influence.
     pub(super) fn check_influence(&self, point: &Point, names: &[&str]) -> Result<(), FitError> {
         let (values, unknowns) = (self.values(point), self.unknowns());
@@ -88,8 +113,7 @@ impl Search<'_> {
             return Err(FitError::TooFewValues { values, unknowns });
         }
         for (j, &parameter) in self.free.iter().enumerate() {
-            let influences = |shot: &Shot| shot.by.column(self.n + j).iter().any(|&slope| slope != 0.0);
-            if !point.shots.iter().any(influences) {
+            if !self.influences(point, j) {
                 let parameter = names[parameter].to_owned();
                 return Err(FitError::NoInfluence { parameter });
             }
@@ -305,7 +329,7 @@ pub(super) fn fitted<const N: usize, const P: usize>(
         warnings: search.warnings(point, &residuals, outputs, names),
         residuals,
         status: match end {
-            End::Converged => Status::Converged,
+            End::Converged | End::Kink => Status::Converged,
             End::OutOfIterations => Status::OutOfIterations,
             End::Stopped => Status::Stopped,
         },
@@ -360,31 +384,69 @@ fn uncertainty<'n>(
         return (covariance, undetermined);
     };
     let least = SINGULAR * svd.singular_values.max();
+    let mut free: Vec<DVector<f64>> = Vec::new();
     for (value, direction) in svd.singular_values.iter().zip(directions.row_iter()) {
         let direction: DVector<f64> = direction.transpose();
-        let deviation = if *value > least {
-            variance.sqrt() / value
-        } else {
-            f64::INFINITY
-        };
-        if deviation > UNDETERMINED {
-            let mut terms: Vec<(String, f64)> = (0..p).map(|k| (name(k).to_owned(), direction[k])).collect();
-            terms.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-            let largest = terms[0].1;
-            terms.iter_mut().for_each(|(_, part)| *part /= largest);
-            terms.retain(|(_, part)| part.abs() >= NEGLIGIBLE);
-            undetermined.push(Combination { terms, deviation });
+        if *value <= least {
+            free.push(direction);
+            continue;
         }
-        for i in 0..p {
-            for j in 0..p {
-                let product = direction[i] * direction[j];
-                if deviation.is_finite() {
-                    covariance[(i, j)] += deviation * deviation * product;
-                } else if product.abs() > NEGLIGIBLE * NEGLIGIBLE {
-                    covariance[(i, j)] += f64::INFINITY * product.signum();
+        let deviation = variance.sqrt() / value;
+        covariance += &direction * direction.transpose() * (deviation * deviation);
+        if deviation > UNDETERMINED {
+            undetermined.push(combination(&direction, deviation, &name));
+        }
+    }
+    sparse(&mut free);
+    for direction in &free {
+        for (i, a) in direction.iter().enumerate() {
+            for (j, b) in direction.iter().enumerate() {
+                if a.abs() > NEGLIGIBLE && b.abs() > NEGLIGIBLE {
+                    covariance[(i, j)] += f64::INFINITY * (a * b).signum();
+                }
+            }
+        }
+        undetermined.push(combination(direction, f64::INFINITY, &name));
+    }
+    (covariance, undetermined)
+}
+
+/// Combines directions so that each has few parts: subtracts multiples of others while this removes parts.
+fn sparse(directions: &mut [DVector<f64>]) {
+    let parts = |direction: &DVector<f64>| {
+        let least = NEGLIGIBLE * direction.amax();
+        direction.iter().filter(|part| part.abs() > least).count()
+    };
+    let count = directions.len();
+    let mut better = count > 1;
+    while better {
+        better = false;
+        for (a, b) in (0..count)
+            .flat_map(|a| (0..count).map(move |b| (a, b)))
+            .filter(|(a, b)| a != b)
+        {
+            for k in 0..directions[a].len() {
+                let [from, by] = [directions[a][k], directions[b][k]];
+                if by.abs() <= NEGLIGIBLE * directions[b].amax() {
+                    continue;
+                }
+                let fewer = &directions[a] - &directions[b] * (from / by);
+                if fewer.amax() > NEGLIGIBLE && parts(&fewer) < parts(&directions[a]) {
+                    directions[a] = fewer.normalize();
+                    better = true;
                 }
             }
         }
     }
-    (covariance, undetermined)
+}
+
+/// A combination of parameters, with the largest part first.
+fn combination<'n>(direction: &DVector<f64>, deviation: f64, name: impl Fn(usize) -> &'n str) -> Combination {
+    let parts = direction.iter().enumerate();
+    let mut terms: Vec<(String, f64)> = parts.map(|(k, &part)| (name(k).to_owned(), part)).collect();
+    terms.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+    let largest = terms[0].1;
+    terms.iter_mut().for_each(|(_, part)| *part /= largest);
+    terms.retain(|(_, part)| part.abs() >= NEGLIGIBLE);
+    Combination { terms, deviation }
 }

@@ -3,6 +3,8 @@
 //! K. Madsen, H. B. Nielsen, O. Tingleff, "Methods for Non-Linear Least Squares Problems", 2nd ed. (2004), 3.2.
 
 use std::ops::ControlFlow;
+use std::panic::resume_unwind;
+use std::thread;
 
 use nalgebra::DMatrix;
 
@@ -15,14 +17,19 @@ use super::{FitError, Progress};
 /// First damping, relative to the lengths of the columns of the Jacobian.
 const FIRST_DAMPING: f64 = 1e-3;
 /// No step decreases the loss if one with this damping does not.
-const MOST_DAMPING: f64 = 1e12;
+const MOST_DAMPING: f64 = 1e8;
 /// The search ends where a step would decrease the loss by less than this part of that of one residual: parameters are
 /// then within 1e-4 of their standard deviations.
 const ENOUGH: f64 = 1e-8;
-/// The search also ends after `LAST` attempts that change the loss by less than this part of that of one residual, such as
-/// at a kink of the loss where joints begin to slip.
-const STALLED: f64 = 1e-4;
-const LAST: usize = 5;
+/// The search also ends after `LAST` steps that decrease the loss by less than this part of that of one residual, such as
+/// along a kink of the loss where joints begin to slip.
+const STALLED: f64 = 1e-2;
+const LAST: usize = 3;
+/// At a kink, steps in the direction of the derivatives increase the loss however close the optimum is: the search also
+/// ends where such a step promised a decrease by less than this part of that of one residual.
+const KINK: f64 = 0.1;
+/// A step leaves at least this part of a parameter that would lose its influence at zero.
+const LEFT: f64 = 0.1;
 /// Rounding errors of the loss, as a part of it.
 const ROUNDING: f64 = 1e-14;
 /// Residuals without noise have this variance at least.
@@ -73,6 +80,8 @@ pub(super) struct Search<'a> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     Converged,
+    /// No step in the direction of the derivatives decreases the loss, although they promise it.
+    Kink,
     OutOfIterations,
     Stopped,
 }
@@ -86,16 +95,8 @@ impl Search<'_> {
         self.shooting
             .check(&parameters)
             .map_err(|error| FitError::Parameter(Box::new(error)))?;
-        let mut shots = Vec::with_capacity(self.windows.len());
-        for (window, start) in self.windows.iter().zip(&starts) {
-            self.shots += 1;
-            let shot = self.shooting.shoot(window, start, &parameters, &self.free);
-            shots.push(shot.map_err(|reason| FitError::Integration {
-                experiment: window.experiment,
-                from: window.span[0],
-                reason: Box::new(reason),
-            })?);
-        }
+        let shots = self.shoot(&parameters, &starts)?;
+        self.shots += shots.len();
         let mut point = Point {
             parameters,
             starts,
@@ -104,6 +105,41 @@ impl Search<'_> {
         };
         point.loss = self.loss_of(&point);
         Ok(point)
+    }
+
+    /// True if an output depends on a free parameter.
+    pub(super) fn influences(&self, point: &Point, j: usize) -> bool {
+        let of = |shot: &Shot| shot.by.column(self.n + j).iter().any(|&slope| slope != 0.0);
+        point.shots.iter().any(of)
+    }
+
+    /// Integrates all windows, on all cores. The results do not depend on the number of cores.
+    fn shoot(&self, parameters: &[f64], starts: &[Vec<f64>]) -> Result<Vec<Shot>, FitError> {
+        let shoot = |(window, start): (&Window, &Vec<f64>)| {
+            let shot = self.shooting.shoot(window, start, parameters, &self.free);
+            shot.map_err(|reason| FitError::Integration {
+                experiment: window.experiment,
+                from: window.span[0],
+                reason: Box::new(reason),
+            })
+        };
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        let part = self.windows.len().div_ceil(cores);
+        let mut parts = self.windows.chunks(part).zip(starts.chunks(part));
+        let Some(first) = parts.next() else {
+            return Ok(Vec::new());
+        };
+        let all =
+            |(windows, starts): (&[Window], &[Vec<f64>])| windows.iter().zip(starts).map(shoot).collect::<Vec<_>>();
+        let shots = thread::scope(|scope| {
+            let others: Vec<_> = parts.map(|part| scope.spawn(move || all(part))).collect();
+            let mut shots = all(first);
+            for other in others {
+                shots.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+            }
+            shots
+        });
+        shots.into_iter().collect()
     }
 
     /// Calls `each` for each residual of a window: its row, its sample, its column and measured minus computed value.
@@ -185,7 +221,7 @@ impl Search<'_> {
     }
 
     /// Mean of the weighted squares of the residuals: 1 where the noise is estimated.
-    fn mean_square(&self, point: &Point) -> f64 {
+    pub(super) fn mean_square(&self, point: &Point) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0_f64);
         for (w, shot) in point.shots.iter().enumerate() {
             self.residuals(w, shot, |_, _, column, residual| {
@@ -241,28 +277,21 @@ impl Search<'_> {
         Eliminated::new(&blocks, [self.n, self.free.len()], &none)
     }
 
-    /// Lengths of the columns of the Jacobian.
+    /// Lengths of the columns of the Jacobian. Those of the starts are means over all windows: where a joint sticks, a
+    /// window hardly depends on its start, and its own length would allow a step of any size.
     fn lengths(&self, blocks: &[Block]) -> Damping {
         let (n, p) = (self.n, self.free.len());
-        let length = |block: &Block, column: usize| block.rows.column(column).norm();
         // what has no influence has no corrections
-        let or_one = |length: f64| if length > 0.0 { length } else { 1.0 };
+        let length = |column: usize| {
+            let squares = blocks.iter().map(|block| block.rows.column(column).norm_squared());
+            let length = squares.sum::<f64>().sqrt();
+            if length > 0.0 { length } else { 1.0 }
+        };
+        let mean = (blocks.len() as f64).sqrt();
+        let start: Vec<f64> = (0..n).map(|column| length(column) / mean).collect();
         Damping {
-            starts: blocks
-                .iter()
-                .map(|block| (0..n).map(|column| or_one(length(block, column))).collect())
-                .collect(),
-            parameters: (n..n + p)
-                .map(|column| {
-                    or_one(
-                        blocks
-                            .iter()
-                            .map(|block| length(block, column) * length(block, column))
-                            .sum::<f64>()
-                            .sqrt(),
-                    )
-                })
-                .collect(),
+            starts: vec![start; blocks.len()],
+            parameters: (n..n + p).map(length).collect(),
         }
     }
 
@@ -282,6 +311,8 @@ impl Search<'_> {
         let mut losses = vec![point.loss];
         let mut unit = self.mean_square(&point);
         self.refused = None;
+        // parameters that lose their influence at a bound, such as dry friction of zero, approach it in parts
+        let mut lost = vec![false; p];
         loop {
             if self.iterations >= self.max_iterations {
                 return (point, End::OutOfIterations);
@@ -295,15 +326,22 @@ impl Search<'_> {
             };
             let eliminated = Eliminated::new(&blocks, [self.n, p], &damped);
             let room: Vec<[f64; 2]> = (0..p)
-                .map(|j| self.bounds[j].map(|bound| bound - point.parameters[self.free[j]]))
+                .map(|j| {
+                    let (value, [low, high]) = (point.parameters[self.free[j]], self.bounds[j]);
+                    let low = if lost[j] { low.max(LEFT * value) } else { low };
+                    [low, high].map(|bound| bound - value)
+                })
                 .collect();
             let change = within(&eliminated.parameters.upper(), &room);
             let changes = eliminated.starts(&change);
             let predicted = predicted_decrease(&blocks, &changes, &change, self.n);
             let enough = ENOUGH.max(ROUNDING * samples as f64) * unit;
             let stalled = losses.len() > LAST && losses[losses.len() - 1 - LAST] - point.loss <= STALLED * unit;
-            if predicted * (1.0 + damping) <= enough || stalled {
+            if predicted * (1.0 + damping) <= enough {
                 return (point, End::Converged);
+            }
+            if stalled {
+                return (point, End::Kink);
             }
             let mut parameters = point.parameters.clone();
             for ((&n, change), [low, high]) in self.free.iter().zip(&change).zip(&self.bounds) {
@@ -321,11 +359,15 @@ impl Search<'_> {
             let next = next.ok();
             let gain = next.as_ref().map(|next| (point.loss - next.loss) / predicted);
             match next.filter(|next| next.loss < point.loss) {
+                Some(next) if (0..p).any(|j| !lost[j] && self.influences(&point, j) && !self.influences(&next, j)) => {
+                    (0..p).for_each(|j| lost[j] |= !self.influences(&next, j));
+                }
                 Some(next) => {
                     point = next;
                     self.estimate_noise(&point);
                     point.loss = self.loss_of(&point);
                     unit = self.mean_square(&point);
+                    losses.push(point.loss);
                     blocks = self.blocks(&point);
                     let now = self.lengths(&blocks);
                     for (most, now) in lengths.starts.iter_mut().flatten().zip(now.starts.iter().flatten()) {
@@ -348,14 +390,16 @@ impl Search<'_> {
                     }
                 }
                 None => {
+                    if self.refused.is_none() && predicted * (1.0 + damping) <= KINK * unit {
+                        return (point, End::Kink);
+                    }
                     damping *= growth;
                     growth *= 2.0;
                     if damping > MOST_DAMPING {
-                        return (point, End::Converged);
+                        return (point, End::Kink);
                     }
                 }
             }
-            losses.push(point.loss);
         }
     }
 }

@@ -46,7 +46,7 @@ pub(super) struct Shot {
 }
 
 /// Models and methods behind plain numbers, so that the search is compiled once.
-pub(super) trait Shooting {
+pub(super) trait Shooting: Sync {
     /// Integrates a window. Derivatives by a known start are zero.
     fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], free: &[usize]) -> Result<Shot, Reason>;
 
@@ -104,8 +104,8 @@ where
 
 impl<X, M, const N: usize, const P: usize> Shooting for (&Trajectories<'_, X, M, N>, [(); P])
 where
-    M: Parametric<N, P>,
-    X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N>,
+    M: Parametric<N, P> + Sync,
+    X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N> + Sync,
 {
     fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], free: &[usize]) -> Result<Shot, Reason> {
         let trajectories = self.0;
