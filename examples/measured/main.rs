@@ -245,8 +245,11 @@ fn which_friction(both: &ArmFit, run: &Run, noise: [f64; 2]) -> Result<(), Box<d
     for scene in [VISCOUS, DRY] {
         let comparison = thinned(&scene, run, noise)?.likelihood.compare(&both.likelihood);
         println!(
-            "  {:<12} 2 ln L grows by {:>6.1}; p = {:.0e}; Bayesian criterion {:+.1}",
-            scene.0, comparison.statistic, comparison.p_value, comparison.bic
+            "  {:<12} 2 ln L grows by {:>6.1}; p < {:.0e}; Bayesian criterion {:+.1}",
+            scene.0,
+            comparison.statistic,
+            comparison.p_value.max(1e-99),
+            comparison.bic
         );
     }
     Ok(())

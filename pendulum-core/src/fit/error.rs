@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use crate::error::{ParameterError, Reason, debug_as_display};
+use crate::error::{Reason, debug_as_display};
 
 debug_as_display! { [] FitError; }
 
@@ -75,8 +75,6 @@ pub enum FitError {
         /// Name of the parameter.
         parameter: String,
     },
-    /// The parameters of the model are impossible.
-    Parameter(Box<ParameterError>),
     /// The model cannot be integrated with its parameters.
     Integration {
         /// Index of the experiment.
@@ -136,7 +134,6 @@ impl fmt::Display for FitError {
                 "no measured output depends on `{parameter}` at its value in the model: fix it, begin at another \
                  value, or measure a motion that depends on it"
             ),
-            Self::Parameter(error) => error.fmt(f),
             Self::Integration {
                 experiment,
                 from,
@@ -152,7 +149,6 @@ impl fmt::Display for FitError {
 impl Error for FitError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
-            Self::Parameter(error) => Some(error),
             Self::Integration { reason, .. } => Some(reason),
             _ => None,
         }

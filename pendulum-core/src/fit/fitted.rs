@@ -4,8 +4,8 @@ use std::fmt;
 
 use nalgebra::{DMatrix, SVector};
 
-use super::FitError;
 use super::likelihood::Likelihood;
+use crate::error::ParameterError;
 
 /// The result of a fit. `N` is the length of the state, `P` the number of parameters of the scene.
 #[derive(Clone, Debug)]
@@ -137,9 +137,9 @@ pub enum Warning {
         /// The bound.
         bound: f64,
     },
-    /// The last step was refused: the parameters there are impossible, or the model cannot be integrated. The best
-    /// parameters may lie beyond.
-    Refused(FitError),
+    /// A model with the best parameters is impossible, such as one with an inertia that no body can have: the scene misses
+    /// something, or the measurement does not determine the parameters of the error. Fix or bound some of these.
+    Impossible(ParameterError),
     /// Residuals of an output are correlated from sample to sample, so that the scene or its inputs miss something. The
     /// deviations of the estimates are too small.
     Correlated {
@@ -173,7 +173,7 @@ impl fmt::Display for Warning {
                 "experiment {experiment}: the window of {length:.3} s from t = {from:.3} is longer than the horizon of \
                  prediction, {horizon:.2} s at an exponent of {exponent:.2}/s; choose shorter windows"
             ),
-            Self::Refused(error) => write!(f, "the best parameters may be impossible ones: {error}"),
+            Self::Impossible(error) => write!(f, "the best parameters are impossible, fix or bound some: {error}"),
             Self::AtBound { parameter, bound } => write!(f, "`{parameter}` is at its bound {bound}"),
             Self::Correlated { output, correlation } => write!(
                 f,

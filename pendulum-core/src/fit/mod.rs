@@ -62,6 +62,7 @@ mod measurement;
 mod report;
 mod search;
 mod shooting;
+mod starts;
 mod table;
 
 use std::ops::ControlFlow;
@@ -77,7 +78,7 @@ pub use table::{Table, TableError};
 
 use crate::dual::Dual;
 use crate::method::Method;
-use crate::system::{IntoState, Parametric, System};
+use crate::system::{IntoState, Parametric};
 use search::{End, Point, Search};
 use shooting::{PART, Trajectories, Window, sources};
 
@@ -86,9 +87,6 @@ use shooting::{PART, Trajectories, Window, sources};
 const JOINING: [f64; 3] = [1.0, 1e2, 1e4];
 /// Number of attempts to leave a kink by fitting each start alone.
 const KINKS: usize = 5;
-/// Number of iterations for the start of a window alone.
-const ITERATIONS_OF_A_START: usize = 20;
-
 /// An experiment: a model, and the measurement of its motion.
 ///
 /// The models of several experiments may have different inputs. The values of their parameters, at which the fit
@@ -103,7 +101,7 @@ pub struct Experiment<'a, M, const N: usize> {
 
 impl<'a, M, const N: usize> Experiment<'a, M, N> {
     /// An experiment with an unknown state at the first sample. Measured coordinates give a first guess of it, also of
-    /// their rates; other components are zero.
+    /// their rates. Where other components are not measured themselves, the first samples are fitted, from zero on.
     #[must_use]
     pub fn new(model: &'a M, measurement: &'a Measurement) -> Self {
         Self {
@@ -114,7 +112,7 @@ impl<'a, M, const N: usize> Experiment<'a, M, N> {
         }
     }
 
-    /// Sets the first guess of the state at the first sample.
+    /// Sets the first guess of the state at the first sample. The first samples are fitted from there.
     #[must_use]
     pub fn from_guess(mut self, x0: impl IntoState<f64, N>) -> Self {
         self.guess = Some(x0.into_state());
@@ -286,10 +284,9 @@ impl<X> Fit<X> {
             max_iterations: self.max_iterations,
             iterations: 0,
             shots: 0,
-            refused: None,
         };
         let parameters = first.model.parameters().to_vec();
-        let starts = starts(&search, experiments, &trajectories, &parameters)?;
+        let starts = starts::first(&search, experiments, &trajectories, &parameters, &self.division)?;
         let point = search.at(parameters, starts)?;
         search.check_influence(&point, &names)?;
         let (point, end) = self.find(&mut search, point, &mut progress);
@@ -446,81 +443,6 @@ where
         [false, false, true] => tiny,
         _ => f64::NEG_INFINITY,
     }
-}
-
-/// First guesses of the starts of all windows: from measured components of the state, from the guess or the known state
-/// of the experiment, and from the end of the window before. If components are measured indirectly, the start of each
-/// window is fitted alone.
-fn starts<X, M, const N: usize, const P: usize>(
-    search: &Search<'_>,
-    experiments: &[Experiment<'_, M, N>],
-    trajectories: &Trajectories<'_, X, M, N>,
-    parameters: &[f64],
-) -> Result<Vec<Vec<f64>>, FitError>
-where
-    M: Parametric<N, P>,
-{
-    let mut starts: Vec<Vec<f64>> = Vec::with_capacity(search.windows.len());
-    let mut before: Option<Vec<f64>> = None;
-    for window in &search.windows {
-        let experiment = &experiments[window.experiment];
-        let model = experiment.model.cast::<f64>();
-        let layout = model.layout();
-        if window.samples.start == 0 {
-            before = None;
-        }
-        let start = match (experiment.known.filter(|_| window.known), experiment.guess, &before) {
-            (Some((_, known)), _, _) => known.as_slice().to_vec(),
-            (None, _, Some(before)) => before.clone(),
-            (None, Some(guess), None) => guess.as_slice().to_vec(),
-            (None, None, None) => {
-                let mut origin = vec![0.0; N];
-                let quaternions = layout.into_iter().flat_map(|layout| layout.quaternions());
-                quaternions.for_each(|places| origin[places.start] = 1.0);
-                origin
-            }
-        };
-        let (mut start, mut measured) = (start, [false; N]);
-        let guessed = window.samples.start == 0 && experiment.guess.is_some();
-        if !window.known && !guessed {
-            let rate_of = |position: usize| {
-                let mut slots = layout.iter().flat_map(|layout| layout.slots);
-                let slot = slots.find(|slot| slot.positions == (position..position + 1) && slot.rates.len() == 1);
-                slot.map(|slot| slot.rates.start)
-            };
-            let columns = &experiment.measurement.columns;
-            let of_state = trajectories.sources[window.experiment].iter().zip(columns);
-            let mut rates = Vec::new();
-            for (source, column) in of_state {
-                let shooting::Source::Component(n) = *source else {
-                    continue;
-                };
-                let times = &experiment.measurement.times;
-                let Some([value, rate]) = guess::value_and_rate(times, column, window.samples.clone()) else {
-                    continue;
-                };
-                if let Some(value) = value {
-                    (start[n], measured[n]) = (value, true);
-                }
-                rates.extend(rate_of(n).zip(rate));
-            }
-            for (n, rate) in rates {
-                if !measured[n] {
-                    (start[n], measured[n]) = (rate, true);
-                }
-            }
-            search.shooting.project(window, &mut start, parameters);
-        }
-        let complete = window.known || measured.iter().all(|&measured| measured);
-        before = None;
-        if !complete {
-            let (fitted, end) = search.start_alone(window, start, parameters, &search.given)?;
-            start = fitted;
-            before = Some(end);
-        }
-        starts.push(start);
-    }
-    Ok(starts)
 }
 
 /// The most similar of some names, if one is similar.

@@ -1,18 +1,17 @@
-//! Estimates of noise, and results with their uncertainty.
+//! Results with their uncertainty.
 
 use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector, SVector};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
+use super::FitError;
 use super::elimination::Echelon;
 use super::fitted::{Combination, Estimate, Fitted, FittedWindow, Residuals, Status, Warning};
 use super::likelihood::Likelihood;
 use super::measurement::Measurement;
 use super::search::{End, Point, Search};
-use super::shooting::{Shot, Window};
-use super::{FitError, ITERATIONS_OF_A_START};
-use std::ops::ControlFlow;
+use super::shooting::Shot;
 
 /// Singular values below this part of the largest are rounding errors.
 const SINGULAR: f64 = 1e-10;
@@ -51,61 +50,6 @@ pub(super) fn sensors(measurements: &[&Measurement]) -> (Vec<String>, Vec<Vec<us
 }
 
 impl Search<'_> {
-    /// Fits the start of a window alone, with `given` noise if known. Returns it with the end of the window.
-    pub(super) fn start_alone(
-        &self,
-        window: &Window,
-        start: Vec<f64>,
-        parameters: &[f64],
-        given: &[bool],
-    ) -> Result<(Vec<f64>, Vec<f64>), FitError> {
-        let mut alone = Search {
-            measurements: self.measurements.clone(),
-            windows: vec![Window {
-                joined: false,
-                ..window.clone()
-            }],
-            sensors: self.sensors.clone(),
-            noise: self.noise.clone(),
-            given: given.to_vec(),
-            free: Vec::new(),
-            bounds: Vec::new(),
-            joints: None,
-            max_iterations: ITERATIONS_OF_A_START,
-            iterations: 0,
-            shots: 0,
-            refused: None,
-            ..*self
-        };
-        let point = alone.at(parameters.to_vec(), vec![start])?;
-        let (mut point, _) = alone.minimise(point, &mut |_| ControlFlow::Continue(()));
-        Ok((point.starts.swap_remove(0), point.shots.swap_remove(0).end))
-    }
-
-    /// Fits the start of each window alone, which kinks in other windows do not hinder. True if the loss decreases
-    /// noticeably.
-    pub(super) fn relax(&mut self, point: &mut Point) -> bool {
-        let given = vec![true; self.given.len()];
-        let starts = self.windows.iter().zip(&point.starts).map(|(window, start)| {
-            let alone = || self.start_alone(window, start.clone(), &point.parameters, &given).ok();
-            (!window.known)
-                .then(alone)
-                .flatten()
-                .map_or_else(|| start.clone(), |(start, _)| start)
-        });
-        let relaxed = self.at(point.parameters.clone(), starts.collect());
-        match relaxed
-            .ok()
-            .filter(|relaxed| relaxed.loss < point.loss - self.mean_square(point))
-        {
-            Some(relaxed) => {
-                *point = relaxed;
-                true
-            }
-            None => false,
-        }
-    }
-
     /// Checks that there are enough values, and that each free parameter has an influence.
     pub(super) fn check_influence(&self, point: &Point, names: &[&str]) -> Result<(), FitError> {
         let (values, unknowns) = (self.values(point), self.unknowns());
@@ -196,7 +140,7 @@ impl Search<'_> {
                 warnings.push(Warning::Misfit { output, ratio });
             }
         }
-        warnings.extend(self.refused.clone().map(Warning::Refused));
+        warnings.extend(self.shooting.check(&point.parameters).err().map(Warning::Impossible));
         warnings.extend(self.horizon(point));
         if let Some(weights) = &self.joints {
             let joined = (0..self.windows.len()).filter(|&w| self.windows[w].joined);

@@ -72,8 +72,6 @@ pub(super) struct Search<'a> {
     pub(super) max_iterations: usize,
     pub(super) iterations: usize,
     pub(super) shots: usize,
-    /// Reason why the last step could not be taken.
-    pub(super) refused: Option<FitError>,
 }
 
 /// End of a search.
@@ -92,9 +90,6 @@ impl Search<'_> {
     /// # Errors
     /// The first window that cannot be integrated.
     pub(super) fn at(&mut self, parameters: Vec<f64>, starts: Vec<Vec<f64>>) -> Result<Point, FitError> {
-        self.shooting
-            .check(&parameters)
-            .map_err(|error| FitError::Parameter(Box::new(error)))?;
         let shots = self.shoot(&parameters, &starts)?;
         self.shots += shots.len();
         let mut point = Point {
@@ -220,16 +215,25 @@ impl Search<'_> {
         }
     }
 
-    /// Mean of the weighted squares of the residuals: 1 where the noise is estimated.
+    /// Sum of the losses of the residuals in a window, each divided by its noise, and their number.
+    pub(super) fn weighted_squares(&self, w: usize, shot: &Shot) -> [f64; 2] {
+        let (mut sum, mut count) = (0.0, 0.0);
+        self.residuals(w, shot, |_, _, column, residual| {
+            sum += self.loss.of(residual / self.noise_of(w, column))[0];
+            count += 1.0;
+        });
+        [sum, count]
+    }
+
+    /// Mean of the weighted squares of all residuals: 1 where the noise is estimated.
     pub(super) fn mean_square(&self, point: &Point) -> f64 {
-        let (mut sum, mut count) = (0.0, 0.0_f64);
-        for (w, shot) in point.shots.iter().enumerate() {
-            self.residuals(w, shot, |_, _, column, residual| {
-                sum += self.loss.of(residual / self.noise_of(w, column))[0];
-                count += 1.0;
-            });
-        }
-        sum / count.max(1.0)
+        let of_windows = point
+            .shots
+            .iter()
+            .enumerate()
+            .map(|(w, shot)| self.weighted_squares(w, shot));
+        let [sum, count] = of_windows.fold([0.0; 2], |all, own| [all[0] + own[0], all[1] + own[1]]);
+        sum / f64::max(count, 1.0)
     }
 
     /// The linearised problem.
@@ -310,7 +314,6 @@ impl Search<'_> {
         let mut lengths = self.lengths(&blocks);
         let mut losses = vec![point.loss];
         let mut unit = self.mean_square(&point);
-        self.refused = None;
         // parameters that lose their influence at a bound, such as dry friction of zero, approach it in parts
         let mut lost = vec![false; p];
         loop {
@@ -354,9 +357,7 @@ impl Search<'_> {
                     self.shooting.project(window, start, &parameters);
                 }
             }
-            let next = self.at(parameters, starts);
-            self.refused = next.as_ref().err().cloned();
-            let next = next.ok();
+            let next = self.at(parameters, starts).ok();
             let gain = next.as_ref().map(|next| (point.loss - next.loss) / predicted);
             match next.filter(|next| next.loss < point.loss) {
                 Some(next) if (0..p).any(|j| !lost[j] && self.influences(&point, j) && !self.influences(&next, j)) => {
@@ -390,7 +391,7 @@ impl Search<'_> {
                     }
                 }
                 None => {
-                    if self.refused.is_none() && predicted * (1.0 + damping) <= KINK * unit {
+                    if predicted * (1.0 + damping) <= KINK * unit {
                         return (point, End::Kink);
                     }
                     damping *= growth;

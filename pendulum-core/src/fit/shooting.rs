@@ -32,6 +32,20 @@ pub(super) struct Window {
     pub(super) known: bool,
 }
 
+impl Window {
+    /// The first `count` samples with a value.
+    pub(super) fn beginning(&self, measurement: &Measurement, count: usize) -> Self {
+        let has_a_value = |&n: &usize| measurement.columns.iter().any(|column| !column.values[n].is_nan());
+        let last = self.samples.clone().filter(has_a_value).take(count).last();
+        let last = last.unwrap_or(self.samples.start);
+        Self {
+            samples: self.samples.start..last + 1,
+            span: [self.span[0], measurement.times[last]],
+            ..self.clone()
+        }
+    }
+}
+
 /// A trajectory in a window, with its derivatives by the start and the free parameters.
 #[derive(Clone, Debug)]
 pub(super) struct Shot {

@@ -1,0 +1,178 @@
+//! Starts of windows, fitted one by one: first guesses, and ways out of kinks.
+
+use std::ops::ControlFlow;
+
+use super::search::{Point, Search};
+use super::shooting::{Shot, Source, Trajectories, Window};
+use super::{Division, Experiment, FitError, guess};
+use crate::system::{Parametric, System};
+
+/// Number of samples that give a first guess of a start, for each component of the state.
+const SAMPLES_OF_A_START: usize = 5;
+/// Number of iterations for the start of a window alone.
+const ITERATIONS_OF_A_START: usize = 20;
+/// A window is bad if the mean square of its residuals is this many times the median of all windows.
+const BAD: f64 = 3.0;
+
+/// First guesses of the starts of all windows: from measured components of the state, from the guess or the known state
+/// of the experiment, and from the end of the window before. If components are measured indirectly, the start of each
+/// window is fitted alone: to its first samples, where the values of the parameters do not matter much, and then to all
+/// samples of a window where joints may stick.
+pub(super) fn first<X, M, const N: usize, const P: usize>(
+    search: &Search<'_>,
+    experiments: &[Experiment<'_, M, N>],
+    trajectories: &Trajectories<'_, X, M, N>,
+    parameters: &[f64],
+    division: &Division,
+) -> Result<Vec<Vec<f64>>, FitError>
+where
+    M: Parametric<N, P>,
+{
+    let mut starts: Vec<Vec<f64>> = Vec::with_capacity(search.windows.len());
+    let mut before: Option<Vec<f64>> = None;
+    for window in &search.windows {
+        let experiment = &experiments[window.experiment];
+        let model = experiment.model.cast::<f64>();
+        let layout = model.layout();
+        if window.samples.start == 0 {
+            before = None;
+        }
+        let start = match (experiment.known.filter(|_| window.known), experiment.guess, &before) {
+            (Some((_, known)), _, _) => known.as_slice().to_vec(),
+            (None, _, Some(before)) => before.clone(),
+            (None, Some(guess), None) => guess.as_slice().to_vec(),
+            (None, None, None) => {
+                let mut origin = vec![0.0; N];
+                let quaternions = layout.into_iter().flat_map(|layout| layout.quaternions());
+                quaternions.for_each(|places| origin[places.start] = 1.0);
+                origin
+            }
+        };
+        let (mut start, mut measured) = (start, [false; N]);
+        let guessed = window.samples.start == 0 && experiment.guess.is_some();
+        if !window.known && !guessed {
+            let rate_of = |position: usize| {
+                let mut slots = layout.iter().flat_map(|layout| layout.slots);
+                let slot = slots.find(|slot| slot.positions == (position..position + 1) && slot.rates.len() == 1);
+                slot.map(|slot| slot.rates.start)
+            };
+            let columns = &experiment.measurement.columns;
+            let of_state = trajectories.sources[window.experiment].iter().zip(columns);
+            let mut rates = Vec::new();
+            for (source, column) in of_state {
+                let Source::Component(n) = *source else {
+                    continue;
+                };
+                let times = &experiment.measurement.times;
+                let Some([value, rate]) = guess::value_and_rate(times, column, window.samples.clone()) else {
+                    continue;
+                };
+                if let Some(value) = value {
+                    (start[n], measured[n]) = (value, true);
+                }
+                rates.extend(rate_of(n).zip(rate));
+            }
+            for (n, rate) in rates {
+                if !measured[n] {
+                    (start[n], measured[n]) = (rate, true);
+                }
+            }
+            search.shooting.project(window, &mut start, parameters);
+        }
+        let complete = window.known || measured.iter().all(|&measured| measured);
+        before = None;
+        if !complete {
+            let beginning = window.beginning(experiment.measurement, SAMPLES_OF_A_START * N);
+            let alone = |window, start| {
+                let fitted = search.start_alone(window, start, parameters, &search.given);
+                fitted.map(|mut fitted| fitted.starts.swap_remove(0))
+            };
+            start = alone(&beginning, start)?;
+            // kinks may keep a search from the modes of the first samples; over a whole trajectory wrong parameters would
+            // spoil the start
+            if M::HYBRID && *division != Division::Whole {
+                start = alone(window, start)?;
+            }
+            let whole = search.shooting.shoot(window, &start, parameters, &[]);
+            before = whole.ok().map(|shot| shot.end);
+        }
+        starts.push(start);
+    }
+    Ok(starts)
+}
+
+impl Search<'_> {
+    /// Fits the start of a window alone, with the noise that is `given`.
+    fn start_alone(
+        &self,
+        window: &Window,
+        start: Vec<f64>,
+        parameters: &[f64],
+        given: &[bool],
+    ) -> Result<Point, FitError> {
+        let mut alone = Search {
+            measurements: self.measurements.clone(),
+            windows: vec![Window {
+                joined: false,
+                ..window.clone()
+            }],
+            sensors: self.sensors.clone(),
+            noise: self.noise.clone(),
+            given: given.to_vec(),
+            free: Vec::new(),
+            bounds: Vec::new(),
+            joints: None,
+            max_iterations: ITERATIONS_OF_A_START,
+            iterations: 0,
+            shots: 0,
+            ..*self
+        };
+        let point = alone.at(parameters.to_vec(), vec![start])?;
+        Ok(alone.minimise(point, &mut |_| ControlFlow::Continue(())).0)
+    }
+
+    /// Fits the start of each window alone, which kinks in other windows do not hinder. Where a window is much worse than
+    /// others, such as where a joint sticks in vain, also from other starts. True if the loss decreases noticeably.
+    pub(super) fn relax(&mut self, point: &mut Point) -> bool {
+        let given = vec![true; self.given.len()];
+        let mean_square = |(w, shot): (usize, &Shot)| {
+            let [sum, count] = self.weighted_squares(w, shot);
+            sum / count.max(1.0)
+        };
+        let losses: Vec<f64> = point.shots.iter().enumerate().map(mean_square).collect();
+        let mut sorted = losses.clone();
+        sorted.sort_by(f64::total_cmp);
+        let bad = BAD * sorted[sorted.len() / 2];
+        // mean sizes of the components
+        let sizes: Vec<f64> = (0..self.n)
+            .map(|i| point.starts.iter().map(|start| start[i].abs()).sum::<f64>() / point.starts.len() as f64)
+            .collect();
+        let starts = (0..self.windows.len()).map(|w| {
+            let (window, start) = (&self.windows[w], &point.starts[w]);
+            let mut candidates = Vec::new();
+            if !window.known {
+                candidates.push(start.clone());
+            }
+            if !window.known && losses[w] > bad {
+                for (i, side) in (0..self.n).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
+                    let mut other = start.clone();
+                    other[i] += side * sizes[i];
+                    self.shooting.project(window, &mut other, &point.parameters);
+                    candidates.push(other);
+                }
+            }
+            let alone = |candidate| self.start_alone(window, candidate, &point.parameters, &given);
+            let fitted = candidates.into_iter().filter_map(|candidate| alone(candidate).ok());
+            let best = fitted.min_by(|a, b| a.loss.total_cmp(&b.loss));
+            best.map_or_else(|| start.clone(), |mut best| best.starts.swap_remove(0))
+        });
+        let relaxed = self.at(point.parameters.clone(), starts.collect()).ok();
+        match relaxed.filter(|relaxed| relaxed.loss < point.loss - self.mean_square(point)) {
+            Some(relaxed) => {
+                *point = relaxed;
+                true
+            }
+            None => false,
+        }
+    }
+}
