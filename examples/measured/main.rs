@@ -1,6 +1,6 @@
 //! A real double pendulum: its parameters from one measured run, and another run predicted.
 //!
-//! `cargo run --release --example measured` fits five scenes to run 1, from viscous friction alone to an arm with dry
+//! `cargo run --release --example measured` fits four scenes to run 1, from viscous friction alone to an arm with dry
 //! friction, misaligned encoders and the rotor of a motor, shows which measurement determines which parameter, and
 //! predicts run 2.
 //!

@@ -158,7 +158,9 @@ pub mod prelude {
     // Only the methods of these traits are imported; their names stay free.
     #[doc(hidden)]
     pub use crate::system::Absent as _;
-    pub use crate::{Adjoint as _, Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
+    pub use crate::{
+        Adjoint as _, Canonical as _, Cast as _, Float as _, Parametric as _, Real as _, TaylorSeries as _,
+    };
     pub use crate::{Plant as _, PlantCanonical as _, PlantJacobian as _, taylor::HybridSeries as _};
     pub use nalgebra::{SMatrix, SVector};
 }

@@ -7,7 +7,7 @@ use crate::error::{Reason, debug_as_display};
 
 debug_as_display! { [] FitError; }
 
-/// A fit that cannot begin.
+/// A reason why a fit cannot begin.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum FitError {
@@ -51,6 +51,27 @@ pub enum FitError {
         value: f64,
         /// Its bounds.
         bounds: [f64; 2],
+    },
+    /// The bounds of a parameter are not two numbers in ascending order.
+    Bounds {
+        /// Name of the parameter.
+        parameter: String,
+        /// The bounds.
+        bounds: [f64; 2],
+    },
+    /// All values of an output are missing.
+    NoValues {
+        /// Name of the output.
+        output: String,
+    },
+    /// An output, or its derivative, is infinite or NaN at the parameters of the model.
+    NotFinite {
+        /// Name of the output.
+        output: String,
+        /// Index of the experiment.
+        experiment: usize,
+        /// Time of the sample.
+        t: f64,
     },
     /// A setting is invalid.
     Setting {
@@ -123,6 +144,24 @@ impl fmt::Display for FitError {
                 f,
                 "`{parameter}` is {value} in the model, outside of its bounds {low} and {high}: begin inside"
             ),
+            Self::Bounds {
+                parameter,
+                bounds: [low, high],
+            } => write!(
+                f,
+                "the bounds of `{parameter}` are {low} and {high}: give the lower one first"
+            ),
+            Self::NoValues { output } => {
+                write!(
+                    f,
+                    "all values of `{output}` are missing: leave the output out of the measurement"
+                )
+            }
+            Self::NotFinite { output, experiment, t } => write!(
+                f,
+                "`{output}` or its derivative is not finite at t = {t} in experiment {experiment}, with the parameters \
+                 of the model: begin at other parameters, or from another state"
+            ),
             Self::Setting { what, value, rule } => write!(f, "{what} is {value}: {rule}"),
             Self::StartsLate { experiment, t, first } => write!(
                 f,
@@ -131,8 +170,8 @@ impl fmt::Display for FitError {
             ),
             Self::NoInfluence { parameter } => write!(
                 f,
-                "no measured output depends on `{parameter}` at its value in the model: fix it, begin at another \
-                 value, or measure a motion that depends on it"
+                "no measured output depends on `{parameter}` at its value in the model: fix it, begin at another value \
+                 or from another state (`Experiment::from_guess`), or measure a motion that depends on it"
             ),
             Self::Integration {
                 experiment,

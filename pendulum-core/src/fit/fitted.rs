@@ -15,8 +15,8 @@ pub struct Fitted<const N: usize, const P: usize> {
     pub parameters: [f64; P],
     /// The free parameters, in the order of declaration.
     pub estimates: Vec<Estimate>,
-    /// Covariance of the estimates, for residuals without correlation; infinite for undetermined parameters, and zero
-    /// for those at a bound.
+    /// Covariance of the estimates, for residuals without correlation; infinite where the measurements have no influence,
+    /// and zero for parameters at a bound.
     pub covariance: DMatrix<f64>,
     /// Combinations of free parameters that the measurements do not determine.
     pub undetermined: Vec<Combination>,
@@ -106,6 +106,9 @@ impl Residuals {
 pub enum Status {
     /// No step decreases the loss noticeably.
     Converged,
+    /// No step that the derivatives suggest decreases the loss, although it should. The best point may be far away: begin
+    /// at other parameters, split the motion into [windows](super::Fit::windows), or choose a finer method.
+    Stuck,
     /// The maximum number of iterations was reached.
     OutOfIterations,
     /// The caller stopped the fit.
@@ -140,8 +143,8 @@ pub enum Warning {
     /// A model with the best parameters is impossible, such as one with an inertia that no body can have: the scene misses
     /// something, or the measurement does not determine the parameters of the error. Fix or bound some of these.
     Impossible(ParameterError),
-    /// Residuals of an output are correlated from sample to sample, so that the scene or its inputs miss something. The
-    /// deviations of the estimates are too small.
+    /// Residuals of an output are correlated from sample to sample: the scene or its inputs miss something, the method is
+    /// too coarse, or another point is better. The deviations of the estimates are too small.
     Correlated {
         /// Name of the output.
         output: String,
@@ -178,10 +181,10 @@ impl fmt::Display for Warning {
             Self::Correlated { output, correlation } => write!(
                 f,
                 "residuals of `{output}` are correlated ({correlation:.2} from sample to sample): the scene misses \
-                 something, and deviations are too small"
+                 something, the method is too coarse, or the fit is not the best one; deviations are too small"
             ),
             Self::Misfit { output, ratio } => {
-                write!(f, "residuals of `{output}` are {ratio:.1} times its noise")
+                write!(f, "residuals of `{output}` are {ratio:.3e} times its noise")
             }
             Self::Gap(gap) => write!(
                 f,
@@ -232,6 +235,24 @@ impl<const N: usize, const P: usize> Fitted<N, P> {
     }
 }
 
+/// A number with three digits of its deviation.
+fn rounded(number: f64, deviation: f64) -> String {
+    let size = if deviation > 0.0 && deviation.is_finite() {
+        deviation
+    } else {
+        1e-6 * number.abs()
+    };
+    if !(size > 0.0 && number.is_finite()) {
+        return number.to_string();
+    }
+    let place = libm::log10(size).floor() as i32 - 2;
+    if (-9..=0).contains(&place) {
+        return format!("{number:.*}", place.unsigned_abs() as usize);
+    }
+    let digits = libm::log10(number.abs().max(size)).floor() as i32 - place;
+    format!("{number:.*e}", digits.clamp(2, 16) as usize)
+}
+
 /// A table of the estimates, with warnings.
 impl<const N: usize, const P: usize> fmt::Display for Fitted<N, P> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -243,11 +264,12 @@ impl<const N: usize, const P: usize> fmt::Display for Fitted<N, P> {
             "parameter", "estimate", "deviation"
         )?;
         for estimate in &self.estimates {
-            let [low, high] = estimate.interval;
+            let [value, low, high] = [estimate.value, estimate.interval[0], estimate.interval[1]]
+                .map(|number| rounded(number, estimate.deviation));
             writeln!(
                 f,
-                "{:width$}  {:>12.6}  {:>9.1e}  {low:.6} to {high:.6}",
-                estimate.name, estimate.value, estimate.deviation
+                "{:width$}  {value:>12}  {:>9.1e}  {low} to {high}",
+                estimate.name, estimate.deviation
             )?;
         }
         for (output, noise) in &self.noise {
@@ -265,6 +287,11 @@ impl<const N: usize, const P: usize> fmt::Display for Fitted<N, P> {
         }
         match self.status {
             Status::Converged => write!(f, "converged after {} iterations", self.iterations),
+            Status::Stuck => write!(
+                f,
+                "stuck after {} iterations: no step decreases the loss",
+                self.iterations
+            ),
             Status::OutOfIterations => write!(f, "not converged after {} iterations", self.iterations),
             Status::Stopped => write!(f, "stopped after {} iterations", self.iterations),
         }

@@ -6,7 +6,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Likelihood {
-    /// Natural logarithm of the likelihood.
+    /// Natural logarithm of the likelihood; NaN with a robust loss, which has none.
     pub logarithm: f64,
     /// Number of unknowns: free parameters, starts, and estimated noise.
     pub unknowns: usize,
@@ -35,7 +35,8 @@ pub struct Comparison {
 }
 
 impl Likelihood {
-    /// Compares the model with a fuller one that was fitted to the same measurements, in the same windows.
+    /// Compares the model with a fuller one that was fitted to the same measurements, in the same windows. Of a parameter
+    /// that is at a bound in the simpler model, such as dry friction of zero, the probability is at most the one given.
     ///
     /// Residuals that are [correlated](super::Warning::Correlated) hold less evidence than these figures say.
     #[must_use]

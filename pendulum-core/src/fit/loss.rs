@@ -37,6 +37,23 @@ impl Loss {
         }
     }
 
+    /// Second derivative of half the loss by `z`.
+    pub(super) fn curvature(self, z: f64) -> f64 {
+        let part = |c: f64| z * z / (c * c);
+        match self {
+            Self::Huber(c) if z.abs() > c => 0.0,
+            Self::Squares | Self::Huber(_) => 1.0,
+            Self::SoftL1(c) => {
+                let root = (1.0 + part(c)).sqrt();
+                1.0 / (root * root * root)
+            }
+            Self::Cauchy(c) => {
+                let whole = 1.0 + part(c);
+                (2.0 - whole) / (whole * whole)
+            }
+        }
+    }
+
     /// The residual at which the loss departs from the square, if it does.
     pub(super) fn threshold(self) -> Option<f64> {
         match self {
@@ -59,6 +76,8 @@ mod tests {
                 let h = 1e-6 * square;
                 let slope = (at(square + h) - at(square - h)) / (2.0 * h);
                 assert!((loss.of(z)[1] - slope).abs() < 1e-8, "{loss:?} at {z}");
+                let bent = (loss.of(z + 1e-5)[1] * (z + 1e-5) - loss.of(z - 1e-5)[1] * (z - 1e-5)) / 2e-5;
+                assert!((loss.curvature(z) - bent).abs() < 1e-8, "{loss:?} at {z}");
                 assert!(loss.of(z)[0] <= square * (1.0 + 1e-15));
             }
             assert_eq!(loss.of(0.0), [0.0, 1.0]);

@@ -45,7 +45,7 @@ impl Measurement {
     }
 
     /// Adds the values of an output, with noise of a known standard deviation, in the unit of the output. The weight of
-    /// a value is the inverse of its square.
+    /// a value is the inverse of the square of this deviation.
     ///
     /// # Errors
     /// Errors of [`output`](Self::output), and if the deviation is not positive.

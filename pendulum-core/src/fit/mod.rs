@@ -44,7 +44,8 @@
 //! By default each experiment is one trajectory (single shooting). Far from the solution, and where motions are
 //! chaotic, it is better split into [windows](Fit::windows): the fit begins with separate windows, whose starts follow
 //! the measurement, and joins them (multiple shooting). [Separate windows](Fit::separate_windows) remain separate. They
-//! also bear disturbances that a scene does not model.
+//! also tolerate disturbances that a scene does not model. A window that contains an impact is harder to fit than the
+//! whole trajectory, if the impact is sensitive to its start.
 //!
 //! Noise of unknown size is estimated for each output, which maximises the likelihood. Deviations of the estimates are
 //! scaled by the residuals in any case.
@@ -79,18 +80,24 @@ pub use table::{Table, TableError};
 use crate::dual::Dual;
 use crate::method::Method;
 use crate::system::{IntoState, Parametric};
-use search::{End, Point, Search};
-use shooting::{PART, Trajectories, Window, sources};
+use search::{End, Joints, Point, Search};
+use shooting::{PART, Shooter, Trajectories, Window, sources};
 
 /// Weights of the gaps between joined windows, in standard deviations of their starts, one after the other: the last one
 /// closes them to about 1e-8 deviations.
 const JOINING: [f64; 3] = [1.0, 1e2, 1e4];
+/// Minimum number of values in a window, for each component of the state.
+const VALUES_OF_A_WINDOW: usize = 2;
+/// With a robust loss, estimates of the noise change by less than this part in the end.
+const NOISE_IS_FOUND: f64 = 1e-3;
+/// Maximum number of estimates of the noise.
+const MAX_NOISES: usize = 20;
 /// Number of attempts to leave a kink by fitting each start alone.
 const KINKS: usize = 5;
 /// An experiment: a model, and the measurement of its motion.
 ///
-/// The models of several experiments may have different inputs. The values of their parameters, at which the fit
-/// begins, are those of the first.
+/// The models of several experiments may have different inputs, and parameters that are not free. The fit begins at the
+/// free parameters of the first.
 #[derive(Clone, Copy, Debug)]
 pub struct Experiment<'a, M, const N: usize> {
     model: &'a M,
@@ -101,7 +108,8 @@ pub struct Experiment<'a, M, const N: usize> {
 
 impl<'a, M, const N: usize> Experiment<'a, M, N> {
     /// An experiment with an unknown state at the first sample. Measured coordinates give a first guess of it, also of
-    /// their rates. Where other components are not measured themselves, the first samples are fitted, from zero on.
+    /// their rates. Where other components are not measured themselves, the first samples are fitted, from zero on: give
+    /// a guess if this leads to an equilibrium, or if a body turns several times between samples.
     #[must_use]
     pub fn new(model: &'a M, measurement: &'a Measurement) -> Self {
         Self {
@@ -112,14 +120,15 @@ impl<'a, M, const N: usize> Experiment<'a, M, N> {
         }
     }
 
-    /// Sets the first guess of the state at the first sample. The first samples are fitted from there.
+    /// Sets the first guess of the state at the first sample. The first samples are fitted from there. In windows, the
+    /// others start where the one before ends.
     #[must_use]
     pub fn from_guess(mut self, x0: impl IntoState<f64, N>) -> Self {
         self.guess = Some(x0.into_state());
         self
     }
 
-    /// States that the motion begins at `t0`, not after the first sample, from the known state `x0`.
+    /// States that the motion begins at `t0`, no later than the first sample, from the known state `x0`.
     #[must_use]
     pub fn from_known(mut self, t0: f64, x0: impl IntoState<f64, N>) -> Self {
         self.known = Some((t0, x0.into_state()));
@@ -183,7 +192,7 @@ impl<X> Fit<X> {
     }
 
     /// Sets the bounds of a parameter, which may be infinite. By default what must not be negative, such as friction, is
-    /// bounded by zero.
+    /// bounded by zero, and a restitution by one as well.
     #[must_use]
     pub fn bounds(mut self, name: &str, low: f64, high: f64) -> Self {
         self.bounds.push((name.to_owned(), [low, high]));
@@ -197,15 +206,17 @@ impl<X> Fit<X> {
         self
     }
 
-    /// Splits each experiment into windows of at most this length, which are joined in the end: multiple shooting. The
-    /// result is that of a single trajectory, found from farther away.
+    /// Splits each experiment into windows of about this length, which are joined in the end: multiple shooting. The
+    /// result is that of a single trajectory, found from farther away. A window has at least twice as many values as a
+    /// state has components.
     #[must_use]
     pub fn windows(mut self, length: f64) -> Self {
         self.division = Division::Joined(length);
         self
     }
 
-    /// Splits each experiment into windows of at most this length, with a start of its own for each.
+    /// Splits each experiment into windows of about this length, with a start of its own for each. A window has at least
+    /// twice as many values as a state has components.
     #[must_use]
     pub fn separate_windows(mut self, length: f64) -> Self {
         self.division = Division::Separate(length);
@@ -255,6 +266,11 @@ impl<X> Fit<X> {
             if experiment.measurement.columns.is_empty() {
                 return Err(FitError::NoOutput { experiment: n });
             }
+            let mut columns = experiment.measurement.columns.iter();
+            if let Some(column) = columns.find(|column| column.values.iter().all(|value| value.is_nan())) {
+                let output = column.name.clone();
+                return Err(FitError::NoValues { output });
+            }
             sources::<M, N, P>(experiment.model, experiment.measurement)
         });
         let trajectories = Trajectories {
@@ -266,7 +282,9 @@ impl<X> Fit<X> {
         let (free, bounds) = self.parameters(first.model)?;
         self.check_settings()?;
         let windows = self.divide(experiments)?;
-        let shooting = (&trajectories, [(); P]);
+        let shooting = Shooter::<X, M, N, P> {
+            trajectories: &trajectories,
+        };
         let measurements: Vec<_> = experiments.iter().map(|experiment| experiment.measurement).collect();
         let (outputs, sensors, given) = report::sensors(&measurements);
         let mut search = Search {
@@ -276,6 +294,7 @@ impl<X> Fit<X> {
             sensors,
             noise: given.iter().map(|given| given.unwrap_or(1.0)).collect(),
             given: given.iter().map(Option::is_some).collect(),
+            has_noise: false,
             free,
             bounds,
             loss: self.loss,
@@ -288,7 +307,7 @@ impl<X> Fit<X> {
         let parameters = first.model.parameters().to_vec();
         let starts = starts::first(&search, experiments, &trajectories, &parameters, &self.division)?;
         let point = search.at(parameters, starts)?;
-        search.check_influence(&point, &names)?;
+        search.check_first(&point, &names)?;
         let (point, end) = self.find(&mut search, point, &mut progress);
         Ok(report::fitted(&search, &point, end, &names, &outputs))
     }
@@ -313,9 +332,15 @@ impl<X> Fit<X> {
         };
         free.sort_unstable();
         free.dedup();
-        let mut of_all: Vec<_> = (0..P).map(|n| [least(model, n), f64::INFINITY]).collect();
+        let mut of_all: Vec<_> = (0..P).map(|n| rules(model, n)).collect();
         for (name, bounds) in &self.bounds {
             let n = index(name)?;
+            if bounds[0] > bounds[1] || bounds.iter().any(|bound| bound.is_nan()) {
+                return Err(FitError::Bounds {
+                    parameter: name.clone(),
+                    bounds: *bounds,
+                });
+            }
             of_all[n] = *bounds;
             if free.contains(&n) && !(bounds[0] <= values[n] && values[n] <= bounds[1]) {
                 return Err(FitError::OutsideBounds {
@@ -369,29 +394,33 @@ impl<X> Fit<X> {
                 Some((t, _)) => t,
                 None => first,
             };
-            // windows of equal length, up to the intervals between samples
-            let count = ((last - begins) / length).ceil().max(1.0);
-            let mut from = 0;
-            for w in 1..=count as usize {
-                let bound = begins + (last - begins) * (w as f64 / count);
-                let to = match w == count as usize {
-                    true => times.len(),
-                    false => times.partition_point(|&t| t < bound),
-                };
-                if to == from {
+            // windows of equal length, up to the intervals between samples, with enough values each
+            let values = |n: &usize| {
+                let columns = &experiment.measurement.columns;
+                columns.iter().filter(|column| !column.values[*n].is_nan()).count()
+            };
+            let count = ((last - begins) / length).ceil().clamp(1.0, times.len() as f64);
+            let width = (last - begins) / count;
+            let (mut from, mut inside, mut edge) = (0, 0, 1.0);
+            for to in 1..=times.len() {
+                inside += values(&(to - 1));
+                let rest: usize = (to..times.len()).map(|n| values(&n)).take(2 * N).sum();
+                let ends = times.get(to).is_none_or(|&t| {
+                    t >= begins + width * edge && inside >= VALUES_OF_A_WINDOW * N && rest >= VALUES_OF_A_WINDOW * N
+                });
+                if !ends {
                     continue;
                 }
+                let next = times.get(to).copied();
                 windows.push(Window {
                     experiment: n,
                     samples: from..to,
-                    span: [
-                        if from == 0 { begins } else { times[from] },
-                        times.get(to).copied().unwrap_or(last),
-                    ],
+                    span: [if from == 0 { begins } else { times[from] }, next.unwrap_or(last)],
                     joined: joined && from > 0,
                     known: from == 0 && experiment.known.is_some(),
                 });
-                from = to;
+                (from, inside) = (to, 0);
+                edge = next.map_or(edge, |t| ((t - begins) / width + 1e-9).floor() + 1.0);
             }
         }
         Ok(windows)
@@ -407,7 +436,7 @@ impl<X> Fit<X> {
         let mut end;
         (point, end) = search.minimise(point, progress);
         for _ in 0..KINKS {
-            if end != End::Kink || !search.relax(&mut point) {
+            if end.is_final() || !search.relax(&mut point, end != End::Converged) {
                 break;
             }
             (point, end) = search.minimise(point, progress);
@@ -415,10 +444,21 @@ impl<X> Fit<X> {
         if matches!(self.division, Division::Joined(_)) {
             let deviations = search.deviations_of_starts(&point);
             for weight in JOINING {
-                if matches!(end, End::OutOfIterations | End::Stopped) {
+                if end.is_final() {
                     return (point, end);
                 }
-                search.joints = Some(deviations.iter().map(|deviation| weight / deviation).collect());
+                search.joints = Some(Joints {
+                    deviations: deviations.clone(),
+                    weight,
+                });
+                (point, end) = search.minimise(point, progress);
+            }
+        }
+        if self.loss != Loss::Squares {
+            for _ in 0..MAX_NOISES {
+                if end.is_final() || search.estimate_noise(&point) < NOISE_IS_FOUND {
+                    break;
+                }
                 (point, end) = search.minimise(point, progress);
             }
         }
@@ -426,8 +466,9 @@ impl<X> Fit<X> {
     }
 }
 
-/// Lower bound of a parameter by the rules of the model: zero for what must not be negative.
-fn least<M, const N: usize, const P: usize>(model: &M, n: usize) -> f64
+/// Bounds of a parameter by the rules of the model: zero for what must not be negative, and one for what must not be
+/// larger, such as a restitution.
+fn rules<M, const N: usize, const P: usize>(model: &M, n: usize) -> [f64; 2]
 where
     M: Parametric<N, P>,
 {
@@ -437,12 +478,17 @@ where
         parameters[n] = value;
         model.check_parameters(&parameters).is_ok()
     };
-    let tiny = 1e-6 * value.abs();
-    match [allows(-tiny), allows(0.0), allows(tiny)] {
+    let tiny = 1e-6 * if value == 0.0 { 1.0 } else { value.abs() };
+    let low = match [allows(-tiny), allows(0.0), allows(tiny)] {
         [false, true, true] => 0.0,
         [false, false, true] => tiny,
         _ => f64::NEG_INFINITY,
-    }
+    };
+    let high = match [allows(1.0), allows(1.0 + 1e-6)] {
+        [true, false] => 1.0,
+        _ => f64::INFINITY,
+    };
+    [low, high]
 }
 
 /// The most similar of some names, if one is similar.

@@ -9,6 +9,7 @@ use super::FitError;
 use super::elimination::Echelon;
 use super::fitted::{Combination, Estimate, Fitted, FittedWindow, Residuals, Status, Warning};
 use super::likelihood::Likelihood;
+use super::loss::Loss;
 use super::measurement::Measurement;
 use super::search::{End, Point, Search};
 use super::shooting::Shot;
@@ -23,6 +24,8 @@ const NEGLIGIBLE: f64 = 0.02;
 const CORRELATED: f64 = 0.3;
 /// Residuals larger than this many times their noise are reported.
 const MISFIT: f64 = 1.5;
+/// Neighbouring trajectories that part by less than this factor have no horizon of prediction.
+const PARTS: f64 = 100.0;
 /// Gaps between windows larger than this many deviations are reported.
 const OPEN: f64 = 1e-2;
 
@@ -50,8 +53,25 @@ pub(super) fn sensors(measurements: &[&Measurement]) -> (Vec<String>, Vec<Vec<us
 }
 
 impl Search<'_> {
-    /// Checks that there are enough values, and that each free parameter has an influence.
-    pub(super) fn check_influence(&self, point: &Point, names: &[&str]) -> Result<(), FitError> {
+    /// Checks that outputs and their derivatives are finite, that there are enough values, and that each free parameter
+    /// has an influence.
+    pub(super) fn check_first(&self, point: &Point, names: &[&str]) -> Result<(), FitError> {
+        let mut wrong = None;
+        for (w, shot) in point.shots.iter().enumerate() {
+            let experiment = self.windows[w].experiment;
+            let measurement = self.measurements[experiment];
+            self.residuals(w, shot, |row, sample, column, residual| {
+                let scaled = residual / self.noise_of(w, column);
+                if !(scaled * scaled).is_finite() || !shot.by.row(row).iter().all(|slope| slope.is_finite()) {
+                    wrong.get_or_insert(FitError::NotFinite {
+                        output: measurement.columns[column].name.clone(),
+                        experiment,
+                        t: measurement.times[sample],
+                    });
+                }
+            });
+        }
+        wrong.map_or(Ok(()), Err)?;
         let (values, unknowns) = (self.values(point), self.unknowns());
         if values <= unknowns {
             return Err(FitError::TooFewValues { values, unknowns });
@@ -107,55 +127,45 @@ impl Search<'_> {
             }
         }
         for (n, output) in outputs.iter().enumerate() {
-            let mut sums = [0.0; 2];
-            let mut count = 0.0_f64;
-            for (measurement, (sensors, residuals)) in self
-                .measurements
-                .iter()
-                .zip(self.sensors.iter().zip(self.by_experiment(residuals)))
-            {
-                debug_assert_eq!(measurement.columns.len(), residuals.len());
-                for (&sensor, residuals) in sensors.iter().zip(residuals) {
-                    if sensor == n {
-                        for pair in residuals
-                            .values
-                            .windows(2)
-                            .filter(|pair| !pair.iter().any(|r| r.is_nan()))
-                        {
-                            sums[0] += pair[0] * pair[1];
-                            sums[1] += pair[0] * pair[0];
-                            count += 1.0;
-                        }
-                    }
-                }
+            // sums of the products of consecutive residuals, and of the squares
+            let (mut products, mut squares, mut count) = (0.0, 0.0, 0.0_f64);
+            let of_columns = self.sensors.iter().flatten().zip(residuals);
+            for (_, residuals) in of_columns.filter(|(sensor, _)| **sensor == n) {
+                let known: Vec<f64> = residuals.values.iter().copied().filter(|r| !r.is_nan()).collect();
+                products += known.windows(2).map(|pair| pair[0] * pair[1]).sum::<f64>();
+                squares += known.iter().map(|r| r * r).sum::<f64>();
+                count += known.len() as f64;
             }
-            let correlation = sums[0] / sums[1];
+            let correlation = products / squares;
             if correlation > CORRELATED.max(3.0 / count.sqrt()) {
                 let output = output.clone();
                 warnings.push(Warning::Correlated { output, correlation });
             }
-            let ratio = (sums[1] / count).sqrt() / self.noise[n];
+            let ratio = (squares / count).sqrt() / self.noise[n];
             if self.given[n] && ratio > MISFIT {
                 let output = output.clone();
                 warnings.push(Warning::Misfit { output, ratio });
             }
         }
-        warnings.extend(self.shooting.check(&point.parameters).err().map(Warning::Impossible));
+        warnings.extend(
+            self.shooting
+                .check(&point.parameters, &self.free)
+                .err()
+                .map(Warning::Impossible),
+        );
         warnings.extend(self.horizon(point));
-        if let Some(weights) = &self.joints {
+        if self.windows.iter().any(|window| window.joined) {
+            let separate = || self.deviations_of_starts(point);
+            let joints = self.joints.as_ref();
+            let deviations = joints.map_or_else(separate, |joints| joints.deviations.clone());
             let joined = (0..self.windows.len()).filter(|&w| self.windows[w].joined);
-            let gaps = joined.flat_map(|w| self.gap(w, point).zip(weights));
-            let gap = gaps.fold(0.0_f64, |most, (gap, weight)| most.max((gap * weight).abs()));
-            let gap = gap / super::JOINING[super::JOINING.len() - 1];
+            let gaps = joined.flat_map(|w| self.gap(w, point).zip(&deviations));
+            let gap = gaps.fold(0.0_f64, |most, (gap, deviation)| most.max((gap / deviation).abs()));
             if gap > OPEN {
                 warnings.push(Warning::Gap(gap));
             }
         }
         warnings
-    }
-
-    fn by_experiment<'r>(&self, residuals: &'r [Residuals]) -> impl Iterator<Item = &'r [Residuals]> {
-        residuals.chunk_by(|a, b| a.experiment == b.experiment)
     }
 
     /// The window that is longest in terms of its horizon of prediction, if it is beyond.
@@ -165,10 +175,14 @@ impl Search<'_> {
             let window = &self.windows[w];
             let length = window.span[1] - window.span[0];
             let transition = DMatrix::from_fn(self.n, self.n, |i, j| shot.end_by[(i, j)] * scales[j] / scales[i]);
-            if window.known || length <= 0.0 || transition.iter().any(|entry| !entry.is_finite()) {
+            if window.known || length <= 0.0 {
                 return None;
             }
-            let exponent = libm::log(transition.singular_values().max()) / length;
+            let growth = match transition.iter().all(|entry| entry.is_finite()) {
+                true => transition.singular_values().max(),
+                false => f64::INFINITY,
+            };
+            let exponent = libm::log(growth) / length;
             // the smallest noise relative to the size of its output
             let columns = &self.measurements[window.experiment].columns;
             let size = columns.iter().enumerate().map(|(c, column)| {
@@ -185,7 +199,7 @@ impl Search<'_> {
             });
             let size = size.fold(1.0_f64, f64::max);
             let horizon = libm::log(size) / exponent;
-            (exponent > 0.0 && length > horizon).then_some((
+            (growth > PARTS && length > horizon).then_some((
                 length / horizon,
                 Warning::BeyondHorizon {
                     experiment: window.experiment,
@@ -212,13 +226,18 @@ pub(super) fn fitted<const N: usize, const P: usize>(
     let root = search.eliminated(point).parameters.upper();
     let (values, unknowns) = (search.values(point), search.unknowns());
     let left = values.saturating_sub(unknowns).max(1) as f64;
-    let (residuals, squares) = residuals_of(search, point);
-    let variance = squares.iter().map(|[sum, _]| sum).sum::<f64>() / left;
+    let (residuals, squares, [sum, curvature]) = residuals_of(search, point);
+    // for robust losses by Huber's formula; the mean curvature is 1 for squares
+    let curvature = curvature / values as f64;
+    let variance = sum / (left * curvature * curvature);
     let p = search.free.len();
     // parameters at a bound do not vary
-    let inner: Vec<usize> = (0..p)
-        .filter(|&j| !search.bounds[j].contains(&point.parameters[search.free[j]]))
-        .collect();
+    let at_bound = |j: usize| {
+        let [low, high] = search.bounds[j];
+        let value = point.parameters[search.free[j]];
+        value == low || value == high
+    };
+    let inner: Vec<usize> = (0..p).filter(|&j| !at_bound(j)).collect();
     let scales: Vec<f64> = inner
         .iter()
         .map(|&j| point.parameters[search.free[j]].abs())
@@ -266,7 +285,11 @@ pub(super) fn fitted<const N: usize, const P: usize>(
         windows: windows.collect(),
         noise: noise.collect(),
         likelihood: Likelihood {
-            logarithm: logarithm.sum(),
+            logarithm: if search.loss == Loss::Squares {
+                logarithm.sum()
+            } else {
+                f64::NAN
+            },
             unknowns: unknowns + search.given.iter().filter(|given| !**given).count(),
             values,
         },
@@ -274,6 +297,7 @@ pub(super) fn fitted<const N: usize, const P: usize>(
         residuals,
         status: match end {
             End::Converged | End::Kink => Status::Converged,
+            End::Stuck => Status::Stuck,
             End::OutOfIterations => Status::OutOfIterations,
             End::Stopped => Status::Stopped,
         },
@@ -282,9 +306,10 @@ pub(super) fn fitted<const N: usize, const P: usize>(
     }
 }
 
-/// Residuals of each column, and for each output the sum of the squares over its noise, weighted by a robust loss, with
-/// the number of values.
-fn residuals_of(search: &Search<'_>, point: &Point) -> (Vec<Residuals>, Vec<[f64; 2]>) {
+/// Residuals of each column; for each output the sum of the squares over its noise, and the number of values; and the
+/// sums of the squares of the slopes of half the losses, and of their curvatures.
+fn residuals_of(search: &Search<'_>, point: &Point) -> (Vec<Residuals>, Vec<[f64; 2]>, [f64; 2]) {
+    let mut of_loss = [0.0; 2];
     let mut residuals: Vec<Vec<Residuals>> = Vec::new();
     for (experiment, measurement) in search.measurements.iter().enumerate() {
         let of_column = measurement.columns.iter().map(|column| Residuals {
@@ -301,11 +326,14 @@ fn residuals_of(search: &Search<'_>, point: &Point) -> (Vec<Residuals>, Vec<[f64
             residuals[experiment][column].values[sample] = residual;
             let sensor = search.sensors[experiment][column];
             let z = residual / search.noise[sensor];
-            squares[sensor][0] += search.loss.of(z)[1] * z * z;
+            squares[sensor][0] += z * z;
             squares[sensor][1] += 1.0;
+            let slope = search.loss.of(z)[1] * z;
+            of_loss[0] += slope * slope;
+            of_loss[1] += search.loss.curvature(z);
         });
     }
-    (residuals.into_iter().flatten().collect(), squares)
+    (residuals.into_iter().flatten().collect(), squares, of_loss)
 }
 
 /// Covariance of relative changes, from a square root of the information matrix, and the combinations that are not
@@ -323,6 +351,10 @@ fn uncertainty<'n>(
     }
     // square, so that there are as many singular values as parameters
     let square = Echelon::new(root, p).upper().resize(p, p, 0.0);
+    if square.iter().any(|entry| !entry.is_finite()) {
+        covariance.fill(f64::NAN);
+        return (covariance, undetermined);
+    }
     let svd = square.svd(false, true);
     let Some(directions) = &svd.v_t else {
         return (covariance, undetermined);
@@ -338,7 +370,11 @@ fn uncertainty<'n>(
         let deviation = variance.sqrt() / value;
         covariance += &direction * direction.transpose() * (deviation * deviation);
         if deviation > UNDETERMINED {
-            undetermined.push(combination(&direction, deviation, &name));
+            let combination = combination(&direction, deviation, &name);
+            // one parameter alone is known to be near zero
+            if combination.terms.len() > 1 {
+                undetermined.push(combination);
+            }
         }
     }
     sparse(&mut free);

@@ -60,6 +60,8 @@ pub(super) struct Search<'a> {
     pub(super) noise: Vec<f64>,
     /// True for the noise that is given.
     pub(super) given: Vec<bool>,
+    /// True once the noise is estimated.
+    pub(super) has_noise: bool,
     /// Indices of the free parameters.
     pub(super) free: Vec<usize>,
     /// Bounds of the free parameters.
@@ -67,21 +69,45 @@ pub(super) struct Search<'a> {
     pub(super) loss: Loss,
     /// Length of a state.
     pub(super) n: usize,
-    /// Weights of the gaps between joined windows, for each component; none if windows are separate.
-    pub(super) joints: Option<Vec<f64>>,
+    /// Weights of the gaps between joined windows; none while windows are separate.
+    pub(super) joints: Option<Joints>,
     pub(super) max_iterations: usize,
     pub(super) iterations: usize,
     pub(super) shots: usize,
+}
+
+/// Weights of the gaps between joined windows.
+#[derive(Clone, Debug)]
+pub(super) struct Joints {
+    /// Standard deviation of the start of a separate window, for each component.
+    pub(super) deviations: Vec<f64>,
+    /// Weight of a gap of one deviation.
+    pub(super) weight: f64,
+}
+
+impl Joints {
+    fn weights(&self) -> impl Iterator<Item = f64> {
+        self.deviations.iter().map(|deviation| self.weight / deviation)
+    }
 }
 
 /// End of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     Converged,
-    /// No step in the direction of the derivatives decreases the loss, although they promise it.
+    /// A step that the derivatives suggest does not decrease the loss, but it would not decrease it noticeably.
     Kink,
+    /// No step that the derivatives suggest decreases the loss.
+    Stuck,
     OutOfIterations,
     Stopped,
+}
+
+impl End {
+    /// True if the search must not go on.
+    pub(super) fn is_final(self) -> bool {
+        matches!(self, Self::OutOfIterations | Self::Stopped)
+    }
 }
 
 impl Search<'_> {
@@ -154,7 +180,7 @@ impl Search<'_> {
     }
 
     /// Standard deviation of the noise of a column in a window.
-    fn noise_of(&self, w: usize, column: usize) -> f64 {
+    pub(super) fn noise_of(&self, w: usize, column: usize) -> f64 {
         self.noise[self.sensors[self.windows[w].experiment][column]]
     }
 
@@ -179,8 +205,8 @@ impl Search<'_> {
                     squares[sensor][1] += 1.0;
                 }
             });
-            if let Some(weights) = self.joints.as_ref().filter(|_| self.windows[w].joined) {
-                let gaps = self.gap(w, point).zip(weights);
+            if let Some(joints) = self.joints.as_ref().filter(|_| self.windows[w].joined) {
+                let gaps = self.gap(w, point).zip(joints.weights());
                 sum += gaps.map(|(gap, weight)| weight * gap * weight * gap).sum::<f64>();
             }
         }
@@ -192,8 +218,10 @@ impl Search<'_> {
     }
 
     /// Estimates unknown noise from the residuals: their root mean square, which maximises the likelihood, or for a
-    /// robust loss their median, which outliers hardly move.
-    pub(super) fn estimate_noise(&mut self, point: &Point) {
+    /// robust loss their median, which outliers hardly move. Returns the largest relative change.
+    pub(super) fn estimate_noise(&mut self, point: &Point) -> f64 {
+        self.has_noise = true;
+        let mut largest = 0.0_f64;
         let mut squares = vec![Vec::new(); self.noise.len()];
         for (w, shot) in point.shots.iter().enumerate() {
             let sensors = &self.sensors[self.windows[w].experiment];
@@ -211,8 +239,11 @@ impl Search<'_> {
                 squares.sort_by(f64::total_cmp);
                 squares[squares.len() / 2] / (MEDIAN * MEDIAN)
             };
-            self.noise[n] = variance.max(LEAST_VARIANCE).sqrt();
+            let deviation = variance.max(LEAST_VARIANCE).sqrt();
+            largest = largest.max((deviation / self.noise[n] - 1.0).abs());
+            self.noise[n] = deviation;
         }
+        largest
     }
 
     /// Sum of the losses of the residuals in a window, each divided by its noise, and their number.
@@ -236,24 +267,24 @@ impl Search<'_> {
         sum / f64::max(count, 1.0)
     }
 
-    /// The linearised problem.
-    pub(super) fn blocks(&self, point: &Point) -> Vec<Block> {
+    /// The linearised problem, with the weights of a loss.
+    fn blocks(&self, point: &Point, loss: Loss) -> Vec<Block> {
         let (n, p) = (self.n, self.free.len());
         let block = |w: usize| {
             let shot = &point.shots[w];
             let mut rows = DMatrix::zeros(shot.outputs.len(), n + p + 1);
             self.residuals(w, shot, |row, _, column, residual| {
                 let deviation = self.noise_of(w, column);
-                let root = self.loss.of(residual / deviation)[1].sqrt() / deviation;
+                let root = loss.of(residual / deviation)[1].sqrt() / deviation;
                 for variable in 0..n + p {
                     rows[(row, variable)] = root * shot.by[(row, variable)];
                 }
                 rows[(row, n + p)] = root * residual;
             });
-            let joint = self.joints.as_ref().filter(|_| self.windows[w].joined).map(|weights| {
+            let joint = self.joints.as_ref().filter(|_| self.windows[w].joined).map(|joints| {
                 let (before, mut gap) = (&point.shots[w - 1], self.gap(w, point));
                 let mut rows = DMatrix::zeros(n, 2 * n + p + 1);
-                for (i, weight) in weights.iter().enumerate() {
+                for (i, weight) in joints.weights().enumerate() {
                     for variable in 0..n + p {
                         let place = if variable < n { variable } else { variable + n };
                         rows[(i, place)] = weight * before.end_by[(i, variable)];
@@ -271,9 +302,9 @@ impl Search<'_> {
         (0..point.shots.len()).map(block).collect()
     }
 
-    /// The problem without starts, for standard deviations.
+    /// The problem without starts, for standard deviations: all residuals have the same weight.
     pub(super) fn eliminated(&self, point: &Point) -> Eliminated {
-        let blocks = self.blocks(point);
+        let blocks = self.blocks(point, Loss::Squares);
         let none = Damping {
             starts: vec![vec![0.0; self.n]; blocks.len()],
             parameters: vec![0.0; self.free.len()],
@@ -308,9 +339,12 @@ impl Search<'_> {
         let p = self.free.len();
         let samples: usize = point.shots.iter().map(|shot| shot.outputs.len()).sum();
         let (mut damping, mut growth) = (FIRST_DAMPING, 2.0);
-        self.estimate_noise(&point);
+        // robust losses with different noise cannot be compared
+        if self.loss == Loss::Squares || !self.has_noise {
+            self.estimate_noise(&point);
+        }
         point.loss = self.loss_of(&point);
-        let mut blocks = self.blocks(&point);
+        let mut blocks = self.blocks(&point, self.loss);
         let mut lengths = self.lengths(&blocks);
         let mut losses = vec![point.loss];
         let mut unit = self.mean_square(&point);
@@ -354,7 +388,7 @@ impl Search<'_> {
             for ((start, changes), window) in starts.iter_mut().zip(&changes).zip(&self.windows) {
                 if !window.known {
                     start.iter_mut().zip(changes).for_each(|(x, change)| *x += change);
-                    self.shooting.project(window, start, &parameters);
+                    self.shooting.project(window, start, &parameters, &self.free);
                 }
             }
             let next = self.at(parameters, starts).ok();
@@ -365,11 +399,12 @@ impl Search<'_> {
                 }
                 Some(next) => {
                     point = next;
-                    self.estimate_noise(&point);
-                    point.loss = self.loss_of(&point);
+                    if self.loss == Loss::Squares {
+                        self.estimate_noise(&point);
+                    }
                     unit = self.mean_square(&point);
                     losses.push(point.loss);
-                    blocks = self.blocks(&point);
+                    blocks = self.blocks(&point, self.loss);
                     let now = self.lengths(&blocks);
                     for (most, now) in lengths.starts.iter_mut().flatten().zip(now.starts.iter().flatten()) {
                         *most = most.max(*now);
@@ -397,7 +432,7 @@ impl Search<'_> {
                     damping *= growth;
                     growth *= 2.0;
                     if damping > MOST_DAMPING {
-                        return (point, End::Kink);
+                        return (point, End::Stuck);
                     }
                 }
             }

@@ -9,6 +9,7 @@ use super::{Experiment, FitError, nearest};
 use crate::dense::Dense;
 use crate::dual::Dual;
 use crate::error::{ParameterError, Reason};
+use crate::layout::StateLayout;
 use crate::method::Method;
 use crate::real::Real;
 use crate::solution::Observer;
@@ -64,11 +65,11 @@ pub(super) trait Shooting: Sync {
     /// Integrates a window. Derivatives by a known start are zero.
     fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], free: &[usize]) -> Result<Shot, Reason>;
 
-    /// Projects a start onto the constraints of the model.
-    fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64]);
+    /// Projects a start onto the constraints of the model, and into its stops.
+    fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64], free: &[usize]);
 
     /// Checks the parameters.
-    fn check(&self, parameters: &[f64]) -> Result<(), ParameterError>;
+    fn check(&self, parameters: &[f64], free: &[usize]) -> Result<(), ParameterError>;
 }
 
 /// Source of a measured output.
@@ -116,13 +117,18 @@ where
     names.collect()
 }
 
-impl<X, M, const N: usize, const P: usize> Shooting for (&Trajectories<'_, X, M, N>, [(); P])
+/// [`Trajectories`] with the number of parameters of the model.
+pub(super) struct Shooter<'a, X, M, const N: usize, const P: usize> {
+    pub(super) trajectories: &'a Trajectories<'a, X, M, N>,
+}
+
+impl<X, M, const N: usize, const P: usize> Shooting for Shooter<'_, X, M, N, P>
 where
     M: Parametric<N, P> + Sync,
     X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N> + Sync,
 {
     fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], free: &[usize]) -> Result<Shot, Reason> {
-        let trajectories = self.0;
+        let trajectories = self.trajectories;
         let experiment = &trajectories.experiments[window.experiment];
         let sources = &trajectories.sources[window.experiment];
         let times = &experiment.measurement.times[window.samples.clone()];
@@ -144,11 +150,12 @@ where
                     None => Dual::constant(value),
                 }
             };
+            let values = own(experiment.model, parameters, free);
             let model = experiment
                 .model
                 .with_parameters::<Dual<f64, PART>>(std::array::from_fn(|n| {
                     let place = free.iter().position(|&free| free == n);
-                    seed(parameters[n], place.map(|place| N + place))
+                    seed(values[n], place.map(|place| N + place))
                 }));
             let x0 = SVector::<_, N>::from_fn(|n, _| seed(start[n], (!window.known).then_some(n)));
             let mut sampler = Sampler {
@@ -180,20 +187,50 @@ where
         Ok(shot)
     }
 
-    fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64]) {
-        let model = self.0.experiments[window.experiment].model;
-        let model = model.with_parameters::<f64>(std::array::from_fn(|n| parameters[n]));
+    fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64], free: &[usize]) {
+        let model = self.trajectories.experiments[window.experiment].model;
+        let model = model.with_parameters(own(model, parameters, free));
         let mut x = SVector::from_column_slice(start);
         model.project(window.span[0], &mut x);
+        if let Some(hybrid) = model.hybrid() {
+            let (laws, measures) = (hybrid.laws(), hybrid.measures(window.span[0], &x));
+            for (n, constraint) in hybrid.constraints().iter().enumerate() {
+                let &[(rate, sign)] = constraint.rate else { continue };
+                let Some(position) = position_of(model.layout(), rate) else {
+                    continue;
+                };
+                let [value, _] = measures[n];
+                let inside = laws[n].low.map_or(value, |low| value.max(low));
+                let inside = laws[n].high.map_or(inside, |high| inside.min(high));
+                x[position] += f64::from(sign) * (inside - value);
+            }
+        }
         if x.iter().all(|x| x.is_finite()) {
             start.copy_from_slice(x.as_slice());
         }
     }
 
-    fn check(&self, parameters: &[f64]) -> Result<(), ParameterError> {
-        let model = self.0.experiments[0].model;
-        model.check_parameters(&std::array::from_fn(|n| parameters[n]))
+    fn check(&self, parameters: &[f64], free: &[usize]) -> Result<(), ParameterError> {
+        let mut models = self.trajectories.experiments.iter().map(|experiment| experiment.model);
+        models.try_for_each(|model| model.check_parameters(&own(model, parameters, free)))
     }
+}
+
+/// Parameters of an experiment: its own, but for those that are free.
+fn own<M, const N: usize, const P: usize>(model: &M, parameters: &[f64], free: &[usize]) -> [f64; P]
+where
+    M: Parametric<N, P>,
+{
+    let mut own = model.parameters();
+    free.iter().for_each(|&n| own[n] = parameters[n]);
+    own
+}
+
+/// Component of the position whose rate is the component `rate`, if it is a single one.
+pub(super) fn position_of(layout: Option<StateLayout<'_>>, rate: usize) -> Option<usize> {
+    let mut slots = layout?.slots.iter();
+    let slot = slots.find(|slot| slot.rates == (rate..rate + 1) && slot.positions.len() == 1)?;
+    Some(slot.positions.start)
 }
 
 /// Evaluates the measured outputs at the times of the samples.

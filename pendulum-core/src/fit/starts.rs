@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::search::{Point, Search};
-use super::shooting::{Shot, Source, Trajectories, Window};
+use super::shooting::{Shot, Source, Trajectories, Window, position_of};
 use super::{Division, Experiment, FitError, guess};
 use crate::system::{Parametric, System};
 
@@ -51,11 +51,6 @@ where
         let (mut start, mut measured) = (start, [false; N]);
         let guessed = window.samples.start == 0 && experiment.guess.is_some();
         if !window.known && !guessed {
-            let rate_of = |position: usize| {
-                let mut slots = layout.iter().flat_map(|layout| layout.slots);
-                let slot = slots.find(|slot| slot.positions == (position..position + 1) && slot.rates.len() == 1);
-                slot.map(|slot| slot.rates.start)
-            };
             let columns = &experiment.measurement.columns;
             let of_state = trajectories.sources[window.experiment].iter().zip(columns);
             let mut rates = Vec::new();
@@ -70,14 +65,15 @@ where
                 if let Some(value) = value {
                     (start[n], measured[n]) = (value, true);
                 }
-                rates.extend(rate_of(n).zip(rate));
+                let rate_of = (0..N).find(|&rate| position_of(layout, rate) == Some(n));
+                rates.extend(rate_of.zip(rate));
             }
             for (n, rate) in rates {
                 if !measured[n] {
                     (start[n], measured[n]) = (rate, true);
                 }
             }
-            search.shooting.project(window, &mut start, parameters);
+            search.shooting.project(window, &mut start, parameters, &[]);
         }
         let complete = window.known || measured.iter().all(|&measured| measured);
         before = None;
@@ -119,6 +115,7 @@ impl Search<'_> {
             sensors: self.sensors.clone(),
             noise: self.noise.clone(),
             given: given.to_vec(),
+            has_noise: self.has_noise,
             free: Vec::new(),
             bounds: Vec::new(),
             joints: None,
@@ -131,9 +128,10 @@ impl Search<'_> {
         Ok(alone.minimise(point, &mut |_| ControlFlow::Continue(())).0)
     }
 
-    /// Fits the start of each window alone, which kinks in other windows do not hinder. Where a window is much worse than
-    /// others, such as where a joint sticks in vain, also from other starts. True if the loss decreases noticeably.
-    pub(super) fn relax(&mut self, point: &mut Point) -> bool {
+    /// Fits the start of each window alone, which kinks in other windows do not hinder, if the search ended at one. Where a
+    /// window is much worse than others, such as where a joint sticks in vain, it is also fitted from other starts. True if
+    /// the loss decreases noticeably.
+    pub(super) fn relax(&mut self, point: &mut Point, at_a_kink: bool) -> bool {
         let given = vec![true; self.given.len()];
         let mean_square = |(w, shot): (usize, &Shot)| {
             let [sum, count] = self.weighted_squares(w, shot);
@@ -143,6 +141,9 @@ impl Search<'_> {
         let mut sorted = losses.clone();
         sorted.sort_by(f64::total_cmp);
         let bad = BAD * sorted[sorted.len() / 2];
+        if !at_a_kink && losses.iter().all(|&loss| loss <= bad) {
+            return false;
+        }
         // mean sizes of the components
         let sizes: Vec<f64> = (0..self.n)
             .map(|i| point.starts.iter().map(|start| start[i].abs()).sum::<f64>() / point.starts.len() as f64)
@@ -157,7 +158,7 @@ impl Search<'_> {
                 for (i, side) in (0..self.n).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
                     let mut other = start.clone();
                     other[i] += side * sizes[i];
-                    self.shooting.project(window, &mut other, &point.parameters);
+                    self.shooting.project(window, &mut other, &point.parameters, &self.free);
                     candidates.push(other);
                 }
             }
