@@ -65,6 +65,7 @@ mod search;
 mod shooting;
 mod starts;
 mod table;
+mod windows;
 
 use std::ops::ControlFlow;
 
@@ -81,19 +82,18 @@ use crate::dual::Dual;
 use crate::method::Method;
 use crate::system::{IntoState, Parametric};
 use search::{End, Joints, Point, Search};
-use shooting::{PART, Shooter, Trajectories, Window, sources};
+use shooting::{PART, Shooter, Trajectories, sources};
 
 /// Weights of the gaps between joined windows, in standard deviations of their starts, one after the other: the last one
 /// closes them to about 1e-8 deviations.
 const JOINING: [f64; 3] = [1.0, 1e2, 1e4];
-/// Minimum number of values in a window, for each component of the state.
-const VALUES_OF_A_WINDOW: usize = 2;
 /// With a robust loss, estimates of the noise change by less than this part in the end.
 const NOISE_IS_FOUND: f64 = 1e-3;
 /// Maximum number of estimates of the noise.
 const MAX_NOISES: usize = 20;
 /// Number of attempts to leave a kink by fitting each start alone.
 const KINKS: usize = 5;
+
 /// An experiment: a model, and the measurement of its motion.
 ///
 /// The models of several experiments may have different inputs, and parameters that are not free. The fit begins at the
@@ -281,7 +281,7 @@ impl<X> Fit<X> {
         let names = first.model.parameter_names();
         let (free, bounds) = self.parameters(first.model)?;
         self.check_settings()?;
-        let windows = self.divide(experiments)?;
+        let windows = windows::divide(experiments, self.division)?;
         let shooting = Shooter::<X, M, N, P> {
             trajectories: &trajectories,
         };
@@ -368,62 +368,6 @@ impl<X> Fit<X> {
             Some(threshold) => positive("the threshold of the loss", threshold),
             None => Ok(()),
         }
-    }
-
-    /// Splits the experiments into windows. A window ends at the sample with which the next one starts.
-    fn divide<M, const N: usize>(&self, experiments: &[Experiment<'_, M, N>]) -> Result<Vec<Window>, FitError> {
-        let (length, joined) = match self.division {
-            Division::Whole => (f64::INFINITY, false),
-            Division::Joined(length) => (length, true),
-            Division::Separate(length) => (length, false),
-        };
-        let mut windows = Vec::new();
-        for (n, experiment) in experiments.iter().enumerate() {
-            let times = &experiment.measurement.times;
-            let [Some(&first), Some(&last)] = [times.first(), times.last()] else {
-                return Err(FitError::TooFewValues { values: 0, unknowns: N });
-            };
-            let begins = match experiment.known {
-                Some((t, _)) if t > first || t.is_nan() => {
-                    return Err(FitError::StartsLate {
-                        experiment: n,
-                        t,
-                        first,
-                    });
-                }
-                Some((t, _)) => t,
-                None => first,
-            };
-            // windows of equal length, up to the intervals between samples, with enough values each
-            let values = |n: &usize| {
-                let columns = &experiment.measurement.columns;
-                columns.iter().filter(|column| !column.values[*n].is_nan()).count()
-            };
-            let count = ((last - begins) / length).ceil().clamp(1.0, times.len() as f64);
-            let width = (last - begins) / count;
-            let (mut from, mut inside, mut edge) = (0, 0, 1.0);
-            for to in 1..=times.len() {
-                inside += values(&(to - 1));
-                let rest: usize = (to..times.len()).map(|n| values(&n)).take(2 * N).sum();
-                let ends = times.get(to).is_none_or(|&t| {
-                    t >= begins + width * edge && inside >= VALUES_OF_A_WINDOW * N && rest >= VALUES_OF_A_WINDOW * N
-                });
-                if !ends {
-                    continue;
-                }
-                let next = times.get(to).copied();
-                windows.push(Window {
-                    experiment: n,
-                    samples: from..to,
-                    span: [if from == 0 { begins } else { times[from] }, next.unwrap_or(last)],
-                    joined: joined && from > 0,
-                    known: from == 0 && experiment.known.is_some(),
-                });
-                (from, inside) = (to, 0);
-                edge = next.map_or(edge, |t| ((t - begins) / width + 1e-9).floor() + 1.0);
-            }
-        }
-        Ok(windows)
     }
 
     /// Searches with separate windows first, then with joined ones.

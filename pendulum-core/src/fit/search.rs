@@ -11,7 +11,8 @@ use nalgebra::DMatrix;
 use super::elimination::{Block, Damping, Echelon, Eliminated, within};
 use super::loss::Loss;
 use super::measurement::Measurement;
-use super::shooting::{Shooting, Shot, Window};
+use super::shooting::{Shooting, Shot};
+use super::windows::Window;
 use super::{FitError, Progress};
 
 /// First damping, relative to the lengths of the columns of the Jacobian.

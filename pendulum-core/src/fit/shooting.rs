@@ -1,10 +1,9 @@
 //! Trajectories in windows, as functions of their starts and the parameters.
 
-use std::ops::Range;
-
 use nalgebra::{DMatrix, SVector};
 
 use super::measurement::Measurement;
+use super::windows::Window;
 use super::{Experiment, FitError, nearest};
 use crate::dense::Dense;
 use crate::dual::Dual;
@@ -18,34 +17,6 @@ use crate::system::{Parametric, System};
 /// Number of variables of a dual number: as many as a vector register holds. More variables are computed in parts, each
 /// in the same steps.
 pub(super) const PART: usize = 8;
-
-/// Part of an experiment.
-#[derive(Clone, Debug)]
-pub(super) struct Window {
-    pub(super) experiment: usize,
-    /// Indices of its samples.
-    pub(super) samples: Range<usize>,
-    /// Its start and end.
-    pub(super) span: [f64; 2],
-    /// True if it continues the window before.
-    pub(super) joined: bool,
-    /// True if the state at its start is known.
-    pub(super) known: bool,
-}
-
-impl Window {
-    /// The first `count` samples with a value.
-    pub(super) fn beginning(&self, measurement: &Measurement, count: usize) -> Self {
-        let has_a_value = |&n: &usize| measurement.columns.iter().any(|column| !column.values[n].is_nan());
-        let last = self.samples.clone().filter(has_a_value).take(count).last();
-        let last = last.unwrap_or(self.samples.start);
-        Self {
-            samples: self.samples.start..last + 1,
-            span: [self.span[0], measurement.times[last]],
-            ..self.clone()
-        }
-    }
-}
 
 /// A trajectory in a window, with its derivatives by the start and the free parameters.
 #[derive(Clone, Debug)]

@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 
 use super::search::{Point, Search};
-use super::shooting::{Shot, Source, Trajectories, Window, position_of};
+use super::shooting::{Shot, Source, Trajectories, position_of};
+use super::windows::Window;
 use super::{Division, Experiment, FitError, guess};
 use crate::system::{Parametric, System};
 
