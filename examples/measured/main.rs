@@ -8,7 +8,7 @@
 //! under the license beside them: angles of two driven links, the first from hanging, the second relative to the first,
 //! and the torques of both motors. The makers published the parameters of [`ArmParams::default`].
 
-mod charts_of_fits;
+mod figures;
 
 use std::error::Error;
 use std::fs::File;
@@ -17,8 +17,9 @@ use std::time::Instant;
 
 use charts::page::Picture;
 use pendulum_core::fit::{Experiment, Fit, Fitted, Measurement, Table};
-use pendulum_core::inputs::TimeTable;
+use pendulum_core::inputs::{Generic, TimeTable};
 use pendulum_core::prelude::*;
+use pendulum_core::{ParameterError, WithInputs};
 
 mechanism! {
     /// Two links on axles with friction. The motor of the lower link turns it through a gear of ratio 6; the inertia of
@@ -56,7 +57,8 @@ mechanism! {
     }
 }
 
-type Driven = pendulum_core::WithInputs<Arm, pendulum_core::inputs::Generic<TimeTable<2>>, 2>;
+/// The arm with recorded torques.
+type Driven = WithInputs<Arm, Generic<TimeTable<2>>, 2>;
 type ArmFit = Fitted<4, 14>;
 
 /// Length of the windows of fits and predictions, in s.
@@ -65,7 +67,7 @@ const WINDOW: f64 = 0.5;
 const STEP: f64 = 0.004;
 /// Residuals are correlated over about this many samples.
 const CORRELATED: usize = 25;
-/// Inertias, centres of mass and frictions: what each fit adjusts.
+/// Inertias and centres of mass, which each fit adjusts.
 const LINKS: [&str; 4] = ["i1", "i2", "r1", "r2"];
 
 /// A scene: its name, and the parameters that it adjusts beside [`LINKS`]. The others are zero.
@@ -135,9 +137,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     println!();
     let stem = |name: &str| Path::new("out/measured").join(name);
-    let angles = charts_of_fits::angles([(&runs[0], best), (&runs[1], &predicted)])?;
-    let residuals = charts_of_fits::residuals(&runs[0], &fits[..=BEST]);
-    let ellipses = charts_of_fits::ellipses(&sparse);
+    let angles = figures::angles([(&runs[0], best), (&runs[1], &predicted)])?;
+    let residuals = figures::residuals(&runs[0], &fits[..=BEST]);
+    let ellipses = figures::ellipses(&sparse);
     for path in [
         angles.save(&stem("angles"))?,
         residuals.save(&stem("residuals"))?,
@@ -178,7 +180,7 @@ impl Run {
         (second.sum::<f64>() / self.angles.times().len() as f64).sqrt()
     }
 
-    fn arm(&self, params: ArmParams) -> Result<Driven, pendulum_core::ParameterError> {
+    fn arm(&self, params: ArmParams) -> Result<Driven, ParameterError> {
         Ok(Arm::new(params)?.with_law(self.torques.clone()))
     }
 }
@@ -295,47 +297,32 @@ fn predict(best: &ArmFit, run: &Run) -> Result<ArmFit, Box<dyn Error>> {
         params.zero1, params.zero2, best.parameters[12], best.parameters[13]
     );
 
-    // no sample of a window is used for its forecast
-    let arm = run.arm(params)?;
-    let ahead = [0.1, 0.25, 0.5];
-    let mut sums = [[0.0; 3]; 3];
-    for window in &predicted.windows[..predicted.windows.len() - 1] {
-        let forecast = Rk4::new(STEP).solve(&arm, window.t1, window.t1 + WINDOW, window.end)?;
-        for (n, &t) in run.angles.times().iter().enumerate() {
-            let after = t - window.t1;
-            let Some(k) = ahead.iter().position(|&ahead| (ahead - after).abs() < 0.025) else {
-                continue;
-            };
-            if after > WINDOW {
-                continue;
-            }
-            let x = forecast.at(t)?;
-            let errors = [
-                run.values("q1")[n] - arm_output(&arm, t, &x)[0],
-                run.values("q2")[n] - arm_output(&arm, t, &x)[1],
-            ];
-            for (sum, error) in sums[k].iter_mut().zip(errors) {
-                *sum += error * error;
-            }
-            sums[k][2] += 1.0;
-        }
-    }
-    for (ahead, [upper, lower, count]) in ahead.iter().zip(sums) {
-        row(
-            &format!("forecast {ahead} s ahead"),
-            [upper, lower].map(|sum| (sum / count).sqrt()),
-        );
+    for (ahead, errors) in forecast(&predicted, run)? {
+        row(&format!("forecast {ahead} s ahead"), errors);
     }
     Ok(predicted)
 }
 
-/// The outputs of the arm.
-fn arm_output(arm: &Driven, t: f64, x: &SVector<f64, 4>) -> [f64; 2] {
-    let mut outputs = [0.0; 2];
-    let mut n = 0;
-    arm.each_output(t, x, &mut |_, value| {
-        outputs[n] = value;
-        n += 1;
-    });
-    outputs
+/// Root mean square errors of forecasts from the end of one window into the next, by times ahead in s. No sample of a
+/// window is used for its forecast.
+fn forecast(fitted: &ArmFit, run: &Run) -> Result<[(f64, [f64; 2]); 3], Box<dyn Error>> {
+    let params = ArmParams::from_array(fitted.parameters);
+    let (arm, driven) = (Arm::new(params)?, run.arm(params)?);
+    let ahead = [0.1, 0.25, 0.5];
+    let mut errors = [const { Vec::new() }; 3];
+    for window in &fitted.windows[..fitted.windows.len() - 1] {
+        let motion = Rk4::new(STEP).solve(&driven, window.t1, window.t1 + WINDOW, window.end)?;
+        let samples = run.values("q1").iter().zip(run.values("q2"));
+        for (&t, (&upper, &lower)) in run.angles.times().iter().zip(samples) {
+            let after = t - window.t1;
+            let near = ahead.iter().position(|ahead| (ahead - after).abs() < 0.025);
+            if let Some(k) = near.filter(|_| after <= WINDOW) {
+                errors[k].push(SVector::from([upper, lower]) - arm.outputs(t, &motion.at(t)?));
+            }
+        }
+    }
+    let rms = |errors: &Vec<SVector<f64, 2>>, n: usize| {
+        (errors.iter().map(|error| error[n] * error[n]).sum::<f64>() / errors.len() as f64).sqrt()
+    };
+    Ok([0, 1, 2].map(|k| (ahead[k], [rms(&errors[k], 0), rms(&errors[k], 1)])))
 }

@@ -284,6 +284,7 @@ impl<X> Fit<X> {
         let windows = windows::divide(experiments, self.division)?;
         let shooting = Shooter::<X, M, N, P> {
             trajectories: &trajectories,
+            free: free.clone(),
         };
         let measurements: Vec<_> = experiments.iter().map(|experiment| experiment.measurement).collect();
         let (outputs, sensors, given) = report::sensors(&measurements);
@@ -299,6 +300,7 @@ impl<X> Fit<X> {
             bounds,
             loss: self.loss,
             n: N,
+            hybrid: M::HYBRID,
             joints: None,
             max_iterations: self.max_iterations,
             iterations: 0,

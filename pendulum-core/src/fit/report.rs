@@ -147,12 +147,7 @@ impl Search<'_> {
                 warnings.push(Warning::Misfit { output, ratio });
             }
         }
-        warnings.extend(
-            self.shooting
-                .check(&point.parameters, &self.free)
-                .err()
-                .map(Warning::Impossible),
-        );
+        warnings.extend(self.shooting.check(&point.parameters).err().map(Warning::Impossible));
         warnings.extend(self.horizon(point));
         if self.windows.iter().any(|window| window.joined) {
             let separate = || self.deviations_of_starts(point);

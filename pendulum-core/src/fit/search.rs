@@ -70,6 +70,8 @@ pub(super) struct Search<'a> {
     pub(super) loss: Loss,
     /// Length of a state.
     pub(super) n: usize,
+    /// True if modes may switch, so that the loss has kinks.
+    pub(super) hybrid: bool,
     /// Weights of the gaps between joined windows; none while windows are separate.
     pub(super) joints: Option<Joints>,
     pub(super) max_iterations: usize,
@@ -389,7 +391,7 @@ impl Search<'_> {
             for ((start, changes), window) in starts.iter_mut().zip(&changes).zip(&self.windows) {
                 if !window.known {
                     start.iter_mut().zip(changes).for_each(|(x, change)| *x += change);
-                    self.shooting.project(window, start, &parameters, &self.free);
+                    self.shooting.project(window, start, &parameters);
                 }
             }
             let next = self.at(parameters, starts).ok();

@@ -33,14 +33,15 @@ pub(super) struct Shot {
 
 /// Models and methods behind plain numbers, so that the search is compiled once.
 pub(super) trait Shooting: Sync {
-    /// Integrates a window. Derivatives by a known start are zero.
-    fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], free: &[usize]) -> Result<Shot, Reason>;
+    /// Integrates a window, with derivatives by the start and by the parameters of the indices `by`. Those by a known
+    /// start are zero.
+    fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], by: &[usize]) -> Result<Shot, Reason>;
 
     /// Projects a start onto the constraints of the model, and into its stops.
-    fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64], free: &[usize]);
+    fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64]);
 
     /// Checks the parameters.
-    fn check(&self, parameters: &[f64], free: &[usize]) -> Result<(), ParameterError>;
+    fn check(&self, parameters: &[f64]) -> Result<(), ParameterError>;
 }
 
 /// Source of a measured output.
@@ -91,6 +92,8 @@ where
 /// [`Trajectories`] with the number of parameters of the model.
 pub(super) struct Shooter<'a, X, M, const N: usize, const P: usize> {
     pub(super) trajectories: &'a Trajectories<'a, X, M, N>,
+    /// Indices of the parameters that the experiments share.
+    pub(super) free: Vec<usize>,
 }
 
 impl<X, M, const N: usize, const P: usize> Shooting for Shooter<'_, X, M, N, P>
@@ -98,14 +101,14 @@ where
     M: Parametric<N, P> + Sync,
     X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N> + Sync,
 {
-    fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], free: &[usize]) -> Result<Shot, Reason> {
+    fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], by: &[usize]) -> Result<Shot, Reason> {
         let trajectories = self.trajectories;
         let experiment = &trajectories.experiments[window.experiment];
         let sources = &trajectories.sources[window.experiment];
         let times = &experiment.measurement.times[window.samples.clone()];
         let [t0, t1] = window.span.map(Dual::constant);
         let rows = times.len() * sources.len();
-        let variables = N + free.len();
+        let variables = N + by.len();
         let mut shot = Shot {
             outputs: vec![0.0; rows],
             by: DMatrix::zeros(rows, variables),
@@ -121,11 +124,11 @@ where
                     None => Dual::constant(value),
                 }
             };
-            let values = own(experiment.model, parameters, free);
+            let values = own(experiment.model, parameters, &self.free);
             let model = experiment
                 .model
                 .with_parameters::<Dual<f64, PART>>(std::array::from_fn(|n| {
-                    let place = free.iter().position(|&free| free == n);
+                    let place = by.iter().position(|&by| by == n);
                     seed(values[n], place.map(|place| N + place))
                 }));
             let x0 = SVector::<_, N>::from_fn(|n, _| seed(start[n], (!window.known).then_some(n)));
@@ -158,9 +161,9 @@ where
         Ok(shot)
     }
 
-    fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64], free: &[usize]) {
+    fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64]) {
         let model = self.trajectories.experiments[window.experiment].model;
-        let model = model.with_parameters(own(model, parameters, free));
+        let model = model.with_parameters(own(model, parameters, &self.free));
         let mut x = SVector::from_column_slice(start);
         model.project(window.span[0], &mut x);
         if let Some(hybrid) = model.hybrid() {
@@ -181,9 +184,9 @@ where
         }
     }
 
-    fn check(&self, parameters: &[f64], free: &[usize]) -> Result<(), ParameterError> {
+    fn check(&self, parameters: &[f64]) -> Result<(), ParameterError> {
         let mut models = self.trajectories.experiments.iter().map(|experiment| experiment.model);
-        models.try_for_each(|model| model.check_parameters(&own(model, parameters, free)))
+        models.try_for_each(|model| model.check_parameters(&own(model, parameters, &self.free)))
     }
 }
 

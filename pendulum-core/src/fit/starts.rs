@@ -74,7 +74,7 @@ where
                     (start[n], measured[n]) = (rate, true);
                 }
             }
-            search.shooting.project(window, &mut start, parameters, &[]);
+            search.shooting.project(window, &mut start, parameters);
         }
         let complete = window.known || measured.iter().all(|&measured| measured);
         before = None;
@@ -87,7 +87,7 @@ where
             start = alone(&beginning, start)?;
             // kinks may keep a search from the modes of the first samples; over a whole trajectory wrong parameters would
             // spoil the start
-            if M::HYBRID && *division != Division::Whole {
+            if search.hybrid && *division != Division::Whole {
                 start = alone(window, start)?;
             }
             let whole = search.shooting.shoot(window, &start, parameters, &[]);
@@ -141,7 +141,11 @@ impl Search<'_> {
         let losses: Vec<f64> = point.shots.iter().enumerate().map(mean_square).collect();
         let mut sorted = losses.clone();
         sorted.sort_by(f64::total_cmp);
-        let bad = BAD * sorted[sorted.len() / 2];
+        let bad = if self.hybrid {
+            BAD * sorted[sorted.len() / 2]
+        } else {
+            f64::INFINITY
+        };
         if !at_a_kink && losses.iter().all(|&loss| loss <= bad) {
             return false;
         }
@@ -159,7 +163,7 @@ impl Search<'_> {
                 for (i, side) in (0..self.n).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
                     let mut other = start.clone();
                     other[i] += side * sizes[i];
-                    self.shooting.project(window, &mut other, &point.parameters, &self.free);
+                    self.shooting.project(window, &mut other, &point.parameters);
                     candidates.push(other);
                 }
             }

@@ -8,7 +8,7 @@ use charts::page::{BLUE, ORANGE, VERMILION};
 use pendulum_core::fit::Residuals;
 use pendulum_core::prelude::*;
 
-use super::{ArmFit, ArmParams, Run, SCENES, STEP, arm_output};
+use super::{Arm, ArmFit, ArmParams, Run, SCENES, STEP};
 
 const MEASURED: Line = Line {
     width: 7.0,
@@ -23,12 +23,13 @@ const COMPUTED: Line = Line {
 pub(crate) fn angles(runs: [(&Run, &ArmFit); 2]) -> Result<Figure, Box<dyn Error>> {
     let mut rows = [("upper link", Vec::new()), ("lower link", Vec::new())];
     for (run, fitted) in runs {
-        let arm = run.arm(ArmParams::from_array(fitted.parameters))?;
+        let params = ArmParams::from_array(fitted.parameters);
+        let (arm, driven) = (Arm::new(params)?, run.arm(params)?);
         let mut computed = [Vec::new(), Vec::new()];
         for window in &fitted.windows {
-            let motion = Rk4::new(STEP).solve(&arm, window.t0, window.t1, window.start)?;
+            let motion = Rk4::new(STEP).solve(&driven, window.t0, window.t1, window.start)?;
             for (t, x) in motion.points() {
-                for (curve, angle) in computed.iter_mut().zip(arm_output(&arm, t, x)) {
+                for (curve, angle) in computed.iter_mut().zip(&arm.outputs(t, x)) {
                     curve.push((t, angle.to_degrees()));
                 }
             }
