@@ -297,32 +297,34 @@ fn predict(best: &ArmFit, run: &Run) -> Result<ArmFit, Box<dyn Error>> {
         params.zero1, params.zero2, best.parameters[12], best.parameters[13]
     );
 
-    for (ahead, errors) in forecast(&predicted, run)? {
+    for (ahead, errors) in AHEAD.into_iter().zip(forecast(&predicted, run)?) {
         row(&format!("forecast {ahead} s ahead"), errors);
     }
     Ok(predicted)
 }
 
-/// Root mean square errors of forecasts from the end of one window into the next, by times ahead in s. No sample of a
-/// window is used for its forecast.
-fn forecast(fitted: &ArmFit, run: &Run) -> Result<[(f64, [f64; 2]); 3], Box<dyn Error>> {
+/// Times ahead at which forecasts are compared, in s.
+const AHEAD: [f64; 3] = [0.1, 0.25, 0.5];
+
+/// Root mean square errors of both angles in forecasts from the end of one window into the next, at the times [`AHEAD`].
+/// No sample of a window is used for its forecast.
+fn forecast(fitted: &ArmFit, run: &Run) -> Result<[[f64; 2]; 3], Box<dyn Error>> {
     let params = ArmParams::from_array(fitted.parameters);
     let (arm, driven) = (Arm::new(params)?, run.arm(params)?);
-    let ahead = [0.1, 0.25, 0.5];
     let mut errors = [const { Vec::new() }; 3];
     for window in &fitted.windows[..fitted.windows.len() - 1] {
         let motion = Rk4::new(STEP).solve(&driven, window.t1, window.t1 + WINDOW, window.end)?;
         let samples = run.values("q1").iter().zip(run.values("q2"));
         for (&t, (&upper, &lower)) in run.angles.times().iter().zip(samples) {
             let after = t - window.t1;
-            let near = ahead.iter().position(|ahead| (ahead - after).abs() < 0.025);
+            let near = AHEAD.iter().position(|ahead| (ahead - after).abs() < 0.025);
             if let Some(k) = near.filter(|_| after <= WINDOW) {
                 errors[k].push(SVector::from([upper, lower]) - arm.outputs(t, &motion.at(t)?));
             }
         }
     }
-    let rms = |errors: &Vec<SVector<f64, 2>>, n: usize| {
+    let rms = |errors: &[SVector<f64, 2>], n: usize| {
         (errors.iter().map(|error| error[n] * error[n]).sum::<f64>() / errors.len() as f64).sqrt()
     };
-    Ok([0, 1, 2].map(|k| (ahead[k], [rms(&errors[k], 0), rms(&errors[k], 1)])))
+    Ok(errors.map(|errors| [rms(&errors, 0), rms(&errors, 1)]))
 }
