@@ -37,6 +37,8 @@ mechanism! {
             rotor: kg m^2 = 7.66e-5,
             viscous1: N m s = 0.001, viscous2: N m s = 0.001,
             dry1: N m = 0.093, dry2: N m = 0.078,
+            /// Static friction over dry friction.
+            static1: 1 = 1, static2: 1 = 1,
             /// Angles at which the encoders show zero.
             zero1: rad = 0, zero2: rad = 0,
         }
@@ -46,12 +48,14 @@ mechanism! {
         output q2: lower_angle - zero2,
         body upper on ground {
             mass: m1, com: [0, -r1, 0], inertia: i1 about joint,
-            joint: revolute(z), coordinate: upper_angle, friction: viscous1, dry_friction: dry1, torque: torque1,
+            joint: revolute(z), coordinate: upper_angle, torque: torque1,
+            friction: viscous1, dry_friction: dry1, static_friction: static1*dry1,
         }
         body lower on upper {
             mass: m2, com: [0, -r2, 0], inertia: i2 about joint,
             joint: revolute(z) at [0, -l, 0],
-            coordinate: lower_angle, friction: viscous2, dry_friction: dry2, torque: torque2,
+            coordinate: lower_angle, torque: torque2,
+            friction: viscous2, dry_friction: dry2, static_friction: static2*dry2,
         }
         body rotor2 on upper { inertia: rotor, joint: revolute(z), motion: -6*lower_angle }
     }
@@ -59,7 +63,7 @@ mechanism! {
 
 /// The arm with recorded torques.
 type Driven = WithInputs<Arm, Generic<TimeTable<2>>, 2>;
-type ArmFit = Fitted<4, 14>;
+type ArmFit = Fitted<4, 16>;
 
 /// Length of the windows of fits and predictions, in s.
 const WINDOW: f64 = 0.5;
@@ -269,8 +273,8 @@ fn which_parameters(best: &ArmFit, run: &Run) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Predicts a run by parameters of another, in windows whose starts are fitted, with its own zeros of the encoders. Then
-/// forecasts each window from the end of the one before.
+/// Predicts a run by parameters of another, in windows whose starts are fitted, with its own zeros of the encoders, and
+/// with static friction that the other run does not determine. Then forecasts each window from the end of the one before.
 fn predict(best: &ArmFit, run: &Run) -> Result<ArmFit, Box<dyn Error>> {
     let arm = run.arm(ArmParams::from_array(best.parameters))?;
     let fit = Fit::new(Rk4::new(STEP))
@@ -292,11 +296,36 @@ fn predict(best: &ArmFit, run: &Run) -> Result<ArmFit, Box<dyn Error>> {
         ["q1", "q2"].map(|name| predicted.rms(name)),
     );
     let params = ArmParams::from_array(predicted.parameters);
-    println!(
-        "    zeros of the encoders {:.3} and {:.3} rad, in run 1 {:.3} and {:.3}",
-        params.zero1, params.zero2, best.parameters[12], best.parameters[13]
+    let own = |run: &str, fitted: &ArmFit, names: [&str; 2]| {
+        let value = |name| fitted.estimate(name).map_or(f64::NAN, |estimate| estimate.value);
+        println!(
+            "    {}, {} of {run}: {:.3}, {:.3}",
+            names[0],
+            names[1],
+            value(names[0]),
+            value(names[1])
+        );
+    };
+    own("run 1", best, ["zero1", "zero2"]);
+    own("run 2", &predicted, ["zero1", "zero2"]);
+    // the lower link rests six times in run 2, and never in run 1
+    let params = ArmParams {
+        static1: 1.5,
+        static2: 1.5,
+        ..params
+    };
+    let arm = run.arm(params)?;
+    let sticks = Fit::new(Rk4::new(STEP))
+        .free(["zero1", "zero2", "static1", "static2"])
+        .bounds("static1", 1.0, 9.0)
+        .bounds("static2", 1.0, 9.0)
+        .separate_windows(WINDOW)
+        .run(&[Experiment::new(&arm, &run.angles)])?;
+    row(
+        "with static friction of its own",
+        ["q1", "q2"].map(|name| sticks.rms(name)),
     );
-
+    own("run 2", &sticks, ["static1", "static2"]);
     for (ahead, errors) in AHEAD.into_iter().zip(forecast(&predicted, run)?) {
         row(&format!("forecast {ahead} s ahead"), errors);
     }
