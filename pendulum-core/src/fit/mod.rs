@@ -60,6 +60,7 @@ mod guess;
 mod likelihood;
 mod loss;
 mod measurement;
+mod parallel;
 mod report;
 mod search;
 mod shooting;

@@ -3,8 +3,6 @@
 //! K. Madsen, H. B. Nielsen, O. Tingleff, "Methods for Non-Linear Least Squares Problems", 2nd ed. (2004), 3.2.
 
 use std::ops::ControlFlow;
-use std::panic::resume_unwind;
-use std::thread;
 
 use nalgebra::DMatrix;
 
@@ -13,7 +11,7 @@ use super::loss::Loss;
 use super::measurement::Measurement;
 use super::shooting::{Shooting, Shot};
 use super::windows::Window;
-use super::{FitError, Progress};
+use super::{FitError, Progress, parallel};
 
 /// First damping, relative to the lengths of the columns of the Jacobian.
 const FIRST_DAMPING: f64 = 1e-3;
@@ -139,31 +137,16 @@ impl Search<'_> {
 
     /// Integrates all windows, on all cores. The results do not depend on the number of cores.
     fn shoot(&self, parameters: &[f64], starts: &[Vec<f64>]) -> Result<Vec<Shot>, FitError> {
-        let shoot = |(window, start): (&Window, &Vec<f64>)| {
-            let shot = self.shooting.shoot(window, start, parameters, &self.free);
+        let shoot = |w: usize| {
+            let window = &self.windows[w];
+            let shot = self.shooting.shoot(window, &starts[w], parameters, &self.free);
             shot.map_err(|reason| FitError::Integration {
                 experiment: window.experiment,
                 from: window.span[0],
                 reason: Box::new(reason),
             })
         };
-        let cores = thread::available_parallelism().map_or(1, usize::from);
-        let part = self.windows.len().div_ceil(cores);
-        let mut parts = self.windows.chunks(part).zip(starts.chunks(part));
-        let Some(first) = parts.next() else {
-            return Ok(Vec::new());
-        };
-        let all =
-            |(windows, starts): (&[Window], &[Vec<f64>])| windows.iter().zip(starts).map(shoot).collect::<Vec<_>>();
-        let shots = thread::scope(|scope| {
-            let others: Vec<_> = parts.map(|part| scope.spawn(move || all(part))).collect();
-            let mut shots = all(first);
-            for other in others {
-                shots.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
-            }
-            shots
-        });
-        shots.into_iter().collect()
+        parallel::each(self.windows.len(), shoot).into_iter().collect()
     }
 
     /// Calls `each` for each residual of a window: its row, its sample, its column and measured minus computed value.
@@ -302,7 +285,7 @@ impl Search<'_> {
                 joint,
             }
         };
-        (0..point.shots.len()).map(block).collect()
+        parallel::each(point.shots.len(), block)
     }
 
     /// The problem without starts, for standard deviations: all residuals have the same weight.

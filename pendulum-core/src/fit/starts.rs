@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::search::{Point, Search};
 use super::shooting::{Shot, Source, Trajectories, position_of};
 use super::windows::Window;
-use super::{Division, Experiment, FitError, guess};
+use super::{Division, Experiment, FitError, guess, parallel};
 use crate::system::{Parametric, System};
 
 /// Number of samples that give a first guess of a start, for each component of the state.
@@ -80,20 +80,28 @@ where
         before = None;
         if !complete {
             let beginning = window.beginning(experiment.measurement, SAMPLES_OF_A_START * N);
-            let alone = |window, start| {
-                let fitted = search.start_alone(window, start, parameters, &search.given);
-                fitted.map(|mut fitted| fitted.starts.swap_remove(0))
-            };
-            start = alone(&beginning, start)?;
-            // kinks may keep a search from the modes of the first samples; over a whole trajectory wrong parameters would
-            // spoil the start
-            if search.hybrid && *division != Division::Whole {
-                start = alone(window, start)?;
-            }
+            start = search
+                .start_alone(&beginning, start, parameters, &search.given)?
+                .starts
+                .swap_remove(0);
             let whole = search.shooting.shoot(window, &start, parameters, &[]);
             before = whole.ok().map(|shot| shot.end);
         }
         starts.push(start);
+    }
+    // kinks may keep a search from the modes of the first samples; over a whole trajectory wrong parameters would spoil
+    // the start
+    if search.hybrid && *division != Division::Whole {
+        let fitted = parallel::each(starts.len(), |w| {
+            let window = &search.windows[w];
+            let alone = || search.start_alone(window, starts[w].clone(), parameters, &search.given);
+            (!window.known).then(alone)
+        });
+        for (start, fitted) in starts.iter_mut().zip(fitted) {
+            if let Some(Ok(mut fitted)) = fitted {
+                *start = fitted.starts.swap_remove(0);
+            }
+        }
     }
     Ok(starts)
 }
@@ -153,7 +161,7 @@ impl Search<'_> {
         let sizes: Vec<f64> = (0..self.n)
             .map(|i| point.starts.iter().map(|start| start[i].abs()).sum::<f64>() / point.starts.len() as f64)
             .collect();
-        let starts = (0..self.windows.len()).map(|w| {
+        let starts = parallel::each(self.windows.len(), |w| {
             let (window, start) = (&self.windows[w], &point.starts[w]);
             let mut candidates = Vec::new();
             if !window.known {
@@ -172,7 +180,7 @@ impl Search<'_> {
             let best = fitted.min_by(|a, b| a.loss.total_cmp(&b.loss));
             best.map_or_else(|| start.clone(), |mut best| best.starts.swap_remove(0))
         });
-        let relaxed = self.at(point.parameters.clone(), starts.collect()).ok();
+        let relaxed = self.at(point.parameters.clone(), starts).ok();
         match relaxed.filter(|relaxed| relaxed.loss < point.loss - self.mean_square(point)) {
             Some(relaxed) => {
                 *point = relaxed;
