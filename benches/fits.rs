@@ -1,5 +1,5 @@
-//! Time of a fit to a measured double pendulum, with viscous friction and encoders that are not aligned: `cargo bench -p
-//! benches --bench fits`. `bench/fits/scipy_fit.py` is the same fit by SciPy.
+//! Time of a fit to a measured double pendulum, with viscous friction and encoders that are not aligned:
+//! `cargo bench -p benches --bench fits`. `bench/fits/scipy_fit.py` is the same fit by SciPy.
 
 use std::error::Error;
 use std::fs::File;

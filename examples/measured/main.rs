@@ -216,8 +216,8 @@ fn fit(scene: &Scene, run: &Run) -> Result<ArmFit, Box<dyn Error>> {
     fit_to(scene, run, &run.angles)
 }
 
-/// Fit to samples so far apart that their residuals are hardly correlated, with the residuals of a scene as the noise of
-/// all.
+/// Fit to samples so far apart that their residuals are hardly correlated, with the residuals of a scene as the noise
+/// of all.
 fn thinned(scene: &Scene, run: &Run, noise: [f64; 2]) -> Result<ArmFit, Box<dyn Error>> {
     let sparse = run.angles.every(CORRELATED);
     let mut angles = Measurement::new(sparse.times())?;
@@ -274,7 +274,8 @@ fn which_parameters(best: &ArmFit, run: &Run) -> Result<(), Box<dyn Error>> {
 }
 
 /// Predicts a run by parameters of another, in windows whose starts are fitted, with its own zeros of the encoders, and
-/// with static friction that the other run does not determine. Then forecasts each window from the end of the one before.
+/// with static friction that the other run does not determine. Then forecasts each window from the end of the one
+/// before.
 fn predict(best: &ArmFit, run: &Run) -> Result<ArmFit, Box<dyn Error>> {
     let arm = run.arm(ArmParams::from_array(best.parameters))?;
     let fit = Fit::new(Rk4::new(STEP))
@@ -335,8 +336,8 @@ fn predict(best: &ArmFit, run: &Run) -> Result<ArmFit, Box<dyn Error>> {
 /// Times ahead at which forecasts are compared, in s.
 const AHEAD: [f64; 3] = [0.1, 0.25, 0.5];
 
-/// Root mean square errors of both angles in forecasts from the end of one window into the next, at the times [`AHEAD`].
-/// No sample of a window is used for its forecast.
+/// Root mean square errors of both angles in forecasts from the end of one window into the next, at the times
+/// [`AHEAD`]. No sample of a window is used for its forecast.
 fn forecast(fitted: &ArmFit, run: &Run) -> Result<[[f64; 2]; 3], Box<dyn Error>> {
     let params = ArmParams::from_array(fitted.parameters);
     let (arm, driven) = (Arm::new(params)?, run.arm(params)?);

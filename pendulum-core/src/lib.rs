@@ -50,8 +50,8 @@
 //!
 //! With `default-features = false` the crate is `no_std` and uses no heap. Generated models and the [`Stepper`] of
 //! every method work in this mode; trajectories and lists do not. The default feature `std` adds [`Method::solve`],
-//! [`solution`], [`event`], [`ensemble`], [`sensitivity`], [`stability`], [`accuracy`], [`shapes`], and the detection of
-//! instruction sets at run time.
+//! [`solution`], [`event`], [`ensemble`], [`sensitivity`], [`stability`], [`accuracy`], [`shapes`], and the detection
+//! of instruction sets at run time.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(

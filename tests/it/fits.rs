@@ -47,6 +47,16 @@ mechanism! {
     }
 }
 
+/// A double pendulum with friction.
+const SWINGING: DoubleParams = DoubleParams {
+    m1: 1.3,
+    m2: 0.6,
+    l1: 0.8,
+    l2: 0.7,
+    g1: 0.03,
+    g2: 0.01,
+};
+
 /// Times of samples at a rate in Hz.
 fn times(rate: f64, end: f64) -> Vec<f64> {
     (0..).map(|n| f64::from(n) / rate).take_while(|t| *t < end).collect()
@@ -136,14 +146,7 @@ fn angles_alone_determine_inertia_and_friction() {
 
 #[test]
 fn rough_starts_end_at_the_same_optimum() {
-    let truth = DoubleParams {
-        m1: 1.3,
-        m2: 0.6,
-        l1: 0.8,
-        l2: 0.7,
-        g1: 0.03,
-        g2: 0.01,
-    };
+    let truth = SWINGING;
     let random = &mut Random::new(3);
     let names = [("a", 0), ("b", 1)];
     let double = Double::new(truth).expect("valid");
@@ -339,14 +342,7 @@ fn impacts_and_orientations_are_fitted() {
 
 #[test]
 fn what_the_motion_does_not_determine_is_named() {
-    let truth = DoubleParams {
-        m1: 1.3,
-        m2: 0.6,
-        l1: 0.8,
-        l2: 0.7,
-        g1: 0.03,
-        g2: 0.01,
-    };
+    let truth = SWINGING;
     let double = Double::new(truth).expect("valid");
     let names = [("a", 0), ("b", 1)];
     let measurement = measured(

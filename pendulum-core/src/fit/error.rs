@@ -179,7 +179,8 @@ impl fmt::Display for FitError {
                 reason,
             } => write!(
                 f,
-                "experiment {experiment} cannot be integrated from t = {from} with the parameters of the model: {reason}"
+                "experiment {experiment} cannot be integrated from t = {from} with the parameters of the model: \
+                 {reason}"
             ),
         }
     }

@@ -15,8 +15,8 @@ pub struct Fitted<const N: usize, const P: usize> {
     pub parameters: [f64; P],
     /// The free parameters, in the order of declaration.
     pub estimates: Vec<Estimate>,
-    /// Covariance of the estimates, for residuals without correlation; infinite where the measurements have no influence,
-    /// and zero for parameters at a bound.
+    /// Covariance of the estimates, for residuals without correlation; infinite where the measurements have no
+    /// influence, and zero for parameters at a bound.
     pub covariance: DMatrix<f64>,
     /// Combinations of free parameters that the measurements do not determine.
     pub undetermined: Vec<Combination>,
@@ -28,7 +28,7 @@ pub struct Fitted<const N: usize, const P: usize> {
     pub noise: Vec<(String, f64)>,
     /// Likelihood of the measurements, to compare models.
     pub likelihood: Likelihood,
-    /// What may be wrong although the fit ended.
+    /// Reasons to doubt the result.
     pub warnings: Vec<Warning>,
     /// Way in which the fit ended. The parameters are the best found in any case.
     pub status: Status,
@@ -106,8 +106,8 @@ impl Residuals {
 pub enum Status {
     /// No step decreases the loss noticeably.
     Converged,
-    /// No step that the derivatives suggest decreases the loss, although it should. The best point may be far away: begin
-    /// at other parameters, split the motion into [windows](super::Fit::windows), or choose a finer method.
+    /// No step that the derivatives suggest decreases the loss, although it should. The best point may be far away:
+    /// begin at other parameters, split the motion into [windows](super::Fit::windows), or choose a finer method.
     Stuck,
     /// The maximum number of iterations was reached.
     OutOfIterations,
@@ -140,11 +140,11 @@ pub enum Warning {
         /// The bound.
         bound: f64,
     },
-    /// A model with the best parameters is impossible, such as one with an inertia that no body can have: the scene misses
-    /// something, or the measurement does not determine the parameters of the error. Fix or bound some of these.
+    /// A model with the best parameters is impossible, such as one with an inertia that no body can have: the scene
+    /// misses something, or the measurement does not determine the parameters of the error. Fix or bound some of these.
     Impossible(ParameterError),
-    /// Residuals of an output are correlated from sample to sample: the scene or its inputs miss something, the method is
-    /// too coarse, or another point is better. The deviations of the estimates are too small.
+    /// Residuals of an output are correlated from sample to sample: the scene or its inputs miss something, the method
+    /// is too coarse, or another point is better. The deviations of the estimates are too small.
     Correlated {
         /// Name of the output.
         output: String,

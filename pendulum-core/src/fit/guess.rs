@@ -14,7 +14,7 @@ const AS_GOOD: f64 = 1.5;
 
 /// Value and rate of a measured column at the first of some samples, by a cubic polynomial over as many samples as it
 /// describes; `None` if all values are missing, and without a rate if there is only one.
-pub(super) fn value_and_rate(times: &[f64], column: &Column, samples: Range<usize>) -> Option<[Option<f64>; 2]> {
+pub(super) fn value_and_rate(times: &[f64], column: &Column, samples: Range<usize>) -> Option<(f64, Option<f64>)> {
     let known: Vec<[f64; 2]> = samples
         .clone()
         .map(|n| [times[n] - times[samples.start], column.values[n]])
@@ -32,12 +32,12 @@ pub(super) fn value_and_rate(times: &[f64], column: &Column, samples: Range<usiz
         }
         best = longer;
     }
-    Some([Some(best[0]), (known.len() > 1).then(|| best[1])])
+    Some((best[0], (known.len() > 1).then_some(best[1])))
 }
 
-/// Value and rate, at time zero, of the cubic polynomial with the least sum of absolute residuals, which outliers hardly move,
-/// and the median of these; a line or a constant if there are few points. The sum is minimised by iteratively reweighted
-/// least squares.
+/// Value and rate, at time zero, of the cubic polynomial with the least sum of absolute residuals, which outliers
+/// hardly move, and the median of these; of a lower degree if there are few points. The sum is minimised by
+/// iteratively reweighted least squares.
 fn cubic(points: &[[f64; 2]]) -> Option<([f64; 2], f64)> {
     const ITERATIONS: usize = 20;
     let [scale, _] = *points.last()?;
@@ -90,14 +90,14 @@ mod tests {
         };
         column.values[100] = f64::NAN;
         column.values[106] += 1.0;
-        let [value, rate] = value_and_rate(&times, &column, 100..400).expect("values");
-        let (value, rate) = (value.expect("a value"), rate.expect("a rate"));
+        let (value, rate) = value_and_rate(&times, &column, 100..400).expect("values");
+        let rate = rate.expect("a rate");
         assert!(
             (value - 2.5_f64.sin()).abs() < 0.02 && (rate - 5.0 * 2.5_f64.cos()).abs() < 0.5,
             "{value} {rate}"
         );
         assert_eq!(value_and_rate(&times, &column, 100..101), None);
-        let [_, rate] = value_and_rate(&times, &column, 100..102).expect("a value");
+        let (_, rate) = value_and_rate(&times, &column, 100..102).expect("a value");
         assert_eq!(rate, None);
     }
 }

@@ -16,8 +16,8 @@ pub struct Likelihood {
 
 /// Comparison of a model with a fuller one, of which it is a special case.
 ///
-/// S. S. Wilks, Annals of Mathematical Statistics 9 (1938), for the test; H. Akaike (1974) and G. Schwarz (1978) for the
-/// criteria.
+/// S. S. Wilks, Annals of Mathematical Statistics 9 (1938), for the test; H. Akaike (1974) and G. Schwarz (1978) for
+/// the criteria.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Comparison {
@@ -28,15 +28,17 @@ pub struct Comparison {
     /// Probability of a statistic at least as large if the simpler model is true. Small values speak for the fuller
     /// model.
     pub p_value: f64,
-    /// Akaike's criterion of the fuller model minus that of the simpler one. Negative values speak for the fuller model.
+    /// Akaike's criterion of the fuller model minus that of the simpler one. Negative values speak for the fuller
+    /// model.
     pub aic: f64,
     /// Schwarz's Bayesian criterion, as [`aic`](Self::aic). It asks for more evidence, the more values there are.
     pub bic: f64,
 }
 
 impl Likelihood {
-    /// Compares the model with a fuller one that was fitted to the same measurements, in the same windows. Of a parameter
-    /// that is at a bound in the simpler model, such as dry friction of zero, the probability is at most the one given.
+    /// Compares the model with a fuller one that was fitted to the same measurements, in the same windows. Of a
+    /// parameter that is at a bound in the simpler model, such as dry friction of zero, the probability is at most the
+    /// one given.
     ///
     /// Residuals that are [correlated](super::Warning::Correlated) hold less evidence than these figures say.
     #[must_use]

@@ -83,10 +83,10 @@ use crate::dual::Dual;
 use crate::method::Method;
 use crate::system::{IntoState, Parametric};
 use search::{End, Joints, Point, Search};
-use shooting::{PART, Shooter, Trajectories, sources};
+use shooting::{PART, Trajectories, sources};
 
-/// Weights of the gaps between joined windows, in standard deviations of their starts, one after the other: the last one
-/// closes them to about 1e-8 deviations.
+/// Weights of the gaps between joined windows, in standard deviations of their starts, one after the other: the last
+/// one closes them to about 1e-8 deviations.
 const JOINING: [f64; 3] = [1.0, 1e2, 1e4];
 /// With a robust loss, estimates of the noise change by less than this part in the end.
 const NOISE_IS_FOUND: f64 = 1e-3;
@@ -109,8 +109,8 @@ pub struct Experiment<'a, M, const N: usize> {
 
 impl<'a, M, const N: usize> Experiment<'a, M, N> {
     /// An experiment with an unknown state at the first sample. Measured coordinates give a first guess of it, also of
-    /// their rates. Where other components are not measured themselves, the first samples are fitted, from zero on: give
-    /// a guess if this leads to an equilibrium, or if a body turns several times between samples.
+    /// their rates. Where other components are not measured themselves, the first samples are fitted, from zero on:
+    /// give a guess if this leads to an equilibrium, or if a body turns several times between samples.
     #[must_use]
     pub fn new(model: &'a M, measurement: &'a Measurement) -> Self {
         Self {
@@ -192,8 +192,8 @@ impl<X> Fit<X> {
         self
     }
 
-    /// Sets the bounds of a parameter, which may be infinite. By default what must not be negative, such as friction, is
-    /// bounded by zero, and a restitution by one as well.
+    /// Sets the bounds of a parameter, which may be infinite. By default what must not be negative, such as friction,
+    /// is bounded by zero, and a restitution by one as well.
     #[must_use]
     pub fn bounds(mut self, name: &str, low: f64, high: f64) -> Self {
         self.bounds.push((name.to_owned(), [low, high]));
@@ -216,8 +216,8 @@ impl<X> Fit<X> {
         self
     }
 
-    /// Splits each experiment into windows of about this length, with a start of its own for each. A window has at least
-    /// twice as many values as a state has components.
+    /// Splits each experiment into windows of about this length, with a start of its own for each. A window has at
+    /// least twice as many values as a state has components.
     #[must_use]
     pub fn separate_windows(mut self, length: f64) -> Self {
         self.division = Division::Separate(length);
@@ -274,23 +274,21 @@ impl<X> Fit<X> {
             }
             sources::<M, N, P>(experiment.model, experiment.measurement)
         });
-        let trajectories = Trajectories {
-            method: &self.method,
-            experiments,
-            sources: sources.collect::<Result<_, _>>()?,
-        };
+        let sources = sources.collect::<Result<_, _>>()?;
         let names = first.model.parameter_names();
         let (free, bounds) = self.parameters(first.model)?;
         self.check_settings()?;
         let windows = windows::divide(experiments, self.division)?;
-        let shooting = Shooter::<X, M, N, P> {
-            trajectories: &trajectories,
+        let trajectories = Trajectories::<X, M, N, P> {
+            method: &self.method,
+            experiments,
+            sources,
             free: free.clone(),
         };
         let measurements: Vec<_> = experiments.iter().map(|experiment| experiment.measurement).collect();
         let (outputs, sensors, given) = report::sensors(&measurements);
         let mut search = Search {
-            shooting: &shooting,
+            shooting: &trajectories,
             measurements,
             windows,
             sensors,
@@ -308,7 +306,7 @@ impl<X> Fit<X> {
             shots: 0,
         };
         let parameters = first.model.parameters().to_vec();
-        let starts = starts::first(&search, experiments, &trajectories, &parameters, &self.division)?;
+        let starts = starts::first(&search, &trajectories, &parameters, &self.division)?;
         let point = search.at(parameters, starts)?;
         search.check_first(&point, &names)?;
         let (point, end) = self.find(&mut search, point, &mut progress);

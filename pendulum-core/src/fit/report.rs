@@ -85,6 +85,12 @@ impl Search<'_> {
         Ok(())
     }
 
+    /// The bound at which a free parameter is, if it is at one.
+    fn bound_of(&self, point: &Point, j: usize) -> Option<f64> {
+        let value = point.parameters[self.free[j]];
+        self.bounds[j].into_iter().find(|&bound| bound == value)
+    }
+
     /// Number of measured values.
     fn values(&self, point: &Point) -> usize {
         let mut count = 0;
@@ -119,9 +125,8 @@ impl Search<'_> {
 
     fn warnings(&self, point: &Point, residuals: &[Residuals], outputs: &[String], names: &[&str]) -> Vec<Warning> {
         let mut warnings = Vec::new();
-        for (&n, bounds) in self.free.iter().zip(&self.bounds) {
-            let value = point.parameters[n];
-            if let Some(&bound) = bounds.iter().find(|&&bound| bound == value) {
+        for (j, &n) in self.free.iter().enumerate() {
+            if let Some(bound) = self.bound_of(point, j) {
                 let parameter = names[n].to_owned();
                 warnings.push(Warning::AtBound { parameter, bound });
             }
@@ -227,12 +232,7 @@ pub(super) fn fitted<const N: usize, const P: usize>(
     let variance = sum / (left * curvature * curvature);
     let p = search.free.len();
     // parameters at a bound do not vary
-    let at_bound = |j: usize| {
-        let [low, high] = search.bounds[j];
-        let value = point.parameters[search.free[j]];
-        value == low || value == high
-    };
-    let inner: Vec<usize> = (0..p).filter(|&j| !at_bound(j)).collect();
+    let inner: Vec<usize> = (0..p).filter(|&j| search.bound_of(point, j).is_none()).collect();
     let scales: Vec<f64> = inner
         .iter()
         .map(|&j| point.parameters[search.free[j]].abs())

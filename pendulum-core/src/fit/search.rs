@@ -20,8 +20,8 @@ const MOST_DAMPING: f64 = 1e8;
 /// The search ends where a step would decrease the loss by less than this part of that of one residual: parameters are
 /// then within 1e-4 of their standard deviations.
 const ENOUGH: f64 = 1e-8;
-/// The search also ends after `LAST` steps that decrease the loss by less than this part of that of one residual, such as
-/// along a kink of the loss where joints begin to slip.
+/// The search also ends after `LAST` steps that decrease the loss by less than this part of that of one residual, such
+/// as along a kink of the loss where joints begin to slip.
 const STALLED: f64 = 1e-2;
 const LAST: usize = 3;
 /// At a kink, steps in the direction of the derivatives increase the loss however close the optimum is: the search also

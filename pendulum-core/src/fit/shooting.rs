@@ -53,12 +53,14 @@ pub(super) enum Source {
     Output(usize),
 }
 
-/// The trajectories of experiments with a model.
-pub(super) struct Trajectories<'a, X, M, const N: usize> {
+/// The trajectories of experiments with a model of `P` parameters.
+pub(super) struct Trajectories<'a, X, M, const N: usize, const P: usize> {
     pub(super) method: &'a X,
     pub(super) experiments: &'a [Experiment<'a, M, N>],
     /// Sources of the columns of each experiment.
     pub(super) sources: Vec<Vec<Source>>,
+    /// Indices of the parameters that the experiments share.
+    pub(super) free: Vec<usize>,
 }
 
 /// Sources of the columns of a measurement.
@@ -89,22 +91,14 @@ where
     names.collect()
 }
 
-/// [`Trajectories`] with the number of parameters of the model.
-pub(super) struct Shooter<'a, X, M, const N: usize, const P: usize> {
-    pub(super) trajectories: &'a Trajectories<'a, X, M, N>,
-    /// Indices of the parameters that the experiments share.
-    pub(super) free: Vec<usize>,
-}
-
-impl<X, M, const N: usize, const P: usize> Shooting for Shooter<'_, X, M, N, P>
+impl<X, M, const N: usize, const P: usize> Shooting for Trajectories<'_, X, M, N, P>
 where
     M: Parametric<N, P> + Sync,
     X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N> + Sync,
 {
     fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], by: &[usize]) -> Result<Shot, Reason> {
-        let trajectories = self.trajectories;
-        let experiment = &trajectories.experiments[window.experiment];
-        let sources = &trajectories.sources[window.experiment];
+        let experiment = &self.experiments[window.experiment];
+        let sources = &self.sources[window.experiment];
         let times = &experiment.measurement.times[window.samples.clone()];
         let [t0, t1] = window.span.map(Dual::constant);
         let rows = times.len() * sources.len();
@@ -143,7 +137,7 @@ where
                 sampler.sample(t0, &x0);
                 x0
             } else {
-                trajectories.method.follow(&model, t0, t1, x0, &[], &mut sampler)?
+                self.method.follow(&model, t0, t1, x0, &[], &mut sampler)?
             };
             for (row, output) in sampler.outputs.iter().enumerate() {
                 shot.outputs[row] = output.value;
@@ -162,7 +156,7 @@ where
     }
 
     fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64]) {
-        let model = self.trajectories.experiments[window.experiment].model;
+        let model = self.experiments[window.experiment].model;
         let model = model.with_parameters(own(model, parameters, &self.free));
         let mut x = SVector::from_column_slice(start);
         model.project(window.span[0], &mut x);
@@ -185,7 +179,7 @@ where
     }
 
     fn check(&self, parameters: &[f64]) -> Result<(), ParameterError> {
-        let mut models = self.trajectories.experiments.iter().map(|experiment| experiment.model);
+        let mut models = self.experiments.iter().map(|experiment| experiment.model);
         models.try_for_each(|model| model.check_parameters(&own(model, parameters, &self.free)))
     }
 }

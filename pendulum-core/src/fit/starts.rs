@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::search::{Point, Search};
 use super::shooting::{Shot, Source, Trajectories, position_of};
 use super::windows::Window;
-use super::{Division, Experiment, FitError, guess, parallel};
+use super::{Division, FitError, guess, parallel};
 use crate::system::{Parametric, System};
 
 /// Number of samples that give a first guess of a start, for each component of the state.
@@ -21,8 +21,7 @@ const BAD: f64 = 3.0;
 /// samples of a window where joints may stick.
 pub(super) fn first<X, M, const N: usize, const P: usize>(
     search: &Search<'_>,
-    experiments: &[Experiment<'_, M, N>],
-    trajectories: &Trajectories<'_, X, M, N>,
+    trajectories: &Trajectories<'_, X, M, N, P>,
     parameters: &[f64],
     division: &Division,
 ) -> Result<Vec<Vec<f64>>, FitError>
@@ -32,7 +31,7 @@ where
     let mut starts: Vec<Vec<f64>> = Vec::with_capacity(search.windows.len());
     let mut before: Option<Vec<f64>> = None;
     for window in &search.windows {
-        let experiment = &experiments[window.experiment];
+        let experiment = &trajectories.experiments[window.experiment];
         let model = experiment.model.cast::<f64>();
         let layout = model.layout();
         if window.samples.start == 0 {
@@ -60,12 +59,10 @@ where
                     continue;
                 };
                 let times = &experiment.measurement.times;
-                let Some([value, rate]) = guess::value_and_rate(times, column, window.samples.clone()) else {
+                let Some((value, rate)) = guess::value_and_rate(times, column, window.samples.clone()) else {
                     continue;
                 };
-                if let Some(value) = value {
-                    (start[n], measured[n]) = (value, true);
-                }
+                (start[n], measured[n]) = (value, true);
                 let rate_of = (0..N).find(|&rate| position_of(layout, rate) == Some(n));
                 rates.extend(rate_of.zip(rate));
             }
@@ -137,9 +134,9 @@ impl Search<'_> {
         Ok(alone.minimise(point, &mut |_| ControlFlow::Continue(())).0)
     }
 
-    /// Fits the start of each window alone, which kinks in other windows do not hinder, if the search ended at one. Where a
-    /// window is much worse than others, such as where a joint sticks in vain, it is also fitted from other starts. True if
-    /// the loss decreases noticeably.
+    /// Fits the start of each window alone, which kinks in other windows do not hinder, if the search ended at one.
+    /// Where a window is much worse than others, such as where a joint sticks in vain, it is also fitted from other
+    /// starts. True if the loss decreases noticeably.
     pub(super) fn relax(&mut self, point: &mut Point, at_a_kink: bool) -> bool {
         let given = vec![true; self.given.len()];
         let mean_square = |(w, shot): (usize, &Shot)| {

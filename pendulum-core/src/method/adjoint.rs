@@ -84,9 +84,9 @@ impl<B: Tableau<STAGES>, const STAGES: usize> AdjointStep for Explicit<B, STAGES
         end
     }
 
-    /// With the stages `X_i = x + h sum_j a_ij f(X_j)` of `x + h sum_i b_i f(X_i)`, and derivatives `w` at the end, those
-    /// with respect to the stages are `v_i = J_i^T h (b_i w + sum_j a_ji v_j)`, from the last one to the first, and those
-    /// at the start `w + sum_i v_i` (W. W. Hager, Numer. Math. 87 (2000) 247).
+    /// With the stages `X_i = x + h sum_j a_ij f(X_j)` of `x + h sum_i b_i f(X_i)`, and derivatives `w` at the end,
+    /// those with respect to the stages are `v_i = J_i^T h (b_i w + sum_j a_ji v_j)`, from the last one to the first,
+    /// and those at the start `w + sum_i v_i` (W. W. Hager, Numer. Math. 87 (2000) 247).
     fn backward<M, C, T, const N: usize, const P: usize>(
         &self,
         (model, cost): (&M, &C),

@@ -73,9 +73,9 @@ pub trait Real:
         self
     }
 
-    /// The largest ratio of the derivatives of `v` to `atol + rtol |x|`, with sums of absolute values over the components
-    /// and the larger one of two `x`; `None` without derivatives, and if the relative tolerance has none, so that they do
-    /// not count.
+    /// The largest ratio of the derivatives of `v` to `atol + rtol |x|`, with sums of absolute values over the
+    /// components and the larger one of two `x`; `None` without derivatives, and if the relative tolerance has none, so
+    /// that they do not count.
     #[doc(hidden)]
     #[inline(always)]
     fn ratio_of_slopes<const N: usize>(_tolerance: [Self; 2], _v: &[Self; N], _x: [&[Self; N]; 2]) -> Option<Self> {

@@ -41,13 +41,14 @@ pub struct Gradient<T, const N: usize, const P: usize> {
     pub by_parameters: SVector<T, P>,
 }
 
-/// Integrates a model from `t0` to `t1` and computes the derivatives of a cost with respect to the initial condition and
-/// all parameters, backward in time.
+/// Integrates a model from `t0` to `t1` and computes the derivatives of a cost with respect to the initial condition
+/// and all parameters, backward in time.
 ///
-/// The time that this takes does not grow with the number of variables; for a few of them [`end`](super::end) is faster.
-/// The result is the exact derivative of the numerical solution at the steps that the method took, which are those of the
-/// values: at rest, where these may be of any length, set [`h_max`](crate::method::Adaptive::h_max). Errors of the
-/// derivatives and of the running cost, which is integrated by the weights of the method, are not controlled.
+/// The time that this takes does not grow with the number of variables; for a few of them [`end`](super::end) is
+/// faster. The result is the exact derivative of the numerical solution at the steps that the method took, which are
+/// those of the values: at rest, where these may be of any length, set [`h_max`](crate::method::Adaptive::h_max).
+/// Errors of the derivatives and of the running cost, which is integrated by the weights of the method, are not
+/// controlled.
 ///
 /// States are kept at the starts of steps, up to 65536 of them. Of a longer integration every second one is kept, or
 /// every fourth, and so on, and the steps between them are taken again. Times of steps are kept for all of them. Events
