@@ -329,16 +329,9 @@ impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
     }
 
     /// Solves `A x = b` for `x`.
-    #[inline]
-    #[must_use]
-    pub(crate) fn solve(&self, b: &[F; N]) -> [F; N] {
-        self.solved(b)
-    }
-
-    /// [`solve`](Self::solve), always inlined so that lanes use their instruction set.
     #[inline(always)]
     #[must_use]
-    pub(crate) fn solved(&self, b: &[F; N]) -> [F; N] {
+    pub(crate) fn solve(&self, b: &[F; N]) -> [F; N] {
         let mut x = self.pivots.sorted(b);
         for k in 0..N {
             for i in k + 1..N {
@@ -479,7 +472,7 @@ mod tests {
                 };
                 let (columns, b) = (entries(), entries()[0]);
                 let lu = Lu::<V, N, PerLane<V, N>>::of(columns).expect("in lanes");
-                let x = lu.solved(&b);
+                let x = lu.solve(&b);
                 for lane in 0..V::LANES {
                     let own = columns.map(|column| column.map(|entry| entry.lane(lane)));
                     match Lu::new(own) {

@@ -295,6 +295,7 @@ where
         }
     }
 
+    #[inline(always)]
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         self.stiffness.begin();
         if self.stiffness.is_stiff {
@@ -313,6 +314,7 @@ where
         None
     }
 
+    #[inline(always)]
     fn attempt(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -327,6 +329,7 @@ where
         }
     }
 
+    #[inline(always)]
     fn arrive(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -340,6 +343,7 @@ where
         }
     }
 
+    #[inline(always)]
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
         if self.stiffness.is_stiff {
             self.implicit.accept(system, step, lanes, work);
@@ -354,6 +358,7 @@ where
         }
     }
 
+    #[inline(always)]
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         if self.stiffness.is_stiff {
             self.implicit.dense(system, step, work)

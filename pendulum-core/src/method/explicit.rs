@@ -11,7 +11,7 @@ use crate::hybrid::InMode;
 use crate::linear::square;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
-use crate::method::stages::{SHORT, combination, shifted, weighted_sum};
+use crate::method::stages::{Called, SHORT, combination, shifted, weighted_sum};
 use crate::method::toggle::end_step;
 use crate::method::{Adaptive, Fixed};
 use crate::real::Real;
@@ -217,7 +217,7 @@ where
         *x_new = if const { N <= SHORT && size_of::<T>() <= 2 * size_of::<f64>() || T::LANES > 1 } {
             inner_stages::<B, _, _, _, _>(inner, (t, x), t_new, &mut self.stages)
         } else {
-            inner_stages::<B, _, _, _, _>(&inner, (t, x), t_new, &mut self.stages)
+            inner_stages::<B, _, _, _, _>(&Called(inner), (t, x), t_new, &mut self.stages)
         };
         work.evaluations += STAGES - 2;
         end_step(system, (t, x), (t_new, x_new));

@@ -12,7 +12,7 @@ use crate::linear::{Alone, Lu, Pivots, Singular, factoring, solving};
 use crate::method::Adaptive;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled, stall};
-use crate::method::stages::{SHORT, combination, shifted, weighted_sum};
+use crate::method::stages::{Called, SHORT, combination, shifted, weighted_sum};
 use crate::method::toggle::end_step;
 use crate::real::Float;
 use crate::real::lanes::Lanes;
@@ -214,7 +214,7 @@ where
                     }
                     let right = &right.data.0[0];
                     self.stages[$i] = SVector::from(if const { T::LANES > 1 } {
-                        lu.solved(right)
+                        lu.solve(right)
                     } else {
                         lu.solve(right)
                     });
@@ -259,7 +259,7 @@ where
         let solved = if const { N <= SHORT || T::LANES > 1 } {
             self.solve_stages(system, (t, x), t_new)
         } else {
-            self.solve_stages(&system, (t, x), t_new)
+            self.solve_stages(&Called(system), (t, x), t_new)
         };
         let (solved, defect) = solved.map_err(|Singular| Stalled)?;
         *x_new = solved;

@@ -7,10 +7,11 @@ use crate::error::Reason;
 use crate::hybrid::{Hold, InMode, Modes};
 use crate::method::grid::Grid;
 use crate::method::jump;
-use crate::method::scheme::{Accepted, NonFinite, Scheme, Stalled, StepFailure};
+use crate::method::scheme::{Accepted, NonFinite, Scheme, StepFailure};
 use crate::method::step_control::{Pace, StepControl, is_within_tolerance};
 use crate::method::toggle;
 use crate::real::Float;
+use crate::real::lanes::{Isa, Routine};
 use crate::statistics::Statistics;
 use crate::system::System;
 
@@ -74,15 +75,21 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
     }
 
     /// Evaluates and returns the derivative at the point reached.
-    pub(super) fn begin<S>(&mut self, system: &InMode<'_, S, T>) -> Result<SVector<T, N>, Reason>
+    pub(super) fn begin<S>(&mut self, system: &S, hold: &Hold<T>) -> Result<SVector<T, N>, Reason>
     where
         C: Scheme<S, T, N>,
         S: ?Sized,
     {
-        let (t, x) = (self.t(), self.x());
-        let slope = self.scheme.begin(system, t, &x, &mut self.statistics);
-        NonFinite::check(&slope).map_err(NonFinite::at_start)?;
-        Ok(slope)
+        Isa::run_routine(Begin(hold), self, system)
+    }
+
+    /// Computes the dense output of the last step.
+    pub(super) fn find_dense<S>(&mut self, system: &S, hold: &Hold<T>)
+    where
+        C: Scheme<S, T, N>,
+        S: ?Sized,
+    {
+        Isa::run_routine(FindDense(hold), self, system);
     }
 
     /// Chooses the first step, given the derivative at its start.
@@ -107,20 +114,10 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
-        match self.steps {
-            Steps::Equal(grid) => self.step_on_grid((system, modes), grid),
-            Steps::Controlled { control, pace } => self.step_within_tolerance((system, modes), &control, pace),
-        }
-        .map_err(|reason| {
-            self.last = Step::at_rest(self.t(), self.x());
-            let reason = toggle::behind(reason, system, self.t(), &self.x());
-            jump::behind(reason, system, self.t(), &self.x())
-        })?;
-        self.statistics.accepted += 1;
-        Ok(())
+        Isa::run_routine(TakeStep(modes), self, system)
     }
 
-    #[inline]
+    #[inline(always)]
     fn step_on_grid<S>(&mut self, model: (&S, &Modes<T, N>), mut grid: Grid<T>) -> Result<(), Reason>
     where
         C: Scheme<S, T, N>,
@@ -139,7 +136,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn step_within_tolerance<S>(
         &mut self,
         model: (&S, &Modes<T, N>),
@@ -180,27 +177,22 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
     }
 
     /// Attempts a step to `t_new`, and returns the mean square of its error. Fails if the state is not finite.
-    #[inline]
+    #[inline(always)]
     pub(super) fn attempt<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<T, StepFailure>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
         let (start, end) = ((self.last.t1, &self.last.x1), (t_new, &mut self.tried));
-        let mean_square = attempt(
-            &mut self.scheme,
-            (system, &modes.hold),
-            start,
-            end,
-            &mut self.statistics,
-        )?;
+        let in_mode = InMode::new(system, &modes.hold);
+        let mean_square = self.scheme.attempt(&in_mode, start, end, &mut self.statistics)?;
         NonFinite::check(&self.tried)?;
         modes.place(system, t_new, &mut self.tried);
         Ok(mean_square)
     }
 
     /// Turns the last attempt into the last step.
-    #[inline]
+    #[inline(always)]
     pub(super) fn advance<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<(), StepFailure>
     where
         C: Scheme<S, T, N>,
@@ -218,20 +210,68 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
     }
 }
 
-/// Wraps [`Scheme::attempt`] in a separate function, whose signature proves to the compiler that the state written by a
-/// step does not alias the system.
-#[inline(never)]
-fn attempt<C, S, T, const N: usize>(
-    scheme: &mut C,
-    (system, hold): (&S, &Hold<T>),
-    start: (T, &SVector<T, N>),
-    end: (T, &mut SVector<T, N>),
-    work: &mut Statistics,
-) -> Result<T, Stalled>
+/// Evaluation of the derivative at the point reached.
+struct Begin<'a, T>(&'a Hold<T>);
+
+impl<C, S, T, const N: usize> Routine<Smooth<C, T, N>, S> for Begin<'_, T>
 where
     C: Scheme<S, T, N>,
     S: ?Sized,
     T: Float,
 {
-    scheme.attempt(&InMode::new(system, hold), start, end, work)
+    type Output = Result<SVector<T, N>, Reason>;
+
+    #[inline(always)]
+    fn run(self, smooth: &mut Smooth<C, T, N>, system: &S) -> Self::Output {
+        let (t, x, system) = (smooth.t(), smooth.x(), InMode::new(system, self.0));
+        let slope = smooth.scheme.begin(&system, t, &x, &mut smooth.statistics);
+        NonFinite::check(&slope).map_err(NonFinite::at_start)?;
+        Ok(slope)
+    }
+}
+
+/// Computation of the dense output of the last step.
+struct FindDense<'a, T>(&'a Hold<T>);
+
+impl<C, S, T, const N: usize> Routine<Smooth<C, T, N>, S> for FindDense<'_, T>
+where
+    C: Scheme<S, T, N>,
+    S: ?Sized,
+    T: Float,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self, smooth: &mut Smooth<C, T, N>, system: &S) {
+        let system = InMode::new(system, self.0);
+        smooth.scheme.dense(&system, &smooth.last, &mut smooth.statistics);
+    }
+}
+
+/// One step.
+struct TakeStep<'a, T, const N: usize>(&'a Modes<T, N>);
+
+impl<C, S, T, const N: usize> Routine<Smooth<C, T, N>, S> for TakeStep<'_, T, N>
+where
+    C: Scheme<S, T, N>,
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    type Output = Result<(), Reason>;
+
+    #[inline(always)]
+    fn run(self, smooth: &mut Smooth<C, T, N>, system: &S) -> Self::Output {
+        let modes = self.0;
+        match smooth.steps {
+            Steps::Equal(grid) => smooth.step_on_grid((system, modes), grid),
+            Steps::Controlled { control, pace } => smooth.step_within_tolerance((system, modes), &control, pace),
+        }
+        .map_err(|reason| {
+            smooth.last = Step::at_rest(smooth.t(), smooth.x());
+            let reason = toggle::behind(reason, system, smooth.t(), &smooth.x());
+            jump::behind(reason, system, smooth.t(), &smooth.x())
+        })?;
+        smooth.statistics.accepted += 1;
+        Ok(())
+    }
 }

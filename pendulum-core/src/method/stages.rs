@@ -3,10 +3,37 @@
 use nalgebra::SVector;
 
 use crate::real::Real;
+use crate::real::lanes::{Isa, Routine};
+use crate::system::System;
 
 /// Number of states, two bodies, up to which a right-hand side takes few operations, most of which wait for one
 /// another.
 pub(crate) const SHORT: usize = 4;
+
+/// A system whose right-hand side is long: a function that is called, compiled for the instruction set.
+pub(crate) struct Called<'a, S: ?Sized>(pub(crate) &'a S);
+
+impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for Called<'_, S> {
+    #[inline(always)]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        Isa::run_routine(Evaluation { t, x }, &mut (), self.0)
+    }
+}
+
+/// Evaluation of a right-hand side.
+struct Evaluation<'a, T, const N: usize> {
+    t: T,
+    x: &'a SVector<T, N>,
+}
+
+impl<S: System<T, N> + ?Sized, T: Real, const N: usize> Routine<(), S> for Evaluation<'_, T, N> {
+    type Output = SVector<T, N>;
+
+    #[inline(always)]
+    fn run(self, (): &mut (), system: &S) -> SVector<T, N> {
+        system.rhs(self.t, self.x)
+    }
+}
 
 /// `x + change` in a loop over the components; see [`weighted_sum`].
 #[inline(always)]

@@ -173,8 +173,7 @@ where
         let last = self.smooth.last;
         // in a hybrid system the search for the end of the mode has computed it
         if last.t0 != last.t1 && self.system.hybrid().is_none() {
-            let system = InMode::new(self.system, &self.modes.hold);
-            self.smooth.scheme.dense(&system, &last, &mut self.smooth.statistics);
+            self.smooth.find_dense(self.system, &self.modes.hold);
         }
         self.known_dense()
     }
@@ -236,10 +235,7 @@ where
             // the scheme moved to the new point, and its last step is lost
             self.smooth.last = Step::at_rest(before.0, before.1);
             (self.smooth.steps, self.modes) = (steps, modes);
-            let system = InMode::new(self.system, &self.modes.hold);
-            self.smooth
-                .scheme
-                .begin(&system, before.0, &before.1, &mut self.smooth.statistics);
+            _ = self.begin();
         })
     }
 
@@ -251,7 +247,7 @@ where
 
     /// Evaluates and returns the derivative at the point reached.
     pub(super) fn begin(&mut self) -> Result<SVector<T, N>, Reason> {
-        self.smooth.begin(&InMode::new(self.system, &self.modes.hold))
+        self.smooth.begin(self.system, &self.modes.hold)
     }
 }
 

@@ -10,7 +10,7 @@ use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::toggle::end_step;
 use crate::method::{Adaptive, require};
-use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
+use crate::real::lanes::{Isa, Lanes, Routine};
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
 use crate::step_size::{Estimates, Tolerance, exp2, log2};
@@ -106,7 +106,7 @@ impl PowerSeries {
 impl<S, T, const N: usize> OneStep<S, T, N> for PowerSeries
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: Lanes<Scalar: LaneElement>,
+    T: Lanes,
 {
     type Scheme = TaylorStages<S::Workspace, T, N>;
 
@@ -117,7 +117,6 @@ where
         Ok(TaylorStages {
             tolerance: tolerance.map(|tolerance| (tolerance.in_lanes(), bits(&tolerance))),
             order,
-            isa: Isa::for_scalars(),
             current: 0,
             from: 0,
             x: [[zero; MAX_ORDER + 1]; 2],
@@ -197,15 +196,10 @@ fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R,
     error
 }
 
-/// Computation of a series, compiled for wide registers: its loops over products have contiguous operands.
-struct Recurrences<'a, S: ?Sized, W, T, const N: usize> {
-    system: &'a S,
-    t: T,
-    x: &'a mut [SVector<T, N>],
-    work: &'a mut W,
-}
+/// Computation of a series from the time on.
+struct Series<T>(T);
 
-impl<S, T, const N: usize> Kernel<T::Scalar> for Recurrences<'_, S, S::Workspace, T, N>
+impl<S, T, const N: usize> Routine<(&mut [SVector<T, N>], &mut S::Workspace), S> for Series<T>
 where
     S: TaylorSeries<T, N> + ?Sized,
     T: Lanes,
@@ -213,8 +207,8 @@ where
     type Output = ();
 
     #[inline(always)]
-    fn run<V: Lanes<Scalar = T::Scalar>>(self) {
-        self.system.series(self.t, self.x, self.work);
+    fn run(self, (x, work): &mut (&mut [SVector<T, N>], &mut S::Workspace), system: &S) {
+        system.series(self.0, x, work);
     }
 }
 
@@ -224,7 +218,6 @@ pub struct TaylorStages<W, T, const N: usize> {
     /// Tolerance, and its number of bits.
     tolerance: Option<(Tolerance<T>, f64)>,
     order: usize,
-    isa: Isa,
     /// Index of the series at the point reached. The other one belongs to the start of the last step, or to the end of
     /// the last attempt.
     current: usize,
@@ -236,7 +229,7 @@ pub struct TaylorStages<W, T, const N: usize> {
     work: W,
 }
 
-impl<W, T: Lanes<Scalar: LaneElement>, const N: usize> TaylorStages<W, T, N> {
+impl<W, T: Lanes, const N: usize> TaylorStages<W, T, N> {
     /// Computes one of the two series.
     #[inline(always)]
     fn find<S>(&mut self, which: usize, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics)
@@ -245,17 +238,12 @@ impl<W, T: Lanes<Scalar: LaneElement>, const N: usize> TaylorStages<W, T, N> {
     {
         let series = &mut self.x[which][..=self.order];
         series[0] = *x;
-        let recurrences = Recurrences {
-            system,
-            t,
-            x: series,
-            work: &mut self.work,
-        };
-        // lanes already occupy registers
+        // lanes are in code for their registers already; scalars take a function of its own, which is faster than a part
+        // of the step
         if const { T::LANES == 1 } {
-            self.isa.run(recurrences);
+            Isa::run_routine(Series(t), &mut (series, &mut self.work), system);
         } else {
-            recurrences.run::<T>();
+            system.series(t, series, &mut self.work);
         }
         work.evaluations += 1;
     }
@@ -269,7 +257,7 @@ impl<W, T: Lanes<Scalar: LaneElement>, const N: usize> TaylorStages<W, T, N> {
 impl<S, T, const N: usize> Scheme<S, T, N> for TaylorStages<S::Workspace, T, N>
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: Lanes<Scalar: LaneElement>,
+    T: Lanes,
 {
     const PROPOSES: bool = true;
 

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::Stepper;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, ABOUT_THE_END, Ambiguity, Hybrid, InMode, Modes, Settled, Witnesses};
+use crate::hybrid::{self, ABOUT_THE_END, Ambiguity, Hybrid, Modes, Settled, Witnesses};
 use crate::method::scheme::Scheme;
 use crate::method::smooth::Steps;
 use crate::real::Float;
@@ -127,17 +127,12 @@ where
 
     /// Dense output of the last step before it is cut off, with the modes and the statistics.
     fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T, N>, &mut Statistics) {
-        let coefficients = if self.modes.is_dense {
-            self.smooth.scheme.coefficients()
-        } else {
-            let system = InMode::new(self.system, &self.modes.hold);
-            self.smooth
-                .scheme
-                .dense(&system, &self.smooth.last, &mut self.smooth.statistics)
-        };
+        if !self.modes.is_dense {
+            self.smooth.find_dense(self.system, &self.modes.hold);
+        }
         self.modes.is_dense = true;
         (
-            Dense::new(self.smooth.last, coefficients),
+            Dense::new(self.smooth.last, self.smooth.scheme.coefficients()),
             &mut self.modes,
             &mut self.smooth.statistics,
         )

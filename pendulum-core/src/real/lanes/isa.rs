@@ -31,6 +31,18 @@ pub trait Kernel<T> {
     fn run<V: Lanes<Scalar = T>>(self) -> Self::Output;
 }
 
+/// Code on scalars, compiled once for each encoding of the instructions: see [`Isa::run_routine`].
+///
+/// What it changes and what it reads are references of their own: as arguments of a function they tell the compiler
+/// that they do not overlap.
+pub(crate) trait Routine<A: ?Sized, B: ?Sized> {
+    /// Result type.
+    type Output;
+
+    /// Runs the code. It must be `#[inline(always)]`, as in a [`Kernel`].
+    fn run(self, changed: &mut A, read: &B) -> Self::Output;
+}
+
 /// An instruction set. A value of this type proves that the machine supports it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Isa(Set);
@@ -90,14 +102,29 @@ impl Isa {
         Self::available().next().unwrap_or(Self(Set::Portable))
     }
 
-    /// Instruction set for scalar code with loops that the compiler vectorises. These loops are short, so the widest
-    /// registers gain nothing.
-    pub(crate) fn for_scalars() -> Self {
-        #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-        if has!("avx2") && Self(Set::Avx2).is_allowed() {
-            return Self(Set::Avx2);
+    /// Runs a routine with AVX2 if the machine has it: the same operations, in an encoding that keeps their operands and
+    /// so saves copies. Code without optimisation, or for a target with AVX2, has one version only.
+    #[inline(always)]
+    pub(crate) fn run_routine<A: ?Sized, B: ?Sized, R: Routine<A, B>>(
+        routine: R,
+        changed: &mut A,
+        read: &B,
+    ) -> R::Output {
+        #[inline(never)]
+        fn baseline<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
+            routine.run(changed, read)
         }
-        Self(Set::Portable)
+        #[cfg(all(
+            target_arch = "x86_64",
+            target_feature = "sse2",
+            feature = "std",
+            not(debug_assertions),
+            not(target_feature = "avx2")
+        ))]
+        if let Some(avx2) = super::x86::Avx2::available() {
+            return avx2.run(routine, changed, read);
+        }
+        baseline(routine, changed, read)
     }
 
     /// Runs a kernel whose lanes fill one register.

@@ -38,6 +38,7 @@ mod register;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 mod x86;
 
+pub(crate) use isa::Routine;
 pub use isa::{Isa, Kernel, LaneElement};
 pub(crate) use register::{Pair, Register};
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]

@@ -5,7 +5,7 @@
 //! 1. If a value of a register type exists, the machine has its instructions. Every supported x86-64 machine has `xmm`
 //!    registers. The types of `ymm` and `zmm` registers are private to [`lanes`](super): other code receives them only
 //!    as the type argument of [`Kernel::run`](super::Kernel::run). Only [`enter`] calls it with them, after checking
-//!    that the machine has the instructions.
+//!    that the machine has the instructions. A value of `routine::Avx2` exists only after the same check.
 //! 2. A vector has the memory layout of the array of its lanes, and every bit pattern is a valid number.
 #![allow(
     unsafe_code,
@@ -14,8 +14,12 @@
 
 mod enter;
 mod registers;
+#[cfg(all(feature = "std", not(debug_assertions), not(target_feature = "avx2")))]
+mod routine;
 
 pub(super) use enter::{avx2, avx512};
 pub(in crate::real) use registers::{Xmm32, Xmm64};
 pub(in crate::real) use registers::{Ymm32, Ymm64};
 pub(super) use registers::{Zmm32, Zmm64};
+#[cfg(all(feature = "std", not(debug_assertions), not(target_feature = "avx2")))]
+pub(super) use routine::Avx2;

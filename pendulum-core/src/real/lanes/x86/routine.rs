@@ -1,0 +1,34 @@
+//! Code on scalars with AVX2.
+
+use std::sync::LazyLock;
+
+use super::super::isa::has;
+use super::super::{Isa, Routine};
+
+/// Proof that the machine has AVX2, and that the environment variable allows it.
+pub(in super::super) struct Avx2(());
+
+impl Avx2 {
+    #[inline(always)]
+    pub(in super::super) fn available() -> Option<Self> {
+        // the last of the available sets is the baseline
+        static IS_AVAILABLE: LazyLock<bool> = LazyLock::new(|| has!("avx2") && Isa::available().count() > 1);
+        IS_AVAILABLE.then_some(Self(()))
+    }
+
+    /// Runs a routine with AVX2.
+    #[inline(always)]
+    pub(in super::super) fn run<A: ?Sized, B: ?Sized, R: Routine<A, B>>(
+        self,
+        routine: R,
+        changed: &mut A,
+        read: &B,
+    ) -> R::Output {
+        #[target_feature(enable = "avx2")]
+        fn inside<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
+            routine.run(changed, read)
+        }
+        // SAFETY: a value of the type exists, so the machine has the feature.
+        unsafe { inside(routine, changed, read) }
+    }
+}
