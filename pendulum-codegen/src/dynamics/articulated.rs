@@ -41,18 +41,29 @@ pub(crate) struct Articulation<'g> {
     carried: Vec<Articulated<'g>>,
     /// Factored mass matrix of each flight along the axes of the body, at the link that the flight begins with.
     floating: Vec<Option<Factored<'g>>>,
+    /// Response of each joint to the motion of the branching link below it.
+    carried_by: Vec<Option<Carried<'g>>>,
     drives: usize,
+}
+
+/// Joint on a branch without forces of its own, which the motion of the link that carries the branch accelerates.
+#[derive(Clone, Copy, Debug)]
+struct Carried<'g> {
+    /// Link that carries several branches.
+    by: JointId,
+    /// Acceleration of the joint: less the power of this wrench along the acceleration of that link.
+    response: Wrench<'g>,
 }
 
 /// Forces on the links, and their prescribed motion.
 #[derive(Debug)]
-struct Load<'g> {
+pub(super) struct Load<'g> {
     /// Forces along the joints.
     along: Vec<Expr<'g>>,
     /// Wrench that each link requires while no joint yields or accelerates.
-    wrenches: Vec<Wrench<'g>>,
+    pub(super) wrenches: Vec<Wrench<'g>>,
     /// Acceleration of each link relative to its parent in that case.
-    drifts: Vec<Twist<'g>>,
+    pub(super) drifts: Vec<Twist<'g>>,
     /// Acceleration of the ground.
     ground: Twist<'g>,
     /// Accelerations of the drives.
@@ -103,13 +114,13 @@ pub(super) fn accelerations<'g>(
         drives: model.drives.iter().map(|drive| drive.coordinate.acceleration).collect(),
     };
     let articulation = Articulation::new(model, links, frames, flights);
-    (articulation.accelerations(load), articulation)
+    (articulation.accelerations(&load), articulation)
 }
 
 impl<'g> Articulation<'g> {
     /// Inward pass: `I`, `U` and `1/d` of each joint. A drive does not yield, `I_a = I`; the three slides of a flight
     /// yield together, by the inverse of a matrix.
-    fn new(model: &Model<'g>, links: Vec<Link<'g>>, frames: Vec<Frame<'g>>, flights: Flights<'g>) -> Self {
+    pub(super) fn new(model: &Model<'g>, links: Vec<Link<'g>>, frames: Vec<Frame<'g>>, flights: Flights<'g>) -> Self {
         let mut carried: Vec<Articulated<'g>> = frames.iter().map(|frame| Articulated::rigid(&frame.inertia)).collect();
         let mut joints: Vec<Option<Joint<'g>>> = vec![None; links.len()];
         let mut floating: Vec<Option<Factored<'g>>> = links.iter().map(|_| None).collect();
@@ -130,25 +141,93 @@ impl<'g> Articulation<'g> {
                 carried[parent] = carried[parent] + carried[k].to_parent(&frames[k]);
             }
         }
-        Self {
+        let mut articulation = Self {
             links,
             frames,
             flights,
             joints,
             carried,
             floating,
+            carried_by: Vec::new(),
             drives: model.drives.len(),
+        };
+        let all = JointId::all(articulation.links.len());
+        articulation.carried_by = all.map(|k| articulation.response_to_branching(k)).collect();
+        articulation
+    }
+
+    /// Follows the response of a joint inwards, through joints that yield to it, to the next branching link.
+    fn response_to_branching(&self, k: JointId) -> Option<Carried<'g>> {
+        let joint = self.joints[k]?;
+        let (mut at, mut response) = (k, joint.mobility * joint.momentum);
+        loop {
+            let parent = self.parent_of(at)?;
+            response = self.frames[at].wrench_to_parent(&response);
+            if self.links.iter().filter(|link| link.parent == Some(parent)).count() > 1 {
+                return Some(Carried { by: parent, response });
+            }
+            self.joints[parent]?;
+            response = self.passed_on(parent, response);
+            at = parent;
+        }
+    }
+
+    pub(super) fn drives(&self) -> usize {
+        self.drives
+    }
+
+    pub(super) fn links(&self) -> &[Link<'g>] {
+        &self.links
+    }
+
+    pub(super) fn frame(&self, k: JointId) -> &Frame<'g> {
+        &self.frames[k]
+    }
+
+    /// Link that carries another one and its wrench; none for ground, and where a flight begins.
+    pub(super) fn parent_of(&self, k: JointId) -> Option<JointId> {
+        self.links[k]
+            .parent
+            .filter(|_| self.flights.from(k).is_none() && !self.flights.is_slide(k))
+    }
+
+    /// Wrench that is left of a wrench on a link when its joint yields to it: `p - U (s^T p) / d`.
+    pub(super) fn passed_on(&self, k: JointId, wrench: Wrench<'g>) -> Wrench<'g> {
+        match &self.joints[k] {
+            Some(joint) => wrench - wrench.power(&self.links[k].screw) * (joint.mobility * joint.momentum),
+            None => wrench,
+        }
+    }
+
+    /// Load by forces along the coordinates, the drives included.
+    pub(super) fn load(&self, zero: Expr<'g>, forces: Vec<Expr<'g>>) -> Load<'g> {
+        let still = Vec3([zero; 3]);
+        let (force, moment, angular, linear) = (still, still, still, still);
+        let (twist, n) = (Twist { angular, linear }, self.links.len());
+        Load {
+            along: along_joints(&self.links, forces),
+            wrenches: vec![Wrench { moment, force }; n],
+            drifts: vec![twist; n],
+            ground: twist,
+            drives: vec![zero; self.drives],
         }
     }
 
     /// Accelerations `qdd` of the coordinates under a load.
-    fn accelerations(&self, load: Load<'g>) -> Vec<Expr<'g>> {
+    fn accelerations(&self, load: &Load<'g>) -> Vec<Expr<'g>> {
+        self.accelerations_with(load, |_| ())
+    }
+
+    /// Accelerations of the coordinates under a load, and under more forces along the joints, which do not act on the
+    /// links below.
+    pub(super) fn accelerations_with(&self, load: &Load<'g>, more: impl FnOnce(&mut [Expr<'g>])) -> Vec<Expr<'g>> {
         let zero = load.ground.linear[0].graph().zero();
         let dof = self.joints.iter().flatten().count() + 3 * self.floating.iter().flatten().count();
         let mut accelerations = vec![zero; dof];
         accelerations.extend(&load.drives);
-        let left = self.left_to_accelerate(&load, &accelerations);
-        self.accelerate(&load, &left, &mut accelerations);
+        let mut left = self.left_to_accelerate(load, &accelerations);
+        more(&mut left);
+        self.accelerate(load, &left, &mut accelerations);
         accelerations.truncate(dof);
         accelerations
     }
@@ -186,7 +265,13 @@ impl<'g> Articulation<'g> {
     /// coordinates below are subtracted from its own acceleration.
     fn accelerate(&self, load: &Load<'g>, left: &[Expr<'g>], accelerations: &mut [Expr<'g>]) {
         let mut motions: Vec<Twist<'g>> = Vec::new();
+        // links that only follow the motion of the branching link below them
+        let mut follow: Vec<bool> = Vec::new();
         for (k, link) in JointId::all(self.links.len()).zip(&self.links) {
+            let parent_follows = self.carried_by[k].is_some_and(|carried| {
+                link.parent == Some(carried.by) || link.parent.is_some_and(|parent| follow[parent])
+            });
+            follow.push(parent_follows && left[k].is_zero() && load.drifts[k].is_zero());
             if self.flights.is_slide(k) {
                 accelerations[link.coordinate] = left[k];
                 motions.push(load.ground);
@@ -197,7 +282,10 @@ impl<'g> Articulation<'g> {
                 motions.push(arriving + driven(link, accelerations));
                 continue;
             };
-            let second_rate = (left[k] - joint.momentum.power(&arriving)) * joint.mobility;
+            let second_rate = match self.carried_by[k].filter(|_| follow[k]) {
+                Some(Carried { by, response }) => -response.power(&motions[by]),
+                None => (left[k] - joint.momentum.power(&arriving)) * joint.mobility,
+            };
             motions.push(arriving + second_rate * link.screw);
             // q_k = factor * own + others, where the others are coordinates of links below
             let others = link.motion.without(link.coordinate);
@@ -235,18 +323,9 @@ impl<'g> Articulation<'g> {
 impl<'g> Inverse<'g> for Articulation<'g> {
     fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let zero = r[0].graph().zero();
-        let still = Vec3([zero; 3]);
-        let (force, moment, angular, linear) = (still, still, still, still);
-        let (twist, n) = (Twist { angular, linear }, self.links.len());
-        let drives = vec![zero; self.drives];
-        let forces = r.iter().map(|&x| -x).chain(drives.iter().copied()).collect();
-        self.accelerations(Load {
-            along: along_joints(&self.links, forces),
-            wrenches: vec![Wrench { moment, force }; n],
-            drifts: vec![twist; n],
-            ground: twist,
-            drives,
-        })
+        let drives = std::iter::repeat_n(zero, self.drives);
+        let forces = r.iter().map(|&x| -x).chain(drives).collect();
+        self.accelerations(&self.load(zero, forces))
     }
 }
 

@@ -4,7 +4,7 @@
 //! accelerations are solved with the same matrix, so one factorisation serves both.
 
 use crate::expr::{Derivative, Expr};
-use crate::model::Coordinate;
+use crate::model::{Coordinate, CoordinateId};
 
 use super::Balance;
 
@@ -23,24 +23,46 @@ pub(crate) fn derived<'g>(rows: &[Expr<'g>], symbols: &[Expr<'g>]) -> Vec<Vec<Ex
     symbols.iter().map(column).collect()
 }
 
-/// The [`partials`] with respect to the state, from the derivatives of inverse dynamics that the recursion provides
-/// without differentiating expressions. Returns `None` if it provides none, or if a variable is not part of the state.
+/// A coordinate or its rate, as a variable of the state.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum StateVariable {
+    Position(CoordinateId),
+    Rate(CoordinateId),
+}
+
+impl StateVariable {
+    /// Returns the coordinate or rate that a symbol stands for, if any.
+    pub(super) fn of<'g>(coordinates: &[Coordinate<'g>], symbol: Expr<'g>) -> Option<Self> {
+        let of = |part: fn(&Coordinate<'g>) -> Expr<'g>| {
+            let at = coordinates.iter().position(|coordinate| part(coordinate) == symbol);
+            at.map(CoordinateId::new)
+        };
+        of(|coordinate| coordinate.position)
+            .map(Self::Position)
+            .or_else(|| of(|coordinate| coordinate.rate).map(Self::Rate))
+    }
+}
+
+/// The [`partials`], from the derivatives of inverse dynamics that the recursion provides without differentiating
+/// expressions. Those with respect to quaternions are derived as expressions. Returns `None` if the recursion provides
+/// none of them.
 pub(crate) fn partials_by_recursion<'g>(
     balance: &Balance<'g>,
     coordinates: &[Coordinate<'g>],
     variables: &[Expr<'g>],
 ) -> Option<Vec<Vec<Expr<'g>>>> {
     let tangent = balance.tangent.as_ref()?;
-    let column = |&variable: &Expr<'g>| {
-        let of = |part: fn(&Coordinate<'g>) -> Expr<'g>| coordinates.iter().position(|c| part(c) == variable);
-        let (matrix, k) = match (of(|c| c.position), of(|c| c.rate)) {
-            (Some(k), _) => (&tangent.by_position, k),
-            (None, Some(k)) => (&tangent.by_rate, k),
-            (None, None) => return None,
+    let known = |&variable: &Expr<'g>| StateVariable::of(coordinates, variable);
+    let column = |variable: &Expr<'g>| {
+        let mut derivative = Derivative::by(*variable);
+        let (matrix, k) = match known(variable) {
+            Some(StateVariable::Position(k)) => (&tangent.by_position, usize::from(k)),
+            Some(StateVariable::Rate(k)) => (&tangent.by_rate, usize::from(k)),
+            None => return balance.rows.iter().map(|&row| derivative.of(row)).collect(),
         };
-        let mut derivative = Derivative::by(variable);
         let rows = matrix.iter().zip(&tangent.force);
-        Some(rows.map(|(row, &force)| row[k] - derivative.of(force)).collect())
+        rows.map(|(row, &force)| row[k] - derivative.of(force)).collect()
     };
-    variables.iter().map(column).collect()
+    let is_any_known = variables.iter().any(|variable| known(variable).is_some());
+    is_any_known.then(|| variables.iter().map(column).collect())
 }

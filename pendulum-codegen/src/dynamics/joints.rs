@@ -16,21 +16,14 @@ pub(super) struct AlongJoints<'g> {
     pub(super) bias: Vec<Expr<'g>>,
     /// `A qd`, if it is known in another form than this product. Required for scenes with drives.
     pub(super) momenta: Option<Vec<Expr<'g>>>,
-    /// Inertial forces in a form shorter than `A` and `bias` written out, if known.
-    pub(super) inertial: Option<Inertial<'g>>,
+    /// Inertial forces `A qdd + bias` in a form shorter than `A` and `bias` written out, if known.
+    pub(super) inertial: Option<Vec<Expr<'g>>>,
+    /// Derivatives of the inertial forces, if known.
+    pub(super) tangent: Option<tangent::Tangent<'g>>,
     /// The bias, and `A qdd + bias`, each less the wrenches that act on the links.
     pub(super) pushed: Option<[Vec<Expr<'g>>; 2]>,
     /// Floating bodies; the forces of their slides are along their own axes.
     pub(super) floating: Vec<Floating<'g>>,
-}
-
-/// Results of a recursion along the joints, without a mass matrix.
-#[derive(Debug)]
-pub(super) struct Inertial<'g> {
-    /// `A qdd + bias`.
-    pub(super) forces: Vec<Expr<'g>>,
-    /// Derivatives of `forces`, if known.
-    pub(super) tangent: Option<tangent::Tangent<'g>>,
 }
 
 impl<'g> AlongJoints<'g> {
@@ -61,14 +54,13 @@ impl<'g> AlongJoints<'g> {
                 .each_ref()
                 .map(|left| less(&self.pulled(model, left), &apart))
                 .into(),
-            (None, Some(inertial)) => (less(&bias, &force), less(&self.pulled(model, &inertial.forces), &force)),
+            (None, Some(inertial)) => (less(&bias, &force), less(&self.pulled(model, inertial), &force)),
             (None, None) => of_matrix(less(&bias, &force)),
         };
         let drive = rows.split_off(n);
         let (momentum, kinetic) = self.momentum_and_energy(model, &matrix);
         // this tangent leaves out changes through dependent coordinates
-        let tangent = self.inertial.and_then(|inertial| inertial.tangent);
-        let tangent = tangent.filter(|_| model.dependents.is_empty()).map(|tangent| {
+        let tangent = self.tangent.filter(|_| model.dependents.is_empty()).map(|tangent| {
             let [by_position, by_rate] = [tangent.by_position, tangent.by_rate]
                 .map(|entries| of_state(model, &pull_back_matrix(model, &self.motions, entries)));
             Tangent {
@@ -112,7 +104,7 @@ impl<'g> AlongJoints<'g> {
     /// Inertial forces `A qdd + bias` along the joints.
     fn inertial_forces(&self, model: &Model<'g>) -> Vec<Expr<'g>> {
         if let Some(inertial) = &self.inertial {
-            return inertial.forces.clone();
+            return inertial.clone();
         }
         let mut forces = self.bias.clone();
         for (i, j, entry) in self.mass_matrix.iter().copied().flat_map(mirrored) {

@@ -3,6 +3,7 @@
 mod actions;
 mod articulated;
 mod articulated_inertia;
+mod articulated_tangent;
 #[cfg(test)]
 mod base;
 mod canonical;
@@ -21,6 +22,7 @@ mod solve;
 mod tangent;
 
 pub(crate) use articulated::Articulation;
+pub(crate) use articulated_tangent::ArticulatedTangent;
 #[cfg(test)]
 pub(crate) use base::base_parameters;
 pub(crate) use canonical::{momentum_partials, momentum_rates};
@@ -225,6 +227,7 @@ impl<'g> Dynamics<'g> {
             bias,
             momenta,
             inertial: None,
+            tangent: None,
             pushed: None,
             floating: Vec::new(),
         };
@@ -246,10 +249,10 @@ impl<'g> Dynamics<'g> {
         along.in_coordinates(model, model.graph.zero()).balance
     }
 
-    /// Computes the residuals of [`articulated`] bodies: zero at their accelerations for quaternions of any length.
-    pub(crate) fn balance_of_links(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Vec<Expr<'g>> {
+    /// Computes the equations of [`articulated`] bodies: zero at their accelerations for quaternions of any length.
+    pub(crate) fn balance_of_links(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Balance<'g> {
         let along = recursive::along_joints(model, pushed, floating, true);
-        along.in_coordinates(model, model.graph.zero()).balance.rows
+        along.in_coordinates(model, model.graph.zero()).balance
     }
 
     /// Forces of actions along the coordinates, except for actions declared along a coordinate.

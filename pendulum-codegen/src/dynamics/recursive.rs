@@ -9,7 +9,7 @@ use super::actions::{is_wrench, wrenches};
 use super::flight::Flights;
 use super::frames::{Frame, frames};
 use super::joint::{Entry, JointId};
-use super::joints::{AlongJoints, Inertial};
+use super::joints::AlongJoints;
 use super::links::{Link, links};
 use super::motion::{Motion, inertial_moment, motions};
 use super::tangent::Tangent;
@@ -54,22 +54,21 @@ pub(super) fn along_joints<'g>(
     });
     let composites = composites(&links, &frames);
     let mass_matrix = mass_matrix(&links, &frames, &flights, &composites);
-    // the tangent has derivatives with respect to coordinates, which orientations do not have
-    let tangent = (!model.has_orientations()).then(|| Tangent::new(&links, &frames, &composites, &motions, &wrenches));
+    // derivatives by the orientation of a body are known only if nothing depends on it, as in free fall
+    let turning = links.iter().filter(|link| link.spin.is_some()).count();
+    let tangent = (turning == 3 * flights.all().count())
+        .then(|| Tangent::new(&links, &frames, &flights, &composites, &motions, &wrenches));
     // at rest and without gravity, accelerations equal to the rates require forces equal to the momenta
     let resting: Vec<Frame<'g>> = frames.iter().map(Frame::at_rest).collect();
     let rates: Vec<Expr<'g>> = links.iter().map(|link| model.rate_of(&link.motion)).collect();
     let (.., momenta) = taken(&resting, Vec3::zero(g), &rates, None);
-    let inertial = Inertial {
-        forces: inertial,
-        tangent,
-    };
     AlongJoints {
         motions: links.into_iter().map(|link| link.motion).collect(),
         mass_matrix,
         bias,
         momenta: Some(momenta),
         inertial: by_recursion.then_some(inertial),
+        tangent,
         pushed,
         floating: floating.to_vec(),
     }
@@ -79,7 +78,7 @@ pub(super) fn along_joints<'g>(
 ///
 /// For mass m, first moment h and accelerations `a + U r`, `f = m a + U h`, `n = h x a + integral r x (U r) dm`; and
 /// `F_parent += X^T F`.
-fn wrenches_of<'g>(
+pub(super) fn wrenches_of<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],
     motions: &[Motion<'g>],

@@ -20,6 +20,11 @@ pub(crate) enum Solver {
 pub(crate) trait Inverse<'g> {
     /// Returns `-A^-1 r`.
     fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>>;
+
+    /// [`solve_negated`](Self::solve_negated) for each of several vectors.
+    fn solve_each_negated(&self, all: &[Vec<Expr<'g>>]) -> Vec<Vec<Expr<'g>>> {
+        all.iter().map(|r| self.solve_negated(r)).collect()
+    }
 }
 
 /// A factored matrix.

@@ -4,6 +4,7 @@
 //! frame of link k, a change of its joint coordinate or of its rate changes only the motion that arrives from below.
 //! The links above respond as one body with their composite inertia and the flow of their mass.
 
+use super::flight::Flights;
 use super::frames::Frame;
 use super::joint::{Entry, JointId};
 use super::links::Link;
@@ -23,7 +24,7 @@ pub(super) struct Tangent<'g> {
 /// Flow of mass relative to the origin of a frame, which moves along: `p = integral v dm` and `P = integral r v^T dm`,
 /// where `v` is the velocity relative to the origin.
 #[derive(Clone, Copy, Debug)]
-struct Flow<'g> {
+pub(super) struct Flow<'g> {
     momentum: Vec3<'g>,
     moments: Mat3<'g>,
 }
@@ -31,10 +32,10 @@ struct Flow<'g> {
 /// Variation of the motion that arrives at a link. It adds `push + twist x r + 2 spin x v` to the acceleration of a
 /// point at `r` with velocity `v` relative to the origin.
 #[derive(Clone, Copy, Debug)]
-struct Variation<'g> {
-    spin: Vec3<'g>,
-    twist: Vec3<'g>,
-    push: Vec3<'g>,
+pub(super) struct Variation<'g> {
+    pub(super) spin: Vec3<'g>,
+    pub(super) twist: Vec3<'g>,
+    pub(super) push: Vec3<'g>,
 }
 
 /// Response of the force along the joint of a link to a variation of the motion of a frame that carries it.
@@ -56,6 +57,7 @@ impl<'g> Tangent<'g> {
     pub(super) fn new(
         links: &[Link<'g>],
         frames: &[Frame<'g>],
+        flights: &Flights<'g>,
         composites: &[MassMoments<'g>],
         motions: &[Motion<'g>],
         wrenches: &[Wrench<'g>],
@@ -68,10 +70,10 @@ impl<'g> Tangent<'g> {
         let variations: Vec<[Variation<'g>; 2]> = links
             .iter()
             .zip(motions)
-            .map(|(link, motion)| Variation::by_position_and_rate(&link.screw, motion))
+            .map(|(link, motion)| Variation::by_position_and_rate(link, motion))
             .collect();
         let mut tangent = Self::default();
-        for j in joints() {
+        for j in joints().filter(|&j| !flights.is_slide(j)) {
             let screw = &links[j].screw;
             let [by_position, by_rate] = variations[j].map(|variation| variation.taken(&composites[j], &flows[j]));
             let mut columns = [seen_below(screw, &wrenches[j], &by_position), by_rate];
@@ -86,6 +88,14 @@ impl<'g> Tangent<'g> {
                     tangent.by_position.push((j, at, by_position));
                     tangent.by_rate.push((j, at, by_rate));
                 }
+                if let Some(flight) = flights.from(at) {
+                    let [by_position, by_rate] = columns.map(|wrench| flight.along_axes(wrench.force));
+                    let entry = |(slide, force)| (slide, j, force);
+                    let entries = |along: [Expr<'g>; 3]| flight.slides.into_iter().zip(along).map(entry);
+                    tangent.by_position.extend(entries(by_position));
+                    tangent.by_rate.extend(entries(by_rate));
+                    break;
+                }
                 let Some(parent) = links[at].parent else { break };
                 columns = columns.map(|wrench| frames[at].wrench_to_parent(&wrench));
                 response = response.to_parent(&frames[at], velocities[at]);
@@ -97,7 +107,7 @@ impl<'g> Tangent<'g> {
 }
 
 /// Velocity of a link's origin relative to its parent's origin, in the frame of the parent.
-fn velocity_of_origin<'g>(link: &Link<'g>, frame: &Frame<'g>, motions: &[Motion<'g>]) -> Vec3<'g> {
+pub(super) fn velocity_of_origin<'g>(link: &Link<'g>, frame: &Frame<'g>, motions: &[Motion<'g>]) -> Vec3<'g> {
     match link.parent {
         Some(parent) => motions[parent].w.cross(frame.offset) + frame.to_parent(frame.velocity.linear),
         None => Vec3::zero(link.force.graph()),
@@ -113,9 +123,8 @@ fn flows<'g>(
     motions: &[Motion<'g>],
     velocities: &[Vec3<'g>],
 ) -> Vec<Flow<'g>> {
-    let own = |(frame, motion): (&Frame<'g>, &Motion<'g>)| Flow {
-        momentum: motion.w.cross(frame.inertia.first),
-        moments: frame.inertia.second.full().map_rows(|row| motion.w.cross(row)),
+    let own = |(frame, motion): (&Frame<'g>, &Motion<'g>)| {
+        Flow::of_link(frame, motion, Vec3::zero(frame.inertia.mass.graph()))
     };
     let mut flows: Vec<Flow<'g>> = frames.iter().zip(motions).map(own).collect();
     for n in JointId::all(links.len()).rev() {
@@ -136,11 +145,22 @@ fn flows<'g>(
 }
 
 impl<'g> Variation<'g> {
+    /// Change of the spin alone.
+    pub(super) fn of_spin(spin: Vec3<'g>) -> Self {
+        let zero = Vec3::zero(spin[0].graph());
+        let (twist, push) = (zero, zero);
+        Self { spin, twist, push }
+    }
+
     /// Variations of the motion that arrives at the link of a joint with the screw (s_w, s_v). With respect to its
     /// coordinate: spin `w x s_w`, twist `U s_w`, push `a x s_w + U s_v`; with respect to its rate: `s_w`, `2 w x s_w`,
     /// `2 w x s_v`.
-    fn by_position_and_rate(screw: &Twist<'g>, motion: &Motion<'g>) -> [Self; 2] {
-        let Twist { angular, linear } = *screw;
+    ///
+    /// The angular velocity of a floating body is given along its own axes, which turn with it: its twist by a rate is
+    /// `w x s_w`.
+    pub(super) fn by_position_and_rate(link: &Link<'g>, motion: &Motion<'g>) -> [Self; 2] {
+        let Twist { angular, linear } = link.screw;
+        let times = if link.spin.is_some() { 1 } else { 2 };
         let Motion { w, a, field, .. } = *motion;
         let by_position = Self {
             spin: w.cross(angular),
@@ -149,7 +169,7 @@ impl<'g> Variation<'g> {
         };
         let by_rate = Self {
             spin: angular,
-            twist: 2 * w.cross(angular),
+            twist: times * w.cross(angular),
             push: 2 * w.cross(linear),
         };
         [by_position, by_rate]
@@ -157,7 +177,7 @@ impl<'g> Variation<'g> {
 
     /// Additional wrench that a composite requires: the force `m push + twist x h + 2 spin x p` and the moment
     /// `h x push + J twist + 2 G^T spin`, with the [gyration](Flow::gyration) G.
-    fn taken(&self, inertia: &MassMoments<'g>, flow: &Flow<'g>) -> Wrench<'g> {
+    pub(super) fn taken(&self, inertia: &MassMoments<'g>, flow: &Flow<'g>) -> Wrench<'g> {
         let Self { spin, twist, push } = *self;
         let (m, h) = (inertia.mass, inertia.first);
         Wrench {
@@ -168,6 +188,16 @@ impl<'g> Variation<'g> {
 }
 
 impl<'g> Flow<'g> {
+    /// Flow of a link about its origin, which moves with the velocity `v`.
+    pub(super) fn of_link(frame: &Frame<'g>, motion: &Motion<'g>, v: Vec3<'g>) -> Self {
+        let MassMoments { mass, first, second } = frame.inertia;
+        let moments = second.full().map_rows(|row| motion.w.cross(row));
+        Self {
+            momentum: motion.w.cross(first) + mass * v,
+            moments: Mat3::from_fn(|i, j| moments[i][j] + first[i] * v[j]),
+        }
+    }
+
     /// Gyration `tr(P) 1 - P`, with `integral r x (spin x v) dm = (tr(P) 1 - P^T) spin`.
     fn gyration(&self) -> Mat3<'g> {
         let p = self.moments;
@@ -210,7 +240,7 @@ impl<'g> Response<'g> {
 
 /// Derivative of a wrench on a link with respect to its coordinate, relative to the link below: the additional wrench
 /// `taken`, and the wrench itself turned and moved along, `s_w x n + s_v x f` and `s_w x f`.
-fn seen_below<'g>(screw: &Twist<'g>, wrench: &Wrench<'g>, taken: &Wrench<'g>) -> Wrench<'g> {
+pub(super) fn seen_below<'g>(screw: &Twist<'g>, wrench: &Wrench<'g>, taken: &Wrench<'g>) -> Wrench<'g> {
     let Twist { angular, linear } = *screw;
     let Wrench { moment, force } = *wrench;
     Wrench {

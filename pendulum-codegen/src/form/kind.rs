@@ -45,6 +45,8 @@ pub(crate) enum Derivatives {
     Expanded,
     /// By a separate recursion.
     Recursion,
+    /// Through the joints of articulated bodies, without inverse dynamics.
+    Links,
 }
 
 impl Form {
@@ -105,6 +107,7 @@ impl fmt::Display for Form {
             Some(Derivatives::Graph) => ", derived in the graph",
             Some(Derivatives::Expanded) => ", derived and expanded",
             Some(Derivatives::Recursion) => ", derived by recursion",
+            Some(Derivatives::Links) => ", derived link by link",
             None => "",
         })
     }

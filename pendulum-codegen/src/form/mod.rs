@@ -126,7 +126,7 @@ impl<'g> Forms<'g> {
         forms
     }
 
-    /// Uses articulated bodies if they are much shorter. A small saving would be lost again in the Jacobian.
+    /// Uses articulated bodies if they are much shorter. A small saving would be lost again in derivatives.
     fn weigh_links(&mut self, model: &Model<'g>, pushed: bool) {
         let form = Form::of(Basis::Articulated).with_wrenches(pushed);
         let (accelerations, articulation) = articulated(model, pushed, &self.floating);

@@ -2,8 +2,10 @@
 
 use super::chosen::{Candidate, Chosen, HOPELESS};
 use super::written::Written;
-use super::{Derivatives, Form, Forms, ways};
-use crate::dynamics::{Articulation, Entries, Inverse, derived, partials, partials_by_recursion};
+use super::{Basis, Derivatives, Form, Forms, ways};
+use crate::dynamics::{
+    ArticulatedTangent, Articulation, Balance, Entries, Inverse, derived, partials, partials_by_recursion,
+};
 use crate::expr::Expr;
 use crate::model::{Floating, Model};
 
@@ -13,12 +15,17 @@ use crate::model::{Floating, Model};
 /// by recursion.
 const MOST_DERIVED: usize = 50_000;
 
+/// Maximum number of coordinates for which derivatives by a mass matrix are tried beside those of articulated bodies:
+/// their length grows with the third power of the number, that of articulated bodies with the second. Planar chains of
+/// 8 links take as many operations with either.
+const MOST_BY_MATRIX: usize = 16;
+
 /// Accelerations by the articulated-body algorithm for scenes with orientations, and the balance that they satisfy.
 #[derive(Debug)]
 pub(super) struct ByLinks<'g> {
     pub(super) form: Form,
     pub(super) accelerations: Vec<Expr<'g>>,
-    pub(super) balance: Vec<Expr<'g>>,
+    pub(super) balance: Balance<'g>,
     pub(super) articulation: Articulation<'g>,
 }
 
@@ -59,7 +66,7 @@ impl<'g> Forms<'g> {
             f(System {
                 form: by_links.form,
                 inverse: &by_links.articulation,
-                rows: &by_links.balance,
+                rows: &by_links.balance.rows,
                 solved: by_links.accelerations.clone(),
             });
         }
@@ -94,6 +101,20 @@ impl<'g> Forms<'g> {
         } else {
             self.solve(beside)
         }
+    }
+
+    /// Accelerations of articulated bodies, and the balance that they satisfy, unless closed forms are shorter anyway.
+    fn articulated(&self) -> Option<(Vec<Candidate<'g>>, &Balance<'g>)> {
+        if let Some(by_links) = &self.by_links {
+            return Some((vec![(by_links.form, by_links.accelerations.clone())], &by_links.balance));
+        }
+        let solved = self.solved.iter().filter(|(form, _)| form.basis == Basis::Articulated);
+        let solved: Vec<Candidate<'g>> = solved.cloned().collect();
+        let recursive = self
+            .forms
+            .iter()
+            .find(|written| written.form.basis == Basis::Recursive)?;
+        (!solved.is_empty()).then_some((solved, &recursive.balance))
     }
 
     pub(super) fn solve(&self, beside: &[Expr<'g>]) -> Chosen<'g> {
@@ -142,29 +163,44 @@ impl<'g> Forms<'g> {
         let derived_from = Derived::new(model, &floating, variables);
         let mut candidates: Vec<Candidate<'g>> = Vec::new();
         let candidate = |way: Way<'_, 'g>| (way.form, roots(&way));
-        if let Some(by_links) = &self.by_links {
-            let solved = [(by_links.form, by_links.accelerations.clone())];
-            let columns = (Derivatives::Graph, derived(&by_links.balance, variables));
-            let ways = derived_from.ways(&by_links.articulation, &solved, &columns);
-            candidates.extend(ways.map(candidate));
+        let size = |balance: &Balance<'g>| variables.len() * model.graph.reachable(&balance.entries()).len();
+        if let Some((solved, balance)) = self.articulated() {
+            let tangent = ArticulatedTangent::new(model, &floating);
+            if let Some(columns) = tangent.columns(balance, &model.coordinates, variables) {
+                let ways = derived_from.ways(tangent.articulation(), &solved, Derivatives::Links, columns);
+                candidates.extend(ways.map(candidate));
+            }
         }
-        let forms = solved_from(&self.by_links, &self.oriented, &self.forms);
-        let sizes = forms.iter();
-        let sizes = sizes.map(|written| variables.len() * model.graph.reachable(&written.balance.entries()).len());
-        let sizes: Vec<usize> = sizes.collect();
+        let normalizer = &mut self.normalizer;
+        let mut derivatives = |basis: Basis, balance: &Balance<'g>, size: usize| {
+            let by_recursion = partials_by_recursion(balance, &model.coordinates, variables);
+            let mut columns = Vec::new();
+            if size <= MOST_DERIVED || by_recursion.is_none() {
+                columns = ways(normalizer, basis, partials(balance, variables));
+            }
+            columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
+            columns
+        };
+        if let Some(by_links) = self.by_links.as_ref().filter(|_| candidates.is_empty()) {
+            let solved = [(by_links.form, by_links.accelerations.clone())];
+            for columns in &derivatives(by_links.form.basis, &by_links.balance, size(&by_links.balance)) {
+                let inverse = &by_links.articulation;
+                let ways = derived_from.ways(inverse, &solved, columns.0, inverse.solve_each_negated(&columns.1));
+                candidates.extend(ways.map(candidate));
+            }
+        }
+        let mut forms = solved_from(&self.by_links, &self.oriented, &self.forms);
+        if model.dof() > MOST_BY_MATRIX && !candidates.is_empty() {
+            forms = &[];
+        }
+        let sizes: Vec<usize> = forms.iter().map(|written| size(&written.balance)).collect();
         let least = sizes.iter().copied().min().unwrap_or(0);
         for (written, size) in forms.iter().zip(sizes) {
             let Written { form: own, balance, .. } = written;
-            let is_large = size > MOST_DERIVED;
-            if is_large && HOPELESS[1] * size > HOPELESS[0] * least {
+            if size > MOST_DERIVED && HOPELESS[1] * size > HOPELESS[0] * least {
                 continue;
             }
-            let by_recursion = partials_by_recursion(balance, &model.coordinates, variables);
-            let mut columns = Vec::new();
-            if !is_large || by_recursion.is_none() {
-                columns = ways(&mut self.normalizer, own.basis, partials(balance, variables));
-            }
-            columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
+            let columns = derivatives(own.basis, balance, size);
             let exact = self.solved.iter().filter(|(form, _)| form.basis == own.basis);
             for (factored, solver) in written.factorings() {
                 let form = own.solved_by(solver);
@@ -174,7 +210,9 @@ impl<'g> Forms<'g> {
                 let own = (form, factored.solve_negated(&balance.residual));
                 let solved: Vec<Candidate<'g>> = [own].into_iter().chain(exact).collect();
                 for columns in &columns {
-                    candidates.extend(derived_from.ways(&factored, &solved, columns).map(candidate));
+                    let ways =
+                        derived_from.ways(&factored, &solved, columns.0, factored.solve_each_negated(&columns.1));
+                    candidates.extend(ways.map(candidate));
                 }
             }
         }
@@ -198,19 +236,22 @@ impl<'a, 'g> Derived<'a, 'g> {
         &'w self,
         inverse: &'w dyn Inverse<'g>,
         solved: &'w [Candidate<'g>],
-        (derivatives, columns): &'w (Derivatives, Vec<Vec<Expr<'g>>>),
+        derivatives: Derivatives,
+        solved_columns: Vec<Vec<Expr<'g>>>,
     ) -> impl Iterator<Item = Way<'w, 'g>> {
-        let of_coordinate = columns.iter().zip(&self.beside).flat_map(|(column, beside)| {
-            let mut column = inverse.solve_negated(column);
-            let joints = self.floating.iter();
-            joints.for_each(|joint| joint.differentiate(&mut column, beside));
-            column
-        });
+        let of_coordinate = solved_columns
+            .into_iter()
+            .zip(&self.beside)
+            .flat_map(|(mut column, beside)| {
+                let joints = self.floating.iter();
+                joints.for_each(|joint| joint.differentiate(&mut column, beside));
+                column
+            });
         let columns = self.model.with_drives(&of_coordinate.collect::<Vec<_>>());
         solved.iter().map(move |(form, solved)| {
             let known = self.symbols.iter().copied().zip(solved.iter().copied());
             Way {
-                form: form.derived_by(*derivatives),
+                form: form.derived_by(derivatives),
                 inverse,
                 columns: self.model.graph.substitute(&columns, known.collect()),
                 accelerations: of_coordinates(self.floating, solved.clone()),

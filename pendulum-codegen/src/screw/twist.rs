@@ -28,6 +28,11 @@ impl<'g> Twist<'g> {
         !self.angular.is_zero()
     }
 
+    /// True if all components are the number 0.
+    pub fn is_zero(&self) -> bool {
+        self.angular.is_zero() && self.linear.is_zero()
+    }
+
     /// `[a, b] = (a_w x b_w ; a_v x b_w + a_w x b_v)`
     #[must_use]
     pub fn bracket(&self, other: &Self) -> Self {

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use rustc_hash::FxHashMap;
+
 use super::{is_thorough, model, near, numbers};
-use crate::dynamics::Dynamics;
+use crate::dynamics::{ArticulatedTangent, Dynamics, articulated, derived, partials_by_recursion};
 use crate::expr::{Expr, Graph, Symbol};
 use crate::form::{Basis, Forms, jacobian, rhs};
 use crate::model::Model;
@@ -199,6 +201,59 @@ fn the_jacobian_of_what_flies_is_that_of_its_right_hand_side() {
                     "{entry} by {name} is not {difference} in {text}"
                 );
             }
+        }
+    }
+}
+
+/// Two limbs and a tail on a floating trunk. The limbs branch again.
+const CRAWLER: &str = "pub Crawler {
+    params { g: m/s^2, c: m }
+    gravity: [0.3*g, g, -9.81],
+    body post on ground { joint: fixed at [1, 2, 3] rpy [0.3, -0.2, 0.5] }
+    body trunk on post { mass: 1.3, com: [c, 0.1, 0.2*c], inertia: [0.1, 0.2, 0.25], \
+        joint: free at [0, 1, 0] rpy [0, 0.4, 0.1], orientation: o, position: p }
+    body hip on trunk { mass: 0.5, com: [0.1, 0, 0], inertia: [0.02, 0.03, 0.04], joint: revolute([1, 2, 0]) at \
+        [0.1, 0.2, 0], coordinate: hip, friction: 0.3 }
+    body thigh on hip { mass: 0.4, com: [0.1, 0, 0.1], inertia: [0.02, 0.03, 0.04, 0.001, 0, 0.002], \
+        joint: helical(y, 0.2) at [0, 0, -0.3], coordinate: thigh }
+    body toe on thigh { mass: 0.2, com: [0.1, 0, 0], inertia: [0.01, 0.02, 0.02], joint: revolute(x) at \
+        [0, 0.1, -0.3], coordinate: toe }
+    body heel on thigh { mass: 0.3, com: [0, 0.1, 0], inertia: [0.02, 0.01, 0.02], joint: prismatic([1, 0, 1]), \
+        coordinate: heel, spring: (3, 0.1) }
+    body spur on heel { mass: 0.1, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z) at [0, 0, 0.1], \
+        coordinate: spur }
+    body tail on trunk { mass: 0.3, com: [0, 0, 0.2], inertia: [0.02, 0.02, 0.01], joint: revolute(x) at [-0.2, 0, 0], \
+        coordinate: tail }
+    body tip on tail { mass: 0.1, com: [0, 0, 0.1], inertia: [0.01, 0.01, 0.01], joint: revolute(x) at [0, 0, 0.3], \
+        coordinate: tip }
+    point a on toe at [0.1, 0.2, 0.3], point b on tip at [0, 0, 1],
+    spring between a and b: (3, 0.1), force on a: [0.1, 0.2*dot(o).x, p.x] in trunk, potential: 0.3*o.x*p.y,
+}";
+
+/// Derivatives without differentiating the equations: of the forces, and of the accelerations of articulated bodies.
+#[test]
+fn what_flies_is_derived_link_by_link() {
+    for text in [SCENES[0], CRAWLER] {
+        let graph = Graph::new();
+        let model = model(&graph, text);
+        let (floating, state) = (model.floating(), model.state());
+        let balance = Dynamics::balance_of_links(&model, false, &floating);
+        let (accelerations, _) = articulated(&model, false, &floating);
+        let symbols = model.coordinates.iter().map(|c| c.acceleration);
+        let known: FxHashMap<_, _> = symbols.zip(accelerations.iter().copied()).collect();
+        let tangent = ArticulatedTangent::new(&model, &floating);
+        let columns = tangent
+            .columns(&balance, &model.coordinates, &state)
+            .expect("a tangent");
+        let of_forces = partials_by_recursion(&balance, &model.coordinates, &state).expect("a tangent");
+        let ours = graph.substitute(&[columns.concat(), of_forces.concat()].concat(), known.clone());
+        let of_rows = graph.substitute(&derived(&balance.rows, &state).concat(), known);
+        let theirs = [derived(&accelerations, &state).concat(), of_rows].concat();
+        for seed in 0..5 {
+            let values = values_of(&model, text, seed, 1.05);
+            let [ours, theirs] = [&ours, &theirs].map(|roots| evaluated(&model, roots, &values));
+            let off = ours.iter().zip(&theirs).map(|(a, b)| a - b).collect::<Vec<_>>();
+            assert!(largest(&off) <= 1e-12 * largest(&theirs), "{} in {text}", largest(&off));
         }
     }
 }

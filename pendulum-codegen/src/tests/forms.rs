@@ -1,8 +1,9 @@
 //! Every form of the dynamics agrees with A, B and C.
 
 use super::{dynamics, numbers};
-use crate::dynamics::{Dynamics, Entries, articulated, partials, partials_by_recursion};
+use crate::dynamics::{ArticulatedTangent, Dynamics, Entries, articulated, derived, partials, partials_by_recursion};
 use crate::expr::{Expr, Graph};
+use crate::form::{Forms, jacobian};
 
 const SCENES: [&str; 11] = [
     // every kind of joint on skew axes
@@ -234,6 +235,49 @@ fn the_derivatives_of_the_recursion_are_those_of_its_expressions() {
             agree(&graph, &known.concat(), &derived.concat(), scene);
         }
     }
+}
+
+#[test]
+fn the_derivatives_of_articulated_bodies_are_those_of_their_accelerations() {
+    for scene in SCENES {
+        let graph = Graph::new();
+        let (model, dynamics) = dynamics(&graph, scene);
+        if model.has_followers() {
+            continue;
+        }
+        let (state, symbols) = (model.state(), model.coordinates.iter().map(|c| c.acceleration));
+        let (accelerations, _) = articulated(&model, false, &[]);
+        let recursive = Dynamics::recursive(&model, dynamics.lagrangian.potential, false);
+        let tangent = ArticulatedTangent::new(&model, &[]);
+        let columns = tangent.columns(&recursive.balance, &model.coordinates, &state);
+        let columns = model.with_drives(&columns.expect("a tangent").concat());
+        let columns = graph.substitute(&columns, symbols.zip(accelerations.iter().copied()).collect());
+        agree(&graph, &columns, &derived(&accelerations, &state).concat(), scene);
+    }
+}
+
+/// The length of derivatives by articulated bodies grows with the square of the number of links.
+#[test]
+fn the_jacobian_of_a_long_chain_is_short() {
+    let operations = |links: usize| {
+        let body = |k: usize| {
+            let parent = k
+                .checked_sub(1)
+                .map_or("ground".to_owned(), |below| format!("b{below}"));
+            format!(
+                "body b{k} on {parent} {{ mass: 1.1, com: [0, -0.2, 0], inertia: 0.03, joint: revolute(z) at \
+                 [0, {}, 0], coordinate: q{k}, friction: 0.01 }}",
+                if k == 0 { "0" } else { "-0.5" },
+            )
+        };
+        let bodies: String = (0..links).map(body).collect();
+        let graph = Graph::new();
+        let (model, dynamics) = dynamics(&graph, &format!("pub Chain {{ gravity: [0, -9.81, 0], {bodies} }}"));
+        let mut forms = Forms::new(&model, &dynamics);
+        jacobian(&mut forms, &model).operations.arithmetic() as f64
+    };
+    let [short, long] = [10, 20].map(operations);
+    assert!(short <= 4400.0 && long / short <= 4.0, "{short} and {long} operations");
 }
 
 /// Asserts that two lists of expressions agree at random states, up to rounding errors.
