@@ -8,5 +8,6 @@ mod agreement;
 mod alone;
 mod exponents;
 mod lanes;
+mod long;
 mod rough;
 mod step_limits;

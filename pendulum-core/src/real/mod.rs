@@ -119,6 +119,22 @@ pub trait Real:
         a
     }
 
+    /// Result of a part of a long function. Scalars compute it in a function of its own, which is compiled separately;
+    /// lanes need it inlined.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn apart<R>(part: impl FnOnce() -> R) -> R {
+        #[inline(never)]
+        fn alone<R>(part: impl FnOnce() -> R) -> R {
+            part()
+        }
+        if const { Self::LANES == 1 } {
+            alone(part)
+        } else {
+            part()
+        }
+    }
+
     /// Coefficients of a piecewise function, such as a table: those of the piece in which the number lies. They are
     /// constants, without derivatives.
     ///

@@ -1,16 +1,24 @@
 //! Blocks as Rust code.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
+use super::count;
 use crate::expr::{Binary, Precedence, Unary};
 use crate::program::{Block, Coefficient, Let, Local, Program, SinCos, Term, Variable};
 
 /// Maximum number of statements in one Rust block. Every `let` opens a scope inside the one before, and compilers that
 /// walk scopes by recursion (as LLVM does for debug information) overflow the stack at some thousand nested scopes.
 const MOST_STATEMENTS: usize = 256;
+
+/// Number of statements above which a block is compiled in parts. The time and the memory of compilers grow faster than
+/// the length of a function.
+const LONG: usize = 8192;
+
+/// Number of statements in one part.
+const PART: usize = 4096;
 
 /// Local name that cannot clash with a declaration. The mark of a raw identifier is dropped, since it may not follow a
 /// prefix.
@@ -114,21 +122,82 @@ impl Writer<'_> {
 
     fn statements(&self) -> TokenStream {
         let lets = &self.block.lets;
-        if lets.len() <= MOST_STATEMENTS {
-            return lets.iter().map(|code| self.statement(code)).collect();
+        let results: BTreeSet<Local> = self.block.results.iter().flat_map(Term::locals).collect();
+        if lets.len() > LONG {
+            return self.parts(&results);
         }
-        let mut needed: BTreeSet<Local> = self.block.results.iter().flat_map(Term::locals).collect();
-        // go from the last chunk to the first: each returns only values needed after it
-        let chunks = lets.chunks(MOST_STATEMENTS).rev().map(|chunk| {
-            let defined = chunk.iter().flat_map(Let::defines);
+        self.scopes(lets, results, |lets| {
+            lets.iter().map(|code| self.statement(code)).collect()
+        })
+    }
+
+    /// Statements in scopes of at most [`MOST_STATEMENTS`], each of which returns the values needed after it.
+    fn scopes(&self, lets: &[Let], mut needed: BTreeSet<Local>, code: impl Fn(&[Let]) -> TokenStream) -> TokenStream {
+        if lets.len() <= MOST_STATEMENTS {
+            return code(lets);
+        }
+        let scopes = lets.chunks(MOST_STATEMENTS).rev().map(|scope| {
+            let defined = scope.iter().flat_map(Let::defines);
             let out = defined.filter(|local| needed.contains(local)).map(|of| self.local(of));
             let out: Vec<Ident> = out.collect();
-            needed.extend(chunk.iter().flat_map(Let::needs));
-            let inside = chunk.iter().map(|code| self.statement(code));
-            quote!(let (#(#out,)*) = { #(#inside)* (#(#out,)*) };)
+            needed.extend(scope.iter().flat_map(Let::needs));
+            let inside = code(scope);
+            quote!(let (#(#out,)*) = { #inside (#(#out,)*) };)
         });
-        let chunks: Vec<TokenStream> = chunks.collect();
-        chunks.into_iter().rev().collect()
+        let scopes: Vec<TokenStream> = scopes.collect();
+        scopes.into_iter().rev().collect()
+    }
+
+    /// Statements in parts that are compiled as functions of their own. Values that one part passes to others are in an
+    /// array: arguments would be copied for each part. They are read at their first use and written at once, so that
+    /// few of them are alive at a time.
+    fn parts(&self, results: &BTreeSet<Local>) -> TokenStream {
+        let passed = self.passed(results);
+        let load = |of: &Local| {
+            let (name, place) = (self.local(*of), passed.get(of)?);
+            Some(quote!(let #name = v[#place];))
+        };
+        let parts = self.block.lets.chunks(PART).map(|part| {
+            let own: BTreeSet<Local> = part.iter().flat_map(Let::defines).collect();
+            let inside = self.scopes(part, BTreeSet::new(), |scope| {
+                let mut known = own.clone();
+                let statements = scope.iter().map(|code| {
+                    let needs = code.needs();
+                    let loads: TokenStream = needs.difference(&known).filter_map(load).collect();
+                    known.extend(needs);
+                    let stores = code.defines().filter_map(|of| {
+                        let (name, place) = (self.local(of), passed.get(&of)?);
+                        Some(quote!(v[#place] = #name;))
+                    });
+                    let (statement, stores) = (self.statement(code), stores.collect::<TokenStream>());
+                    quote!(#loads #statement #stores)
+                });
+                statements.collect()
+            });
+            quote!(T::apart(|| { #inside });)
+        });
+        let (length, parts, loads) = (
+            count(passed.len()),
+            parts.collect::<TokenStream>(),
+            results.iter().filter_map(load),
+        );
+        quote! {
+            let mut v = [T::default(); #length];
+            #parts
+            #(#loads)*
+        }
+    }
+
+    /// Places in the array for the values that are read outside the part that defines them, as `results` are.
+    fn passed(&self, results: &BTreeSet<Local>) -> BTreeMap<Local, Literal> {
+        let mut passed = results.clone();
+        let mut defined: BTreeMap<Local, usize> = BTreeMap::new();
+        for (n, code) in self.block.lets.iter().enumerate() {
+            let from_others = code.needs().into_iter().filter(|of| defined[of] / PART != n / PART);
+            passed.extend(from_others);
+            defined.extend(code.defines().map(|of| (of, n)));
+        }
+        passed.into_iter().zip((0..).map(count)).collect()
     }
 
     fn statement(&self, code: &Let) -> TokenStream {
