@@ -256,28 +256,42 @@ fn the_derivatives_of_articulated_bodies_are_those_of_their_accelerations() {
     }
 }
 
+/// Declaration of planar links in a row.
+fn chain(links: usize) -> String {
+    let body = |k: usize| {
+        let parent = k
+            .checked_sub(1)
+            .map_or("ground".to_owned(), |below| format!("b{below}"));
+        let at = if k == 0 { "0" } else { "-0.5" };
+        format!(
+            "body b{k} on {parent} {{ mass: 1.1, com: [0, -0.2, 0], inertia: 0.03, joint: revolute(z) at [0, {at}, 0], \
+             coordinate: q{k}, friction: 0.01 }}",
+        )
+    };
+    let bodies: String = (0..links).map(body).collect();
+    format!("pub Chain {{ gravity: [0, -9.81, 0], generate: [rhs, jacobian], {bodies} }}")
+}
+
 /// The length of derivatives by articulated bodies grows with the square of the number of links.
 #[test]
 fn the_jacobian_of_a_long_chain_is_short() {
     let operations = |links: usize| {
-        let body = |k: usize| {
-            let parent = k
-                .checked_sub(1)
-                .map_or("ground".to_owned(), |below| format!("b{below}"));
-            format!(
-                "body b{k} on {parent} {{ mass: 1.1, com: [0, -0.2, 0], inertia: 0.03, joint: revolute(z) at \
-                 [0, {}, 0], coordinate: q{k}, friction: 0.01 }}",
-                if k == 0 { "0" } else { "-0.5" },
-            )
-        };
-        let bodies: String = (0..links).map(body).collect();
         let graph = Graph::new();
-        let (model, dynamics) = dynamics(&graph, &format!("pub Chain {{ gravity: [0, -9.81, 0], {bodies} }}"));
+        let (model, dynamics) = dynamics(&graph, &chain(links));
         let mut forms = Forms::new(&model, &dynamics);
         jacobian(&mut forms, &model).operations.arithmetic() as f64
     };
     let [short, long] = [10, 20].map(operations);
     assert!(short <= 4400.0 && long / short <= 4.0, "{short} and {long} operations");
+}
+
+#[test]
+fn the_documentation_names_long_functions() {
+    let code = |links: usize| crate::expand(chain(links).parse().expect("tokens")).to_string();
+    let advice = "They take long to compile";
+    assert!(!code(3).contains(advice));
+    let code = code(27);
+    assert!(code.contains(advice) && code.contains("- `jacobian`, 28") && !code.contains("- `rhs`"));
 }
 
 /// Asserts that two lists of expressions agree at random states, up to rounding errors.

@@ -15,7 +15,7 @@ const MOST_STATEMENTS: usize = 256;
 
 /// Number of statements above which a block is compiled in parts. The time and the memory of compilers grow faster than
 /// the length of a function.
-const LONG: usize = 8192;
+pub(super) const LONG: usize = 8192;
 
 /// Number of statements in one part.
 const PART: usize = 4096;

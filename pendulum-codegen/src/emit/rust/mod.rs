@@ -19,7 +19,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
 use crate::ast::{Head, Input, Scene};
-use crate::program::{Program, Quantity};
+use crate::program::{Program, Quantity, Routine};
 use block::{Names, local};
 
 /// All items that replace a declaration.
@@ -234,6 +234,16 @@ impl Items<'_> {
                 text.push_str(&format!("k{n} = {constant}\n"));
             }
             text.push_str("```\n");
+        }
+        let is_long = |routine: &&Routine| routine.block.lets.len() > block::LONG;
+        let long: Vec<&Routine> = self.program.routines.iter().filter(is_long).collect();
+        if !long.is_empty() {
+            text.push_str("\n# Long functions\n\n");
+            text.push_str("They take long to compile. Leave those that are not used out of `generate`:\n\n");
+            for routine in long {
+                let operations = routine.cost.operations.arithmetic();
+                text.push_str(&format!("- `{}`, {operations} operations\n", routine.name));
+            }
         }
         let count = count(constants.len());
         quote! {
