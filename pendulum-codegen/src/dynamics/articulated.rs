@@ -41,17 +41,17 @@ pub(crate) struct Articulation<'g> {
     carried: Vec<Articulated<'g>>,
     /// Factored mass matrix of each flight along the axes of the body, at the link that the flight begins with.
     floating: Vec<Option<Factored<'g>>>,
-    /// Response of each joint to the motion of the branching link below it.
-    carried_by: Vec<Option<Carried<'g>>>,
+    /// Joints above a branching link.
+    followers: Vec<Option<Follower<'g>>>,
     drives: usize,
 }
 
-/// Joint on a branch without forces of its own, which the motion of the link that carries the branch accelerates.
+/// Joint of a branch. If no force acts on the branch, the joint accelerates by minus the power of the `response` on the
+/// acceleration of the link that carries the branch.
 #[derive(Clone, Copy, Debug)]
-struct Carried<'g> {
-    /// Link that carries several branches.
-    by: JointId,
-    /// Acceleration of the joint: less the power of this wrench along the acceleration of that link.
+struct Follower<'g> {
+    /// The next link below that carries several branches.
+    branching: JointId,
     response: Wrench<'g>,
 }
 
@@ -148,23 +148,29 @@ impl<'g> Articulation<'g> {
             joints,
             carried,
             floating,
-            carried_by: Vec::new(),
+            followers: Vec::new(),
             drives: model.drives.len(),
         };
-        let all = JointId::all(articulation.links.len());
-        articulation.carried_by = all.map(|k| articulation.response_to_branching(k)).collect();
+        let mut branches = vec![0; articulation.links.len()];
+        for parent in articulation.links.iter().filter_map(|link| link.parent) {
+            branches[usize::from(parent)] += 1;
+        }
+        let all = JointId::all(branches.len());
+        articulation.followers = all.map(|k| articulation.follower(k, &branches)).collect();
         articulation
     }
 
     /// Follows the response of a joint inwards, through joints that yield to it, to the next branching link.
-    fn response_to_branching(&self, k: JointId) -> Option<Carried<'g>> {
+    fn follower(&self, k: JointId, branches: &[usize]) -> Option<Follower<'g>> {
         let joint = self.joints[k]?;
+        let below = std::iter::successors(self.parent_of(k), |&link| self.parent_of(link));
+        let branching = below.into_iter().find(|&link| branches[usize::from(link)] > 1)?;
         let (mut at, mut response) = (k, joint.mobility * joint.momentum);
         loop {
             let parent = self.parent_of(at)?;
             response = self.frames[at].wrench_to_parent(&response);
-            if self.links.iter().filter(|link| link.parent == Some(parent)).count() > 1 {
-                return Some(Carried { by: parent, response });
+            if parent == branching {
+                return Some(Follower { branching, response });
             }
             self.joints[parent]?;
             response = self.passed_on(parent, response);
@@ -218,8 +224,8 @@ impl<'g> Articulation<'g> {
         self.accelerations_with(load, |_| ())
     }
 
-    /// Accelerations of the coordinates under a load, and under more forces along the joints, which do not act on the
-    /// links below.
+    /// Accelerations of the coordinates under a load. `more` changes the forces along the joints after the inward pass,
+    /// when they no longer act on the links below.
     pub(super) fn accelerations_with(&self, load: &Load<'g>, more: impl FnOnce(&mut [Expr<'g>])) -> Vec<Expr<'g>> {
         let zero = load.ground.linear[0].graph().zero();
         let dof = self.joints.iter().flatten().count() + 3 * self.floating.iter().flatten().count();
@@ -268,8 +274,8 @@ impl<'g> Articulation<'g> {
         // links that only follow the motion of the branching link below them
         let mut follow: Vec<bool> = Vec::new();
         for (k, link) in JointId::all(self.links.len()).zip(&self.links) {
-            let parent_follows = self.carried_by[k].is_some_and(|carried| {
-                link.parent == Some(carried.by) || link.parent.is_some_and(|parent| follow[parent])
+            let parent_follows = self.followers[k].is_some_and(|follower| {
+                link.parent == Some(follower.branching) || link.parent.is_some_and(|parent| follow[parent])
             });
             follow.push(parent_follows && left[k].is_zero() && load.drifts[k].is_zero());
             if self.flights.is_slide(k) {
@@ -282,8 +288,8 @@ impl<'g> Articulation<'g> {
                 motions.push(arriving + driven(link, accelerations));
                 continue;
             };
-            let second_rate = match self.carried_by[k].filter(|_| follow[k]) {
-                Some(Carried { by, response }) => -response.power(&motions[by]),
+            let second_rate = match self.followers[k].filter(|_| follow[k]) {
+                Some(Follower { branching, response }) => -response.power(&motions[branching]),
                 None => (left[k] - joint.momentum.power(&arriving)) * joint.mobility,
             };
             motions.push(arriving + second_rate * link.screw);

@@ -3,8 +3,8 @@
 //! A change of a joint coordinate, or of its rate, changes the motion that arrives at the link of the joint (see
 //! [`tangent`](super::tangent)). The links above it yield at their joints: they respond as one articulated body, to the
 //! change of acceleration with their articulated inertia `I`, and to the change of spin with a matrix `B`, which is
-//! accumulated inwards like `I`. The velocities in `B` are those relative to the root, so that a change of spin arrives
-//! at all links alike:
+//! accumulated inwards like `I`. The velocities in `B` are those relative to the first link of the tree, so that a change
+//! of spin arrives at all links alike:
 //!
 //! ```text
 //! inwards    b = s^T B,  B_parent += X^T (B - U b / d) X
@@ -36,7 +36,8 @@ pub(crate) struct ArticulatedTangent<'g> {
     articulation: Articulation<'g>,
     /// `B` of each link, with its own joint locked: the wrench for a unit of spin about each axis.
     spun: Vec<[Wrench<'g>; 3]>,
-    /// Changes of the motion at each joint, by its coordinate and by its rate; none for slides of flights.
+    /// Changes of the motion at each joint, by its coordinate and by its rate; none by coordinates of orientations, and
+    /// for slides of flights.
     changes: Vec<[Option<Change<'g>>; 2]>,
 }
 
@@ -50,7 +51,7 @@ struct Change<'g> {
 
 impl<'g> Change<'g> {
     /// Changes by the coordinate of a joint and by its rate. `wrench` is that of the link with all links that it
-    /// carries, `velocity` that of its origin relative to the root.
+    /// carries, `velocity` that of its origin relative to the first link of the tree.
     fn by_position_and_rate(
         link: &Link<'g>,
         motion: &Motion<'g>,
@@ -199,7 +200,7 @@ fn along<'g>(wrenches: [Wrench<'g>; 3], spin: Vec3<'g>) -> Wrench<'g> {
     spin[0] * x + spin[1] * y + spin[2] * z
 }
 
-/// Velocity of the origin of each link relative to the root, in the frame of the link.
+/// Velocity of the origin of each link relative to that of the first link of its tree, in the frame of the link.
 fn velocities<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],

@@ -15,10 +15,10 @@ use crate::model::{Floating, Model};
 /// by recursion.
 const MOST_DERIVED: usize = 50_000;
 
-/// Maximum number of coordinates for which derivatives by a mass matrix are tried beside those of articulated bodies:
-/// their length grows with the third power of the number, that of articulated bodies with the second. Planar chains of
-/// 8 links take as many operations with either.
-const MOST_BY_MATRIX: usize = 16;
+/// Maximum number of entries in a row of the mass matrix, on average, up to which derivatives by the matrix are tried
+/// beside those of articulated bodies. Each column of derivatives takes as many operations in each row, and a constant
+/// number with articulated bodies. Planar chains of 8 links take as many operations with either.
+const MOST_IN_ROW: usize = 16;
 
 /// Accelerations by the articulated-body algorithm for scenes with orientations, and the balance that they satisfy.
 #[derive(Debug)]
@@ -164,7 +164,9 @@ impl<'g> Forms<'g> {
         let mut candidates: Vec<Candidate<'g>> = Vec::new();
         let candidate = |way: Way<'_, 'g>| (way.form, roots(&way));
         let size = |balance: &Balance<'g>| variables.len() * model.graph.reachable(&balance.entries()).len();
-        if let Some((solved, balance)) = self.articulated() {
+        let state = model.state();
+        let is_by_state = variables.iter().any(|variable| state.contains(variable));
+        if let Some((solved, balance)) = self.articulated().filter(|_| is_by_state) {
             let tangent = ArticulatedTangent::new(model, &floating);
             if let Some(columns) = tangent.columns(balance, &model.coordinates, variables) {
                 let ways = derived_from.ways(tangent.articulation(), &solved, Derivatives::Links, columns);
@@ -181,16 +183,24 @@ impl<'g> Forms<'g> {
             columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
             columns
         };
-        if let Some(by_links) = self.by_links.as_ref().filter(|_| candidates.is_empty()) {
+        let sized = self
+            .by_links
+            .as_ref()
+            .map(|by_links| (by_links, size(&by_links.balance)));
+        if let Some((by_links, size)) = sized.filter(|(_, size)| candidates.is_empty() || *size <= MOST_DERIVED) {
             let solved = [(by_links.form, by_links.accelerations.clone())];
-            for columns in &derivatives(by_links.form.basis, &by_links.balance, size(&by_links.balance)) {
+            for columns in &derivatives(by_links.form.basis, &by_links.balance, size) {
                 let inverse = &by_links.articulation;
                 let ways = derived_from.ways(inverse, &solved, columns.0, inverse.solve_each_negated(&columns.1));
                 candidates.extend(ways.map(candidate));
             }
         }
         let mut forms = solved_from(&self.by_links, &self.oriented, &self.forms);
-        if model.dof() > MOST_BY_MATRIX && !candidates.is_empty() {
+        let is_dense = |written: &Written<'g>| {
+            let entries = written.balance.mass_matrix.iter().flatten();
+            entries.filter(|entry| !entry.is_zero()).count() > MOST_IN_ROW * model.dof()
+        };
+        if !candidates.is_empty() && forms.iter().any(is_dense) {
             forms = &[];
         }
         let sizes: Vec<usize> = forms.iter().map(|written| size(&written.balance)).collect();

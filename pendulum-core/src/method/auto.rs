@@ -295,7 +295,7 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         self.stiffness.begin();
         if self.stiffness.is_stiff {
@@ -314,7 +314,7 @@ where
         None
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn attempt(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -329,7 +329,7 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn arrive(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -343,7 +343,7 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
         if self.stiffness.is_stiff {
             self.implicit.accept(system, step, lanes, work);
@@ -358,7 +358,7 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         if self.stiffness.is_stiff {
             self.implicit.dense(system, step, work)

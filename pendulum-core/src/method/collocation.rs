@@ -20,7 +20,7 @@ pub(super) struct Pencil<T, const STAGES: usize, const N: usize> {
 impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
     /// Factors the matrix for a step of length `h`; `g` and `f` are the derivatives of the variables and of their rates
     /// by the state.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new(
         modes: &Eigenpairs<STAGES>,
         h: T,
@@ -48,7 +48,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
     }
 
     /// Solves `G d - h mu F d = r` with the real eigenvalue `mu` for `d`. None if the method has no real eigenvalue.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn solve_real(&self, r: &SVector<T, N>) -> Option<SVector<T, N>> {
         let (_, lu) = self.real.as_ref()?;
         Some(SVector::from(lu.solve(&r.data.0[0])))
@@ -60,7 +60,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
     }
 
     /// Solves for the `d_i` that the matrix maps to the residuals `r_i`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn solve(&self, residuals: &[SVector<T, N>; STAGES]) -> [SVector<T, N>; STAGES] {
         let (mode, lu) = &self.pair;
         let left = mode.left.map(|l| Complex::new(T::from_f64(l.re), T::from_f64(l.im)));
@@ -119,7 +119,7 @@ pub(super) const fn changes<const STAGES: usize>(modes: &Eigenpairs<STAGES>, n: 
 }
 
 /// Collects a matrix by its columns: `entry(j, i)` is the entry in column `j` and row `i`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn columns<F: Field, const N: usize>(entry: impl Fn(usize, usize) -> F) -> [[F; N]; N] {
     core::array::from_fn(|j| core::array::from_fn(|i| entry(j, i)))
 }

@@ -141,7 +141,7 @@ where
 
     /// Starting values: extrapolates the polynomial through start, stages and end of the last step. Falls back to a
     /// straight line if there is no last step, or if it was too short, as from an impact to the grid.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn predicted(&self, x: &SVector<T, N>, h: T) -> [SVector<T, N>; STAGES] {
         let table = const { &Self::TABLEAU };
         let last = self
@@ -189,7 +189,7 @@ where
 
     /// Solves for the stages of a step from `x` at `t`, and returns them with the products `h b_i f_i` of their rates.
     /// The result is not finite if a rate is not.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn solve<S: Canonical<T, N> + ?Sized>(
         &self,
         system: &InMode<'_, S, T>,
@@ -253,7 +253,7 @@ where
         2 * STAGES
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         work.evaluations += 2;
         self.slope = system.rhs(t, x);
@@ -265,7 +265,7 @@ where
         self.slope
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn attempt(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -303,7 +303,7 @@ where
         Ok(T::default())
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn arrive(
         &mut self,
         _system: &InMode<'_, S, T>,
@@ -313,14 +313,14 @@ where
         None
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn accept(&mut self, _system: &InMode<'_, S, T>, step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
         let (end, stages) = self.tried;
         self.start = end;
         self.before = Some((step.x0, stages, step.h));
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         if STAGES == 2 {
             self.coefficients[..3].copy_from_slice(&hermite::cubic(system, step, work));
@@ -336,7 +336,7 @@ where
 }
 
 /// Rounded sum, and its rounding error (D. E. Knuth, "The Art of Computer Programming 2", 4.2.2, Theorem B).
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sum_and_rest<T: Float, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
     let sum = a + b;
     let of_b = sum - a;
@@ -345,7 +345,7 @@ fn sum_and_rest<T: Float, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>) 
 }
 
 /// Magnitude of the largest component; not finite if a component is not.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn largest<T: Float, const N: usize>(vectors: &[SVector<T, N>]) -> T {
     let mut largest = T::default();
     let mut sum = T::default();

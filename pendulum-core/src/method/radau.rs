@@ -92,7 +92,7 @@ where
 {
     type Scheme = RadauStages<T, N>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let zero = SVector::from_element(T::default());
         Ok(RadauStages {
@@ -132,7 +132,7 @@ pub struct RadauStages<T, const N: usize> {
 
 impl<T: Float, const N: usize> RadauStages<T, N> {
     /// Extrapolates the polynomial of the last step over a step of length `h`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn predict(&mut self, h: T) {
         if self.h == T::default() {
             self.rises = [SVector::from_element(T::default()); STAGES];
@@ -231,14 +231,14 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
 
     /// Error of a step of length `h`: the difference between the slope of its polynomial at the start and the given
     /// `slope` of the system, filtered by the matrix of the iteration. Hairer and Wanner, IV.8, Eq. 8.19.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn error(&self, slope: &SVector<T, N>, h: T, pencil: &Pencil<T, STAGES, N>) -> SVector<T, N> {
         let difference = (slope * h - combined(&POWERS[0], &self.rises)) * T::from_f64(MU);
         pencil.solve_real(&difference).unwrap_or(difference)
     }
 
     /// Mean square error of the solved step, in units of the tolerance.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn estimate<S>(
         &self,
         system: &S,
@@ -271,12 +271,12 @@ where
     S: Jacobian<T, N> + ?Sized,
     T: Float,
 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn error_order(&self) -> usize {
         ORDER_HAT
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         work.evaluations += 1;
         work.jacobians += 1;
@@ -285,7 +285,7 @@ where
         self.start.0
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn attempt(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -310,7 +310,7 @@ where
         mean_square
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn arrive(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -323,7 +323,7 @@ where
         Some(&self.end.0)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn accept(&mut self, _system: &InMode<'_, S, T>, step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
         self.start = self.end;
         self.coefficients = core::array::from_fn(|power| combined(&POWERS[power], &self.rises));
@@ -340,7 +340,7 @@ where
 }
 
 /// `sum_i weights_i vectors_i`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn combined<T: Float, const N: usize>(weights: &[f64; STAGES], vectors: &[SVector<T, N>; STAGES]) -> SVector<T, N> {
     let [a, b, c] = weights.map(T::from_f64);
     vectors[0] * a + vectors[1] * b + vectors[2] * c

@@ -213,11 +213,7 @@ where
                         *right += h_gamma * slope;
                     }
                     let right = &right.data.0[0];
-                    self.stages[$i] = SVector::from(if const { T::LANES > 1 } {
-                        lu.solve(right)
-                    } else {
-                        lu.solve(right)
-                    });
+                    self.stages[$i] = SVector::from(lu.solve(right));
                 }
             )* };
         }

@@ -117,7 +117,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         Isa::run_routine(TakeStep(modes), self, system)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_on_grid<S>(&mut self, model: (&S, &Modes<T, N>), mut grid: Grid<T>) -> Result<(), Reason>
     where
         C: Scheme<S, T, N>,
@@ -136,7 +136,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_within_tolerance<S>(
         &mut self,
         model: (&S, &Modes<T, N>),
@@ -177,7 +177,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
     }
 
     /// Attempts a step to `t_new`, and returns the mean square of its error. Fails if the state is not finite.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn attempt<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<T, StepFailure>
     where
         C: Scheme<S, T, N>,
@@ -192,7 +192,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
     }
 
     /// Turns the last attempt into the last step.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn advance<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<(), StepFailure>
     where
         C: Scheme<S, T, N>,
@@ -221,7 +221,7 @@ where
 {
     type Output = Result<SVector<T, N>, Reason>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run(self, smooth: &mut Smooth<C, T, N>, system: &S) -> Self::Output {
         let (t, x, system) = (smooth.t(), smooth.x(), InMode::new(system, self.0));
         let slope = smooth.scheme.begin(&system, t, &x, &mut smooth.statistics);
@@ -241,7 +241,7 @@ where
 {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run(self, smooth: &mut Smooth<C, T, N>, system: &S) {
         let system = InMode::new(system, self.0);
         smooth.scheme.dense(&system, &smooth.last, &mut smooth.statistics);
@@ -259,7 +259,7 @@ where
 {
     type Output = Result<(), Reason>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run(self, smooth: &mut Smooth<C, T, N>, system: &S) -> Self::Output {
         let modes = self.0;
         match smooth.steps {

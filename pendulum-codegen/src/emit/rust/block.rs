@@ -17,8 +17,8 @@ const MOST_STATEMENTS: usize = 256;
 /// the length of a function.
 pub(super) const LONG: usize = 8192;
 
-/// Number of statements in one part.
-const PART: usize = 4096;
+/// Maximum number of statements in one part.
+const MOST_IN_PART: usize = 4096;
 
 /// Local name that cannot clash with a declaration. The mark of a raw identifier is dropped, since it may not follow a
 /// prefix.
@@ -152,12 +152,13 @@ impl Writer<'_> {
     /// array: arguments would be copied for each part. They are read at their first use and written at once, so that
     /// few of them are alive at a time.
     fn parts(&self, results: &BTreeSet<Local>) -> TokenStream {
-        let passed = self.passed(results);
+        let length = self.part_length();
+        let (passed, array) = (self.passed(results, length), local("passed"));
         let load = |of: &Local| {
             let (name, place) = (self.local(*of), passed.get(of)?);
-            Some(quote!(let #name = v[#place];))
+            Some(quote!(let #name = #array[#place];))
         };
-        let parts = self.block.lets.chunks(PART).map(|part| {
+        let parts = self.block.lets.chunks(length).map(|part| {
             let own: BTreeSet<Local> = part.iter().flat_map(Let::defines).collect();
             let inside = self.scopes(part, BTreeSet::new(), |scope| {
                 let mut known = own.clone();
@@ -167,7 +168,7 @@ impl Writer<'_> {
                     known.extend(needs);
                     let stores = code.defines().filter_map(|of| {
                         let (name, place) = (self.local(of), passed.get(&of)?);
-                        Some(quote!(v[#place] = #name;))
+                        Some(quote!(#array[#place] = #name;))
                     });
                     let (statement, stores) = (self.statement(code), stores.collect::<TokenStream>());
                     quote!(#loads #statement #stores)
@@ -176,24 +177,30 @@ impl Writer<'_> {
             });
             quote!(T::apart(|| { #inside });)
         });
-        let (length, parts, loads) = (
+        let (places, parts, loads) = (
             count(passed.len()),
             parts.collect::<TokenStream>(),
             results.iter().filter_map(load),
         );
         quote! {
-            let mut v = [T::default(); #length];
+            let mut #array = [T::default(); #places];
             #parts
             #(#loads)*
         }
     }
 
+    /// Number of statements in each of as many equal parts as needed.
+    fn part_length(&self) -> usize {
+        let all = self.block.lets.len();
+        all.div_ceil(all.div_ceil(MOST_IN_PART))
+    }
+
     /// Places in the array for the values that are read outside the part that defines them, as `results` are.
-    fn passed(&self, results: &BTreeSet<Local>) -> BTreeMap<Local, Literal> {
+    fn passed(&self, results: &BTreeSet<Local>, length: usize) -> BTreeMap<Local, Literal> {
         let mut passed = results.clone();
         let mut defined: BTreeMap<Local, usize> = BTreeMap::new();
         for (n, code) in self.block.lets.iter().enumerate() {
-            let from_others = code.needs().into_iter().filter(|of| defined[of] / PART != n / PART);
+            let from_others = code.needs().into_iter().filter(|of| defined[of] / length != n / length);
             passed.extend(from_others);
             defined.extend(code.defines().map(|of| (of, n)));
         }

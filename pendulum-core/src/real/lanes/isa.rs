@@ -31,7 +31,7 @@ pub trait Kernel<T> {
     fn run<V: Lanes<Scalar = T>>(self) -> Self::Output;
 }
 
-/// Code on scalars, compiled once for each encoding of the instructions: see [`Isa::run_routine`].
+/// Code on scalars that is compiled for the baseline and for AVX2: see [`Isa::run_routine`].
 ///
 /// What it changes and what it reads are references of their own: as arguments of a function they tell the compiler
 /// that they do not overlap.
@@ -102,8 +102,20 @@ impl Isa {
         Self::available().next().unwrap_or(Self(Set::Portable))
     }
 
-    /// Runs a routine with AVX2 if the machine has it: the same operations, in an encoding that keeps their operands and
-    /// so saves copies. Code without optimisation, or for a target with AVX2, has one version only.
+    /// True if AVX2 is available.
+    #[cfg(all(
+        target_arch = "x86_64",
+        target_feature = "sse2",
+        feature = "std",
+        not(debug_assertions),
+        not(target_feature = "avx2")
+    ))]
+    pub(super) fn has_avx2() -> bool {
+        Self::available().any(|isa| isa.0 == Set::Avx2)
+    }
+
+    /// Runs a routine with AVX2 if the machine has it: the same operations, in instructions with a separate destination,
+    /// which save copies between registers. Code with debug assertions, or for a target with AVX2, has one version only.
     #[inline(always)]
     pub(crate) fn run_routine<A: ?Sized, B: ?Sized, R: Routine<A, B>>(
         routine: R,

@@ -2,7 +2,6 @@
 
 use std::sync::LazyLock;
 
-use super::super::isa::has;
 use super::super::{Isa, Routine};
 
 /// Proof that the machine has AVX2, and that the environment variable allows it.
@@ -11,8 +10,7 @@ pub(in super::super) struct Avx2(());
 impl Avx2 {
     #[inline(always)]
     pub(in super::super) fn available() -> Option<Self> {
-        // the last of the available sets is the baseline
-        static IS_AVAILABLE: LazyLock<bool> = LazyLock::new(|| has!("avx2") && Isa::available().count() > 1);
+        static IS_AVAILABLE: LazyLock<bool> = LazyLock::new(Isa::has_avx2);
         IS_AVAILABLE.then_some(Self(()))
     }
 
@@ -24,6 +22,7 @@ impl Avx2 {
         changed: &mut A,
         read: &B,
     ) -> R::Output {
+        #[inline(never)]
         #[target_feature(enable = "avx2")]
         fn inside<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
             routine.run(changed, read)
