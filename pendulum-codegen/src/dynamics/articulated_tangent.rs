@@ -3,8 +3,8 @@
 //! A change of a joint coordinate, or of its rate, changes the motion that arrives at the link of the joint (see
 //! [`tangent`](super::tangent)). The links above it yield at their joints: they respond as one articulated body, to the
 //! change of acceleration with their articulated inertia `I`, and to the change of spin with a matrix `B`, which is
-//! accumulated inwards like `I`. The velocities in `B` are those relative to the first link of the tree, so that a change
-//! of spin arrives at all links alike:
+//! accumulated inwards like `I`. The velocities in `B` are those relative to the first link of the tree, so that a
+//! change of spin arrives at all links alike:
 //!
 //! ```text
 //! inwards    b = s^T B,  B_parent += X^T (B - U b / d) X
@@ -127,8 +127,7 @@ impl<'g> ArticulatedTangent<'g> {
     }
 
     /// Derivatives of the accelerations that satisfy a balance: one column for each variable. Those with respect to
-    /// quaternions are solved from the derivatives of the balance. Returns `None` if no variable is a coordinate or a
-    /// rate, or if the forces are not known apart.
+    /// quaternions are solved from the derivatives of the balance. Returns `None` if the forces are not known apart.
     pub(crate) fn columns(
         &self,
         balance: &Balance<'g>,
@@ -144,10 +143,7 @@ impl<'g> ArticulatedTangent<'g> {
                 None => self.articulation.solve_negated(&derived(&balance.rows)),
             }
         };
-        let is_any_known = variables
-            .iter()
-            .any(|&variable| StateVariable::of(coordinates, variable).is_some());
-        is_any_known.then(|| variables.iter().map(column).collect())
+        Some(variables.iter().map(column).collect())
     }
 
     /// Derivatives of the accelerations by a variable of the state, given those of the forces along the coordinates.

@@ -54,8 +54,8 @@ pub(super) fn along_joints<'g>(
     });
     let composites = composites(&links, &frames);
     let mass_matrix = mass_matrix(&links, &frames, &flights, &composites);
-    // derivatives by the orientation of a body are known only if nothing depends on it, as in free fall: each flight has
-    // three of the links that turn as an orientation
+    // Derivatives by the orientation of a body are known only if nothing depends on it, as in free fall. Each flight
+    // has three of the links that turn as an orientation.
     let turning = links.iter().filter(|link| link.spin.is_some()).count();
     let tangent = (turning == 3 * flights.all().count())
         .then(|| Tangent::new(&links, &frames, &flights, &composites, &motions, &wrenches));

@@ -92,7 +92,7 @@ where
 {
     type Scheme = RadauStages<T, N>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let zero = SVector::from_element(T::default());
         Ok(RadauStages {
@@ -271,7 +271,7 @@ where
     S: Jacobian<T, N> + ?Sized,
     T: Float,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     fn error_order(&self) -> usize {
         ORDER_HAT
     }

@@ -238,8 +238,8 @@ impl<W, T: Lanes, const N: usize> TaylorStages<W, T, N> {
     {
         let series = &mut self.x[which][..=self.order];
         series[0] = *x;
-        // lanes are in code for their registers already; scalars take a function of its own, which is faster than a part
-        // of the step
+        // lanes are in code for their registers already; for scalars a separate function is faster than a part of the
+        // step
         if const { T::LANES == 1 } {
             Isa::run_routine(Series(t), &mut (series, &mut self.work), system);
         } else {

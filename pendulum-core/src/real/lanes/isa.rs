@@ -33,8 +33,8 @@ pub trait Kernel<T> {
 
 /// Code on scalars that is compiled for the baseline and for AVX2: see [`Isa::run_routine`].
 ///
-/// What it changes and what it reads are references of their own: as arguments of a function they tell the compiler
-/// that they do not overlap.
+/// Separate arguments for the data that it changes and the data that it only reads tell the compiler that these do not
+/// overlap.
 pub(crate) trait Routine<A: ?Sized, B: ?Sized> {
     /// Result type.
     type Output;
@@ -114,8 +114,9 @@ impl Isa {
         Self::available().any(|isa| isa.0 == Set::Avx2)
     }
 
-    /// Runs a routine with AVX2 if the machine has it: the same operations, in instructions with a separate destination,
-    /// which save copies between registers. Code with debug assertions, or for a target with AVX2, has one version only.
+    /// Runs a routine with AVX2 if the machine has it: the same operations, in instructions with a separate
+    /// destination, which save copies between registers. Code with debug assertions, or for a target with AVX2, has
+    /// one version only.
     #[inline(always)]
     pub(crate) fn run_routine<A: ?Sized, B: ?Sized, R: Routine<A, B>>(
         routine: R,
