@@ -19,7 +19,7 @@ pub(crate) fn expand(tokens: TokenStream, files: &Files<'_>) -> (TokenStream, Op
     let Some(mut scene) = scene else {
         return (errors.to_compile_errors(), None);
     };
-    let items = match compile(&mut scene, files, errors) {
+    let items = match compile(&mut scene, files, errors, false) {
         Ok(program) => rust::items(&scene.head, &program),
         Err(errors) => {
             let is_possible = scene.items.is_possible();
@@ -38,12 +38,17 @@ pub(crate) fn expand(tokens: TokenStream, files: &Files<'_>) -> (TokenStream, Op
 pub(crate) fn program(tokens: TokenStream, files: &Files<'_>) -> Result<Program, Errors> {
     let (scene, errors) = parse::parse(tokens);
     match scene {
-        Some(mut scene) => compile(&mut scene, files, errors),
+        Some(mut scene) => compile(&mut scene, files, errors, true),
         None => Err(errors),
     }
 }
 
-fn compile(scene: &mut Scene, files: &Files<'_>, mut errors: Errors) -> Result<Program, Errors> {
+fn compile(
+    scene: &mut Scene,
+    files: &Files<'_>,
+    mut errors: Errors,
+    needs_full_equations: bool,
+) -> Result<Program, Errors> {
     if urdf::read(scene, files, &mut errors).is_err() {
         return Err(errors);
     }
@@ -52,7 +57,7 @@ fn compile(scene: &mut Scene, files: &Files<'_>, mut errors: Errors) -> Result<P
     let Lowered { model, spans } = lower::lower(&graph, scene, errors)?;
     let dynamics = Dynamics::new(&model);
     check::check(&model, &spans, &dynamics, later)?;
-    Program::new(&model, &dynamics).map_err(|NotFinite(constant)| {
+    Program::new(&model, &dynamics, needs_full_equations).map_err(|NotFinite(constant)| {
         let fact = format!("the constant `{constant}` is out of range in double precision");
         let help = "it overflows or divides by zero: choose other units or numbers";
         Errors::one(Code::NumberRange, scene.head.name.span(), fact, help)

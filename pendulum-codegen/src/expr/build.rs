@@ -2,7 +2,7 @@
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Binary, Expr, Graph, MOST_BITS, Node, Rational, Unary, is_low, is_short, multiply, ratio};
+use super::{Binary, Expr, Graph, MOST_BITS, Node, Rational, Unary, add, is_low, is_short, multiply, ratio};
 
 impl Graph {
     /// An exact number.
@@ -100,9 +100,9 @@ impl<'g> Expr<'g> {
 
     fn plus(self, other: Self) -> Self {
         match (self.as_number(), other.as_number()) {
-            (Some(x), Some(y)) if let Some(sum) = short(x + y) => return self.graph().number(sum),
             (Some(x), _) if x.is_zero() => return other,
             (_, Some(y)) if y.is_zero() => return self,
+            (Some(x), Some(y)) if let Some(sum) = short(add(x, y)) => return self.graph().number(sum),
             _ => {}
         }
         match (self.as_negated(), other.as_negated()) {
@@ -119,9 +119,9 @@ impl<'g> Expr<'g> {
             return self.graph().zero();
         }
         match (self.as_number(), other.as_number()) {
-            (Some(x), Some(y)) if let Some(difference) = short(x - y) => return self.graph().number(difference),
             (Some(x), _) if x.is_zero() => return -other,
             (_, Some(y)) if y.is_zero() => return self,
+            (Some(x), Some(y)) if let Some(difference) = short(add(x, &-y)) => return self.graph().number(difference),
             _ => {}
         }
         match (self.as_negated(), other.as_negated()) {
@@ -162,9 +162,11 @@ impl<'g> Expr<'g> {
                 return -(positive * y);
             }
         }
-        let ((u, m), (v, n)) = (self.base_and_exponent(), other.base_and_exponent());
-        if u == v && is_low(&(&m + &n)) {
-            return u.power(m + n);
+        if self.base() == other.base() {
+            let exponent = self.exponent() + other.exponent();
+            if is_low(&exponent) {
+                return self.base().power(exponent);
+            }
         }
         // numbers first, whatever their ids
         let (a, b) = match (self.as_number().is_some(), other.as_number().is_some()) {
@@ -175,10 +177,19 @@ impl<'g> Expr<'g> {
         a.exactly(Binary::Mul, b)
     }
 
-    fn base_and_exponent(self) -> (Self, Rational) {
+    /// The base, if it is a power, or else the expression itself.
+    fn base(self) -> Self {
         match self.node() {
-            Node::Power(base, exponent) => (base, exponent.clone()),
-            _ => (self, ratio(1, 1)),
+            Node::Power(base, _) => base,
+            _ => self,
+        }
+    }
+
+    /// The exponent of the base.
+    fn exponent(self) -> Rational {
+        match self.node() {
+            Node::Power(_, exponent) => exponent.clone(),
+            _ => Rational::one(),
         }
     }
 

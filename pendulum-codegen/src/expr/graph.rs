@@ -302,15 +302,23 @@ impl Graph {
 
     /// All nodes that the roots need, operands before operations.
     pub fn reachable(&self, roots: &[impl Into<ExprId> + Copy]) -> Vec<ExprId> {
-        let (mut seen, mut found) = (vec![false; self.len()], Vec::new());
-        let mut stack: Vec<ExprId> = roots.iter().map(|&root| root.into()).collect();
-        while let Some(id) = stack.pop() {
-            if !std::mem::replace(&mut seen[id.index()], true) {
+        let (mut needed, mut found) = (vec![0_u64; self.len().div_ceil(64)], Vec::new());
+        for &root in roots {
+            let index = root.into().index();
+            needed[index / 64] |= 1 << (index % 64);
+        }
+        // operands have smaller ids than their operation
+        for word in (0..needed.len()).rev() {
+            while let Some(bit) = needed[word].checked_ilog2() {
+                needed[word] ^= 1 << bit;
+                let id = ExprId(64 * word as u32 + bit);
                 found.push(id);
-                stack.extend(self.operands(id));
+                for operand in self.operands(id) {
+                    needed[operand.index() / 64] |= 1 << (operand.index() % 64);
+                }
             }
         }
-        found.sort_unstable();
+        found.reverse();
         found
     }
 
@@ -358,21 +366,26 @@ impl Graph {
     }
 
     /// Replaces subexpressions of the roots, and simplifies the operations on them.
-    pub fn substitute<'g>(&'g self, roots: &[Expr<'g>], mut new: FxHashMap<Expr<'g>, Expr<'g>>) -> Vec<Expr<'g>> {
+    pub fn substitute<'g>(&'g self, roots: &[Expr<'g>], new: FxHashMap<Expr<'g>, Expr<'g>>) -> Vec<Expr<'g>> {
+        let mut replaced = vec![None; self.len()];
+        for (x, new) in new {
+            replaced[x.id().index()] = Some(new);
+        }
         for id in self.reachable(roots) {
-            let x = self.expr(id);
-            if new.contains_key(&x) {
+            if replaced[id.index()].is_some() {
                 continue;
             }
-            let replaced = match x.node() {
-                Node::Number(_) | Node::Pi | Node::Symbol(_) => x,
-                Node::Unary(op, a) => new[&a].apply(op),
-                Node::Binary(op, a, b) => new[&a].combine(op, new[&b]),
-                Node::Power(a, n) => new[&a].power(n.clone()),
+            let of = |operand: ExprId| replaced[operand.index()].expect("operands come first");
+            let new = match *self.node(id) {
+                Node::Number(_) | Node::Pi | Node::Symbol(_) => self.expr(id),
+                Node::Unary(op, a) => of(a).apply(op),
+                Node::Binary(op, a, b) => of(a).combine(op, of(b)),
+                Node::Power(a, ref n) => of(a).power(n.clone()),
             };
-            new.insert(x, replaced);
+            replaced[id.index()] = Some(new);
         }
-        roots.iter().map(|root| new[root]).collect()
+        let of = |root: &Expr<'g>| replaced[root.id().index()].expect("roots are reachable");
+        roots.iter().map(of).collect()
     }
 }
 

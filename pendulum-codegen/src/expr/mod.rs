@@ -21,10 +21,11 @@ mod operators;
 mod poly;
 mod precedence;
 mod print;
+mod rational;
 mod smooth;
 mod text;
 
-use num_traits::{One, Signed, Zero};
+use num_traits::Signed;
 
 pub(crate) use derivative::{Derivative, gradient};
 pub(crate) use expression::Expr;
@@ -38,42 +39,13 @@ pub use op::{Binary, Unary};
 pub(crate) use poly::{Monomial, Poly};
 pub(crate) use precedence::Precedence;
 pub(crate) use print::{LONGEST_CONSTANT, Printer};
-
-/// An exact number.
-pub(crate) type Rational = num_rational::BigRational;
+pub(crate) use rational::{MOST_BITS, Rational, add, is_short, multiply, ratio};
 
 /// Largest power written as one, and largest exponent to which products are gathered. The code emitted for a power is
 /// as long as the product of its factors.
 pub(crate) const MOST_POWER: i64 = 64;
 
-/// Maximum size of exact numbers, in bits of numerator and denominator together. Operations on longer numbers stay
-/// operations with a value in double precision, like the sine of a number.
-pub(crate) const MOST_BITS: u64 = 2048;
-
-/// True if a number is short enough for exact arithmetic.
-pub(crate) fn is_short(x: &Rational) -> bool {
-    x.numer().bits() + x.denom().bits() <= MOST_BITS
-}
-
 /// True if a power with this exponent is written as one power.
 fn is_low(exponent: &Rational) -> bool {
     exponent.abs() <= ratio(MOST_POWER, 1) && exponent.denom().bits() <= 12
-}
-
-/// The rational `numerator / denominator`; the denominator must not be zero.
-pub(crate) fn ratio(numerator: i64, denominator: i64) -> Rational {
-    Rational::new(numerator.into(), denominator.into())
-}
-
-/// Product of two numbers. Most of the time one of them is 0, 1 or -1, and no common divisor need be computed.
-pub(crate) fn multiply(x: &Rational, y: &Rational) -> Rational {
-    for (unit, other) in [(x, y), (y, x)] {
-        if unit.is_zero() {
-            return Rational::zero();
-        }
-        if unit.is_integer() && unit.numer().magnitude().is_one() {
-            return if unit.is_positive() { other.clone() } else { -other };
-        }
-    }
-    x * y
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use num_traits::{One, Zero};
 
-use super::{ExprId, Rational, multiply};
+use super::{ExprId, Rational, add, multiply};
 
 /// A product of integer powers of atoms, sorted by atom; no power is zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -135,7 +135,7 @@ impl Poly {
                 free.insert(coefficient);
             }
             Entry::Occupied(mut sum) => {
-                *sum.get_mut() += coefficient;
+                *sum.get_mut() = add(sum.get(), &coefficient);
                 if sum.get().is_zero() {
                     sum.remove();
                 }

@@ -2,9 +2,9 @@
 
 use std::fmt::{Display, Formatter, Result};
 
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, ToPrimitive};
 
-use super::{Formula, Precedence, Rational, ratio};
+use super::{Formula, Precedence, Rational};
 
 impl Display for Formula {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
@@ -93,12 +93,17 @@ pub(super) fn number(n: &Rational) -> String {
 
 /// Decimal form, if it is exact and short.
 fn decimal(n: &Rational) -> Option<String> {
-    if n.denom().is_one() {
+    /// Maximum number of characters.
+    const LONGEST: usize = 18;
+    // a denominator that divides a power of ten with fewer digits than that
+    let denominator = n.denom().to_u64().filter(|&denominator| denominator > 1)?;
+    if !10_u64.pow(LONGEST as u32).is_multiple_of(denominator) {
         return None;
     }
     let decimal = format!("{:?}", super::eval::nearest_f64(n));
     let digits = decimal.split_once('.').map_or("", |(_, digits)| digits);
-    let scale = num_traits::Pow::pow(&ratio(10, 1), digits.len());
-    let exact = !decimal.contains('e') && (n * scale).is_integer() && decimal.len() <= 18;
+    let exact = decimal.len() <= LONGEST
+        && !decimal.contains('e')
+        && 10_u64.pow(digits.len() as u32).is_multiple_of(denominator);
     exact.then_some(decimal)
 }

@@ -1,6 +1,6 @@
 //! Choice of the shortest form of a function.
 
-use super::Form;
+use super::{Basis, Form};
 use crate::expr::{Expr, Graph};
 use crate::model::Model;
 use crate::pass::{Operations, share, trig};
@@ -33,6 +33,16 @@ impl<'g> Chosen<'g> {
             roots: roots(self.roots),
             ..self
         }
+    }
+
+    /// True if the best form on a basis has at most `ratio`, a fraction, of the operations of the shortest form.
+    pub(super) fn is_within(&self, ratio: [usize; 2], basis: Basis) -> bool {
+        let own = [(self.form, self.operations)];
+        let all = own.iter().chain(&self.others);
+        let arithmetic = |(_, operations): &(Form, Operations)| operations.arithmetic();
+        let least = all.clone().map(arithmetic).min().unwrap_or(0);
+        let best = all.filter(|(form, _)| form.basis == basis).map(arithmetic).next();
+        best.is_none_or(|best| ratio[1] * best <= ratio[0] * least)
     }
 
     /// Adds the operations of the kinematics, if the model has more positions than rates.

@@ -20,6 +20,10 @@ const MOST_DERIVED: usize = 50_000;
 /// number with articulated bodies. Planar chains of 8 links take as many operations with either.
 const MOST_IN_ROW: usize = 16;
 
+/// Maximum ratio, as a fraction, of the accelerations on a closed basis to the shortest ones up to which their
+/// derivatives are expanded. In the examples and tests of this repository, none beyond 5/4 won.
+const MOST_EXPANDED: [usize; 2] = [4, 3];
+
 /// Accelerations by the articulated-body algorithm for scenes with orientations, and the balance that they satisfy.
 #[derive(Debug)]
 pub(super) struct ByLinks<'g> {
@@ -173,12 +177,17 @@ impl<'g> Forms<'g> {
                 candidates.extend(ways.map(candidate));
             }
         }
+        let accelerations = self.accelerations();
         let normalizer = &mut self.normalizer;
         let mut derivatives = |basis: Basis, balance: &Balance<'g>, size: usize| {
             let by_recursion = partials_by_recursion(balance, &model.coordinates, variables);
             let mut columns = Vec::new();
             if size <= MOST_DERIVED || by_recursion.is_none() {
-                columns = ways(normalizer, basis, partials(balance, variables));
+                let graph = partials(balance, variables);
+                columns = match accelerations.is_within(MOST_EXPANDED, basis) {
+                    true => ways(normalizer, basis, graph),
+                    false => vec![(Derivatives::Graph, graph)],
+                };
             }
             columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
             columns
@@ -207,7 +216,8 @@ impl<'g> Forms<'g> {
         let least = sizes.iter().copied().min().unwrap_or(0);
         for (written, size) in forms.iter().zip(sizes) {
             let Written { form: own, balance, .. } = written;
-            if size > MOST_DERIVED && HOPELESS[1] * size > HOPELESS[0] * least {
+            let is_small = size <= MOST_DERIVED || HOPELESS[1] * size <= HOPELESS[0] * least;
+            if !is_small || own.basis == Basis::Shared && !accelerations.is_within(HOPELESS, own.basis) {
                 continue;
             }
             let columns = derivatives(own.basis, balance, size);

@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 
 use num_traits::{Signed, ToPrimitive};
-use rustc_hash::FxHashMap;
 
 use crate::expr::{CostKind, Expr, ExprId, Graph, Level, Node, Unary};
 
@@ -31,7 +30,8 @@ impl Operations {
     pub fn of<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Self {
         let mut operations = Self::default();
         let mut angles = BTreeSet::new();
-        for id in g.reachable(roots) {
+        let reachable = g.reachable(roots);
+        for &id in &reachable {
             if g.level(id) < Level::State {
                 continue;
             }
@@ -60,7 +60,7 @@ impl Operations {
             }
         }
         operations.sincos = angles.len();
-        operations.chain = chain(g, roots);
+        operations.chain = chain(g, &reachable, roots);
         operations
     }
 
@@ -92,15 +92,10 @@ impl Operations {
 }
 
 /// Length of the longest chain of dependent operations from the state to a root, in additions.
-fn chain<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> usize {
-    let mut ends: FxHashMap<ExprId, usize> = FxHashMap::default();
-    for id in g.reachable(roots) {
-        let before = g
-            .operands(id)
-            .filter_map(|operand| ends.get(&operand))
-            .max()
-            .copied()
-            .unwrap_or(0);
+fn chain(g: &Graph, reachable: &[ExprId], roots: &[Expr<'_>]) -> usize {
+    let mut ends = vec![0; reachable.last().map_or(0, |last| last.index() + 1)];
+    for &id in reachable {
+        let before = g.operands(id).map(|operand| ends[operand.index()]).max().unwrap_or(0);
         let own = match g.node(id) {
             _ if g.level(id) < Level::State => continue,
             Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Unary(Unary::Neg, _) => 0,
@@ -113,14 +108,9 @@ fn chain<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> usize {
                 CostKind::Division
             }),
         };
-        ends.insert(id, before + own);
+        ends[id.index()] = before + own;
     }
-    roots
-        .iter()
-        .filter_map(|root| ends.get(&root.id()))
-        .max()
-        .copied()
-        .unwrap_or(0)
+    roots.iter().map(|root| ends[root.id().index()]).max().unwrap_or(0)
 }
 
 /// Latency of an operation, in additions.

@@ -6,7 +6,7 @@ use num_traits::{One, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 
 use crate::expr::{
-    Binary, Expr, Graph, LONGEST_CONSTANT, Level, MOST_BITS, Node, Normalizer, Rational, Unary, is_short, multiply,
+    Binary, Expr, Graph, LONGEST_CONSTANT, Level, MOST_BITS, Node, Normalizer, Rational, Unary, add, is_short, multiply,
 };
 
 /// Maximum number of products of terms formed to bring constants into normal form.
@@ -133,7 +133,7 @@ impl<'g> Flat<'g> {
             }
         }
         let ((p, x), (q, y)) = (self.one_term(a), self.one_term(b));
-        let factor = p * q;
+        let factor = multiply(&p, &q);
         if !is_short(&factor) {
             let [a, b] = [a, b].map(|x| self.sum_of(x));
             return self.term(a * b, Rational::one());
@@ -257,14 +257,17 @@ fn is_short_power(x: &Rational, n: i32) -> bool {
 
 /// Multiplies terms by a number.
 fn scaled<'g>(linear: &Linear<'g>, factor: &Rational) -> Linear<'g> {
-    linear.iter().map(|(&atom, own)| (atom, own * factor)).collect()
+    linear
+        .iter()
+        .map(|(&atom, own)| (atom, multiply(own, factor)))
+        .collect()
 }
 
 /// Adds `other` times a number to `sum`.
 pub(super) fn add_scaled<'g>(sum: &mut Linear<'g>, other: &Linear<'g>, factor: &Rational) {
     for (&atom, own) in other {
         let entry = sum.entry(atom).or_insert_with(Rational::zero);
-        *entry += multiply(own, factor);
+        *entry = add(entry, &multiply(own, factor));
         if entry.is_zero() {
             sum.remove(&atom);
         }

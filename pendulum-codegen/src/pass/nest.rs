@@ -10,7 +10,7 @@ use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
 
 use super::flat::{Flat, Linear, add_scaled};
-use crate::expr::{Binary, Expr, Graph, Level, Node, Rational};
+use crate::expr::{Binary, Expr, Graph, Level, Node, Rational, multiply};
 
 /// Writes each sum in the roots with the longest sum that it contains. Returns the roots unchanged if their sums are
 /// too long.
@@ -23,9 +23,16 @@ pub(crate) fn nest<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let mut sums: Vec<Linear<'g>> = sums.map(|(_, linear)| linear.clone()).collect();
     // longest first, and sums of equal length in the order of their terms, independent of the order of the table
     sums.sort_by(|a, b| b.len().cmp(&a.len()).then_with(|| a.cmp(b)));
+    let mut starting_with: FxHashMap<Expr<'g>, Vec<usize>> = FxHashMap::default();
+    for (place, sum) in sums.iter().enumerate() {
+        if let Some(first) = varying(sum).next() {
+            starting_with.entry(*first.0).or_default().push(place);
+        }
+    }
     let mut nested = Nested {
         flat,
         sums,
+        starting_with,
         built: FxHashMap::default(),
     };
     flat_roots.into_iter().map(|root| nested.build(root)).collect()
@@ -36,6 +43,8 @@ struct Nested<'g> {
     flat: Flat<'g>,
     /// Flat sums, longest first.
     sums: Vec<Linear<'g>>,
+    /// Places of the sums with each first term that varies.
+    starting_with: FxHashMap<Expr<'g>, Vec<usize>>,
     built: FxHashMap<Expr<'g>, Expr<'g>>,
 }
 
@@ -66,13 +75,12 @@ impl<'g> Nested<'g> {
     fn sum(&mut self, linear: &Linear<'g>) -> Expr<'g> {
         let g = self.flat.g;
         let mut rest = linear.clone();
-        let inside = self
-            .sums
-            .iter()
-            .position(|other| other.len() < linear.len())
-            .unwrap_or(self.sums.len());
+        let places = linear.keys().filter_map(|atom| self.starting_with.get(atom));
+        let mut shorter: Vec<usize> = places.flatten().copied().collect();
+        shorter.retain(|&place| self.sums[place].len() < linear.len());
+        shorter.sort_unstable();
         let mut parts = Vec::new();
-        for other in &self.sums[inside..] {
+        for other in shorter.into_iter().map(|place| &self.sums[place]) {
             if let Some(factor) = contained(other, &rest) {
                 add_scaled(&mut rest, other, &-factor.clone());
                 parts.push((factor, other.clone()));
@@ -112,12 +120,18 @@ impl<'g> Nested<'g> {
 /// Returns the sign with which all terms of `part` occur in `whole`. Terms that do not vary need not match, since a
 /// difference in them is easily corrected; if `part` has any of them, `whole` must have one too.
 fn contained<'g>(part: &Linear<'g>, whole: &Linear<'g>) -> Option<Rational> {
-    let varies = |atom: &Expr<'g>| atom.level() == Level::State;
-    let fixed = |linear: &Linear<'g>| linear.keys().any(|atom| !varies(atom));
-    let mut varying = part.iter().filter(|(atom, _)| varies(atom)).peekable();
+    let fixed = |linear: &Linear<'g>| linear.keys().any(|atom| atom.level() != Level::State);
+    let mut varying = varying(part).peekable();
     let (first, factor) = varying.peek()?;
-    let ratio = whole.get(first)? / *factor;
-    let agrees = |(atom, factor): (&Expr<'g>, &Rational)| whole.get(atom).is_some_and(|own| *own == factor * &ratio);
+    let own = whole.get(first)?;
+    let sign = [Rational::one(), -Rational::one()];
+    let sign = sign.into_iter().find(|sign| multiply(factor, sign) == *own)?;
+    let agrees = |(atom, factor): (&Expr<'g>, &Rational)| whole.get(atom) == Some(&multiply(factor, &sign));
     let count = varying.clone().count();
-    (ratio.abs().is_one() && count > 1 && (!fixed(part) || fixed(whole)) && varying.all(agrees)).then_some(ratio)
+    (count > 1 && (!fixed(part) || fixed(whole)) && varying.all(agrees)).then_some(sign)
+}
+
+/// Terms that vary with the state.
+fn varying<'a, 'g>(linear: &'a Linear<'g>) -> impl Iterator<Item = (&'a Expr<'g>, &'a Rational)> + Clone {
+    linear.iter().filter(|(atom, _)| atom.level() == Level::State)
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use num_traits::Zero;
 use rustc_hash::FxHashMap;
 
-use crate::expr::{Binary, Expr, ExprId, Graph, Node, Normalizer, Rational, Unary, ratio};
+use crate::expr::{Binary, Expr, ExprId, Graph, Node, Normalizer, Rational, Unary, add, multiply, ratio};
 use crate::model::{CoordinateId, Model, constant, places};
 use crate::screw::Twist;
 
@@ -238,11 +238,11 @@ fn repeats(g: &Graph, nodes: &[ExprId], roots: &[Expr<'_>], coordinate: Expr<'_>
             Node::Unary(Unary::Sin | Unary::Cos | Unary::Tan, x) => {
                 of(x).filter(Rational::is_integer).map(|_| zero.clone())
             }
-            Node::Binary(Binary::Add, a, b) => of(a).zip(of(b)).map(|(a, b)| a + b),
-            Node::Binary(Binary::Sub, a, b) => of(a).zip(of(b)).map(|(a, b)| a - b),
+            Node::Binary(Binary::Add, a, b) => of(a).zip(of(b)).map(|(a, b)| add(&a, &b)),
+            Node::Binary(Binary::Sub, a, b) => of(a).zip(of(b)).map(|(a, b)| add(&a, &-b)),
             Node::Binary(Binary::Mul, a, b) => match (g.as_number(*a), g.as_number(*b)) {
-                (Some(factor), _) => of(b).map(|b| factor * b),
-                (_, Some(factor)) => of(a).map(|a| a * factor),
+                (Some(factor), _) => of(b).map(|b| multiply(factor, &b)),
+                (_, Some(factor)) => of(a).map(|a| multiply(&a, factor)),
                 _ => still([of(a), of(b)]),
             },
             _ => still(g.operands(id).map(|x| of(&x))),

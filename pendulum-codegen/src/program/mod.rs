@@ -155,12 +155,12 @@ pub(crate) const FINITE_CONSTANT: &str = "a constant of the equations is not fin
                                           a divisor is zero, or a number is too large";
 
 impl Program {
-    /// Generates the program of a scene.
+    /// Generates the program of a scene. The full form of its equations is left empty if it is not needed.
     ///
     /// # Errors
     ///
     /// Returns the first constant without a finite value.
-    pub(crate) fn new<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Result<Self, NotFinite> {
+    pub(crate) fn new<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>, needs_full: bool) -> Result<Self, NotFinite> {
         let g = model.graph;
         let mut forms = Forms::new(model, dynamics);
         let chosen = chosen(&mut forms, model);
@@ -189,7 +189,8 @@ impl Program {
         let printer = Printer::new(g);
         let (rules, checked) = rules(model);
         let of_parameters = parameters(model);
-        let equations = equations::equations(model, &dynamics.lagrangian.force, forms.recursive(), forms.closed());
+        let force = &dynamics.lagrangian.force;
+        let equations = equations::equations(model, force, needs_full, forms.recursive(), forms.closed());
         Ok(Self {
             name: model.name.clone(),
             docs: model.docs.clone(),

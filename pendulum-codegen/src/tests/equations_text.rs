@@ -145,6 +145,7 @@ fn written<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>,
     let equations = equations(
         &model,
         &dynamics.lagrangian.force,
+        true,
         (&recursive.balance, &recursive.lagrangian),
         None,
     );

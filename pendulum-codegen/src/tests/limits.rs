@@ -23,7 +23,7 @@ fn expand(declaration: &str) -> Result<(Program, usize), String> {
     let Lowered { model, spans } = lower(&graph, &scene, errors).map_err(|errors| errors.to_string())?;
     let dynamics = Dynamics::new(&model);
     check(&model, &spans, &dynamics, Errors::default()).map_err(|errors| errors.to_string())?;
-    let program = Program::new(&model, &dynamics).map_err(|constant| constant.0)?;
+    let program = Program::new(&model, &dynamics, true).map_err(|constant| constant.0)?;
     Ok((program, graph.len()))
 }
 

@@ -34,9 +34,11 @@ const FACTORED: usize = 27;
 const RECURSIVE: usize = 40;
 
 /// Equations of a scene: its forces, and the other terms both by recursion and, if its code has one, in closed form.
+/// The full form is left empty if it is not needed.
 pub(crate) fn equations<'g>(
     model: &Model<'g>,
     force: &[Expr<'g>],
+    needs_full: bool,
     recursive: (&Balance<'g>, &Lagrangian<'g>),
     closed: Option<(&Balance<'g>, &Lagrangian<'g>)>,
 ) -> Equations {
@@ -58,7 +60,10 @@ pub(crate) fn equations<'g>(
         driven: !model.drives.is_empty(),
         acted: !model.actions.is_empty(),
         short: composer.short(),
-        full: composer.full(force),
+        full: match needs_full {
+            true => composer.full(force),
+            false => Listing::default(),
+        },
     }
 }
 
