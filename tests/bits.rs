@@ -1,4 +1,5 @@
-//! Results to the last bit, on every machine and in every build: their digests against those in `bits.txt`.
+//! Results to the last bit, on every machine and in every build: their digests against those in `bits.txt`, and in fused
+//! arithmetic against those in `bits_fused.txt`.
 //!
 //! `cargo test` compares the digests of an unoptimised build. `.ci/run` also compares those of an optimised build, and
 //! of both for all instruction sets of the machine.
@@ -12,6 +13,7 @@ use std::fmt::Write;
 use expect_test::expect_file;
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
+use pendulum_core::real::Fused;
 use pendulum_core::real::lanes::{Isa, LaneElement};
 use pendulum_core::{Canonical, Cast, Float, TaylorSeries};
 use testbed::digest::Digest;
@@ -91,26 +93,26 @@ impl Table {
         self.row(model, function, &digest);
     }
 
-    fn motion<S: Jacobian<f64, N> + Energy<f64, N>, const N: usize>(&mut self, name: &str, model: &S) {
-        self.function((name, "rhs"), |t, x: &SVector<f64, N>| model.rhs(t, x).data.0[0]);
-        self.function((name, "jacobian"), |t, x: &SVector<f64, N>| {
+    fn motion<T: Float, S: Jacobian<T, N> + Energy<T, N>, const N: usize>(&mut self, name: &str, model: &S) {
+        self.function((name, "rhs"), |t, x: &SVector<T, N>| model.rhs(t, x).data.0[0]);
+        self.function((name, "jacobian"), |t, x: &SVector<T, N>| {
             let (rhs, jacobian) = model.rhs_and_jacobian(t, x);
             all(rhs).chain(all(jacobian)).chain(all(model.time_derivative(t, x)))
         });
-        self.function((name, "energy"), |t, x: &SVector<f64, N>| {
+        self.function((name, "energy"), |t, x: &SVector<T, N>| {
             [model.kinetic(t, x), model.potential(t, x)]
         });
     }
 
-    fn canonical<S: Canonical<f64, N>, const N: usize>(&mut self, name: &str, model: &S) {
-        self.function((name, "canonical"), |t, x: &SVector<f64, N>| {
+    fn canonical<T: Float, S: Canonical<T, N>, const N: usize>(&mut self, name: &str, model: &S) {
+        self.function((name, "canonical"), |t, x: &SVector<T, N>| {
             let ((y, rates), (by_x, rates_by_x)) = (model.canonical(t, x), model.canonical_jacobian(t, x));
             all(y).chain(all(rates)).chain(all(by_x)).chain(all(rates_by_x))
         });
     }
 
-    fn series<S: TaylorSeries<f64, N>, const N: usize>(&mut self, name: &str, model: &S) {
-        self.function((name, "taylor"), |t, x: &SVector<f64, N>| {
+    fn series<T: Float, S: TaylorSeries<T, N>, const N: usize>(&mut self, name: &str, model: &S) {
+        self.function((name, "taylor"), |t, x: &SVector<T, N>| {
             let mut series = [*x; 13];
             model.series(t, &mut series, &mut model.workspace());
             series.into_iter().flat_map(all)
@@ -171,6 +173,15 @@ fn pendulum() -> DoublePendulum {
     DoublePendulum::new(DoublePendulumParams::default()).expect("physical")
 }
 
+/// Digests of motions by several methods.
+macro_rules! rows {
+    ($table:ident, $row:ident, $number:ident, $name:literal, $model:expr, $start:expr; $($method:expr),*) => { $( {
+        let method = stringify!($method).split(':').next().unwrap_or_default();
+        let method = format!("{method} in {}", stringify!($number));
+        $table.$row::<_, _, $number, _>(($name, &method), &$method, $model, $start);
+    } )* };
+}
+
 #[test]
 fn are_those_of_every_machine_and_build() {
     let mut table = Table::default();
@@ -180,10 +191,36 @@ fn are_those_of_every_machine_and_build() {
     expect_file!["bits.txt"].assert_eq(&table.0);
 }
 
+type Fused64 = Fused<f64>;
+
+#[test]
+fn in_fused_arithmetic_too() {
+    let mut table = Table::default();
+    functions_of::<Fused64>(&mut table, "fused");
+    let start = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let (model, arm) = (&pendulum(), &Ur5::new(Ur5Params {}).expect("physical"));
+    let (fused, fused_arm) = (&model.cast::<Fused64>(), &arm.cast::<Fused64>());
+    table.motion("DoublePendulum", fused);
+    table.canonical("DoublePendulum", fused);
+    table.series("DoublePendulum", fused);
+    table.motion("Ur5", fused_arm);
+    rows!(table, ensemble, Fused64, "DoublePendulum", model, START;
+        Rk4::new(0.02), Rk45::new(), Vern9::new(), Taylor::new(), Rodas4::new(), Auto::new());
+    rows!(table, end, Fused64, "DoublePendulum", fused, START; Radau5::new(), Gauss6::new(0.02));
+    rows!(table, ensemble, Fused64, "Ur5", arm, start; Rk4::new(0.02));
+    let dry = &Dry::new(DryParams::default()).expect("physical");
+    rows!(table, ensemble, Fused64, "Dry", dry, DRY_START; Tsit5::new());
+    expect_file!["bits_fused.txt"].assert_eq(&table.0);
+}
+
 /// Digests the functions of the number types alone, over a wider range.
 fn functions(table: &mut Table) {
-    fn of<T: Float>(table: &mut Table, name: &str) {
-        macro_rules! each {
+    functions_of::<f64>(table, "f64");
+    functions_of::<f32>(table, "f32");
+}
+
+fn functions_of<T: Float>(table: &mut Table, name: &str) {
+    macro_rules! each {
             ($($function:ident: $value:expr;)*) => { $(
                 table.function((name, stringify!($function)), |_, x: &SVector<T, 2>| {
                     let function: fn(T, T) -> T = $value;
@@ -191,20 +228,17 @@ fn functions(table: &mut Table) {
                 });
             )* };
         }
-        each! {
-            sin: |a, _| a.sin_cos().0;
-            cos: |a, _| a.sin_cos().1;
-            tan: |a, _| a.tan();
-            exp: |_, b| (b * T::from_f64(20.0)).exp();
-            ln: |a, _| (a.abs() + T::MIN_POSITIVE).ln();
-            sqrt: |a, _| a.abs().sqrt();
-            tanh: |_, b| b.tanh();
-            atan2: |a, b| a.atan2(b);
-            powf: |a, b| a.abs().powf(b);
-        }
+    each! {
+        sin: |a, _| a.sin_cos().0;
+        cos: |a, _| a.sin_cos().1;
+        tan: |a, _| a.tan();
+        exp: |_, b| (b * T::from_f64(20.0)).exp();
+        ln: |a, _| (a.abs() + T::MIN_POSITIVE).ln();
+        sqrt: |a, _| a.abs().sqrt();
+        tanh: |_, b| b.tanh();
+        atan2: |a, b| a.atan2(b);
+        powf: |a, b| a.abs().powf(b);
     }
-    of::<f64>(table, "f64");
-    of::<f32>(table, "f32");
 }
 
 fn models(table: &mut Table) {
@@ -241,32 +275,25 @@ fn models(table: &mut Table) {
 }
 
 fn methods(table: &mut Table) {
-    macro_rules! rows {
-        ($row:ident, $number:ident, $name:literal, $model:expr, $start:expr; $($method:expr),*) => { $( {
-            let method = stringify!($method).split(':').next().unwrap_or_default();
-            let method = format!("{method} in {}", stringify!($number));
-            table.$row::<_, _, $number, _>(($name, &method), &$method, $model, $start);
-        } )* };
-    }
     let model = &pendulum();
-    rows!(ensemble, f64, "DoublePendulum", model, START; Rk4::new(0.02), Rk45::new());
-    rows!(end, f64, "DoublePendulum", model, START; Tsit5::new(), Vern7::new(), Vern9::new(), Taylor::new());
-    rows!(end, f64, "DoublePendulum", model, START; Rodas4::new(), Rodas5P::new(), Radau5::new(), Auto::new());
-    rows!(end, f64, "DoublePendulum", model, START; Gauss4::new(0.02), Gauss6::new(0.02));
-    rows!(ensemble, f32, "DoublePendulum", model, START; Rk4::new(0.02));
+    rows!(table, ensemble, f64, "DoublePendulum", model, START; Rk4::new(0.02), Rk45::new());
+    rows!(table, end, f64, "DoublePendulum", model, START; Tsit5::new(), Vern7::new(), Vern9::new(), Taylor::new());
+    rows!(table, end, f64, "DoublePendulum", model, START; Rodas4::new(), Rodas5P::new(), Radau5::new(), Auto::new());
+    rows!(table, end, f64, "DoublePendulum", model, START; Gauss4::new(0.02), Gauss6::new(0.02));
+    rows!(table, ensemble, f32, "DoublePendulum", model, START; Rk4::new(0.02));
     let single = &model.cast::<f32>();
-    rows!(end, f32, "DoublePendulum", single, START; Rk45::new(), Taylor::new(), Radau5::new());
+    rows!(table, end, f32, "DoublePendulum", single, START; Rk45::new(), Taylor::new(), Radau5::new());
     let model = &Functions::new(FunctionsParams {}).expect("physical");
     let start = [0.3, 0.5, 1.0, 0.7];
-    rows!(ensemble, f64, "Functions", model, start; Rk4::new(0.02));
-    rows!(end, f64, "Functions", model, start; Rk45::new(), Radau5::new());
+    rows!(table, ensemble, f64, "Functions", model, start; Rk4::new(0.02));
+    rows!(table, end, f64, "Functions", model, start; Rk45::new(), Radau5::new());
     let model = &Dry::new(DryParams::default()).expect("physical");
     let motion = Vern9::new().solve(model, 0.0, 1.0, DRY_START).expect("regular");
     let sticks = motion.modes().iter().filter(|(_, mode)| mode.is_held(0)).count();
     assert!(sticks == 2 && motion.x().iter().any(|x| x[1] == 0.6));
-    rows!(ensemble, f64, "Dry", model, DRY_START; Tsit5::new());
-    rows!(end, f64, "Dry", model, DRY_START; Vern9::new(), Rodas5P::new(), Rk4::new(0.02));
+    rows!(table, ensemble, f64, "Dry", model, DRY_START; Tsit5::new());
+    rows!(table, end, f64, "Dry", model, DRY_START; Vern9::new(), Rodas5P::new(), Rk4::new(0.02));
     let model = &Ur5::new(Ur5Params {}).expect("physical");
     let start = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-    rows!(end, f64, "Ur5", model, start; Rk4::new(0.02));
+    rows!(table, end, f64, "Ur5", model, start; Rk4::new(0.02));
 }

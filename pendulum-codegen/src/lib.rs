@@ -45,6 +45,6 @@ mod units;
 mod urdf;
 mod words;
 
-pub use emit::c::{Sources, c, opencl};
+pub use emit::c::{Sources, c, c_fused, opencl};
 pub use error::{Code, Errors};
 pub use files::{expand, expand_in, program, program_in};

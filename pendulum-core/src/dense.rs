@@ -144,15 +144,15 @@ pub(crate) fn polynomial<T: Real, const N: usize>(
     let (mut odd, mut even) = ([T::default(); N], [T::default(); N]);
     for pair in coefficients.chunks(2).rev() {
         for (odd, &coefficient) in odd.iter_mut().zip(&pair[0].data.0[0]) {
-            *odd = *odd * square + coefficient;
+            *odd = odd.mul_add(square, coefficient);
         }
         for (even, &coefficient) in even.iter_mut().zip(pair.get(1).iter().flat_map(|pair| &pair.data.0[0])) {
-            *even = *even * square + coefficient;
+            *even = even.mul_add(square, coefficient);
         }
     }
     let mut x = *x0;
     for (x, (&odd, &even)) in x.data.0[0].iter_mut().zip(odd.iter().zip(&even)) {
-        *x += theta * (odd + theta * even);
+        *x = theta.mul_add(theta.mul_add(even, odd), *x);
     }
     x
 }

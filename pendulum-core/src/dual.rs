@@ -217,6 +217,11 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
+    fn scaled_onto(self, factor: Self, sum: Self) -> Self {
+        sum + self.scaled(factor)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
         (self.chain(sin, cos), self.chain(cos, -sin))

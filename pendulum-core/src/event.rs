@@ -178,6 +178,22 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
         self
     }
 
+    /// The event in another number type, with its function and its reset there.
+    pub(crate) fn with<'f, U>(
+        &self,
+        function: impl Fn(U, &SVector<U, N>) -> U + 'f,
+        reset: Option<impl Fn(U, &SVector<U, N>) -> SVector<U, N> + 'f>,
+    ) -> Event<'f, U, N> {
+        Event {
+            function: Box::new(function),
+            direction: self.direction,
+            terminal: self.terminal,
+            at_start: self.at_start,
+            reset: reset.map(|reset| Box::new(reset) as Reset<'f, U, N>),
+            restarts: self.restarts,
+        }
+    }
+
     /// True if it occurs at the start of the integration, where its function is zero there.
     pub(crate) fn occurs_at_start(&self) -> bool {
         self.at_start || !self.terminal

@@ -32,6 +32,12 @@ pub(crate) trait Field:
 
     /// Reciprocal; zero or not finite if it is out of the range of the type.
     fn reciprocal(self) -> Self;
+
+    /// `self - a * b`.
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
 }
 
 impl<T: Lanes> Field for T {
@@ -49,6 +55,11 @@ impl<T: Lanes> Field for T {
     #[inline]
     fn reciprocal(self) -> T {
         T::from_f64(1.0) / self
+    }
+
+    #[inline(always)]
+    fn minus_product(self, a: T, b: T) -> T {
+        a.mul_neg_add(b, self)
     }
 }
 
@@ -310,7 +321,7 @@ impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
             }
             for j in k + 1..N {
                 for i in k + 1..N {
-                    a[j][i] = a[j][i] - a[k][i] * a[j][k];
+                    a[j][i] = a[j][i].minus_product(a[k][i], a[j][k]);
                 }
             }
         }
@@ -335,13 +346,13 @@ impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
         let mut x = self.pivots.sorted(b);
         for k in 0..N {
             for i in k + 1..N {
-                x[i] = x[i] - self.factors[k][i] * x[k];
+                x[i] = x[i].minus_product(self.factors[k][i], x[k]);
             }
         }
         for k in (0..N).rev() {
             x[k] = x[k] * self.factors[k][k];
             for i in 0..k {
-                x[i] = x[i] - self.factors[k][i] * x[k];
+                x[i] = x[i].minus_product(self.factors[k][i], x[k]);
             }
         }
         x

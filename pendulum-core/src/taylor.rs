@@ -157,7 +157,7 @@ impl<T: Real, const M: usize> Products<T, M> {
             for m in 0..M {
                 let mut newest = self.left[0][m] * newest_r[m];
                 if k > 2 {
-                    newest += newest_l[m] * self.right[0][m];
+                    newest = newest_l[m].mul_add(self.right[0][m], newest);
                 }
                 sums[m] += newest;
             }
@@ -174,13 +174,13 @@ fn block<T: Real, const M: usize, const B: usize>(left: &[[T; M]], right: &[[T; 
     let (rest_r, pairs_r) = right.as_rchunks::<2>();
     for ([l0, l1], [r1, r0]) in pairs_l.iter().zip(pairs_r.iter().rev()) {
         for m in 0..B {
-            even[m] += l0[at + m] * r0[at + m];
-            odd[m] += l1[at + m] * r1[at + m];
+            even[m] = l0[at + m].mul_add(r0[at + m], even[m]);
+            odd[m] = l1[at + m].mul_add(r1[at + m], odd[m]);
         }
     }
     if let ([l0], [r0]) = (rest_l, rest_r) {
         for m in 0..B {
-            even[m] += l0[at + m] * r0[at + m];
+            even[m] = l0[at + m].mul_add(r0[at + m], even[m]);
         }
     }
     for m in 0..B {
@@ -220,7 +220,7 @@ impl<T: Real, const M: usize> Newest<T, M> {
         }
         let (first, last) = (&self.first, &self.last);
         for (m, sum) in sums.iter_mut().enumerate() {
-            *sum += first[0][m] * last[1][m] + last[0][m] * first[1][m];
+            *sum += last[0][m].mul_add(first[1][m], first[0][m] * last[1][m]);
         }
         sums
     }

@@ -8,6 +8,7 @@ use pendulum_codegen::program::Program;
 use pendulum_core::ParameterError;
 use pendulum_core::hybrid::{Hold, MAX_CONSTRAINTS, Response};
 use pendulum_core::prelude::*;
+use pendulum_core::real::Fused;
 use pendulum_core::{Canonical, Controlled, TaylorSeries};
 use testbed::mechanisms::{Furuta, FurutaParams};
 use testbed::random::Random;
@@ -41,6 +42,23 @@ mechanism! {
             coordinate: out,
             torque: r#in * sin(3*t) + clamp(r#in * qd, -x, x) + r#loop * cos(q) - 0.02 * dot(int) * atan2(sin(q),
                 2 + cos(q)) * sqrt(1 + qd^2),
+        }
+    }
+}
+
+mechanism! {
+    /// Two joints in space.
+    pub Wrist {
+        params { l: m = 0.7 }
+        gravity: [0, 0, -9.81],
+        generate: [rhs, jacobian, energy],
+        body first on ground {
+            mass: 3, com: [0.01, 0.02, 0.15], inertia: [0.03, 0.03, 0.02],
+            joint: revolute(z), coordinate: a, friction: 0.1,
+        }
+        body second on first {
+            mass: 2, com: [0.2, 0, 0.01], inertia: [0.031, 0.027, 0.018, -0.004, 0.002, 0.003],
+            joint: revolute([1, 2, 3]) at [0, l, 0.3], coordinate: b, friction: 0.1,
         }
     }
 }
@@ -181,6 +199,38 @@ fn a_robot_is_the_same() {
         let own = [mass.as_slice(), bias.as_slice(), momentum.as_slice(), forces.as_slice()].concat();
         [motion(&model, t, &x), own, series(&model, t, &x)].concat()
     });
+}
+
+#[test]
+fn fused_code_is_the_same() {
+    let program = printed(OWN, "Wrist").0;
+    let sources = pendulum_codegen::c_fused(&program);
+    assert!(sources.source.matches("PENDULUM_FMA").count() > 50);
+    let model = Wrist::new(WristParams::default())
+        .expect("physical")
+        .cast::<Fused<f64>>();
+    agree("Wrist", &program, &sources, 0.0, |t, x, _| {
+        let (t, x) = (Fused(t), SVector::<f64, 4>::from_column_slice(x).map(Fused));
+        let (rhs, (rates, jacobian)) = (model.rhs(t, &x), model.rhs_and_jacobian(t, &x));
+        let energies = [model.kinetic(t, &x), model.potential(t, &x)];
+        let all = [rhs.as_slice(), rates.as_slice(), jacobian.as_slice(), &energies].concat();
+        all.into_iter().map(|number| number.0).collect()
+    });
+    let Some(folder) = folder("Wrist") else { return };
+    // a platform whose operation rounds twice
+    for (fma, expected) in [("fma", "1"), ("twice", "0")] {
+        let main = format!(
+            "#include <stdio.h>\n#include \"wrist.h\"\ndouble twice(double a, double b, double c) {{ return a * b + c; \
+             }}\nint main(void) {{ printf(\"%d\", wrist_rounds_once()); return 0; }}\n"
+        );
+        let source = format!("#define PENDULUM_FMA {fma}\n{}", sources.source);
+        let sources = Sources {
+            source,
+            ..sources.clone()
+        };
+        let told = output(&compiled(&folder, &sources, &main), &[]);
+        assert_eq!(String::from_utf8_lossy(&told), expected, "{fma}");
+    }
 }
 
 #[test]
@@ -513,8 +563,19 @@ fn the_example_integrates_figure_2() {
 /// Compares all results of a scene with default parameters in many states, either bit for bit or relative to the
 /// largest result.
 fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f64]) -> Vec<f64>) {
-    let Some(folder) = folder(name) else { return };
     let (program, sources) = printed(source, name);
+    agree(name, &program, &sources, tolerance, rust);
+}
+
+/// Compares the results of C code with those of Rust code, at many states.
+fn agree(
+    name: &str,
+    program: &Program,
+    sources: &Sources,
+    tolerance: f64,
+    rust: impl Fn(f64, &[f64], &[f64]) -> Vec<f64>,
+) {
+    let Some(folder) = folder(name) else { return };
     let (length, dof, inputs) = (program.layout.len(), program.layout.dof(), program.inputs.len());
     let mut random = Random::new(1);
     let mut states: Vec<Vec<f64>> = Vec::new();
@@ -539,7 +600,7 @@ fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f
         }
         states.push(state);
     }
-    let mut results = results(&folder, &program, &sources, &states).into_iter();
+    let mut results = results(&folder, program, sources, &states).into_iter();
     for state in &states {
         let (ours, theirs) = (
             rust(state[0], &state[1..=length], &state[1 + length..]),

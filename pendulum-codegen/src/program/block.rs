@@ -111,6 +111,28 @@ pub enum Coefficient {
     Force(usize),
 }
 
+/// Sum or difference with a product, which fused arithmetic rounds once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MultiplyAdd<'t> {
+    /// Signs of the product and of the other term.
+    pub signs: Signs,
+    /// Factors of the product.
+    pub factors: [&'t Term; 2],
+    /// Other term.
+    pub other: &'t Term,
+}
+
+/// Signs of a product and of another term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Signs {
+    /// `a*b + c`.
+    Add,
+    /// `a*b - c`.
+    Subtract,
+    /// `c - a*b`.
+    SubtractProduct,
+}
+
 impl Block {
     /// Name of a value defined by a statement.
     pub fn name(&self, local: Local) -> &str {
@@ -191,6 +213,28 @@ impl Let {
 }
 
 impl Term {
+    /// The term as a sum or difference with a product, if it is one. Of two products it is the second, since the value
+    /// of a long sum is known last on its left.
+    pub fn multiply_add(&self) -> Option<MultiplyAdd<'_>> {
+        let Self::Binary(op @ (Binary::Add | Binary::Sub), left, right) = self else {
+            return None;
+        };
+        let (signs, product, other) = match (op, &**left, &**right) {
+            (Binary::Add, _, Self::Binary(Binary::Mul, ..)) => (Signs::Add, right, left),
+            (Binary::Sub, _, Self::Binary(Binary::Mul, ..)) => (Signs::SubtractProduct, right, left),
+            (Binary::Add, ..) => (Signs::Add, left, right),
+            _ => (Signs::Subtract, left, right),
+        };
+        match &**product {
+            Self::Binary(Binary::Mul, a, b) => Some(MultiplyAdd {
+                signs,
+                factors: [a, b],
+                other,
+            }),
+            _ => None,
+        }
+    }
+
     /// Calls `see` for every number, local and variable.
     fn leaves(&self, see: &mut impl FnMut(&Self)) {
         match self {

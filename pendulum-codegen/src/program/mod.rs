@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 
 use rustc_hash::FxHashMap;
 
-pub use block::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
+pub use block::{Block, Coefficient, Let, Local, MultiplyAdd, Signs, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
 pub use drawing::{Drawing, Outline};
 pub use equations::{ConstraintForce, Equations, Listing, Row, RowKind};

@@ -11,6 +11,7 @@ use crate::linear::{Lu, factoring, solving};
 use crate::method::collocation::{self, Pencil};
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::stages::Called;
 use crate::method::toggle::stop_at_toggles;
 use crate::method::{Fixed, hermite};
 use crate::real::Float;
@@ -174,7 +175,7 @@ where
         let (mut parts, mut residuals) = (*stages, *stages);
         let mut half = SVector::from_element(T::default());
         for i in 0..STAGES {
-            let (variables, rates) = system.canonical(t + h * T::from_f64(c[i]), &stages[i]);
+            let (variables, rates) = Called(system).canonical(t + h * T::from_f64(c[i]), &stages[i]);
             parts[i] = rates * (h * T::from_f64(b[i]));
             half += parts[i] * T::from_f64(0.5);
             // sum increments: they are smaller than the variables, and so are their rounding errors
@@ -205,7 +206,7 @@ where
             .iter()
             .fold(SVector::from_element(zero), |sum, stage| sum + stage)
             * T::from_f64(1.0 / STAGES as f64);
-        let (of_variables, of_rates) = system.canonical_jacobian(t + h * one_half, &middle);
+        let (of_variables, of_rates) = Called(system).canonical_jacobian(t + h * one_half, &middle);
         let pencil = Pencil::new(modes, h, &of_variables, &of_rates).map_err(|_| Stalled)?;
         work.jacobians += 1;
         work.factorizations += pencil.factorizations();
@@ -259,7 +260,7 @@ where
         self.slope = system.rhs(t, x);
         self.before = None;
         self.start = Point {
-            y: system.canonical(t, x).0,
+            y: Called(system).canonical(t, x).0,
             lost: SVector::from_element(T::default()),
         };
         self.slope
@@ -288,8 +289,8 @@ where
                 stages[STAGES - 1][k]
             }
         });
-        let (of_variables, _) = system.canonical_jacobian(t_new, &nearby);
-        let missing = y - system.canonical(t_new, &nearby).0;
+        let (of_variables, _) = Called(system).canonical_jacobian(t_new, &nearby);
+        let missing = y - Called(system).canonical(t_new, &nearby).0;
         let change = Lu::new(of_variables.data.0)
             .map_err(|_| Stalled)?
             .solve(&missing.data.0[0]);

@@ -7,6 +7,8 @@ mod auto;
 mod collocation;
 mod explicit;
 mod fixed;
+#[cfg(feature = "std")]
+mod fused;
 mod gauss;
 mod grid;
 mod hermite;
@@ -77,6 +79,8 @@ pub use auto::{Auto, Switching};
 pub(crate) use auto::{Bounded, Choice, SwitchInLanes, SwitchingFrom};
 pub use explicit::Explicit;
 pub use fixed::Fixed;
+#[cfg(feature = "std")]
+pub use fused::FusedMethod;
 pub use gauss::Gauss;
 pub use radau::RadauIIA;
 pub use rosenbrock::Rosenbrock;
@@ -197,11 +201,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     {
         let x0 = x0.into_state();
         let mut stepper = self.stepper(system, t0, t1, x0)?;
-        self.tolerance()
-            .into_iter()
-            .for_each(|tolerance| observer.within(tolerance));
-        let ended = watch::follow(&mut stepper, x0, events, observer);
-        observer.finish(stepper.statistics());
+        let ended = watch::watched(&mut stepper, x0, events, self.tolerance(), observer);
         ended.map_err(|early| early.reason)
     }
 }

@@ -11,7 +11,7 @@ use crate::method::Adaptive;
 use crate::method::collocation::{self, Pencil};
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
-use crate::method::stages::{Called, SHORT};
+use crate::method::stages::{Called, SHORT, shifted, weighted_sum};
 use crate::method::toggle::end_step;
 use crate::real::Float;
 use crate::statistics::Statistics;
@@ -157,14 +157,16 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         S: System<T, N> + ?Sized,
     {
         let h = t_new - t;
-        let slopes: [SVector<T, N>; STAGES] = core::array::from_fn(|i| {
+        // loops, since compilers need not inline closures, which are then compiled for the baseline
+        let (mut slopes, mut residuals) = (self.rises, self.rises);
+        for i in 0..STAGES {
             let time = if C[i] == 1.0 { t_new } else { t + h * T::from_f64(C[i]) };
-            system.rhs(time, &(x + self.rises[i]))
-        });
-        core::array::from_fn(|i| {
-            let row = A[i].map(|a| h * T::from_f64(a));
-            self.rises[i] - (slopes[0] * row[0] + slopes[1] * row[1] + slopes[2] * row[2])
-        })
+            slopes[i] = system.rhs(time, &shifted(x, &self.rises[i]));
+        }
+        for (residual, row) in residuals.iter_mut().zip(&A) {
+            *residual -= weighted_sum(h, row, STAGES, &slopes);
+        }
+        residuals
     }
 
     /// Solves for the stages.
@@ -305,7 +307,10 @@ where
         };
         *x_new = x + self.rises[STAGES - 1];
         end_step(system, (t, x), (t_new, x_new));
-        let mean_square = solved.map(|()| self.estimate(system, (t, x), (h, x_new), &pencil, work));
+        let mean_square = match solved {
+            Ok(()) => Ok(self.estimate(system, (t, x), (h, x_new), &pencil, work)),
+            Err(stalled) => Err(stalled),
+        };
         self.is_doubtful = true;
         mean_square
     }

@@ -208,9 +208,9 @@ where
                     for (i, right) in right.data.0[0].iter_mut().enumerate() {
                         let mut slope = slope.data.0[0][i];
                         if row.gamma != 0.0 {
-                            slope += of_time * self.start().drift.data.0[0][i];
+                            slope = of_time.mul_add(self.start().drift.data.0[0][i], slope);
                         }
-                        *right += h_gamma * slope;
+                        *right = h_gamma.mul_add(slope, *right);
                     }
                     let right = &right.data.0[0];
                     self.stages[$i] = SVector::from(lu.solve(right));

@@ -124,8 +124,8 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         S: System<T, N> + ?Sized,
     {
         let t_new = grid.next();
-        match self.attempt(model, t_new).and_then(|_| self.advance(model, t_new)) {
-            Ok(()) => {
+        match self.attempt_and_advance(model, t_new, |_| true) {
+            Ok(_) => {
                 self.steps = Steps::Equal(grid);
                 Ok(())
             }
@@ -154,12 +154,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         loop {
             let steps = self.statistics.accepted + self.statistics.rejected;
             let t_new = control.plan(&mut pace.h, (t, self.t1), steps, proposed.take())?;
-            let outcome = self.attempt(model, t_new).and_then(|mean_square| {
-                if is_within_tolerance(mean_square) {
-                    self.advance(model, t_new)?;
-                }
-                Ok(mean_square)
-            });
+            let outcome = self.attempt_and_advance(model, t_new, is_within_tolerance);
             let failure = outcome.err();
             let verdict = control.judge(&mut pace, (t, t_new), outcome, C::PROPOSES);
             if let Ok(true) = verdict {
@@ -174,6 +169,25 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
                 toggle::reached(failure, model.0, (t, t_new), &self.last.x1)?;
             }
         }
+    }
+
+    /// Attempts a step to `t_new`, accepts it if `is_good` holds for the mean square of its error, and returns that.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn attempt_and_advance<S>(
+        &mut self,
+        model: (&S, &Modes<T, N>),
+        t_new: T,
+        is_good: impl Fn(T) -> bool,
+    ) -> Result<T, StepFailure>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        let mean_square = self.attempt(model, t_new)?;
+        if is_good(mean_square) {
+            self.advance(model, t_new)?;
+        }
+        Ok(mean_square)
     }
 
     /// Attempts a step to `t_new`, and returns the mean square of its error. Fails if the state is not finite.

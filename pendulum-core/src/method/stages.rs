@@ -1,16 +1,16 @@
 //! Sums over the stages of a step, in a form that compilers unroll and inline.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use crate::real::Real;
 use crate::real::lanes::{Isa, Routine};
-use crate::system::System;
+use crate::system::{Canonical, System};
 
 /// Number of states, two bodies, up to which a right-hand side takes few operations, most of which wait for one
 /// another.
 pub(crate) const SHORT: usize = 4;
 
-/// A system whose right-hand side is long: a function that is called, compiled for the instruction set.
+/// A system whose functions are long: they are called, compiled for the instruction set.
 pub(crate) struct Called<'a, S: ?Sized>(pub(crate) &'a S);
 
 impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for Called<'_, S> {
@@ -20,19 +20,45 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for Called<
     }
 }
 
-/// Evaluation of a right-hand side.
-struct Evaluation<'a, T, const N: usize> {
-    t: T,
-    x: &'a SVector<T, N>,
-}
-
-impl<S: System<T, N> + ?Sized, T: Real, const N: usize> Routine<(), S> for Evaluation<'_, T, N> {
-    type Output = SVector<T, N>;
+impl<S: Canonical<T, N> + ?Sized, T: Real, const N: usize> Canonical<T, N> for Called<'_, S> {
+    #[inline(always)]
+    fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
+        Isa::run_routine(CanonicalEvaluation { t, x }, &mut (), self.0)
+    }
 
     #[inline(always)]
-    fn run(self, (): &mut (), system: &S) -> SVector<T, N> {
-        system.rhs(self.t, self.x)
+    fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
+        Isa::run_routine(CanonicalDerivatives { t, x }, &mut (), self.0)
     }
+}
+
+/// Routines that evaluate a function of a system.
+macro_rules! evaluations {
+    ($($(#[$doc:meta])* $name:ident = $trait:ident::$function:ident -> $output:ty;)*) => { $(
+        $(#[$doc])*
+        struct $name<'a, T, const N: usize> {
+            t: T,
+            x: &'a SVector<T, N>,
+        }
+
+        impl<S: $trait<T, N> + ?Sized, T: Real, const N: usize> Routine<(), S> for $name<'_, T, N> {
+            type Output = $output;
+
+            #[inline(always)]
+            fn run(self, (): &mut (), system: &S) -> $output {
+                system.$function(self.t, self.x)
+            }
+        }
+    )* };
+}
+
+evaluations! {
+    /// Evaluation of a right-hand side.
+    Evaluation = System::rhs -> SVector<T, N>;
+    /// Evaluation of canonical variables and their rates.
+    CanonicalEvaluation = Canonical::canonical -> (SVector<T, N>, SVector<T, N>);
+    /// Evaluation of their derivatives.
+    CanonicalDerivatives = Canonical::canonical_jacobian -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
 }
 
 /// `x + change` in a loop over the components; see [`weighted_sum`].
@@ -68,12 +94,12 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
         let weight = if is_constant { weight.scaled(h) } else { h * weight };
         for (component, sum) in sums.iter_mut().enumerate() {
             let stage = stages[i].data.0[0][component];
-            let term = if is_constant {
-                stage.scaled(weight)
-            } else {
-                weight * stage
+            *sum = match (is_first, is_constant) {
+                (true, true) => stage.scaled(weight),
+                (true, false) => weight * stage,
+                (false, true) => stage.scaled_onto(weight, *sum),
+                (false, false) => weight.mul_add(stage, *sum),
             };
-            *sum = if is_first { term } else { *sum + term };
         }
         is_first = false;
     }
@@ -95,7 +121,7 @@ pub(crate) fn combination<T: Real, const N: usize>(
             if weight != 0.0 {
                 let weight = T::from_f64(weight);
                 for (sum, &component) in sums.iter_mut().zip(&stage.data.0[0]) {
-                    *sum += component.scaled(weight);
+                    *sum = component.scaled_onto(weight, *sum);
                 }
             }
         }

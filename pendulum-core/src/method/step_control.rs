@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::error::Reason;
 use crate::method::scheme::StepFailure;
+use crate::method::stages::Called;
 use crate::real::Float;
 use crate::step_size::{PiController, Tolerance};
 use crate::system::System;
@@ -94,7 +95,7 @@ impl<T: Float> StepControl<T> {
         let span = t1 - start.0;
         let direction = T::from_f64(if span < T::default() { -1.0 } else { 1.0 });
         let bounds = (self.error_order, self.h_max.min(span.abs()), direction);
-        Some(self.tolerance.first_step(system, start, bounds))
+        Some(self.tolerance.first_step(&Called(system), start, bounds))
     }
 
     /// Plans the step from `t` towards `t1`, after this many `steps`, and returns the time at its end. `h` is the

@@ -184,7 +184,7 @@ fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R,
         let factors = [2 * n + 1, 2 * n + 2].map(|factor| R::from_f64(factor as f64));
         for (sums, (factor, term)) in [&mut odd, &mut even].into_iter().zip(factors.into_iter().zip(pair)) {
             for (sum, &coefficient) in sums.iter_mut().zip(&term.data.0[0]) {
-                *sum = *sum * square + factor * coefficient;
+                *sum = sum.mul_add(square, factor * coefficient);
             }
         }
     }

@@ -50,10 +50,7 @@ where
     T: Float,
 {
     let mut solution = Solution::start(stepper.t(), from(&stepper, x0));
-    tolerance.into_iter().for_each(|tolerance| solution.within(tolerance));
-    let ended = follow(&mut stepper, x0, events, &mut solution);
-    solution.finish(stepper.statistics());
-    match ended {
+    match watched(&mut stepper, x0, events, tolerance, &mut solution) {
         Ok(_) => Ok(solution),
         Err(early) => Err(SolveError {
             reason: early.reason,
@@ -62,8 +59,27 @@ where
     }
 }
 
+/// Like [`follow`], but also passes the tolerance and the statistics to the observer.
+pub(super) fn watched<C, S, T, const N: usize>(
+    stepper: &mut Stepper<'_, C, S, T, N>,
+    x0: SVector<T, N>,
+    events: &[Event<'_, T, N>],
+    tolerance: Option<Tolerance<T>>,
+    observer: &mut impl Observer<T, N>,
+) -> Result<SVector<T, N>, Early<T, N>>
+where
+    C: Scheme<S, T, N>,
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    tolerance.into_iter().for_each(|tolerance| observer.within(tolerance));
+    let ended = follow(stepper, x0, events, observer);
+    observer.finish(stepper.statistics());
+    ended
+}
+
 /// Actual initial state of a stepper for the given `x0`: the state before an impact at the start, if there is one.
-fn from<C, S, T, const N: usize>(stepper: &Stepper<'_, C, S, T, N>, x0: SVector<T, N>) -> SVector<T, N>
+pub(super) fn from<C, S, T, const N: usize>(stepper: &Stepper<'_, C, S, T, N>, x0: SVector<T, N>) -> SVector<T, N>
 where
     C: Scheme<S, T, N>,
     S: System<T, N> + ?Sized,

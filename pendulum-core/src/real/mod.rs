@@ -5,12 +5,15 @@
 
 pub mod lanes;
 
+mod fused;
 mod scalar;
 mod sincos;
 
+pub use fused::Fused;
+
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// Number type of generated code: `f64`, `f32` or [lanes](lanes::Lanes) of these.
+/// Number type of generated code: `f64`, `f32`, [`Fused`] or [lanes](lanes::Lanes) of these.
 ///
 /// It has no comparisons, since `a < b` may differ between lanes. `Default` is zero.
 ///
@@ -46,6 +49,28 @@ pub trait Real:
     /// Converts `v` to the nearest number of the type.
     fn from_f64(v: f64) -> Self;
 
+    /// `self * a + b`, rounded once by [`Fused`] numbers. Generated code and methods compute sums of products by this
+    /// method and the next two.
+    #[inline(always)]
+    #[must_use]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
+
+    /// `self * a - b`, like [`mul_add`](Self::mul_add).
+    #[inline(always)]
+    #[must_use]
+    fn mul_sub(self, a: Self, b: Self) -> Self {
+        self * a - b
+    }
+
+    /// `b - self * a`, like [`mul_add`](Self::mul_add).
+    #[inline(always)]
+    #[must_use]
+    fn mul_neg_add(self, a: Self, b: Self) -> Self {
+        b - self * a
+    }
+
     /// True if the number carries no derivatives, or only zeros.
     #[inline(always)]
     fn is_constant(&self) -> bool {
@@ -63,6 +88,13 @@ pub trait Real:
     #[inline(always)]
     fn scaled(self, factor: Self) -> Self {
         factor * self
+    }
+
+    /// `sum` plus the product with a factor that [carries no derivatives](Self::is_constant).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn scaled_onto(self, factor: Self, sum: Self) -> Self {
+        self.mul_add(factor, sum)
     }
 
     /// The number as a variable of [dual numbers](crate::dual::Dual), with the index `place` among them; unchanged in

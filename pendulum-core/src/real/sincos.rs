@@ -1,7 +1,8 @@
 //! Sine and cosine: one kernel for both precisions, for scalars and for lanes.
 //!
-//! The kernel uses only additions, multiplications and bit operations, without fused operations. IEEE 754 defines these
-//! to the last bit, so results are identical on every machine, and in lanes and scalars.
+//! The kernel uses only additions, multiplications, their combinations (fused or not, as the type says) and bit
+//! operations. IEEE 754 defines these to the last bit, so results are identical on every machine, and in lanes and
+//! scalars.
 //!
 //! The angle is reduced to `[-pi/4, pi/4]` by subtracting a multiple of `pi/2` in parts (W. J. Cody, W. Waite,
 //! "Software Manual for the Elementary Functions", 1980). The rounding error of the reduced angle is carried along. The
@@ -103,17 +104,17 @@ pub(crate) fn sin_cos_pair<R: Register>(angles: [R::Scalar; 2]) -> [(R::Scalar, 
 #[inline(always)]
 fn near<R: Register>(x: R) -> (R, R) {
     let shift = R::splat(R::Scalar::SHIFT);
-    let shifted = x * constant::<R>(core::f64::consts::FRAC_2_PI) + shift;
+    let shifted = x.mul_add(constant::<R>(core::f64::consts::FRAC_2_PI), shift);
     let n = shifted - shift;
     let (first, [low, last]) = R::Scalar::HALF_PI;
     let mut near = x;
     for &part in first {
-        near = near - n * R::splat(part);
+        near = n.mul_neg_add(R::splat(part), near);
     }
     let low = n * R::splat(low);
     let r = near - low;
     // The reduced angle is r - excess.
-    let excess = (low - (near - r)) + n * R::splat(last);
+    let excess = n.mul_add(R::splat(last), low - (near - r));
 
     let one = constant::<R>(1.0);
     let z = r * r;
@@ -121,8 +122,8 @@ fn near<R: Register>(x: R) -> (R, R) {
     let half_z = z * constant::<R>(0.5);
     let base = one - half_z;
     // Written as a difference so that the sine of -0.0 is -0.0.
-    let sin = r - (r * (z * polynomial(R::Scalar::SIN, z, z2)) + excess * base);
-    let cos = base + (((one - base) - half_z) + (z2 * polynomial(R::Scalar::COS, z, z2) + r * excess));
+    let sin = r - r.mul_add(z * polynomial(R::Scalar::SIN, z, z2), excess * base);
+    let cos = base + (((one - base) - half_z) + z2.mul_add(polynomial(R::Scalar::COS, z, z2), r * excess));
     shifted.turn(sin, cos)
 }
 
@@ -133,7 +134,7 @@ fn polynomial<R: Register>(c: &[R::Scalar], z: R, z2: R) -> R {
     let mut sum = pair(c, i, z);
     while i > 0 {
         i -= 2;
-        sum = pair(c, i, z) + z2 * sum;
+        sum = z2.mul_add(sum, pair(c, i, z));
     }
     sum
 }
@@ -142,7 +143,7 @@ fn polynomial<R: Register>(c: &[R::Scalar], z: R, z2: R) -> R {
 #[inline(always)]
 fn pair<R: Register>(c: &[R::Scalar], i: usize, z: R) -> R {
     if i + 1 < c.len() {
-        R::splat(c[i]) + z * R::splat(c[i + 1])
+        z.mul_add(R::splat(c[i + 1]), R::splat(c[i]))
     } else {
         R::splat(c[i])
     }

@@ -275,19 +275,19 @@ t29 = t27 + t26 - t27
             let t0 = T::from_f64(0.5) * qx_a;
             let t1 = T::from_f64(0.5) * qy_a;
             let t2 = T::from_f64(0.5) * qz_a;
-            let t3 = -(qdx_a * t0 + qdy_a * t1 + qdz_a * t2);
+            let t3 = -qdz_a.mul_add(t2, qdy_a.mul_add(t1, qdx_a * t0));
             let t4 = T::from_f64(0.5) * qw_a;
-            let t5 = qdx_a * t4 - qdy_a * t2 + qdz_a * t1;
-            let t6 = qdx_a * t2 + qdy_a * t4 - qdz_a * t0;
-            let t7 = qdy_a * t0 - qdx_a * t1 + qdz_a * t4;
+            let t5 = qdz_a.mul_add(t1, qdy_a.mul_neg_add(t2, qdx_a * t4));
+            let t6 = qdz_a.mul_neg_add(t0, qdy_a.mul_add(t4, qdx_a * t2));
+            let t7 = qdz_a.mul_add(t4, qdx_a.mul_neg_add(t1, qdy_a * t0));
             let t8 = T::from_f64(0.5) * qx_b;
             let t9 = T::from_f64(0.5) * qy_b;
             let t10 = T::from_f64(0.5) * qz_b;
-            let t11 = -(qdx_b * t8 + qdy_b * t9 + qdz_b * t10);
+            let t11 = -qdz_b.mul_add(t10, qdy_b.mul_add(t9, qdx_b * t8));
             let t12 = T::from_f64(0.5) * qw_b;
-            let t13 = qdx_b * t12 - qdy_b * t10 + qdz_b * t9;
-            let t14 = qdx_b * t10 + qdy_b * t12 - qdz_b * t8;
-            let t15 = qdy_b * t8 - qdx_b * t9 + qdz_b * t12;
+            let t13 = qdz_b.mul_add(t9, qdy_b.mul_neg_add(t10, qdx_b * t12));
+            let t14 = qdz_b.mul_neg_add(t8, qdy_b.mul_add(t12, qdx_b * t10));
+            let t15 = qdz_b.mul_add(t12, qdx_b.mul_neg_add(t9, qdy_b * t8));
             let t16 = qx_b * qy_b;
             let t17 = qz_b * qw_b;
             let t18 = t16 - t17;
@@ -296,22 +296,24 @@ t29 = t27 + t26 - t27
             let t21 = T::from_f64(0.9154481881754609) * t18;
             let t22 = qy_b * qy_b;
             let t23 = qz_b * qz_b;
-            let t24 = T::from_f64(1.0) - T::from_f64(2.0) * (t22 + t23);
+            let t24 = T::from_f64(2.0).mul_neg_add(t22 + t23, T::from_f64(1.0));
             let t25 = T::from_f64(0.4721311475409836) * t24;
-            let t26 = t20 * t21 + t24 * t25;
-            let t27 = T::from_f64(0.21674666666666667) - T::from_f64(0.25) * t26;
-            let t28 = T::from_f64(0.5) * t26 - T::from_f64(0.5);
+            let t26 = t24.mul_add(t25, t20 * t21);
+            let t27 = T::from_f64(0.25)
+                .mul_neg_add(t26, T::from_f64(0.21674666666666667));
+            let t28 = T::from_f64(0.5).mul_sub(t26, T::from_f64(0.5));
             let t29 = qx_b * qx_b;
-            let t30 = T::from_f64(1.0) - T::from_f64(2.0) * (t23 + t29);
-            let t31 = T::from_f64(1.0) - T::from_f64(2.0) * (t22 + t29);
+            let t30 = T::from_f64(2.0).mul_neg_add(t23 + t29, T::from_f64(1.0));
+            let t31 = T::from_f64(2.0).mul_neg_add(t22 + t29, T::from_f64(1.0));
             let t32 = T::from_f64(0.45772409408773046) * t30;
             let t33 = T::from_f64(2.0) * t19;
             let t34 = T::from_f64(0.9442622950819672) * t19;
-            let t35 = t30 * t32 + t33 * t34;
-            let t36 = T::from_f64(0.21674666666666667) - T::from_f64(0.25) * t35;
+            let t35 = t33.mul_add(t34, t30 * t32);
+            let t36 = T::from_f64(0.25)
+                .mul_neg_add(t35, T::from_f64(0.21674666666666667));
             let t37 = t36 - t27;
             let t38 = T::from_f64(1.0) / (t36 - t37);
-            let t39 = t21 * t30 + t25 * t33;
+            let t39 = t25.mul_add(t33, t21 * t30);
             let t40 = T::from_f64(0.25) * t39;
             let t41 = T::from_f64(0.5) * t39;
             let t42 = t40 * t38;
@@ -319,67 +321,123 @@ t29 = t27 + t26 - t27
             let t44 = qx_b * qw_b;
             let t45 = T::from_f64(2.0) * (t43 + t44);
             let t46 = T::from_f64(2.0) * (t43 - t44);
-            let t47 = qdy_b + qdz_a * t45 + t20 * qdx_a + t30 * qdy_a;
+            let t47 = t30.mul_add(qdy_a, t20.mul_add(qdx_a, qdz_a.mul_add(t45, qdy_b)));
             let t48 = qx_b * qz_b;
             let t49 = qy_b * qw_b;
             let t50 = T::from_f64(2.0) * (t48 + t49);
             let t51 = T::from_f64(2.0) * (t48 - t49);
-            let t52 = T::from_f64(0.5) * (t21 * t45 + t25 * t51);
-            let t53 = qdz_b + qdz_a * t31 + qdx_a * t50 + qdy_a * t46;
+            let t52 = T::from_f64(0.5) * t25.mul_add(t51, t21 * t45);
+            let t53 = qdy_a.mul_add(t46, qdx_a.mul_add(t50, qdz_a.mul_add(t31, qdz_b)));
             let t54 = t47 * t53;
-            let t55 = T::from_f64(0.00098) * t54 - T::from_f64(0.03048) * t54;
+            let t55 = T::from_f64(0.03048).mul_neg_add(t54, T::from_f64(0.00098) * t54);
             let t56 = t55 - t55;
-            let t57 = qdx_b + qdz_a * t51 + t24 * qdx_a + t33 * qdy_a;
+            let t57 = t33.mul_add(qdy_a, t24.mul_add(qdx_a, qdz_a.mul_add(t51, qdx_b)));
             let t58 = t53 * t57;
-            let t59 = T::from_f64(0.03048) * t58 - T::from_f64(2e-5) * t58;
+            let t59 = T::from_f64(2e-5).mul_neg_add(t58, T::from_f64(0.03048) * t58);
             let t60 = t59 - t59;
             let t61 = t47 * t57;
-            let t62 = T::from_f64(2e-5) * t61 - T::from_f64(0.00098) * t61;
+            let t62 = T::from_f64(0.00098).mul_neg_add(t61, T::from_f64(2e-5) * t61);
             let t63 = t62 - t62;
             let t64 = qdx_a * qdz_a;
-            let t65 = T::from_f64(0.12) * (t47 * t47 + t57 * t57);
-            let t66 = T::from_f64(0.5) * (qdy_a * qdy_a + qdx_a * qdx_a);
+            let t65 = T::from_f64(0.12) * t57.mul_add(t57, t47 * t47);
+            let t66 = T::from_f64(0.5) * qdx_a.mul_add(qdx_a, qdy_a * qdy_a);
             let t67 = T::from_f64(0.5) * t64;
             let t68 = qdz_a * qdy_a;
             let t69 = T::from_f64(0.5) * t68;
-            let t70 = t45 * t66 - t20 * t67 - t30 * t69;
-            let t71 = t51 * t66 - t24 * t67 - t33 * t69;
-            let t72 = T::from_f64(3.814367450731087) * t55 + T::from_f64(0.12) * t54
-                + T::from_f64(0.45772409408773046) * t70;
-            let t73 = T::from_f64(0.12) * t58 + T::from_f64(0.4721311475409836) * t71
-                - T::from_f64(3.9344262295081966) * t59;
-            let t74 = t33 * t56 + t30 * t60 + t46 * t63
-                + T::from_f64(0.21658666666666668) * t64
-                - T::from_f64(0.5) * (t50 * t65 - t20 * t72 - t24 * t73);
-            let t75 = T::from_f64(9.81)
-                - T::from_f64(19.62) * (qx_a * qx_a + qy_a * qy_a);
-            let t76 = t42 * t74
-                + t75 * (T::from_f64(0.5) * (t32 * t45 + t34 * t51) + t42 * t52);
-            let t77 = T::from_f64(19.62) * (qz_a * qx_a - qy_a * qw_a);
-            let t78 = t76 + t77 * (t41 + t42 * t28)
-                + T::from_f64(0.21658666666666668) * t68 - t24 * t56;
-            let t79 = t78 - t20 * t60 - t50 * t63
-                - T::from_f64(0.5) * (t46 * t65 - t30 * t72 - t33 * t73);
-            let t80 = t56 * t51 + t45 * t60 + t31 * t63;
+            let t70 = t30.mul_neg_add(t69, t20.mul_neg_add(t67, t45 * t66));
+            let t71 = t33.mul_neg_add(t69, t24.mul_neg_add(t67, t51 * t66));
+            let t72 = T::from_f64(0.45772409408773046)
+                .mul_add(
+                    t70,
+                    T::from_f64(0.12).mul_add(t54, T::from_f64(3.814367450731087) * t55),
+                );
+            let t73 = T::from_f64(3.9344262295081966)
+                .mul_neg_add(
+                    t59,
+                    T::from_f64(0.4721311475409836).mul_add(t71, T::from_f64(0.12) * t58),
+                );
+            let t74 = T::from_f64(0.5)
+                .mul_neg_add(
+                    t24.mul_neg_add(t73, t20.mul_neg_add(t72, t50 * t65)),
+                    T::from_f64(0.21658666666666668)
+                        .mul_add(t64, t46.mul_add(t63, t30.mul_add(t60, t33 * t56))),
+                );
+            let t75 = T::from_f64(19.62)
+                .mul_neg_add(qy_a.mul_add(qy_a, qx_a * qx_a), T::from_f64(9.81));
+            let t76 = t75
+                .mul_add(
+                    t42.mul_add(t52, T::from_f64(0.5) * t34.mul_add(t51, t32 * t45)),
+                    t42 * t74,
+                );
+            let t77 = T::from_f64(19.62) * qy_a.mul_neg_add(qw_a, qz_a * qx_a);
+            let t78 = t24
+                .mul_neg_add(
+                    t56,
+                    T::from_f64(0.21658666666666668)
+                        .mul_add(t68, t77.mul_add(t42.mul_add(t28, t41), t76)),
+                );
+            let t79 = T::from_f64(0.5)
+                .mul_neg_add(
+                    t33.mul_neg_add(t73, t30.mul_neg_add(t72, t46 * t65)),
+                    t50.mul_neg_add(t63, t20.mul_neg_add(t60, t78)),
+                );
+            let t80 = t31.mul_add(t63, t45.mul_add(t60, t56 * t51));
             let t81 = T::from_f64(-6250.0) * t80;
             let t82 = T::from_f64(6250.0) * t80;
-            let t83 = T::from_f64(19.62) * (qy_a * qz_a + qx_a * qw_a);
-            let t84 = T::from_f64(1.0) / (t27 + t37 - t40 * t42)
-                * (t79 - t83 * (T::from_f64(0.5) - T::from_f64(0.5) * t35 - t42 * t41));
-            let t85 = t74 + t40 * t84 + t83 * t41 + t75 * t52 + t77 * t28;
+            let t83 = T::from_f64(19.62) * qx_a.mul_add(qw_a, qy_a * qz_a);
+            let t84 = T::from_f64(1.0) / t40.mul_neg_add(t42, t27 + t37)
+                * t83
+                    .mul_neg_add(
+                        t42
+                            .mul_neg_add(
+                                t41,
+                                T::from_f64(0.5).mul_neg_add(t35, T::from_f64(0.5)),
+                            ),
+                        t79,
+                    );
+            let t85 = t77
+                .mul_add(t28, t75.mul_add(t52, t83.mul_add(t41, t40.mul_add(t84, t74))));
             let t86 = t38 * t85;
-            let t87 = qdy_b * t57 + t50 * t84 - t47 * qdx_b - t46 * t86 - t31 * t82;
-            let t88 = T::from_f64(-1000.0) * (t62 + T::from_f64(0.001) * t87);
+            let t87 = t31
+                .mul_neg_add(
+                    t82,
+                    t46
+                        .mul_neg_add(
+                            t86,
+                            t47.mul_neg_add(qdx_b, t50.mul_add(t84, qdy_b * t57)),
+                        ),
+                );
+            let t88 = T::from_f64(-1000.0) * T::from_f64(0.001).mul_add(t87, t62);
             let t89 = -t86;
-            let t90 = t47 * qdz_b + t24 * t84 - qdy_b * t53 - t33 * t86 - t51 * t82;
-            let t91 = t53 * qdx_b + t20 * t84 - qdz_b * t57 - t30 * t86 - t45 * t82;
-            let t92 = t77 + T::from_f64(0.5) * t86;
-            let t93 = t83 + T::from_f64(0.5) * t84;
-            let t94 = t55 + T::from_f64(0.03146) * t90
-                + T::from_f64(0.12) * (t70 + t45 * t75 + t20 * t92 + t30 * t93);
-            let t95 = T::from_f64(0.12) * (t71 + t51 * t75 + t24 * t92 + t33 * t93)
-                - t59;
-            let t96 = T::from_f64(32.78688524590164) * (t95 - T::from_f64(0.0305) * t91);
+            let t90 = t51
+                .mul_neg_add(
+                    t82,
+                    t33
+                        .mul_neg_add(
+                            t86,
+                            qdy_b.mul_neg_add(t53, t24.mul_add(t84, t47 * qdz_b)),
+                        ),
+                );
+            let t91 = t45
+                .mul_neg_add(
+                    t82,
+                    t30
+                        .mul_neg_add(
+                            t86,
+                            qdz_b.mul_neg_add(t57, t20.mul_add(t84, t53 * qdx_b)),
+                        ),
+                );
+            let t92 = T::from_f64(0.5).mul_add(t86, t77);
+            let t93 = T::from_f64(0.5).mul_add(t84, t83);
+            let t94 = T::from_f64(0.12)
+                .mul_add(
+                    t30.mul_add(t93, t20.mul_add(t92, t45.mul_add(t75, t70))),
+                    T::from_f64(0.03146).mul_add(t90, t55),
+                );
+            let t95 = T::from_f64(0.12)
+                .mul_sub(t33.mul_add(t93, t24.mul_add(t92, t51.mul_add(t75, t71))), t59);
+            let t96 = T::from_f64(32.78688524590164)
+                * T::from_f64(0.0305).mul_neg_add(t91, t95);
             let t97 = T::from_f64(-31.78639542275906) * t94;
             ::pendulum_core::nalgebra::SVector::from([
                 t3,
@@ -564,22 +622,22 @@ t29 = t27 + t26 - t27
                 let t0 = T::from_f64(0.5) * qx_a;
                 let t1 = T::from_f64(0.5) * qy_a;
                 let t2 = T::from_f64(0.5) * qz_a;
-                let t3 = -(qdx_a * t0 + qdy_a * t1 + qdz_a * t2);
+                let t3 = -qdz_a.mul_add(t2, qdy_a.mul_add(t1, qdx_a * t0));
                 let t4 = T::from_f64(0.5) * qw_a;
-                let t5 = qdx_a * t4 - qdy_a * t2 + qdz_a * t1;
-                let t6 = qdx_a * t2 + qdy_a * t4 - qdz_a * t0;
-                let t7 = qdy_a * t0 - qdx_a * t1 + qdz_a * t4;
+                let t5 = qdz_a.mul_add(t1, qdy_a.mul_neg_add(t2, qdx_a * t4));
+                let t6 = qdz_a.mul_neg_add(t0, qdy_a.mul_add(t4, qdx_a * t2));
+                let t7 = qdz_a.mul_add(t4, qdx_a.mul_neg_add(t1, qdy_a * t0));
                 let t8 = -t0;
                 let t9 = -t1;
                 let t10 = -t2;
                 let t11 = T::from_f64(0.5) * qx_b;
                 let t12 = T::from_f64(0.5) * qy_b;
                 let t13 = T::from_f64(0.5) * qz_b;
-                let t14 = -(qdx_b * t11 + qdy_b * t12 + qdz_b * t13);
+                let t14 = -qdz_b.mul_add(t13, qdy_b.mul_add(t12, qdx_b * t11));
                 let t15 = T::from_f64(0.5) * qw_b;
-                let t16 = qdx_b * t15 - qdy_b * t13 + qdz_b * t12;
-                let t17 = qdx_b * t13 + qdy_b * t15 - qdz_b * t11;
-                let t18 = qdy_b * t11 - qdx_b * t12 + qdz_b * t15;
+                let t16 = qdz_b.mul_add(t12, qdy_b.mul_neg_add(t13, qdx_b * t15));
+                let t17 = qdz_b.mul_neg_add(t11, qdy_b.mul_add(t15, qdx_b * t13));
+                let t18 = qdz_b.mul_add(t15, qdx_b.mul_neg_add(t12, qdy_b * t11));
                 let t19 = -t11;
                 let t20 = -t12;
                 let t21 = -t13;
@@ -591,137 +649,206 @@ t29 = t27 + t26 - t27
                 let t27 = T::from_f64(0.9154481881754609) * t24;
                 let t28 = qy_b * qy_b;
                 let t29 = qz_b * qz_b;
-                let t30 = T::from_f64(1.0) - T::from_f64(2.0) * (t28 + t29);
+                let t30 = T::from_f64(2.0).mul_neg_add(t28 + t29, T::from_f64(1.0));
                 let t31 = T::from_f64(0.4721311475409836) * t30;
-                let t32 = t26 * t27 + t30 * t31;
-                let t33 = T::from_f64(0.21674666666666667) - T::from_f64(0.25) * t32;
-                let t34 = T::from_f64(0.5) * t32 - T::from_f64(0.5);
+                let t32 = t30.mul_add(t31, t26 * t27);
+                let t33 = T::from_f64(0.25)
+                    .mul_neg_add(t32, T::from_f64(0.21674666666666667));
+                let t34 = T::from_f64(0.5).mul_sub(t32, T::from_f64(0.5));
                 let t35 = qx_b * qx_b;
-                let t36 = T::from_f64(1.0) - T::from_f64(2.0) * (t29 + t35);
-                let t37 = T::from_f64(1.0) - T::from_f64(2.0) * (t28 + t35);
+                let t36 = T::from_f64(2.0).mul_neg_add(t29 + t35, T::from_f64(1.0));
+                let t37 = T::from_f64(2.0).mul_neg_add(t28 + t35, T::from_f64(1.0));
                 let t38 = T::from_f64(0.45772409408773046) * t36;
                 let t39 = T::from_f64(2.0) * t25;
                 let t40 = T::from_f64(0.9442622950819672) * t25;
-                let t41 = t36 * t38 + t39 * t40;
-                let t42 = T::from_f64(0.21674666666666667) - T::from_f64(0.25) * t41;
+                let t41 = t39.mul_add(t40, t36 * t38);
+                let t42 = T::from_f64(0.25)
+                    .mul_neg_add(t41, T::from_f64(0.21674666666666667));
                 let t43 = t42 - t33;
                 let t44 = T::from_f64(1.0) / (t42 - t43);
-                let t45 = t27 * t36 + t31 * t39;
+                let t45 = t31.mul_add(t39, t27 * t36);
                 let t46 = T::from_f64(0.25) * t45;
                 let t47 = T::from_f64(0.5) * t45;
                 let t48 = t46 * t44;
-                let t49 = T::from_f64(1.0) / (t33 + t43 - t46 * t48);
+                let t49 = T::from_f64(1.0) / t46.mul_neg_add(t48, t33 + t43);
                 let t50 = qy_b * qz_b;
                 let t51 = qx_b * qw_b;
                 let t52 = T::from_f64(2.0) * (t50 + t51);
                 let t53 = T::from_f64(2.0) * (t50 - t51);
-                let t54 = qdz_a * t52 + t26 * qdx_a + t36 * qdy_a;
+                let t54 = t36.mul_add(qdy_a, t26.mul_add(qdx_a, qdz_a * t52));
                 let t55 = qdy_b + t54;
                 let t56 = qx_b * qz_b;
                 let t57 = qy_b * qw_b;
                 let t58 = T::from_f64(2.0) * (t56 + t57);
                 let t59 = T::from_f64(2.0) * (t56 - t57);
-                let t60 = T::from_f64(0.5) * (t27 * t52 + t31 * t59);
-                let t61 = qdz_a * t37 + qdx_a * t58 + qdy_a * t53;
+                let t60 = T::from_f64(0.5) * t31.mul_add(t59, t27 * t52);
+                let t61 = qdy_a.mul_add(t53, qdx_a.mul_add(t58, qdz_a * t37));
                 let t62 = qdz_b + t61;
                 let t63 = t55 * t62;
-                let t64 = T::from_f64(0.00098) * t63 - T::from_f64(0.03048) * t63;
+                let t64 = T::from_f64(0.03048)
+                    .mul_neg_add(t63, T::from_f64(0.00098) * t63);
                 let t65 = t64 - t64;
-                let t66 = qdz_a * t59 + t30 * qdx_a + t39 * qdy_a;
+                let t66 = t39.mul_add(qdy_a, t30.mul_add(qdx_a, qdz_a * t59));
                 let t67 = qdx_b + t66;
                 let t68 = t62 * t67;
-                let t69 = T::from_f64(0.03048) * t68 - T::from_f64(2e-5) * t68;
+                let t69 = T::from_f64(2e-5).mul_neg_add(t68, T::from_f64(0.03048) * t68);
                 let t70 = t69 - t69;
                 let t71 = t55 * t67;
-                let t72 = T::from_f64(2e-5) * t71 - T::from_f64(0.00098) * t71;
+                let t72 = T::from_f64(0.00098).mul_neg_add(t71, T::from_f64(2e-5) * t71);
                 let t73 = t72 - t72;
                 let t74 = qdx_a * qdz_a;
-                let t75 = T::from_f64(0.12) * (t55 * t55 + t67 * t67);
-                let t76 = T::from_f64(0.5) * (qdy_a * qdy_a + qdx_a * qdx_a);
+                let t75 = T::from_f64(0.12) * t67.mul_add(t67, t55 * t55);
+                let t76 = T::from_f64(0.5) * qdx_a.mul_add(qdx_a, qdy_a * qdy_a);
                 let t77 = T::from_f64(0.5) * t74;
                 let t78 = qdz_a * qdy_a;
                 let t79 = T::from_f64(0.5) * t78;
-                let t80 = t52 * t76 - t26 * t77 - t36 * t79;
-                let t81 = t59 * t76 - t30 * t77 - t39 * t79;
-                let t82 = T::from_f64(3.814367450731087) * t64 + T::from_f64(0.12) * t63
-                    + T::from_f64(0.45772409408773046) * t80;
-                let t83 = T::from_f64(0.12) * t68 + T::from_f64(0.4721311475409836) * t81
-                    - T::from_f64(3.9344262295081966) * t69;
-                let t84 = t39 * t65 + t36 * t70 + t53 * t73
-                    + T::from_f64(0.21658666666666668) * t74
-                    - T::from_f64(0.5) * (t58 * t75 - t26 * t82 - t30 * t83);
-                let t85 = T::from_f64(9.81)
-                    - T::from_f64(19.62) * (qx_a * qx_a + qy_a * qy_a);
-                let t86 = t48 * t84
-                    + t85 * (T::from_f64(0.5) * (t38 * t52 + t40 * t59) + t48 * t60);
+                let t80 = t36.mul_neg_add(t79, t26.mul_neg_add(t77, t52 * t76));
+                let t81 = t39.mul_neg_add(t79, t30.mul_neg_add(t77, t59 * t76));
+                let t82 = T::from_f64(0.45772409408773046)
+                    .mul_add(
+                        t80,
+                        T::from_f64(0.12)
+                            .mul_add(t63, T::from_f64(3.814367450731087) * t64),
+                    );
+                let t83 = T::from_f64(3.9344262295081966)
+                    .mul_neg_add(
+                        t69,
+                        T::from_f64(0.4721311475409836)
+                            .mul_add(t81, T::from_f64(0.12) * t68),
+                    );
+                let t84 = T::from_f64(0.5)
+                    .mul_neg_add(
+                        t30.mul_neg_add(t83, t26.mul_neg_add(t82, t58 * t75)),
+                        T::from_f64(0.21658666666666668)
+                            .mul_add(t74, t53.mul_add(t73, t36.mul_add(t70, t39 * t65))),
+                    );
+                let t85 = T::from_f64(19.62)
+                    .mul_neg_add(qy_a.mul_add(qy_a, qx_a * qx_a), T::from_f64(9.81));
+                let t86 = t85
+                    .mul_add(
+                        t48.mul_add(t60, T::from_f64(0.5) * t40.mul_add(t59, t38 * t52)),
+                        t48 * t84,
+                    );
                 let t87 = t76 + t85;
-                let t88 = T::from_f64(19.62) * (qz_a * qx_a - qy_a * qw_a);
-                let t89 = t86 + t88 * (t47 + t48 * t34)
-                    + T::from_f64(0.21658666666666668) * t78 - t30 * t65;
-                let t90 = t89 - t26 * t70 - t58 * t73
-                    - T::from_f64(0.5) * (t53 * t75 - t36 * t82 - t39 * t83);
-                let t91 = t65 * t59 + t52 * t70 + t37 * t73;
+                let t88 = T::from_f64(19.62) * qy_a.mul_neg_add(qw_a, qz_a * qx_a);
+                let t89 = t30
+                    .mul_neg_add(
+                        t65,
+                        T::from_f64(0.21658666666666668)
+                            .mul_add(t78, t88.mul_add(t48.mul_add(t34, t47), t86)),
+                    );
+                let t90 = T::from_f64(0.5)
+                    .mul_neg_add(
+                        t39.mul_neg_add(t83, t36.mul_neg_add(t82, t53 * t75)),
+                        t58.mul_neg_add(t73, t26.mul_neg_add(t70, t89)),
+                    );
+                let t91 = t37.mul_add(t73, t52.mul_add(t70, t65 * t59));
                 let t92 = T::from_f64(-6250.0) * t91;
                 let t93 = T::from_f64(6250.0) * t91;
-                let t94 = T::from_f64(19.62) * (qy_a * qz_a + qx_a * qw_a);
+                let t94 = T::from_f64(19.62) * qx_a.mul_add(qw_a, qy_a * qz_a);
                 let t95 = t49
-                    * (t90
-                        - t94 * (T::from_f64(0.5) - T::from_f64(0.5) * t41 - t48 * t47));
-                let t96 = t84 + t46 * t95 + t94 * t47 + t85 * t60 + t88 * t34;
+                    * t94
+                        .mul_neg_add(
+                            t48
+                                .mul_neg_add(
+                                    t47,
+                                    T::from_f64(0.5).mul_neg_add(t41, T::from_f64(0.5)),
+                                ),
+                            t90,
+                        );
+                let t96 = t88
+                    .mul_add(
+                        t34,
+                        t85.mul_add(t60, t94.mul_add(t47, t46.mul_add(t95, t84))),
+                    );
                 let t97 = t44 * t96;
                 let t98 = -t97;
-                let t99 = t88 - T::from_f64(0.5) * (t74 - t97);
-                let t100 = t88 + T::from_f64(0.5) * t97;
-                let t101 = t94 - T::from_f64(0.5) * (t78 - t95);
-                let t102 = t94 + T::from_f64(0.5) * t95;
+                let t99 = T::from_f64(0.5).mul_neg_add(t74 - t97, t88);
+                let t100 = T::from_f64(0.5).mul_add(t97, t88);
+                let t101 = T::from_f64(0.5).mul_neg_add(t78 - t95, t94);
+                let t102 = T::from_f64(0.5).mul_add(t95, t94);
                 let t103 = T::from_f64(0.12)
-                    * (t81 + t59 * t85 + t30 * t100 + t39 * t102) - t69;
-                let t104 = t30 * t95 - t39 * t97 - t59 * t93;
-                let t105 = t64
-                    + T::from_f64(0.03146) * (t55 * qdz_b + t104 - qdy_b * t62)
-                    + T::from_f64(0.12) * (t80 + t52 * t85 + t26 * t100 + t36 * t102);
+                    .mul_sub(
+                        t39.mul_add(t102, t30.mul_add(t100, t59.mul_add(t85, t81))),
+                        t69,
+                    );
+                let t104 = t59.mul_neg_add(t93, t39.mul_neg_add(t97, t30 * t95));
+                let t105 = T::from_f64(0.12)
+                    .mul_add(
+                        t36.mul_add(t102, t26.mul_add(t100, t52.mul_add(t85, t80))),
+                        T::from_f64(0.03146)
+                            .mul_add(
+                                qdy_b.mul_neg_add(t62, t55.mul_add(qdz_b, t104)),
+                                t64,
+                            ),
+                    );
                 let t106 = T::from_f64(-31.78639542275906) * t105;
-                let t107 = t104 + t54 * qdz_b - T::from_f64(31.78639542275906) * t105
-                    - qdy_b * t61;
-                let t108 = t26 * t95 - t36 * t97 - t52 * t93;
+                let t107 = qdy_b
+                    .mul_neg_add(
+                        t61,
+                        T::from_f64(31.78639542275906)
+                            .mul_neg_add(t105, t54.mul_add(qdz_b, t104)),
+                    );
+                let t108 = t52.mul_neg_add(t93, t36.mul_neg_add(t97, t26 * t95));
                 let t109 = T::from_f64(32.78688524590164)
-                    * (t103 - T::from_f64(0.0305) * (t62 * qdx_b + t108 - qdz_b * t67));
-                let t110 = t108 + t109 + t61 * qdx_b - qdz_b * t66;
-                let t111 = t58 * t95 - t53 * t97 - t37 * t93;
-                let t112 = t72 + T::from_f64(0.001) * (qdy_b * t67 + t111 - t55 * qdx_b);
+                    * T::from_f64(0.0305)
+                        .mul_neg_add(
+                            qdz_b.mul_neg_add(t67, t62.mul_add(qdx_b, t108)),
+                            t103,
+                        );
+                let t110 = qdz_b.mul_neg_add(t66, t61.mul_add(qdx_b, t108 + t109));
+                let t111 = t37.mul_neg_add(t93, t53.mul_neg_add(t97, t58 * t95));
+                let t112 = T::from_f64(0.001)
+                    .mul_add(t55.mul_neg_add(qdx_b, qdy_b.mul_add(t67, t111)), t72);
                 let t113 = T::from_f64(-1000.0) * t112;
-                let t114 = t111 + qdy_b * t66 - T::from_f64(1000.0) * t112 - t54 * qdx_b;
-                let t115 = T::from_f64(2e-5) * (t71 + t114)
-                    - T::from_f64(0.00098) * (t71 - t114);
+                let t114 = t54
+                    .mul_neg_add(
+                        qdx_b,
+                        T::from_f64(1000.0).mul_neg_add(t112, qdy_b.mul_add(t66, t111)),
+                    );
+                let t115 = T::from_f64(0.00098)
+                    .mul_neg_add(t71 - t114, T::from_f64(2e-5) * (t71 + t114));
                 let t116 = T::from_f64(0.5) * qdx_a;
                 let t117 = T::from_f64(0.5) * qdy_a;
                 let t118 = T::from_f64(0.5) * qdz_a;
                 let t119 = T::from_f64(9.81) * qx_a;
                 let t120 = T::from_f64(19.62) * qx_a;
                 let t121 = T::from_f64(19.62) * qy_a;
-                let t122 = t36 * t120 - t26 * t121;
+                let t122 = t26.mul_neg_add(t121, t36 * t120);
                 let t123 = T::from_f64(0.12) * t122;
                 let t124 = T::from_f64(0.45772409408773046) * t122;
-                let t125 = t39 * t120 - t30 * t121;
+                let t125 = t30.mul_neg_add(t121, t39 * t120);
                 let t126 = T::from_f64(0.12) * t125;
                 let t127 = T::from_f64(0.4721311475409836) * t125;
-                let t128 = t30 * t123 + t26 * t126;
+                let t128 = t26.mul_add(t126, t30 * t123);
                 let t129 = T::from_f64(9.81) * qy_a;
-                let t130 = t39 * t123 + t36 * t126;
-                let t131 = t129 + T::from_f64(0.5) * (t26 * t124 + t30 * t127) + t130
-                    - t130;
-                let t132 = t119 + t128 - T::from_f64(0.5) * (t36 * t124 + t39 * t127)
-                    - t48 * t131;
+                let t130 = t36.mul_add(t126, t39 * t123);
+                let t131 = T::from_f64(0.5).mul_add(t30.mul_add(t127, t26 * t124), t129)
+                    + t130 - t130;
+                let t132 = t48
+                    .mul_neg_add(
+                        t131,
+                        T::from_f64(0.5)
+                            .mul_neg_add(t39.mul_add(t127, t36 * t124), t119 + t128),
+                    );
                 let t133 = t49 * (t132 - t128);
                 let t134 = -t133;
-                let t135 = t44 * (t46 * t133 - t131);
-                let t136 = t58 * t133 - t53 * t135;
+                let t135 = t44 * t46.mul_sub(t133, t131);
+                let t136 = t53.mul_neg_add(t135, t58 * t133);
                 let t137 = T::from_f64(0.5) * t135;
                 let t138 = T::from_f64(0.5) * t133;
-                let t139 = t123 + T::from_f64(0.03146) * (t39 * t135 - t30 * t133)
-                    - T::from_f64(0.12) * (t26 * t137 + t36 * t138);
-                let t140 = t126 - T::from_f64(0.0305) * (t36 * t135 - t26 * t133)
-                    - T::from_f64(0.12) * (t30 * t137 + t39 * t138);
+                let t139 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t138, t26 * t137),
+                        T::from_f64(0.03146)
+                            .mul_add(t30.mul_neg_add(t133, t39 * t135), t123),
+                    );
+                let t140 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t39.mul_add(t138, t30 * t137),
+                        T::from_f64(0.0305)
+                            .mul_neg_add(t26.mul_neg_add(t133, t36 * t135), t126),
+                    );
                 let t141 = T::from_f64(-31.78639542275906) * t139;
                 let t142 = T::from_f64(32.78688524590164) * t140;
                 let t143 = -t116;
@@ -731,78 +858,112 @@ t29 = t27 + t26 - t27
                 let t147 = T::from_f64(19.62) * qz_a;
                 let t148 = T::from_f64(19.62) * qw_a;
                 let t149 = T::from_f64(39.24) * qx_a;
-                let t150 = t26 * t147 + t36 * t148 - t52 * t149;
-                let t151 = t30 * t147 + t39 * t148 - t59 * t149;
+                let t150 = t52.mul_neg_add(t149, t36.mul_add(t148, t26 * t147));
+                let t151 = t59.mul_neg_add(t149, t39.mul_add(t148, t30 * t147));
                 let t152 = T::from_f64(0.12) * t150;
                 let t153 = T::from_f64(0.45772409408773046) * t150;
                 let t154 = T::from_f64(0.12) * t151;
                 let t155 = T::from_f64(0.4721311475409836) * t151;
-                let t156 = t39 * t152 + t36 * t154;
-                let t157 = t146 + t156 - T::from_f64(0.5) * (t26 * t153 + t30 * t155)
-                    - t156;
-                let t158 = t30 * t152 + t26 * t154;
-                let t159 = t145 + t48 * t157 + t158
-                    - T::from_f64(0.5) * (t36 * t153 + t39 * t155);
+                let t156 = t36.mul_add(t154, t39 * t152);
+                let t157 = T::from_f64(0.5)
+                    .mul_neg_add(t30.mul_add(t155, t26 * t153), t146 + t156) - t156;
+                let t158 = t26.mul_add(t154, t30 * t152);
+                let t159 = T::from_f64(0.5)
+                    .mul_neg_add(
+                        t39.mul_add(t155, t36 * t153),
+                        t48.mul_add(t157, t145) + t158,
+                    );
                 let t160 = t49 * (t159 - t158);
                 let t161 = -t160;
-                let t162 = t44 * (t157 + t46 * t160);
-                let t163 = t58 * t160 - t53 * t162;
+                let t162 = t44 * t46.mul_add(t160, t157);
+                let t163 = t53.mul_neg_add(t162, t58 * t160);
                 let t164 = T::from_f64(0.5) * t162;
                 let t165 = T::from_f64(0.5) * t160;
-                let t166 = t152 + T::from_f64(0.03146) * (t39 * t162 - t30 * t160)
-                    - T::from_f64(0.12) * (t26 * t164 + t36 * t165);
-                let t167 = t154 - T::from_f64(0.0305) * (t36 * t162 - t26 * t160)
-                    - T::from_f64(0.12) * (t30 * t164 + t39 * t165);
+                let t166 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t165, t26 * t164),
+                        T::from_f64(0.03146)
+                            .mul_add(t30.mul_neg_add(t160, t39 * t162), t152),
+                    );
+                let t167 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t39.mul_add(t165, t30 * t164),
+                        T::from_f64(0.0305)
+                            .mul_neg_add(t26.mul_neg_add(t160, t36 * t162), t154),
+                    );
                 let t168 = T::from_f64(-31.78639542275906) * t166;
                 let t169 = T::from_f64(32.78688524590164) * t167;
                 let t170 = -t117;
                 let t171 = T::from_f64(39.24) * qy_a;
-                let t172 = t36 * t147 - t26 * t148 - t52 * t171;
-                let t173 = t39 * t147 - t30 * t148 - t59 * t171;
+                let t172 = t52.mul_neg_add(t171, t26.mul_neg_add(t148, t36 * t147));
+                let t173 = t59.mul_neg_add(t171, t30.mul_neg_add(t148, t39 * t147));
                 let t174 = T::from_f64(0.12) * t172;
                 let t175 = T::from_f64(0.45772409408773046) * t172;
                 let t176 = T::from_f64(0.12) * t173;
                 let t177 = T::from_f64(0.4721311475409836) * t173;
-                let t178 = t30 * t174 + t26 * t176;
-                let t179 = t39 * t174 + t36 * t176;
-                let t180 = t145 + T::from_f64(0.5) * (t26 * t175 + t30 * t177) + t179
-                    - t179;
-                let t181 = t146 + t178 - T::from_f64(0.5) * (t36 * t175 + t39 * t177)
-                    - t48 * t180;
+                let t178 = t26.mul_add(t176, t30 * t174);
+                let t179 = t36.mul_add(t176, t39 * t174);
+                let t180 = T::from_f64(0.5).mul_add(t30.mul_add(t177, t26 * t175), t145)
+                    + t179 - t179;
+                let t181 = t48
+                    .mul_neg_add(
+                        t180,
+                        T::from_f64(0.5)
+                            .mul_neg_add(t39.mul_add(t177, t36 * t175), t146 + t178),
+                    );
                 let t182 = t49 * (t181 - t178);
                 let t183 = -t182;
-                let t184 = t44 * (t46 * t182 - t180);
-                let t185 = t58 * t182 - t53 * t184;
+                let t184 = t44 * t46.mul_sub(t182, t180);
+                let t185 = t53.mul_neg_add(t184, t58 * t182);
                 let t186 = T::from_f64(0.5) * t184;
                 let t187 = T::from_f64(0.5) * t182;
-                let t188 = t174 + T::from_f64(0.03146) * (t39 * t184 - t30 * t182)
-                    - T::from_f64(0.12) * (t26 * t186 + t36 * t187);
-                let t189 = t176 - T::from_f64(0.0305) * (t36 * t184 - t26 * t182)
-                    - T::from_f64(0.12) * (t30 * t186 + t39 * t187);
+                let t188 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t187, t26 * t186),
+                        T::from_f64(0.03146)
+                            .mul_add(t30.mul_neg_add(t182, t39 * t184), t174),
+                    );
+                let t189 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t39.mul_add(t187, t30 * t186),
+                        T::from_f64(0.0305)
+                            .mul_neg_add(t26.mul_neg_add(t182, t36 * t184), t176),
+                    );
                 let t190 = T::from_f64(-31.78639542275906) * t188;
                 let t191 = T::from_f64(32.78688524590164) * t189;
-                let t192 = t26 * t120 + t36 * t121;
-                let t193 = t30 * t120 + t39 * t121;
+                let t192 = t36.mul_add(t121, t26 * t120);
+                let t193 = t39.mul_add(t121, t30 * t120);
                 let t194 = T::from_f64(0.12) * t192;
                 let t195 = T::from_f64(0.45772409408773046) * t192;
                 let t196 = T::from_f64(0.12) * t193;
                 let t197 = T::from_f64(0.4721311475409836) * t193;
-                let t198 = t39 * t194 + t36 * t196;
-                let t199 = t119 + t198 - T::from_f64(0.5) * (t26 * t195 + t30 * t197)
-                    - t198;
-                let t200 = t30 * t194 + t26 * t196;
-                let t201 = t129 + t48 * t199 + t200
-                    - T::from_f64(0.5) * (t36 * t195 + t39 * t197);
+                let t198 = t36.mul_add(t196, t39 * t194);
+                let t199 = T::from_f64(0.5)
+                    .mul_neg_add(t30.mul_add(t197, t26 * t195), t119 + t198) - t198;
+                let t200 = t26.mul_add(t196, t30 * t194);
+                let t201 = T::from_f64(0.5)
+                    .mul_neg_add(
+                        t39.mul_add(t197, t36 * t195),
+                        t48.mul_add(t199, t129) + t200,
+                    );
                 let t202 = t49 * (t201 - t200);
                 let t203 = -t202;
-                let t204 = t44 * (t199 + t46 * t202);
-                let t205 = t58 * t202 - t53 * t204;
+                let t204 = t44 * t46.mul_add(t202, t199);
+                let t205 = t53.mul_neg_add(t204, t58 * t202);
                 let t206 = T::from_f64(0.5) * t204;
                 let t207 = T::from_f64(0.5) * t202;
-                let t208 = t194 + T::from_f64(0.03146) * (t39 * t204 - t30 * t202)
-                    - T::from_f64(0.12) * (t26 * t206 + t36 * t207);
-                let t209 = t196 - T::from_f64(0.0305) * (t36 * t204 - t26 * t202)
-                    - T::from_f64(0.12) * (t30 * t206 + t39 * t207);
+                let t208 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t207, t26 * t206),
+                        T::from_f64(0.03146)
+                            .mul_add(t30.mul_neg_add(t202, t39 * t204), t194),
+                    );
+                let t209 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t39.mul_add(t207, t30 * t206),
+                        T::from_f64(0.0305)
+                            .mul_neg_add(t26.mul_neg_add(t202, t36 * t204), t196),
+                    );
                 let t210 = T::from_f64(-31.78639542275906) * t208;
                 let t211 = T::from_f64(32.78688524590164) * t209;
                 let t212 = T::from_f64(0.5) * qdx_b;
@@ -821,13 +982,20 @@ t29 = t27 + t26 - t27
                 let t225 = qdx_a * t224;
                 let t226 = qdy_a * t218;
                 let t227 = t225 - t226;
-                let t228 = t62 * t223 + t55 * t227;
+                let t228 = t55.mul_add(t227, t62 * t223);
                 let t229 = t93 * t224;
                 let t230 = t97 * t220;
-                let t231 = qdz_b * t223 + t229 - qdy_b * t227 - t230;
+                let t231 = qdy_b.mul_neg_add(t227, qdz_b.mul_add(t223, t229)) - t230;
                 let t232 = t228 - t231;
-                let t233 = T::from_f64(0.12) * (t219 - t220 * t99)
-                    + T::from_f64(0.00098) * (t228 + t231) - T::from_f64(0.03048) * t232;
+                let t233 = T::from_f64(0.03048)
+                    .mul_neg_add(
+                        t232,
+                        T::from_f64(0.00098)
+                            .mul_add(
+                                t228 + t231,
+                                T::from_f64(0.12) * t220.mul_neg_add(t99, t219),
+                            ),
+                    );
                 let t234 = T::from_f64(0.12) * t232;
                 let t235 = t30 * t233;
                 let t236 = t224 * t115;
@@ -839,16 +1007,20 @@ t29 = t27 + t26 - t27
                 let t242 = qdz_a * t224;
                 let t243 = t241 - t242;
                 let t244 = T::from_f64(2.0) * t67;
-                let t245 = T::from_f64(0.12) * (t223 * t240 + t243 * t244);
+                let t245 = T::from_f64(0.12) * t243.mul_add(t244, t223 * t240);
                 let t246 = t63 - t107;
-                let t247 = T::from_f64(0.12) * (t52 * t87 + t26 * t99 + t36 * t101)
-                    + T::from_f64(0.00098) * (t63 + t107);
-                let t248 = t247 - T::from_f64(0.03048) * t246;
+                let t247 = T::from_f64(0.00098)
+                    .mul_add(
+                        t63 + t107,
+                        T::from_f64(0.12)
+                            * t36.mul_add(t101, t26.mul_add(t99, t52 * t87)),
+                    );
+                let t248 = T::from_f64(0.03048).mul_neg_add(t246, t247);
                 let t249 = T::from_f64(0.12) * t246;
-                let t250 = t67 * t227 + t62 * t243;
+                let t250 = t62.mul_add(t243, t67 * t227);
                 let t251 = t93 * t218;
                 let t252 = t95 * t220;
-                let t253 = qdx_b * t227 - qdz_b * t243 - t251 - t252;
+                let t253 = qdz_b.mul_neg_add(t243, qdx_b * t227) - t251 - t252;
                 let t254 = t250 + t253;
                 let t255 = T::from_f64(0.12) * t254;
                 (
@@ -1017,54 +1189,101 @@ t29 = t27 + t26 - t27
                 t510,
                 t511,
             ) = {
-                let t256 = t239 + t58 * t245 + t220 * t249 - t26 * t234 - t30 * t255;
+                let t256 = t30
+                    .mul_neg_add(
+                        t255,
+                        t26
+                            .mul_neg_add(
+                                t234,
+                                t220.mul_add(t249, t58.mul_add(t245, t239)),
+                            ),
+                    );
                 let t257 = T::from_f64(3.814367450731087) * t233;
                 let t258 = t87 * t224;
-                let t259 = T::from_f64(0.03048) * t254
-                    - T::from_f64(2e-5) * (t250 - t253)
-                    - T::from_f64(0.12) * (t220 * t101 - t258);
+                let t259 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t220.mul_sub(t101, t258),
+                        T::from_f64(2e-5)
+                            .mul_neg_add(t250 - t253, T::from_f64(0.03048) * t254),
+                    );
                 let t260 = T::from_f64(3.9344262295081966) * t259;
                 let t261 = t220 * t248;
-                let t262 = t237 + t238
-                    + T::from_f64(0.5) * (t256 - (t26 * t257 - t30 * t260)) - t261;
+                let t262 = T::from_f64(0.5)
+                    .mul_add(t256 - t30.mul_neg_add(t260, t26 * t257), t237 + t238)
+                    - t261;
                 let t263 = t259 - t259;
-                let t264 = t67 * t223 + t55 * t243;
+                let t264 = t55.mul_add(t243, t67 * t223);
                 let t265 = t95 * t224;
                 let t266 = t97 * t218;
-                let t267 = qdy_b * t243 + t265 + t266 - qdx_b * t223;
-                let t268 = T::from_f64(2e-5) * (t264 + t267)
-                    - T::from_f64(0.00098) * (t264 - t267);
+                let t267 = qdx_b.mul_neg_add(t223, qdy_b.mul_add(t243, t265) + t266);
+                let t268 = T::from_f64(0.00098)
+                    .mul_neg_add(t264 - t267, T::from_f64(2e-5) * (t264 + t267));
                 let t269 = t268 - t268;
-                let t270 = t262 - t237 - t36 * t263 - t53 * t269;
+                let t270 = t53.mul_neg_add(t269, t36.mul_neg_add(t263, t262 - t237));
                 let t271 = t75 * t218;
                 let t272 = t68 + t110;
-                let t273 = T::from_f64(0.03048) * t272 - T::from_f64(2e-5) * (t68 - t110)
-                    - T::from_f64(0.12) * (t59 * t87 + t30 * t99 + t39 * t101);
+                let t273 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t39.mul_add(t101, t30.mul_add(t99, t59 * t87)),
+                        T::from_f64(2e-5)
+                            .mul_neg_add(t68 - t110, T::from_f64(0.03048) * t272),
+                    );
                 let t274 = T::from_f64(0.12) * t272;
-                let t275 = t53 * t245 - t271 - t36 * t234 - t220 * t274 - t39 * t255;
-                let t276 = t235 + t236 + t48 * t270 + t26 * t263 + t58 * t269
-                    + T::from_f64(0.5) * (t275 - (t36 * t257 - t39 * t260));
+                let t275 = t39
+                    .mul_neg_add(
+                        t255,
+                        t220
+                            .mul_neg_add(
+                                t274,
+                                t36.mul_neg_add(t234, t53.mul_sub(t245, t271)),
+                            ),
+                    );
+                let t276 = T::from_f64(0.5)
+                    .mul_add(
+                        t275 - t39.mul_neg_add(t260, t36 * t257),
+                        t58
+                            .mul_add(
+                                t269,
+                                t26.mul_add(t263, t48.mul_add(t270, t235 + t236)),
+                            ),
+                    );
                 let t277 = t220 * t273;
                 let t278 = t49 * (t276 - t235 - t277);
                 let t279 = -t278;
-                let t280 = t44 * (t270 + t46 * t278);
+                let t280 = t44 * t46.mul_add(t278, t270);
                 let t281 = t59 * t233;
                 let t282 = t218 * t273;
                 let t283 = t224 * t248;
-                let t284 = t281 + t282 + t52 * t263 + t37 * t269 - t281 - t283;
+                let t284 = t37.mul_add(t269, t52.mul_add(t263, t281 + t282)) - t281
+                    - t283;
                 let t285 = T::from_f64(-6250.0) * t284;
                 let t286 = T::from_f64(6250.0) * t284;
                 let t287 = T::from_f64(-1000.0)
-                    * (t268
-                        + T::from_f64(0.001) * (t53 * t280 - t58 * t278 - t37 * t286));
+                    * T::from_f64(0.001)
+                        .mul_add(
+                            t37.mul_neg_add(t286, t58.mul_neg_add(t278, t53 * t280)),
+                            t268,
+                        );
                 let t288 = T::from_f64(0.5) * t280;
                 let t289 = T::from_f64(0.5) * t278;
-                let t290 = t233
-                    + T::from_f64(0.03146) * (t39 * t280 - t30 * t278 - t59 * t286)
-                    - T::from_f64(0.12) * (t26 * t288 + t36 * t289);
-                let t291 = t259
-                    + T::from_f64(0.0305) * (t36 * t280 - t26 * t278 - t52 * t286)
-                    + T::from_f64(0.12) * (t30 * t288 + t39 * t289);
+                let t290 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t289, t26 * t288),
+                        T::from_f64(0.03146)
+                            .mul_add(
+                                t59.mul_neg_add(t286, t30.mul_neg_add(t278, t39 * t280)),
+                                t233,
+                            ),
+                    );
+                let t291 = T::from_f64(0.12)
+                    .mul_add(
+                        t39.mul_add(t289, t30 * t288),
+                        T::from_f64(0.0305)
+                            .mul_add(
+                                t52.mul_neg_add(t286, t26.mul_neg_add(t278, t36 * t280)),
+                                t259,
+                            ),
+                    );
                 let t292 = T::from_f64(-31.78639542275906) * t290;
                 let t293 = T::from_f64(-32.78688524590164) * t291;
                 let t294 = T::from_f64(2.0) * qw_b;
@@ -1072,17 +1291,21 @@ t29 = t27 + t26 - t27
                 let t296 = t87 * t220;
                 let t297 = T::from_f64(4.0) * qx_b;
                 let t298 = qdz_a * t294;
-                let t299 = t225 + t298 - qdy_a * t297;
+                let t299 = qdy_a.mul_neg_add(t297, t225 + t298);
                 let t300 = qdy_a * t294;
-                let t301 = t222 - t300 - qdz_a * t297;
-                let t302 = t62 * t299 + t55 * t301;
+                let t301 = qdz_a.mul_neg_add(t297, t222 - t300);
+                let t302 = t55.mul_add(t301, t62 * t299);
                 let t303 = t93 * t220;
                 let t304 = t97 * t224;
-                let t305 = qdz_b * t299 - qdy_b * t301 - t303 - t304;
-                let t306 = T::from_f64(0.12) * (t295 + t99 * t224 - t101 * t297)
-                    + T::from_f64(0.00098) * (t302 + t305);
+                let t305 = qdy_b.mul_neg_add(t301, qdz_b * t299) - t303 - t304;
+                let t306 = T::from_f64(0.00098)
+                    .mul_add(
+                        t302 + t305,
+                        T::from_f64(0.12)
+                            * t101.mul_neg_add(t297, t99.mul_add(t224, t295)),
+                    );
                 let t307 = t302 - t305;
-                let t308 = t306 - T::from_f64(0.03048) * t307;
+                let t308 = T::from_f64(0.03048).mul_neg_add(t307, t306);
                 let t309 = T::from_f64(0.12) * t307;
                 let t310 = t30 * t308;
                 let t311 = t224 * t273;
@@ -1094,52 +1317,102 @@ t29 = t27 + t26 - t27
                 let t317 = t75 * t294;
                 let t318 = qdy_a * t224;
                 let t319 = t316 + t318;
-                let t320 = T::from_f64(0.12) * (t240 * t299 + t244 * t319);
-                let t321 = t67 * t301 + t62 * t319;
+                let t320 = T::from_f64(0.12) * t244.mul_add(t319, t240 * t299);
+                let t321 = t62.mul_add(t319, t67 * t301);
                 let t322 = t93 * t294;
-                let t323 = t265 + qdx_b * t301 + t97 * t297 - qdz_b * t319 - t322;
+                let t323 = qdz_b
+                    .mul_neg_add(t319, t97.mul_add(t297, qdx_b.mul_add(t301, t265)))
+                    - t322;
                 let t324 = t321 + t323;
-                let t325 = T::from_f64(0.03048) * t324
-                    - T::from_f64(2e-5) * (t321 - t323)
-                    - T::from_f64(0.12) * (t296 + t224 * t101);
+                let t325 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t224.mul_add(t101, t296),
+                        T::from_f64(2e-5)
+                            .mul_neg_add(t321 - t323, T::from_f64(0.03048) * t324),
+                    );
                 let t326 = T::from_f64(0.12) * t324;
-                let t327 = t315 + t58 * t320 - t224 * t249 - t26 * t309 - t30 * t326;
-                let t328 = t53 * t320 + t249 * t297 - t317 - t36 * t309 - t224 * t274;
+                let t327 = t30
+                    .mul_neg_add(
+                        t326,
+                        t26
+                            .mul_neg_add(
+                                t309,
+                                t224.mul_neg_add(t249, t58.mul_add(t320, t315)),
+                            ),
+                    );
+                let t328 = t224
+                    .mul_neg_add(
+                        t274,
+                        t36.mul_neg_add(t309, t249.mul_add(t297, t53 * t320) - t317),
+                    );
                 let t329 = T::from_f64(3.814367450731087) * t308;
                 let t330 = T::from_f64(3.9344262295081966) * t325;
-                let t331 = t313 + t273 * t297 + t314
-                    + T::from_f64(0.5) * (t327 - (t26 * t329 - t30 * t330));
+                let t331 = T::from_f64(0.5)
+                    .mul_add(
+                        t327 - t30.mul_neg_add(t330, t26 * t329),
+                        t273.mul_add(t297, t313) + t314,
+                    );
                 let t332 = t325 - t325;
-                let t333 = t67 * t299 + t55 * t319;
+                let t333 = t55.mul_add(t319, t67 * t299);
                 let t334 = t97 * t294;
-                let t335 = t252 + qdy_b * t319 + t93 * t297 + t334 - qdx_b * t299;
-                let t336 = T::from_f64(2e-5) * (t333 + t335)
-                    - T::from_f64(0.00098) * (t333 - t335);
+                let t335 = qdx_b
+                    .mul_neg_add(
+                        t299,
+                        t93.mul_add(t297, qdy_b.mul_add(t319, t252)) + t334,
+                    );
+                let t336 = T::from_f64(0.00098)
+                    .mul_neg_add(t333 - t335, T::from_f64(2e-5) * (t333 + t335));
                 let t337 = t336 - t336;
-                let t338 = t331 - t283 - t313 - t36 * t332 - t53 * t337;
-                let t339 = t310 + t311 + t312 + t48 * t338 + t26 * t332 + t58 * t337;
-                let t340 = t339
-                    + T::from_f64(0.5) * (t328 - t39 * t326 - (t36 * t329 - t39 * t330));
+                let t338 = t53
+                    .mul_neg_add(t337, t36.mul_neg_add(t332, t331 - t283 - t313));
+                let t339 = t58
+                    .mul_add(
+                        t337,
+                        t26.mul_add(t332, t48.mul_add(t338, t310 + t311 + t312)),
+                    );
+                let t340 = T::from_f64(0.5)
+                    .mul_add(
+                        t39.mul_neg_add(t326, t328) - t39.mul_neg_add(t330, t36 * t329),
+                        t339,
+                    );
                 let t341 = t49 * (t340 - t310);
                 let t342 = -t341;
-                let t343 = t44 * (t338 + t46 * t341);
+                let t343 = t44 * t46.mul_add(t341, t338);
                 let t344 = t59 * t308;
                 let t345 = t273 * t294;
-                let t346 = t261 + t344 + t345 + t52 * t332 + t37 * t337 - t344
-                    - t115 * t297;
+                let t346 = t115
+                    .mul_neg_add(
+                        t297,
+                        t37.mul_add(t337, t52.mul_add(t332, t261 + t344 + t345)) - t344,
+                    );
                 let t347 = T::from_f64(-6250.0) * t346;
                 let t348 = T::from_f64(6250.0) * t346;
                 let t349 = T::from_f64(-1000.0)
-                    * (t336
-                        + T::from_f64(0.001) * (t53 * t343 - t58 * t341 - t37 * t348));
+                    * T::from_f64(0.001)
+                        .mul_add(
+                            t37.mul_neg_add(t348, t58.mul_neg_add(t341, t53 * t343)),
+                            t336,
+                        );
                 let t350 = T::from_f64(0.5) * t343;
                 let t351 = T::from_f64(0.5) * t341;
-                let t352 = t308
-                    + T::from_f64(0.03146) * (t39 * t343 - t30 * t341 - t59 * t348)
-                    - T::from_f64(0.12) * (t26 * t350 + t36 * t351);
-                let t353 = t325
-                    + T::from_f64(0.0305) * (t36 * t343 - t26 * t341 - t52 * t348)
-                    + T::from_f64(0.12) * (t30 * t350 + t39 * t351);
+                let t352 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t351, t26 * t350),
+                        T::from_f64(0.03146)
+                            .mul_add(
+                                t59.mul_neg_add(t348, t30.mul_neg_add(t341, t39 * t343)),
+                                t308,
+                            ),
+                    );
+                let t353 = T::from_f64(0.12)
+                    .mul_add(
+                        t39.mul_add(t351, t30 * t350),
+                        T::from_f64(0.0305)
+                            .mul_add(
+                                t52.mul_neg_add(t348, t26.mul_neg_add(t341, t36 * t343)),
+                                t325,
+                            ),
+                    );
                 let t354 = T::from_f64(-31.78639542275906) * t352;
                 let t355 = T::from_f64(-32.78688524590164) * t353;
                 let t356 = qdx_a * t218;
@@ -1147,202 +1420,356 @@ t29 = t27 + t26 - t27
                 let t358 = t318 + t356;
                 let t359 = qdx_a * t294;
                 let t360 = T::from_f64(4.0) * qy_b;
-                let t361 = t226 - t298 - qdx_a * t360;
-                let t362 = t241 + t359 - qdz_a * t360;
-                let t363 = t322 + qdz_b * t357 - t266 - qdy_b * t362 - t95 * t360;
-                let t364 = t62 * t357 + t55 * t362;
+                let t361 = qdx_a.mul_neg_add(t360, t226 - t298);
+                let t362 = qdz_a.mul_neg_add(t360, t241 + t359);
+                let t363 = t95
+                    .mul_neg_add(
+                        t360,
+                        qdy_b.mul_neg_add(t362, qdz_b.mul_add(t357, t322) - t266),
+                    );
+                let t364 = t55.mul_add(t362, t62 * t357);
                 let t365 = t364 - t363;
-                let t366 = T::from_f64(0.12) * (t296 + t218 * t99)
-                    + T::from_f64(0.00098) * (t364 + t363) - T::from_f64(0.03048) * t365;
+                let t366 = T::from_f64(0.03048)
+                    .mul_neg_add(
+                        t365,
+                        T::from_f64(0.00098)
+                            .mul_add(
+                                t364 + t363,
+                                T::from_f64(0.12) * t218.mul_add(t99, t296),
+                            ),
+                    );
                 let t367 = T::from_f64(0.12) * t365;
                 let t368 = t30 * t366;
                 let t369 = t39 * t366;
-                let t370 = T::from_f64(0.12) * (t240 * t357 + t244 * t361);
-                let t371 = t317 + t58 * t370 + t274 * t360 - t218 * t249 - t26 * t367;
-                let t372 = t67 * t362 + t62 * t361;
+                let t370 = T::from_f64(0.12) * t244.mul_add(t361, t240 * t357);
+                let t371 = t26
+                    .mul_neg_add(
+                        t367,
+                        t218
+                            .mul_neg_add(
+                                t249,
+                                t274.mul_add(t360, t58.mul_add(t370, t317)),
+                            ),
+                    );
+                let t372 = t62.mul_add(t361, t67 * t362);
                 let t373 = t95 * t218;
-                let t374 = qdx_b * t362 + t373 - t303 - qdz_b * t361;
+                let t374 = qdz_b.mul_neg_add(t361, qdx_b.mul_add(t362, t373) - t303);
                 let t375 = t372 + t374;
-                let t376 = T::from_f64(0.03048) * t375
-                    - T::from_f64(2e-5) * (t372 - t374)
-                    - T::from_f64(0.12) * (t218 * t101 - t295 - t99 * t360);
+                let t376 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t99.mul_neg_add(t360, t218.mul_sub(t101, t295)),
+                        T::from_f64(2e-5)
+                            .mul_neg_add(t372 - t374, T::from_f64(0.03048) * t375),
+                    );
                 let t377 = T::from_f64(0.12) * t375;
-                let t378 = t315 + t53 * t370 - t36 * t367 - t218 * t274 - t39 * t377;
+                let t378 = t39
+                    .mul_neg_add(
+                        t377,
+                        t218
+                            .mul_neg_add(
+                                t274,
+                                t36.mul_neg_add(t367, t53.mul_add(t370, t315)),
+                            ),
+                    );
                 let t379 = t218 * t248;
                 let t380 = T::from_f64(3.814367450731087) * t366;
                 let t381 = T::from_f64(3.9344262295081966) * t376;
-                let t382 = t369
-                    + T::from_f64(0.5) * (t371 - t30 * t377 - (t26 * t380 - t30 * t381));
+                let t382 = T::from_f64(0.5)
+                    .mul_add(
+                        t30.mul_neg_add(t377, t371) - t30.mul_neg_add(t381, t26 * t380),
+                        t369,
+                    );
                 let t383 = t376 - t376;
-                let t384 = t67 * t357 + t55 * t361;
+                let t384 = t55.mul_add(t361, t67 * t357);
                 let t385 = t95 * t294;
-                let t386 = qdy_b * t361 + t93 * t360 + t385 - t230 - qdx_b * t357;
-                let t387 = T::from_f64(2e-5) * (t384 + t386)
-                    - T::from_f64(0.00098) * (t384 - t386);
+                let t386 = qdx_b
+                    .mul_neg_add(t357, t93.mul_add(t360, qdy_b * t361) + t385 - t230);
+                let t387 = T::from_f64(0.00098)
+                    .mul_neg_add(t384 - t386, T::from_f64(2e-5) * (t384 + t386));
                 let t388 = t387 - t387;
-                let t389 = t382 - t312 - t379 - t369 - t36 * t383 - t53 * t388;
-                let t390 = t282 + t314 + t368 + t48 * t389 + t26 * t383 + t58 * t388;
-                let t391 = t390 + T::from_f64(0.5) * (t378 - (t36 * t380 - t39 * t381))
-                    - t368 - t248 * t360;
+                let t389 = t53
+                    .mul_neg_add(t388, t36.mul_neg_add(t383, t382 - t312 - t379 - t369));
+                let t390 = t58
+                    .mul_add(
+                        t388,
+                        t26.mul_add(t383, t48.mul_add(t389, t282 + t314 + t368)),
+                    );
+                let t391 = t248
+                    .mul_neg_add(
+                        t360,
+                        T::from_f64(0.5)
+                            .mul_add(t378 - t39.mul_neg_add(t381, t36 * t380), t390)
+                            - t368,
+                    );
                 let t392 = t49 * t391;
                 let t393 = -t392;
-                let t394 = t44 * (t389 + t46 * t392);
+                let t394 = t44 * t46.mul_add(t392, t389);
                 let t395 = t59 * t366;
                 let t396 = t248 * t294;
-                let t397 = t277 + t395 + t52 * t383 + t37 * t388 - t395 - t396
-                    - t115 * t360;
+                let t397 = t115
+                    .mul_neg_add(
+                        t360,
+                        t37.mul_add(t388, t52.mul_add(t383, t277 + t395)) - t395 - t396,
+                    );
                 let t398 = T::from_f64(-6250.0) * t397;
                 let t399 = T::from_f64(6250.0) * t397;
                 let t400 = T::from_f64(-1000.0)
-                    * (t387
-                        + T::from_f64(0.001) * (t53 * t394 - t58 * t392 - t37 * t399));
+                    * T::from_f64(0.001)
+                        .mul_add(
+                            t37.mul_neg_add(t399, t58.mul_neg_add(t392, t53 * t394)),
+                            t387,
+                        );
                 let t401 = T::from_f64(0.5) * t394;
                 let t402 = T::from_f64(0.5) * t392;
-                let t403 = t366
-                    + T::from_f64(0.03146) * (t39 * t394 - t30 * t392 - t59 * t399)
-                    - T::from_f64(0.12) * (t26 * t401 + t36 * t402);
-                let t404 = t376
-                    + T::from_f64(0.0305) * (t36 * t394 - t26 * t392 - t52 * t399)
-                    + T::from_f64(0.12) * (t30 * t401 + t39 * t402);
+                let t403 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t402, t26 * t401),
+                        T::from_f64(0.03146)
+                            .mul_add(
+                                t59.mul_neg_add(t399, t30.mul_neg_add(t392, t39 * t394)),
+                                t366,
+                            ),
+                    );
+                let t404 = T::from_f64(0.12)
+                    .mul_add(
+                        t39.mul_add(t402, t30 * t401),
+                        T::from_f64(0.0305)
+                            .mul_add(
+                                t52.mul_neg_add(t399, t26.mul_neg_add(t392, t36 * t394)),
+                                t376,
+                            ),
+                    );
                 let t405 = T::from_f64(-31.78639542275906) * t403;
                 let t406 = T::from_f64(-32.78688524590164) * t404;
                 let t407 = T::from_f64(4.0) * qz_b;
-                let t408 = t242 - t359 - qdy_a * t407;
-                let t409 = qdz_b * t408 - t251 - t334 - qdy_b * t358 - t95 * t407;
-                let t410 = t221 + t300 - qdx_a * t407;
-                let t411 = qdx_b * t358 + t97 * t407 - t229 - t385 - qdz_b * t410;
-                let t412 = t373 + qdy_b * t410 - t304 - qdx_b * t408;
-                let t413 = t62 * t408 + t55 * t358;
-                let t414 = T::from_f64(0.12) * (t258 - t99 * t294 - t101 * t407)
-                    + T::from_f64(0.00098) * (t413 + t409);
+                let t408 = qdy_a.mul_neg_add(t407, t242 - t359);
+                let t409 = t95
+                    .mul_neg_add(
+                        t407,
+                        qdy_b.mul_neg_add(t358, qdz_b.mul_sub(t408, t251) - t334),
+                    );
+                let t410 = qdx_a.mul_neg_add(t407, t221 + t300);
+                let t411 = qdz_b
+                    .mul_neg_add(t410, t97.mul_add(t407, qdx_b * t358) - t229 - t385);
+                let t412 = qdx_b.mul_neg_add(t408, qdy_b.mul_add(t410, t373) - t304);
+                let t413 = t55.mul_add(t358, t62 * t408);
+                let t414 = T::from_f64(0.00098)
+                    .mul_add(
+                        t413 + t409,
+                        T::from_f64(0.12)
+                            * t101.mul_neg_add(t407, t99.mul_neg_add(t294, t258)),
+                    );
                 let t415 = t413 - t409;
-                let t416 = t414 - T::from_f64(0.03048) * t415;
+                let t416 = T::from_f64(0.03048).mul_neg_add(t415, t414);
                 let t417 = T::from_f64(0.12) * t415;
-                let t418 = t67 * t358 + t62 * t410;
+                let t418 = t62.mul_add(t410, t67 * t358);
                 let t419 = t30 * t416;
                 let t420 = t39 * t416;
-                let t421 = T::from_f64(0.12) * (t240 * t408 + t244 * t410);
-                let t422 = t67 * t408 + t55 * t410;
-                let t423 = T::from_f64(2e-5) * (t422 + t412)
-                    - T::from_f64(0.00098) * (t422 - t412);
-                let t424 = t271 + t58 * t421 + t249 * t294 + t274 * t407 - t26 * t417;
-                let t425 = t239 + t53 * t421 + t249 * t407 - t36 * t417 - t274 * t294;
+                let t421 = T::from_f64(0.12) * t244.mul_add(t410, t240 * t408);
+                let t422 = t55.mul_add(t410, t67 * t408);
+                let t423 = T::from_f64(0.00098)
+                    .mul_neg_add(t422 - t412, T::from_f64(2e-5) * (t422 + t412));
+                let t424 = t26
+                    .mul_neg_add(
+                        t417,
+                        t274.mul_add(t407, t249.mul_add(t294, t58.mul_add(t421, t271))),
+                    );
+                let t425 = t274
+                    .mul_neg_add(
+                        t294,
+                        t36
+                            .mul_neg_add(
+                                t417,
+                                t249.mul_add(t407, t53.mul_add(t421, t239)),
+                            ),
+                    );
                 let t426 = t418 + t411;
-                let t427 = T::from_f64(0.03048) * t426
-                    - T::from_f64(2e-5) * (t418 - t411)
-                    - T::from_f64(0.12) * (t219 + t101 * t294 - t99 * t407);
+                let t427 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t99.mul_neg_add(t407, t101.mul_add(t294, t219)),
+                        T::from_f64(2e-5)
+                            .mul_neg_add(t418 - t411, T::from_f64(0.03048) * t426),
+                    );
                 let t428 = T::from_f64(0.12) * t426;
                 let t429 = T::from_f64(3.814367450731087) * t416;
                 let t430 = T::from_f64(3.9344262295081966) * t427;
-                let t431 = t420 + t273 * t407
-                    + T::from_f64(0.5) * (t424 - t30 * t428 - (t26 * t429 - t30 * t430));
+                let t431 = T::from_f64(0.5)
+                    .mul_add(
+                        t30.mul_neg_add(t428, t424) - t30.mul_neg_add(t430, t26 * t429),
+                        t273.mul_add(t407, t420),
+                    );
                 let t432 = t427 - t427;
                 let t433 = t423 - t423;
-                let t434 = t431 - t236 - t396 - t420 - t36 * t432 - t53 * t433;
-                let t435 = t238 + t419 + t48 * t434 + t26 * t432 + t58 * t433
-                    + T::from_f64(0.5) * (t425 - t39 * t428 - (t36 * t429 - t39 * t430));
-                let t436 = t49 * (t435 - t345 - t419 - t248 * t407);
+                let t434 = t53
+                    .mul_neg_add(t433, t36.mul_neg_add(t432, t431 - t236 - t396 - t420));
+                let t435 = T::from_f64(0.5)
+                    .mul_add(
+                        t39.mul_neg_add(t428, t425) - t39.mul_neg_add(t430, t36 * t429),
+                        t58
+                            .mul_add(
+                                t433,
+                                t26.mul_add(t432, t48.mul_add(t434, t238 + t419)),
+                            ),
+                    );
+                let t436 = t49 * t248.mul_neg_add(t407, t435 - t345 - t419);
                 let t437 = -t436;
-                let t438 = t44 * (t434 + t46 * t436);
+                let t438 = t44 * t46.mul_add(t436, t434);
                 let t439 = t59 * t416;
-                let t440 = t311 + t379 + t439 + t52 * t432 + t37 * t433 - t439;
+                let t440 = t37.mul_add(t433, t52.mul_add(t432, t311 + t379 + t439))
+                    - t439;
                 let t441 = T::from_f64(-6250.0) * t440;
                 let t442 = T::from_f64(6250.0) * t440;
                 let t443 = T::from_f64(-1000.0)
-                    * (t423
-                        + T::from_f64(0.001) * (t53 * t438 - t58 * t436 - t37 * t442));
+                    * T::from_f64(0.001)
+                        .mul_add(
+                            t37.mul_neg_add(t442, t58.mul_neg_add(t436, t53 * t438)),
+                            t423,
+                        );
                 let t444 = T::from_f64(0.5) * t438;
                 let t445 = T::from_f64(0.5) * t436;
-                let t446 = t416
-                    + T::from_f64(0.03146) * (t39 * t438 - t30 * t436 - t59 * t442)
-                    - T::from_f64(0.12) * (t26 * t444 + t36 * t445);
-                let t447 = t427
-                    + T::from_f64(0.0305) * (t36 * t438 - t26 * t436 - t52 * t442)
-                    + T::from_f64(0.12) * (t30 * t444 + t39 * t445);
+                let t446 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t445, t26 * t444),
+                        T::from_f64(0.03146)
+                            .mul_add(
+                                t59.mul_neg_add(t442, t30.mul_neg_add(t436, t39 * t438)),
+                                t416,
+                            ),
+                    );
+                let t447 = T::from_f64(0.12)
+                    .mul_add(
+                        t39.mul_add(t445, t30 * t444),
+                        T::from_f64(0.0305)
+                            .mul_add(
+                                t52.mul_neg_add(t442, t26.mul_neg_add(t436, t36 * t438)),
+                                t427,
+                            ),
+                    );
                 let t448 = T::from_f64(-31.78639542275906) * t446;
                 let t449 = T::from_f64(-32.78688524590164) * t447;
-                let t450 = t26 * t62 + t55 * t58;
-                let t451 = t26 * qdz_b - qdy_b * t58;
+                let t450 = t55.mul_add(t58, t26 * t62);
+                let t451 = qdy_b.mul_neg_add(t58, t26 * qdz_b);
                 let t452 = t450 - t451;
-                let t453 = T::from_f64(0.12) * (qdx_a * t52 - t26 * t118)
-                    + T::from_f64(0.00098) * (t450 + t451) - T::from_f64(0.03048) * t452;
+                let t453 = T::from_f64(0.03048)
+                    .mul_neg_add(
+                        t452,
+                        T::from_f64(0.00098)
+                            .mul_add(
+                                t450 + t451,
+                                T::from_f64(0.12) * t26.mul_neg_add(t118, qdx_a * t52),
+                            ),
+                    );
                 let t454 = T::from_f64(0.12) * t452;
                 let t455 = t30 * t453;
-                let t456 = t58 * t67 + t30 * t62;
-                let t457 = t58 * qdx_b - t30 * qdz_b;
+                let t456 = t30.mul_add(t62, t58 * t67);
+                let t457 = t30.mul_neg_add(qdz_b, t58 * qdx_b);
                 let t458 = t456 + t457;
-                let t459 = T::from_f64(0.03048) * t458
-                    - T::from_f64(2e-5) * (t456 - t457)
-                    - T::from_f64(0.12) * (qdx_a * t59 - t30 * t118);
+                let t459 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t30.mul_neg_add(t118, qdx_a * t59),
+                        T::from_f64(2e-5)
+                            .mul_neg_add(t456 - t457, T::from_f64(0.03048) * t458),
+                    );
                 let t460 = T::from_f64(0.12) * t458;
                 let t461 = t459 - t459;
-                let t462 = t26 * t67 + t30 * t55;
-                let t463 = t30 * qdy_b - t26 * qdx_b;
-                let t464 = T::from_f64(2e-5) * (t462 + t463)
-                    - T::from_f64(0.00098) * (t462 - t463);
+                let t462 = t30.mul_add(t55, t26 * t67);
+                let t463 = t26.mul_neg_add(qdx_b, t30 * qdy_b);
+                let t464 = T::from_f64(0.00098)
+                    .mul_neg_add(t462 - t463, T::from_f64(2e-5) * (t462 + t463));
                 let t465 = t464 - t464;
-                let t466 = T::from_f64(0.12) * (t26 * t240 + t30 * t244);
+                let t466 = T::from_f64(0.12) * t30.mul_add(t244, t26 * t240);
                 let t467 = T::from_f64(3.814367450731087) * t453;
                 let t468 = T::from_f64(3.9344262295081966) * t459;
-                let t469 = t53 * t466 - t36 * t454 - t39 * t460
-                    - (t36 * t467 - t39 * t468);
-                let t470 = t26 * t467 - t30 * t468
-                    - (t58 * t466 - t26 * t454 - t30 * t460);
+                let t469 = t39.mul_neg_add(t460, t36.mul_neg_add(t454, t53 * t466))
+                    - t39.mul_neg_add(t468, t36 * t467);
+                let t470 = t30.mul_neg_add(t468, t26 * t467)
+                    - t30.mul_neg_add(t460, t26.mul_neg_add(t454, t58 * t466));
                 let t471 = t39 * t453;
-                let t472 = T::from_f64(0.21666666666666667) * qdz_a
-                    - T::from_f64(8e-5) * qdz_a;
-                let t473 = t471 + t36 * t461 + t53 * t465 + T::from_f64(0.5) * t470
-                    + t472 - t471;
-                let t474 = t455 + t26 * t461 + t58 * t465 + T::from_f64(0.5) * t469
-                    - t455 - t48 * t473;
+                let t472 = T::from_f64(8e-5)
+                    .mul_neg_add(qdz_a, T::from_f64(0.21666666666666667) * qdz_a);
+                let t473 = T::from_f64(0.5)
+                    .mul_add(t470, t53.mul_add(t465, t36.mul_add(t461, t471))) + t472
+                    - t471;
+                let t474 = t48
+                    .mul_neg_add(
+                        t473,
+                        T::from_f64(0.5)
+                            .mul_add(t469, t58.mul_add(t465, t26.mul_add(t461, t455)))
+                            - t455,
+                    );
                 let t475 = t49 * t474;
                 let t476 = -t475;
-                let t477 = t44 * (t46 * t475 - t473);
+                let t477 = t44 * t46.mul_sub(t475, t473);
                 let t478 = t59 * t453;
-                let t479 = t478 + t52 * t461 + t37 * t465 - t478;
+                let t479 = t37.mul_add(t465, t52.mul_add(t461, t478)) - t478;
                 let t480 = T::from_f64(-6250.0) * t479;
                 let t481 = T::from_f64(6250.0) * t479;
                 let t482 = T::from_f64(-1000.0)
-                    * (t464
-                        + T::from_f64(0.001) * (t53 * t477 - t58 * t475 - t37 * t481));
+                    * T::from_f64(0.001)
+                        .mul_add(
+                            t37.mul_neg_add(t481, t58.mul_neg_add(t475, t53 * t477)),
+                            t464,
+                        );
                 let t483 = T::from_f64(0.5) * t477;
                 let t484 = T::from_f64(0.5) * t475;
-                let t485 = t453
-                    + T::from_f64(0.03146) * (t39 * t477 - t30 * t475 - t59 * t481)
-                    - T::from_f64(0.12) * (t26 * t483 + t36 * t484);
-                let t486 = t459
-                    + T::from_f64(0.0305) * (t36 * t477 - t26 * t475 - t52 * t481)
-                    + T::from_f64(0.12) * (t30 * t483 + t39 * t484);
+                let t485 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t484, t26 * t483),
+                        T::from_f64(0.03146)
+                            .mul_add(
+                                t59.mul_neg_add(t481, t30.mul_neg_add(t475, t39 * t477)),
+                                t453,
+                            ),
+                    );
+                let t486 = T::from_f64(0.12)
+                    .mul_add(
+                        t39.mul_add(t484, t30 * t483),
+                        T::from_f64(0.0305)
+                            .mul_add(
+                                t52.mul_neg_add(t481, t26.mul_neg_add(t475, t36 * t477)),
+                                t459,
+                            ),
+                    );
                 let t487 = T::from_f64(-31.78639542275906) * t485;
                 let t488 = T::from_f64(-32.78688524590164) * t486;
-                let t489 = t36 * t62 + t55 * t53;
-                let t490 = t36 * qdz_b - qdy_b * t53;
+                let t489 = t55.mul_add(t53, t36 * t62);
+                let t490 = qdy_b.mul_neg_add(t53, t36 * qdz_b);
                 let t491 = t489 - t490;
-                let t492 = T::from_f64(0.12) * (t52 * qdy_a - t36 * t118)
-                    + T::from_f64(0.00098) * (t489 + t490) - T::from_f64(0.03048) * t491;
+                let t492 = T::from_f64(0.03048)
+                    .mul_neg_add(
+                        t491,
+                        T::from_f64(0.00098)
+                            .mul_add(
+                                t489 + t490,
+                                T::from_f64(0.12) * t36.mul_neg_add(t118, t52 * qdy_a),
+                            ),
+                    );
                 let t493 = T::from_f64(0.12) * t491;
                 let t494 = t30 * t492;
                 let t495 = t39 * t492;
-                let t496 = T::from_f64(0.12) * (t36 * t240 + t39 * t244);
-                let t497 = T::from_f64(0.12) * (t52 * t240 + t59 * t244);
-                let t498 = t53 * t67 + t39 * t62;
-                let t499 = t53 * qdx_b - t39 * qdz_b;
+                let t496 = T::from_f64(0.12) * t39.mul_add(t244, t36 * t240);
+                let t497 = T::from_f64(0.12) * t59.mul_add(t244, t52 * t240);
+                let t498 = t39.mul_add(t62, t53 * t67);
+                let t499 = t39.mul_neg_add(qdz_b, t53 * qdx_b);
                 let t500 = t498 + t499;
-                let t501 = T::from_f64(0.03048) * t500
-                    - T::from_f64(2e-5) * (t498 - t499)
-                    - T::from_f64(0.12) * (qdy_a * t59 - t39 * t118);
+                let t501 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t39.mul_neg_add(t118, qdy_a * t59),
+                        T::from_f64(2e-5)
+                            .mul_neg_add(t498 - t499, T::from_f64(0.03048) * t500),
+                    );
                 let t502 = T::from_f64(0.12) * t500;
                 let t503 = T::from_f64(3.814367450731087) * t492;
                 let t504 = T::from_f64(3.9344262295081966) * t501;
-                let t505 = t58 * t496 - t26 * t493 - t30 * t502
-                    - (t26 * t503 - t30 * t504);
-                let t506 = t53 * t496 - t36 * t493 - t39 * t502
-                    - (t36 * t503 - t39 * t504);
+                let t505 = t30.mul_neg_add(t502, t26.mul_neg_add(t493, t58 * t496))
+                    - t30.mul_neg_add(t504, t26 * t503);
+                let t506 = t39.mul_neg_add(t502, t36.mul_neg_add(t493, t53 * t496))
+                    - t39.mul_neg_add(t504, t36 * t503);
                 let t507 = t501 - t501;
-                let t508 = t36 * t67 + t39 * t55;
-                let t509 = t39 * qdy_b - t36 * qdx_b;
-                let t510 = T::from_f64(2e-5) * (t508 + t509)
-                    - T::from_f64(0.00098) * (t508 - t509);
+                let t508 = t39.mul_add(t55, t36 * t67);
+                let t509 = t36.mul_neg_add(qdx_b, t39 * qdy_b);
+                let t510 = T::from_f64(0.00098)
+                    .mul_neg_add(t508 - t509, T::from_f64(2e-5) * (t508 + t509));
                 let t511 = t510 - t510;
                 (
                     t279,
@@ -1420,79 +1847,141 @@ t29 = t27 + t26 - t27
                 t638,
                 t639,
             ) = {
-                let t512 = t495 + T::from_f64(0.5) * t505 - t495 - t36 * t507
-                    - t53 * t511;
-                let t513 = t494 + t48 * t512 + t26 * t507 + t58 * t511
-                    + T::from_f64(0.5) * t506;
+                let t512 = t53
+                    .mul_neg_add(
+                        t511,
+                        t36
+                            .mul_neg_add(
+                                t507,
+                                T::from_f64(0.5).mul_add(t505, t495) - t495,
+                            ),
+                    );
+                let t513 = T::from_f64(0.5)
+                    .mul_add(
+                        t506,
+                        t58.mul_add(t511, t26.mul_add(t507, t48.mul_add(t512, t494))),
+                    );
                 let t514 = t49 * (t513 - t494 - t472);
                 let t515 = -t514;
-                let t516 = t44 * (t512 + t46 * t514);
+                let t516 = t44 * t46.mul_add(t514, t512);
                 let t517 = t59 * t492;
-                let t518 = t517 + t52 * t507 + t37 * t511 - t517;
+                let t518 = t37.mul_add(t511, t52.mul_add(t507, t517)) - t517;
                 let t519 = T::from_f64(-6250.0) * t518;
                 let t520 = T::from_f64(6250.0) * t518;
                 let t521 = T::from_f64(-1000.0)
-                    * (t510
-                        + T::from_f64(0.001) * (t53 * t516 - t58 * t514 - t37 * t520));
+                    * T::from_f64(0.001)
+                        .mul_add(
+                            t37.mul_neg_add(t520, t58.mul_neg_add(t514, t53 * t516)),
+                            t510,
+                        );
                 let t522 = T::from_f64(0.5) * t516;
                 let t523 = T::from_f64(0.5) * t514;
-                let t524 = t492
-                    + T::from_f64(0.03146) * (t39 * t516 - t30 * t514 - t59 * t520)
-                    - T::from_f64(0.12) * (t26 * t522 + t36 * t523);
-                let t525 = t501
-                    + T::from_f64(0.0305) * (t36 * t516 - t26 * t514 - t52 * t520)
-                    + T::from_f64(0.12) * (t30 * t522 + t39 * t523);
+                let t524 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t523, t26 * t522),
+                        T::from_f64(0.03146)
+                            .mul_add(
+                                t59.mul_neg_add(t520, t30.mul_neg_add(t514, t39 * t516)),
+                                t492,
+                            ),
+                    );
+                let t525 = T::from_f64(0.12)
+                    .mul_add(
+                        t39.mul_add(t523, t30 * t522),
+                        T::from_f64(0.0305)
+                            .mul_add(
+                                t52.mul_neg_add(t520, t26.mul_neg_add(t514, t36 * t516)),
+                                t501,
+                            ),
+                    );
                 let t526 = T::from_f64(-31.78639542275906) * t524;
                 let t527 = T::from_f64(-32.78688524590164) * t525;
-                let t528 = t37 * t67 + t62 * t59;
-                let t529 = t37 * qdx_b - qdz_b * t59;
+                let t528 = t62.mul_add(t59, t37 * t67);
+                let t529 = qdz_b.mul_neg_add(t59, t37 * qdx_b);
                 let t530 = t528 + t529;
-                let t531 = T::from_f64(0.03048) * t530
-                    + T::from_f64(0.12) * (t30 * t116 + t39 * t117)
-                    - T::from_f64(2e-5) * (t528 - t529);
+                let t531 = T::from_f64(2e-5)
+                    .mul_neg_add(
+                        t528 - t529,
+                        T::from_f64(0.12)
+                            .mul_add(
+                                t39.mul_add(t117, t30 * t116),
+                                T::from_f64(0.03048) * t530,
+                            ),
+                    );
                 let t532 = T::from_f64(0.12) * t530;
                 let t533 = t26 * t531;
-                let t534 = t52 * t62 + t55 * t37;
-                let t535 = t52 * qdz_b - qdy_b * t37;
+                let t534 = t55.mul_add(t37, t52 * t62);
+                let t535 = qdy_b.mul_neg_add(t37, t52 * qdz_b);
                 let t536 = t534 - t535;
-                let t537 = T::from_f64(0.00098) * (t534 + t535)
-                    - T::from_f64(0.03048) * t536
-                    - T::from_f64(0.12) * (t26 * t116 + t36 * t117);
+                let t537 = T::from_f64(0.12)
+                    .mul_neg_add(
+                        t36.mul_add(t117, t26 * t116),
+                        T::from_f64(0.03048)
+                            .mul_neg_add(t536, T::from_f64(0.00098) * (t534 + t535)),
+                    );
                 let t538 = T::from_f64(0.12) * t536;
                 let t539 = t537 - t537;
-                let t540 = t52 * t67 + t55 * t59;
-                let t541 = qdy_b * t59 - t52 * qdx_b;
-                let t542 = T::from_f64(2e-5) * (t540 + t541)
-                    - T::from_f64(0.00098) * (t540 - t541);
+                let t540 = t55.mul_add(t59, t52 * t67);
+                let t541 = t52.mul_neg_add(qdx_b, qdy_b * t59);
+                let t542 = T::from_f64(0.00098)
+                    .mul_neg_add(t540 - t541, T::from_f64(2e-5) * (t540 + t541));
                 let t543 = t542 - t542;
                 let t544 = T::from_f64(3.9344262295081966) * t531;
                 let t545 = T::from_f64(3.814367450731087) * t537;
-                let t546 = t53 * t497 - t36 * t538 - t39 * t532
-                    + (t39 * t544 - t36 * t545);
-                let t547 = t58 * t497 - t26 * t538 - t30 * t532
-                    + (t30 * t544 - t26 * t545);
-                let t548 = t533 + t30 * t539 + T::from_f64(-0.21658666666666668) * qdy_a
-                    + t58 * t543 + T::from_f64(0.5) * t546;
+                let t546 = t39.mul_neg_add(t532, t36.mul_neg_add(t538, t53 * t497))
+                    + t36.mul_neg_add(t545, t39 * t544);
+                let t547 = t30.mul_neg_add(t532, t26.mul_neg_add(t538, t58 * t497))
+                    + t26.mul_neg_add(t545, t30 * t544);
+                let t548 = T::from_f64(0.5)
+                    .mul_add(
+                        t546,
+                        t58
+                            .mul_add(
+                                t543,
+                                T::from_f64(-0.21658666666666668)
+                                    .mul_add(qdy_a, t30.mul_add(t539, t533)),
+                            ),
+                    );
                 let t549 = t36 * t531;
-                let t550 = t549 + t39 * t539 + T::from_f64(0.21658666666666668) * qdx_a
-                    + t53 * t543 - t549 - T::from_f64(0.5) * t547;
-                let t551 = t49 * (t548 - t533 - t48 * t550);
+                let t550 = T::from_f64(0.5)
+                    .mul_neg_add(
+                        t547,
+                        t53
+                            .mul_add(
+                                t543,
+                                T::from_f64(0.21658666666666668)
+                                    .mul_add(qdx_a, t39.mul_add(t539, t549)),
+                            ) - t549,
+                    );
+                let t551 = t49 * t48.mul_neg_add(t550, t548 - t533);
                 let t552 = -t551;
-                let t553 = t44 * (t46 * t551 - t550);
+                let t553 = t44 * t46.mul_sub(t551, t550);
                 let t554 = t52 * t531;
-                let t555 = t554 + t37 * t543 + t59 * t539 - t554;
+                let t555 = t59.mul_add(t539, t37.mul_add(t543, t554)) - t554;
                 let t556 = T::from_f64(-6250.0) * t555;
                 let t557 = T::from_f64(6250.0) * t555;
                 let t558 = T::from_f64(-1000.0)
-                    * (t542
-                        + T::from_f64(0.001) * (t53 * t553 - t58 * t551 - t37 * t557));
+                    * T::from_f64(0.001)
+                        .mul_add(
+                            t37.mul_neg_add(t557, t58.mul_neg_add(t551, t53 * t553)),
+                            t542,
+                        );
                 let t559 = T::from_f64(0.5) * t553;
                 let t560 = T::from_f64(0.5) * t551;
-                let t561 = T::from_f64(0.12) * (t26 * t559 + t36 * t560) - t537
-                    - T::from_f64(0.03146) * (t39 * t553 - t30 * t551 - t59 * t557);
-                let t562 = t531
-                    + T::from_f64(0.0305) * (t36 * t553 - t26 * t551 - t52 * t557)
-                    + T::from_f64(0.12) * (t30 * t559 + t39 * t560);
+                let t561 = T::from_f64(0.03146)
+                    .mul_neg_add(
+                        t59.mul_neg_add(t557, t30.mul_neg_add(t551, t39 * t553)),
+                        T::from_f64(0.12).mul_sub(t36.mul_add(t560, t26 * t559), t537),
+                    );
+                let t562 = T::from_f64(0.12)
+                    .mul_add(
+                        t39.mul_add(t560, t30 * t559),
+                        T::from_f64(0.0305)
+                            .mul_add(
+                                t52.mul_neg_add(t557, t26.mul_neg_add(t551, t36 * t553)),
+                                t531,
+                            ),
+                    );
                 let t563 = T::from_f64(31.78639542275906) * t561;
                 let t564 = T::from_f64(-32.78688524590164) * t562;
                 let t565 = T::from_f64(0.24) * t67;
@@ -1500,67 +1989,102 @@ t29 = t27 + t26 - t27
                 let t567 = t62 - t61;
                 let t568 = T::from_f64(0.12) * t566;
                 let t569 = T::from_f64(0.03048) * t566;
-                let t570 = t569 - T::from_f64(2e-5) * t567;
-                let t571 = t569 - T::from_f64(0.00098) * t567;
+                let t570 = T::from_f64(2e-5).mul_neg_add(t567, t569);
+                let t571 = T::from_f64(0.00098).mul_neg_add(t567, t569);
                 let t572 = T::from_f64(3.9344262295081966) * t570;
                 let t573 = t570 - t570;
-                let t574 = T::from_f64(0.5) * (t58 * t565 - t30 * t568 + t30 * t572)
-                    - t36 * t573;
+                let t574 = t36
+                    .mul_neg_add(
+                        t573,
+                        T::from_f64(0.5)
+                            * t30.mul_add(t572, t30.mul_neg_add(t568, t58 * t565)),
+                    );
                 let t575 = t55 - t54;
                 let t576 = T::from_f64(0.00098) * (t54 + t55);
                 let t577 = T::from_f64(0.24) * t55;
-                let t578 = T::from_f64(2e-5) * t575 - t576;
-                let t579 = t576 - T::from_f64(0.03048) * t575;
+                let t578 = T::from_f64(2e-5).mul_sub(t575, t576);
+                let t579 = T::from_f64(0.03048).mul_neg_add(t575, t576);
                 let t580 = T::from_f64(0.12) * t575;
                 let t581 = t578 - t578;
-                let t582 = t574 - t53 * t581;
-                let t583 = t48 * t582 + t26 * t573 + t58 * t581
-                    + T::from_f64(0.5) * (t53 * t565 - t39 * t568 + t39 * t572);
-                let t584 = t52 * t573 + t37 * t581;
+                let t582 = t53.mul_neg_add(t581, t574);
+                let t583 = T::from_f64(0.5)
+                    .mul_add(
+                        t39.mul_add(t572, t39.mul_neg_add(t568, t53 * t565)),
+                        t58.mul_add(t581, t26.mul_add(t573, t48 * t582)),
+                    );
+                let t584 = t37.mul_add(t581, t52 * t573);
                 let t585 = t49 * t583;
                 let t586 = -t585;
-                let t587 = t44 * (t582 + t46 * t585);
+                let t587 = t44 * t46.mul_add(t585, t582);
                 let t588 = T::from_f64(-6250.0) * t584;
                 let t589 = T::from_f64(6250.0) * t584;
                 let t590 = T::from_f64(-1000.0)
-                    * (t578
-                        + T::from_f64(0.001) * (t53 * t587 - t58 * t585 - t37 * t589));
+                    * T::from_f64(0.001)
+                        .mul_add(
+                            t37.mul_neg_add(t589, t58.mul_neg_add(t585, t53 * t587)),
+                            t578,
+                        );
                 let t591 = T::from_f64(0.5) * t587;
                 let t592 = T::from_f64(0.5) * t585;
-                let t593 = T::from_f64(3.814367450731087) * (t26 * t591 + t36 * t592)
-                    - (t39 * t587 - t30 * t585 - t59 * t589);
-                let t594 = t570
-                    + T::from_f64(0.0305) * (t36 * t587 - t26 * t585 - t52 * t589)
-                    + T::from_f64(0.12) * (t30 * t591 + t39 * t592);
+                let t593 = T::from_f64(3.814367450731087)
+                    .mul_sub(
+                        t36.mul_add(t592, t26 * t591),
+                        t59.mul_neg_add(t589, t30.mul_neg_add(t585, t39 * t587)),
+                    );
+                let t594 = T::from_f64(0.12)
+                    .mul_add(
+                        t39.mul_add(t592, t30 * t591),
+                        T::from_f64(0.0305)
+                            .mul_add(
+                                t52.mul_neg_add(t589, t26.mul_neg_add(t585, t36 * t587)),
+                                t570,
+                            ),
+                    );
                 let t595 = T::from_f64(-32.78688524590164) * t594;
                 let t596 = T::from_f64(3.814367450731087) * t571;
                 let t597 = t571 - t571;
-                let t598 = T::from_f64(0.5) * (t58 * t577 - t26 * t568 + t26 * t596)
-                    - t39 * t597;
+                let t598 = t39
+                    .mul_neg_add(
+                        t597,
+                        T::from_f64(0.5)
+                            * t26.mul_add(t596, t26.mul_neg_add(t568, t58 * t577)),
+                    );
                 let t599 = T::from_f64(2e-5) * (t66 + t67);
                 let t600 = t67 - t66;
-                let t601 = t599 - T::from_f64(0.00098) * t600;
-                let t602 = t599 - T::from_f64(0.03048) * t600;
+                let t601 = T::from_f64(0.00098).mul_neg_add(t600, t599);
+                let t602 = T::from_f64(0.03048).mul_neg_add(t600, t599);
                 let t603 = T::from_f64(0.12) * t600;
                 let t604 = t601 - t601;
-                let t605 = t598 - t53 * t604;
-                let t606 = t48 * t605 + t30 * t597 + t58 * t604
-                    + T::from_f64(0.5) * (t53 * t577 - t36 * t568 + t36 * t596);
-                let t607 = t37 * t604 + t59 * t597;
+                let t605 = t53.mul_neg_add(t604, t598);
+                let t606 = T::from_f64(0.5)
+                    .mul_add(
+                        t36.mul_add(t596, t36.mul_neg_add(t568, t53 * t577)),
+                        t58.mul_add(t604, t30.mul_add(t597, t48 * t605)),
+                    );
+                let t607 = t59.mul_add(t597, t37 * t604);
                 let t608 = t49 * t606;
                 let t609 = -t608;
-                let t610 = t44 * (t605 + t46 * t608);
+                let t610 = t44 * t46.mul_add(t608, t605);
                 let t611 = T::from_f64(-6250.0) * t607;
                 let t612 = T::from_f64(6250.0) * t607;
                 let t613 = T::from_f64(-1000.0)
-                    * (t601
-                        + T::from_f64(0.001) * (t53 * t610 - t58 * t608 - t37 * t612));
+                    * T::from_f64(0.001)
+                        .mul_add(
+                            t37.mul_neg_add(t612, t58.mul_neg_add(t608, t53 * t610)),
+                            t601,
+                        );
                 let t614 = T::from_f64(0.5) * t610;
                 let t615 = T::from_f64(0.5) * t608;
-                let t616 = t571 + T::from_f64(0.12) * (t26 * t614 + t36 * t615)
-                    - T::from_f64(0.03146) * (t39 * t610 - t30 * t608 - t59 * t612);
-                let t617 = t36 * t610 - t26 * t608 - t52 * t612
-                    + T::from_f64(3.9344262295081966) * (t30 * t614 + t39 * t615);
+                let t616 = T::from_f64(0.03146)
+                    .mul_neg_add(
+                        t59.mul_neg_add(t612, t30.mul_neg_add(t608, t39 * t610)),
+                        T::from_f64(0.12).mul_add(t36.mul_add(t615, t26 * t614), t571),
+                    );
+                let t617 = T::from_f64(3.9344262295081966)
+                    .mul_add(
+                        t39.mul_add(t615, t30 * t614),
+                        t52.mul_neg_add(t612, t26.mul_neg_add(t608, t36 * t610)),
+                    );
                 let t618 = T::from_f64(31.78639542275906) * t616;
                 let t619 = -t617;
                 let t620 = t602 - t602;
@@ -1568,24 +2092,38 @@ t29 = t27 + t26 - t27
                 let t622 = T::from_f64(3.814367450731087) * t579;
                 let t623 = T::from_f64(3.9344262295081966) * t602;
                 let t624 = T::from_f64(0.5)
-                    * (t26 * t580 + t30 * t603 + (t26 * t622 + t30 * t623));
+                    * (t30.mul_add(t603, t26 * t580) + t30.mul_add(t623, t26 * t622));
                 let t625 = T::from_f64(0.5)
-                    * (t36 * t580 + t39 * t603 + (t36 * t622 + t39 * t623));
-                let t626 = t36 * t620 + t39 * t621 + t624;
-                let t627 = t49 * (t48 * t626 + t625 - t26 * t620 - t30 * t621);
-                let t628 = t44 * (t626 + t46 * t627);
-                let t629 = t52 * t620 + t59 * t621;
+                    * (t39.mul_add(t603, t36 * t580) + t39.mul_add(t623, t36 * t622));
+                let t626 = t39.mul_add(t621, t36 * t620) + t624;
+                let t627 = t49
+                    * t30
+                        .mul_neg_add(
+                            t621,
+                            t26.mul_neg_add(t620, t48.mul_add(t626, t625)),
+                        );
+                let t628 = t44 * t46.mul_add(t627, t626);
+                let t629 = t59.mul_add(t621, t52 * t620);
                 let t630 = -t628;
                 let t631 = T::from_f64(-6250.0) * t629;
                 let t632 = T::from_f64(6250.0) * t629;
-                let t633 = t37 * t632 + t53 * t628 - t58 * t627;
+                let t633 = t58.mul_neg_add(t627, t53.mul_add(t628, t37 * t632));
                 let t634 = T::from_f64(0.5) * t628;
                 let t635 = T::from_f64(0.5) * t627;
-                let t636 = t579
-                    + T::from_f64(0.03146) * (t30 * t627 - t39 * t628 - t59 * t632)
-                    + T::from_f64(0.12) * (t26 * t634 + t36 * t635);
-                let t637 = t602 + T::from_f64(0.12) * (t30 * t634 + t39 * t635)
-                    - T::from_f64(0.0305) * (t26 * t627 - t36 * t628 - t52 * t632);
+                let t636 = T::from_f64(0.12)
+                    .mul_add(
+                        t36.mul_add(t635, t26 * t634),
+                        T::from_f64(0.03146)
+                            .mul_add(
+                                t59.mul_neg_add(t632, t39.mul_neg_add(t628, t30 * t627)),
+                                t579,
+                            ),
+                    );
+                let t637 = T::from_f64(0.0305)
+                    .mul_neg_add(
+                        t52.mul_neg_add(t632, t36.mul_neg_add(t628, t26 * t627)),
+                        T::from_f64(0.12).mul_add(t39.mul_add(t635, t30 * t634), t602),
+                    );
                 let t638 = T::from_f64(-31.78639542275906) * t636;
                 let t639 = T::from_f64(32.78688524590164) * t637;
                 (
@@ -1900,7 +2438,7 @@ t29 = t27 + t26 - t27
             qdz_b] = x.data.0[0];
             let t0 = qx_b * qx_b;
             let t1 = qy_b * qy_b;
-            let t2 = T::from_f64(1.0) - T::from_f64(2.0) * (t0 + t1);
+            let t2 = T::from_f64(2.0).mul_neg_add(t0 + t1, T::from_f64(1.0));
             let t3 = qx_b * qz_b;
             let t4 = qy_b * qw_b;
             let t5 = T::from_f64(2.0) * (t3 + t4);
@@ -1910,48 +2448,66 @@ t29 = t27 + t26 - t27
             let t9 = T::from_f64(2.0) * (t7 - t8);
             let t10 = T::from_f64(2.0) * (t7 + t8);
             let t11 = T::from_f64(0.001)
-                * (qdz_b + qdz_a * t2 + qdx_a * t5 + qdy_a * t9);
+                * qdy_a.mul_add(t9, qdx_a.mul_add(t5, qdz_a.mul_add(t2, qdz_b)));
             let t12 = qx_b * qy_b;
             let t13 = qz_b * qw_b;
             let t14 = T::from_f64(2.0) * (t12 - t13);
             let t15 = T::from_f64(2.0) * (t12 + t13);
             let t16 = qz_b * qz_b;
-            let t17 = T::from_f64(1.0) - T::from_f64(2.0) * (t0 + t16);
-            let t18 = T::from_f64(1.0) - T::from_f64(2.0) * (t1 + t16);
-            let t19 = qdy_b + qdz_a * t10 + qdx_a * t14 + qdy_a * t17;
+            let t17 = T::from_f64(2.0).mul_neg_add(t0 + t16, T::from_f64(1.0));
+            let t18 = T::from_f64(2.0).mul_neg_add(t1 + t16, T::from_f64(1.0));
+            let t19 = qdy_a.mul_add(t17, qdx_a.mul_add(t14, qdz_a.mul_add(t10, qdy_b)));
             let t20 = T::from_f64(0.5) * qdx_a;
             let t21 = T::from_f64(0.5) * qdy_a;
-            let t22 = T::from_f64(0.0305) * t19
-                - T::from_f64(0.12) * (t15 * t20 - t18 * t21);
+            let t22 = T::from_f64(0.12)
+                .mul_neg_add(t18.mul_neg_add(t21, t15 * t20), T::from_f64(0.0305) * t19);
             let t23 = T::from_f64(0.12) * t19;
-            let t24 = qdx_b + qdz_a * t6 + qdx_a * t18 + qdy_a * t15;
-            let t25 = T::from_f64(0.12) * (t17 * t20 - t14 * t21)
-                + T::from_f64(0.03146) * t24;
+            let t24 = qdy_a.mul_add(t15, qdx_a.mul_add(t18, qdz_a.mul_add(t6, qdx_b)));
+            let t25 = T::from_f64(0.03146)
+                .mul_add(t24, T::from_f64(0.12) * t14.mul_neg_add(t21, t17 * t20));
             let t26 = qdz_a
-                * (T::from_f64(0.00016) * qdz_a + t6 * t25 + t10 * t22 + t2 * t11);
+                * t2
+                    .mul_add(
+                        t11,
+                        t10.mul_add(t22, t6.mul_add(t25, T::from_f64(0.00016) * qdz_a)),
+                    );
             let t27 = T::from_f64(0.12) * t24;
-            let t28 = t18 * t25 + t14 * t22 + t5 * t11
-                + T::from_f64(0.5) * (t17 * t27 - t15 * t23);
-            let t29 = t15 * t25 + t17 * t22 + t9 * t11
-                + T::from_f64(0.21674666666666667) * qdy_a
-                - T::from_f64(0.5) * (t14 * t27 - t18 * t23);
-            let t30 = qdz_b * t11 + qdy_b * t22 + qdx_b * t25 + t26
-                + qdx_a * (t28 + T::from_f64(0.21674666666666667) * qdx_a);
-            T::from_f64(0.5) * (t30 + qdy_a * t29)
+            let t28 = T::from_f64(0.5)
+                .mul_add(
+                    t15.mul_neg_add(t23, t17 * t27),
+                    t5.mul_add(t11, t14.mul_add(t22, t18 * t25)),
+                );
+            let t29 = T::from_f64(0.5)
+                .mul_neg_add(
+                    t18.mul_neg_add(t23, t14 * t27),
+                    T::from_f64(0.21674666666666667)
+                        .mul_add(qdy_a, t9.mul_add(t11, t17.mul_add(t22, t15 * t25))),
+                );
+            let t30 = qdx_a
+                .mul_add(
+                    T::from_f64(0.21674666666666667).mul_add(qdx_a, t28),
+                    qdx_b.mul_add(t25, qdy_b.mul_add(t22, qdz_b * t11)) + t26,
+                );
+            T::from_f64(0.5) * qdy_a.mul_add(t29, t30)
         }
         #[inline]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 14>) -> T {
             let [qw_a, qx_a, qy_a, qz_a, qw_b, qx_b, qy_b, qz_b, _, _, _, _, _, _] = x
                 .data
                 .0[0];
-            let t0 = (T::from_f64(1.0) - T::from_f64(2.0) * (qx_a * qx_a + qy_a * qy_a))
+            let t0 = T::from_f64(2.0)
+                .mul_neg_add(qy_a.mul_add(qy_a, qx_a * qx_a), T::from_f64(1.0))
                 * (T::from_f64(-0.3)
-                    - (T::from_f64(0.12)
-                        - T::from_f64(0.24) * (qx_b * qx_b + qy_b * qy_b))
+                    - T::from_f64(0.24)
+                        .mul_neg_add(qy_b.mul_add(qy_b, qx_b * qx_b), T::from_f64(0.12))
                     - T::from_f64(0.2));
-            let t1 = (qx_a * qz_a - qy_a * qw_a) * (qx_b * qz_b + qy_b * qw_b)
-                + (qy_a * qz_a + qx_a * qw_a) * (qy_b * qz_b - qx_b * qw_b);
-            T::from_f64(9.81) * (t0 - T::from_f64(0.48) * t1)
+            let t1 = qx_a
+                .mul_add(qw_a, qy_a * qz_a)
+                .mul_add(
+                    qx_b.mul_neg_add(qw_b, qy_b * qz_b),
+                    qy_a.mul_neg_add(qw_a, qx_a * qz_a) * qy_b.mul_add(qw_b, qx_b * qz_b),
+                );
+            T::from_f64(9.81) * T::from_f64(0.48).mul_neg_add(t1, t0)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -1968,10 +2524,10 @@ t29 = t27 + t26 - t27
             qdz_b] = x.data.0[0];
             let t0 = qy_b * qy_b;
             let t1 = qz_b * qz_b;
-            let t2 = T::from_f64(1.0) - T::from_f64(2.0) * (t0 + t1);
+            let t2 = T::from_f64(2.0).mul_neg_add(t0 + t1, T::from_f64(1.0));
             let t3 = qx_b * qx_b;
-            let t4 = T::from_f64(1.0) - T::from_f64(2.0) * (t1 + t3);
-            let t5 = T::from_f64(1.0) - T::from_f64(2.0) * (t0 + t3);
+            let t4 = T::from_f64(2.0).mul_neg_add(t1 + t3, T::from_f64(1.0));
+            let t5 = T::from_f64(2.0).mul_neg_add(t0 + t3, T::from_f64(1.0));
             let t6 = T::from_f64(0.5) * qdx_a;
             let t7 = qy_b * qx_b;
             let t8 = qz_b * qw_b;
@@ -1982,28 +2538,38 @@ t29 = t27 + t26 - t27
             let t13 = qy_b * qw_b;
             let t14 = T::from_f64(2.0) * (t12 - t13);
             let t15 = T::from_f64(2.0) * (t12 + t13);
-            let t16 = qdx_b + qdz_a * t14 + qdx_a * t2 + qdy_a * t10;
-            let t17 = T::from_f64(0.12) * (t4 * t6 - t9 * t11)
-                + T::from_f64(0.03146) * t16;
+            let t16 = qdy_a.mul_add(t10, qdx_a.mul_add(t2, qdz_a.mul_add(t14, qdx_b)));
+            let t17 = T::from_f64(0.03146)
+                .mul_add(t16, T::from_f64(0.12) * t9.mul_neg_add(t11, t4 * t6));
             let t18 = T::from_f64(0.12) * t16;
             let t19 = qy_b * qz_b;
             let t20 = qx_b * qw_b;
             let t21 = T::from_f64(2.0) * (t19 + t20);
             let t22 = T::from_f64(2.0) * (t19 - t20);
             let t23 = T::from_f64(0.001)
-                * (qdz_b + qdz_a * t5 + qdx_a * t15 + qdy_a * t22);
-            let t24 = qdy_b + qdz_a * t21 + qdx_a * t9 + t4 * qdy_a;
-            let t25 = T::from_f64(0.0305) * t24
-                - T::from_f64(0.12) * (t6 * t10 - t2 * t11);
+                * qdy_a.mul_add(t22, qdx_a.mul_add(t15, qdz_a.mul_add(t5, qdz_b)));
+            let t24 = t4.mul_add(qdy_a, qdx_a.mul_add(t9, qdz_a.mul_add(t21, qdy_b)));
+            let t25 = T::from_f64(0.12)
+                .mul_neg_add(t2.mul_neg_add(t11, t6 * t10), T::from_f64(0.0305) * t24);
             let t26 = T::from_f64(0.12) * t24;
-            let t27 = t2 * t17 + t9 * t25 + t15 * t23
-                + T::from_f64(0.5) * (t4 * t18 - t10 * t26);
+            let t27 = T::from_f64(0.5)
+                .mul_add(
+                    t10.mul_neg_add(t26, t4 * t18),
+                    t15.mul_add(t23, t9.mul_add(t25, t2 * t17)),
+                );
             ::pendulum_core::nalgebra::SVector::from([
-                t27 + T::from_f64(0.21674666666666667) * qdx_a,
-                t10 * t17 + t4 * t25 + t22 * t23
-                    + T::from_f64(0.21674666666666667) * qdy_a
-                    - T::from_f64(0.5) * (t9 * t18 - t2 * t26),
-                T::from_f64(0.00016) * qdz_a + t14 * t17 + t21 * t25 + t5 * t23,
+                T::from_f64(0.21674666666666667).mul_add(qdx_a, t27),
+                T::from_f64(0.5)
+                    .mul_neg_add(
+                        t2.mul_neg_add(t26, t9 * t18),
+                        T::from_f64(0.21674666666666667)
+                            .mul_add(qdy_a, t22.mul_add(t23, t4.mul_add(t25, t10 * t17))),
+                    ),
+                t5
+                    .mul_add(
+                        t23,
+                        t21.mul_add(t25, t14.mul_add(t17, T::from_f64(0.00016) * qdz_a)),
+                    ),
                 t17,
                 t25,
                 t23,
@@ -2073,7 +2639,7 @@ t29 = t27 + t26 - t27
                     let t10 = T::from_f64(2.0) * t8;
                     let t11 = qx_a * qx_a;
                     let t12 = qy_a * qy_a;
-                    let t13 = T::from_f64(1.0) - T::from_f64(2.0) * (t11 + t12);
+                    let t13 = T::from_f64(2.0).mul_neg_add(t11 + t12, T::from_f64(1.0));
                     let t14 = T::from_f64(-0.5) * t13;
                     let t15 = qx_b * qz_b;
                     let t16 = qy_b * qw_b;
@@ -2087,16 +2653,18 @@ t29 = t27 + t26 - t27
                     let t24 = t17 - t21;
                     let t25 = qx_b * qx_b;
                     let t26 = qy_b * qy_b;
-                    let t27 = T::from_f64(1.0) - T::from_f64(2.0) * (t25 + t26);
-                    let t28 = T::from_f64(0.5) + T::from_f64(0.02) * t27;
-                    let t29 = T::from_f64(0.5) + T::from_f64(0.38) * t27;
+                    let t27 = T::from_f64(2.0).mul_neg_add(t25 + t26, T::from_f64(1.0));
+                    let t28 = T::from_f64(0.02).mul_add(t27, T::from_f64(0.5));
+                    let t29 = T::from_f64(0.38).mul_add(t27, T::from_f64(0.5));
                     let t30 = t23 - t28;
                     let t31 = qz_a * qz_a;
-                    let t32 = T::from_f64(1.0) - T::from_f64(2.0) * (t12 + t31);
-                    let t33 = T::from_f64(1.0) - T::from_f64(2.0) * (t11 + t31);
+                    let t32 = T::from_f64(2.0).mul_neg_add(t12 + t31, T::from_f64(1.0));
+                    let t33 = T::from_f64(2.0).mul_neg_add(t11 + t31, T::from_f64(1.0));
                     let t34 = qz_b * qz_b;
-                    let t35 = T::from_f64(0.01) - T::from_f64(0.02) * (t26 + t34);
-                    let t36 = T::from_f64(0.07) - T::from_f64(0.14) * (t25 + t34);
+                    let t35 = T::from_f64(0.02)
+                        .mul_neg_add(t26 + t34, T::from_f64(0.01));
+                    let t36 = T::from_f64(0.14)
+                        .mul_neg_add(t25 + t34, T::from_f64(0.07));
                     let t37 = qx_b * qy_b;
                     let t38 = qz_b * qw_b;
                     let t39 = T::from_f64(0.14) * (t37 - t38);
@@ -2114,55 +2682,55 @@ t29 = t27 + t26 - t27
                     let t51 = t40 - t36;
                     let t52 = T::from_f64(0.04) * t22;
                     let t53 = T::from_f64(0.76) * t22;
-                    let t54 = -(t5 * t29 + t32 * t44 + t48 * t53);
-                    let t55 = t10 * t29 - t49 * t44 - t33 * t53;
-                    let t56 = -(t13 * t29 + t3 * t44 + t9 * t53);
+                    let t54 = -t48.mul_add(t53, t32.mul_add(t44, t5 * t29));
+                    let t55 = t33.mul_neg_add(t53, t49.mul_neg_add(t44, t10 * t29));
+                    let t56 = -t9.mul_add(t53, t3.mul_add(t44, t13 * t29));
                     let t57 = t50 - t52;
-                    let t58 = t5 * t30 + t32 * t45 + t48 * t57;
-                    let t59 = t45 * t49 + t57 * t33 - t30 * t10;
-                    let t60 = t13 * t30 + t45 * t3 + t57 * t9;
+                    let t58 = t48.mul_add(t57, t32.mul_add(t45, t5 * t30));
+                    let t59 = t30.mul_neg_add(t10, t57.mul_add(t33, t45 * t49));
+                    let t60 = t57.mul_add(t9, t45.mul_add(t3, t13 * t30));
                     let t61 = t24 + t28;
                     let t62 = t43 + t42;
                     let t63 = t52 + t51;
-                    let t64 = -(t5 * t61 + t32 * t62 + t48 * t63);
-                    let t65 = t10 * t61 - t49 * t62 - t33 * t63;
-                    let t66 = -(t13 * t61 + t3 * t62 + t9 * t63);
+                    let t64 = -t48.mul_add(t63, t32.mul_add(t62, t5 * t61));
+                    let t65 = t33.mul_neg_add(t63, t49.mul_neg_add(t62, t10 * t61));
+                    let t66 = -t9.mul_add(t63, t3.mul_add(t62, t13 * t61));
                     let t67 = t24 - t28;
                     let t68 = t23 + t28;
                     let t69 = t42 - t43;
                     let t70 = t41 + t43;
                     let t71 = t51 - t52;
-                    let t72 = t5 * t67 + t32 * t69 + t48 * t71;
-                    let t73 = t49 * t69 + t33 * t71 - t10 * t67;
-                    let t74 = t13 * t67 + t3 * t69 + t9 * t71;
+                    let t72 = t48.mul_add(t71, t32.mul_add(t69, t5 * t67));
+                    let t73 = t10.mul_neg_add(t67, t33.mul_add(t71, t49 * t69));
+                    let t74 = t9.mul_add(t71, t3.mul_add(t69, t13 * t67));
                     let t75 = t50 + t52;
-                    let t76 = -(t5 * t68 + t32 * t70 + t48 * t75);
-                    let t77 = t10 * t68 - t49 * t70 - t33 * t75;
-                    let t78 = -(t13 * t68 + t3 * t70 + t9 * t75);
+                    let t76 = -t48.mul_add(t75, t32.mul_add(t70, t5 * t68));
+                    let t77 = t33.mul_neg_add(t75, t49.mul_neg_add(t70, t10 * t68));
+                    let t78 = -t9.mul_add(t75, t3.mul_add(t70, t13 * t68));
                     let t79 = t23 - t29;
                     let t80 = t23 + t29;
                     let t81 = t41 - t44;
                     let t82 = t41 + t44;
                     let t83 = t50 - t53;
-                    let t84 = t5 * t79 + t32 * t81 + t48 * t83;
-                    let t85 = t49 * t81 + t33 * t83 - t10 * t79;
-                    let t86 = t13 * t79 + t3 * t81 + t9 * t83;
+                    let t84 = t48.mul_add(t83, t32.mul_add(t81, t5 * t79));
+                    let t85 = t10.mul_neg_add(t79, t33.mul_add(t83, t49 * t81));
+                    let t86 = t9.mul_add(t83, t3.mul_add(t81, t13 * t79));
                     let t87 = t50 + t53;
-                    let t88 = -(t5 * t80 + t32 * t82 + t48 * t87);
-                    let t89 = t10 * t80 - t49 * t82 - t33 * t87;
-                    let t90 = -(t13 * t80 + t3 * t82 + t9 * t87);
+                    let t88 = -t48.mul_add(t87, t32.mul_add(t82, t5 * t80));
+                    let t89 = t33.mul_neg_add(t87, t49.mul_neg_add(t82, t10 * t80));
+                    let t90 = -t9.mul_add(t87, t3.mul_add(t82, t13 * t80));
                     let t91 = t24 + t29;
                     let t92 = t24 - t29;
                     let t93 = t42 + t44;
                     let t94 = t42 - t44;
                     let t95 = t51 + t53;
                     let t96 = t51 - t53;
-                    let t97 = -(t5 * t91 + t32 * t93 + t48 * t95);
-                    let t98 = t5 * t92 + t32 * t94 + t48 * t96;
-                    let t99 = t10 * t91 - t49 * t93 - t33 * t95;
-                    let t100 = -(t13 * t91 + t3 * t93 + t9 * t95);
-                    let t101 = t49 * t94 + t33 * t96 - t10 * t92;
-                    let t102 = t13 * t92 + t3 * t94 + t9 * t96;
+                    let t97 = -t48.mul_add(t95, t32.mul_add(t93, t5 * t91));
+                    let t98 = t48.mul_add(t96, t32.mul_add(t94, t5 * t92));
+                    let t99 = t33.mul_neg_add(t95, t49.mul_neg_add(t93, t10 * t91));
+                    let t100 = -t9.mul_add(t95, t3.mul_add(t93, t13 * t91));
+                    let t101 = t10.mul_neg_add(t92, t33.mul_add(t96, t49 * t94));
+                    let t102 = t9.mul_add(t96, t3.mul_add(t94, t13 * t92));
                     [
                         T::from_f64(0.0),
                         T::from_f64(0.0),

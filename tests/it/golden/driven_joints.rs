@@ -168,10 +168,10 @@ k43 = b*w^2*ny^2*(m1 + m2)
     fn constants<T: ::pendulum_core::real::Real>(given: [T; 10]) -> [T; 44] {
         let [p_m1, p_m2, p_l1, p_l2, p_a, p_b, p_w, p_nx, p_ny, p_gamma] = given;
         let t0 = p_m2 * (T::from_f64(0.5) * p_l2);
-        let t1 = T::from_f64(4.905) * (p_m1 * p_l1 + p_l1 * (T::from_f64(2.0) * p_m2));
+        let t1 = T::from_f64(4.905) * p_l1.mul_add(T::from_f64(2.0) * p_m2, p_m1 * p_l1);
         let t2 = -p_gamma;
         let t3 = T::from_f64(2.0) * p_gamma;
-        let t4 = T::from_f64(9.81) * (p_m1 * p_b + p_m2 * p_b);
+        let t4 = T::from_f64(9.81) * p_m2.mul_add(p_b, p_m1 * p_b);
         let t5 = p_w * p_nx;
         let t6 = p_w * p_ny;
         let t7 = p_m1 + p_m2;
@@ -179,7 +179,7 @@ k43 = b*w^2*ny^2*(m1 + m2)
         let t9 = t6 * (t6 * (p_b * t7));
         let t10 = T::from_f64(9.81) * t7;
         let t11 = p_m2 * p_l1;
-        let t12 = p_m1 * (T::from_f64(0.5) * p_l1) + t11;
+        let t12 = p_m1.mul_add(T::from_f64(0.5) * p_l1, t11);
         let t13 = p_l2 * t11;
         let t14 = T::from_f64(0.25) * (t13 * t13);
         let t15 = T::from_f64(0.5) * t13;
@@ -189,12 +189,12 @@ k43 = b*w^2*ny^2*(m1 + m2)
         let t19 = p_w * p_w;
         let t20 = p_ny * p_ny;
         let t21 = p_b * t11;
-        let t22 = t17 * t19 * t20 + t20 * (t19 * t21);
+        let t22 = t20.mul_add(t19 * t21, t17 * t19 * t20);
         let t23 = p_a * t11;
-        let t24 = p_ny * (p_w * t17) + p_ny * (p_w * t21);
-        let t25 = p_nx * (p_w * t18) + p_nx * (p_w * t23);
+        let t24 = p_ny.mul_add(p_w * t21, p_ny * (p_w * t17));
+        let t25 = p_nx.mul_add(p_w * t23, p_nx * (p_w * t18));
         let t26 = p_nx * p_nx;
-        let t27 = t19 * t18 * t26 + t26 * (t19 * t23);
+        let t27 = t26.mul_add(t19 * t23, t19 * t18 * t26);
         let t28 = p_l2 * p_l2;
         let t29 = p_m2 * t28;
         let t30 = T::from_f64(0.16666666666666666) * t29;
@@ -206,9 +206,12 @@ k43 = b*w^2*ny^2*(m1 + m2)
         let t36 = T::from_f64(4.905) * t35;
         let t37 = p_l1 * p_l1;
         let t38 = T::from_f64(0.16666666666666666)
-            * (p_m1 * t37 + t37 * (T::from_f64(3.0) * p_m2));
-        let t39 = t28 * (t37 * (p_m2 * (T::from_f64(4.0) * p_m1)))
-            + t28 * (t37 * (T::from_f64(3.0) * (p_m2 * p_m2)));
+            * t37.mul_add(T::from_f64(3.0) * p_m2, p_m1 * t37);
+        let t39 = t28
+            .mul_add(
+                t37 * (T::from_f64(3.0) * (p_m2 * p_m2)),
+                t28 * (t37 * (p_m2 * (T::from_f64(4.0) * p_m1))),
+            );
         let t40 = T::from_f64(0.027777777777777776) * t39;
         let t41 = p_b * t35;
         let t42 = T::from_f64(0.5) * (t20 * (t19 * t41));
@@ -218,16 +221,16 @@ k43 = b*w^2*ny^2*(m1 + m2)
         let t46 = T::from_f64(0.5) * (p_nx * (p_w * t43));
         let t47 = p_a * p_a;
         let t48 = T::from_f64(0.5)
-            * (t26 * (t19 * (p_m1 * t47)) + t26 * (t19 * (p_m2 * t47)));
+            * t26.mul_add(t19 * (p_m2 * t47), t26 * (t19 * (p_m1 * t47)));
         let t49 = p_b * p_b;
         let t50 = T::from_f64(0.5)
-            * (t20 * (t19 * (p_m1 * t49)) + t20 * (t19 * (p_m2 * t49)));
+            * t20.mul_add(t19 * (p_m2 * t49), t20 * (t19 * (p_m1 * t49)));
         let t51 = p_w * p_w * p_w;
         let t52 = p_ny * p_ny * p_ny;
-        let t53 = t17 * t51 * t52 + t52 * (t21 * t51);
+        let t53 = t52.mul_add(t21 * t51, t17 * t51 * t52);
         let t54 = T::from_f64(0.5) * (t52 * (t41 * t51));
         let t55 = p_nx * p_nx * p_nx;
-        let t56 = t18 * t51 * t55 + t55 * (t23 * t51);
+        let t56 = t55.mul_add(t23 * t51, t18 * t51 * t55);
         let t57 = T::from_f64(0.5) * (t55 * (t43 * t51));
         [
             p_l1,
@@ -606,20 +609,27 @@ k43 = b*w^2*ny^2*(m1 + m2)
             let [(sin2, _), (_, cos3)] = (k6 * t1).sin_cos_pair(k5 * t1);
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                 .sin_cos_pair(q_theta2);
-            let t4 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
+            let t4 = cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
             let t5 = k19 * t4;
-            let t6 = k36 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
-            let t7 = t0 + sin_theta2 * (k22 - k30 * sin2)
-                + qd_theta1 * (k23 - qd_theta1 * t5);
-            let t8 = t7 - k31 * cos_theta2 * cos3;
-            let t9 = k24 * qd_theta1 + qd_theta2 * qd_theta2 * t5 + t6 * t8
-                + sin_theta1 * (k21 - k14 * sin2);
-            let t10 = k20 / (k28 + k18 * t4 * t4) * (t9 - t0 - k15 * cos_theta1 * cos3);
+            let t6 = k36 * sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
+            let t7 = qd_theta1
+                .mul_add(
+                    qd_theta1.mul_neg_add(t5, k23),
+                    sin_theta2.mul_add(k30.mul_neg_add(sin2, k22), t0),
+                );
+            let t8 = (k31 * cos_theta2).mul_neg_add(cos3, t7);
+            let t9 = sin_theta1
+                .mul_add(
+                    k14.mul_neg_add(sin2, k21),
+                    t6.mul_add(t8, (qd_theta2 * qd_theta2).mul_add(t5, k24 * qd_theta1)),
+                );
+            let t10 = k20 / (k18 * t4).mul_add(t4, k28)
+                * (k15 * cos_theta1).mul_neg_add(cos3, t9 - t0);
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta1,
                 qd_theta2,
                 -t10,
-                k29 * t8 - t6 * t10,
+                t6.mul_neg_add(t10, k29 * t8),
             ])
         }
         #[inline]
@@ -672,39 +682,49 @@ k43 = b*w^2*ny^2*(m1 + m2)
             let t1 = k7 * qd_theta2;
             let t2 = k4 * t;
             let [(sin3, _), (_, cos4)] = (k6 * t2).sin_cos_pair(k5 * t2);
-            let t5 = k22 - k30 * sin3;
+            let t5 = k30.mul_neg_add(sin3, k22);
             let t6 = k19 * qd_theta1 * qd_theta1;
             let t7 = k31 * cos4;
-            let t8 = k21 - k14 * sin3;
+            let t8 = k14.mul_neg_add(sin3, k21);
             let t9 = k15 * cos4;
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                 .sin_cos_pair(q_theta2);
-            let t10 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
-            let t11 = k20 / (k28 + k18 * t10 * t10);
-            let t12 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+            let t10 = cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
+            let t11 = k20 / (k18 * t10).mul_add(t10, k28);
+            let t12 = sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
             let t13 = k36 * t12;
-            let t14 = t1 + sin_theta2 * t5 - k7 * qd_theta1 - t10 * t6 - cos_theta2 * t7;
-            let t15 = k24 * qd_theta1 + t10 * t0 + t13 * t14 + sin_theta1 * t8 - t1;
-            let t16 = t11 * (t15 - cos_theta1 * t9);
+            let t14 = cos_theta2
+                .mul_neg_add(
+                    t7,
+                    t10
+                        .mul_neg_add(
+                            t6,
+                            k7.mul_neg_add(qd_theta1, sin_theta2.mul_add(t5, t1)),
+                        ),
+                );
+            let t15 = sin_theta1
+                .mul_add(t8, t13.mul_add(t14, t10.mul_add(t0, k24 * qd_theta1))) - t1;
+            let t16 = t11 * cos_theta1.mul_neg_add(t9, t15);
             let t17 = -t16;
-            let t18 = k29 * t14 - t13 * t16;
+            let t18 = t13.mul_neg_add(t16, k29 * t14);
             let t19 = k19 * t10;
-            let t20 = t0 * t12 - t18 * t19;
-            let t21 = t12 * t6 - t16 * t19;
-            let t22 = t11 * (sin_theta1 * t9 + cos_theta1 * t8 + t20 - t13 * t21);
-            let t23 = t21 + sin_theta2 * t7 + cos_theta2 * t5;
-            let t24 = -(k29 * t21 + t13 * t22);
+            let t20 = t18.mul_neg_add(t19, t0 * t12);
+            let t21 = t16.mul_neg_add(t19, t12 * t6);
+            let t22 = t11
+                * t13.mul_neg_add(t21, cos_theta1.mul_add(t8, sin_theta1 * t9) + t20);
+            let t23 = cos_theta2.mul_add(t5, sin_theta2.mul_add(t7, t21));
+            let t24 = -t13.mul_add(t22, k29 * t21);
             let t25 = -t22;
-            let t26 = t11 * (t13 * t23 - t20);
-            let t27 = k29 * t23 - t13 * t26;
+            let t26 = t11 * t13.mul_sub(t23, t20);
+            let t27 = t13.mul_neg_add(t26, k29 * t23);
             let t28 = -t26;
             let t29 = k13 * t10;
-            let t30 = k7 + qd_theta1 * t29;
-            let t31 = t11 * (qd_theta2 * t29 + k7 * t13 - k7);
-            let t32 = t11 * (k24 - t13 * t30);
-            let t33 = -(k29 * t30 + t13 * t32);
+            let t30 = qd_theta1.mul_add(t29, k7);
+            let t31 = t11 * (k7.mul_add(t13, qd_theta2 * t29) - k7);
+            let t32 = t11 * t13.mul_neg_add(t30, k24);
+            let t33 = -t13.mul_add(t32, k29 * t30);
             let t34 = -t32;
-            let t35 = k37 - t13 * t31;
+            let t35 = t13.mul_neg_add(t31, k37);
             let t36 = -t31;
             (
                 ::pendulum_core::nalgebra::SVector::from([
@@ -745,16 +765,17 @@ k43 = b*w^2*ny^2*(m1 + m2)
             let [(sin1, _), (_, cos2)] = (k5 * t0).sin_cos_pair(k6 * t0);
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                 .sin_cos_pair(q_theta2);
-            let t3 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
-            let t4 = k36 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
-            let t5 = k41 * cos_theta2 * sin1 - k40 * sin_theta2 * cos2;
-            let t6 = k20 / (k28 + k18 * t3 * t3)
-                * (k39 * cos_theta1 * sin1 + t4 * t5 - k38 * sin_theta1 * cos2);
+            let t3 = cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
+            let t4 = k36 * sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
+            let t5 = (k40 * sin_theta2).mul_neg_add(cos2, k41 * cos_theta2 * sin1);
+            let t6 = k20 / (k18 * t3).mul_add(t3, k28)
+                * (k38 * sin_theta1)
+                    .mul_neg_add(cos2, t4.mul_add(t5, k39 * cos_theta1 * sin1));
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),
                 -t6,
-                k29 * t5 - t4 * t6,
+                t4.mul_neg_add(t6, k29 * t5),
             ])
         }
     }
@@ -779,14 +800,23 @@ k43 = b*w^2*ny^2*(m1 + m2)
             let t0 = k4 * t;
             let [(_, cos1), (sin_theta1, cos_theta1)] = (k6 * t0).sin_cos_pair(q_theta1);
             let [(sin2, _), (sin_theta2, cos_theta2)] = (k5 * t0).sin_cos_pair(q_theta2);
-            let t3 = k26 * qd_theta2 + k32 * (cos1 * sin_theta2)
-                + (cos_theta1 * cos_theta2 + sin_theta2 * sin_theta1)
-                    * (k19 * qd_theta1);
-            let t4 = k35 * cos1 * cos1 + k34 * sin2 * sin2
-                + qd_theta2 * (t3 - k33 * (sin2 * cos_theta2));
+            let t3 = sin_theta2
+                .mul_add(sin_theta1, cos_theta1 * cos_theta2)
+                .mul_add(
+                    k19 * qd_theta1,
+                    k32.mul_add(cos1 * sin_theta2, k26 * qd_theta2),
+                );
+            let t4 = qd_theta2
+                .mul_add(
+                    k33.mul_neg_add(sin2 * cos_theta2, t3),
+                    (k34 * sin2).mul_add(sin2, k35 * cos1 * cos1),
+                );
             let t5 = qd_theta1
-                * (k25 * qd_theta1 + k16 * (cos1 * sin_theta1)
-                    - k17 * (sin2 * cos_theta1));
+                * k17
+                    .mul_neg_add(
+                        sin2 * cos_theta1,
+                        k16.mul_add(cos1 * sin_theta1, k25 * qd_theta1),
+                    );
             t4 + t5
         }
         #[inline]
@@ -798,7 +828,7 @@ k43 = b*w^2*ny^2*(m1 + m2)
             let k27 = self.constants[27];
             let (_, cos_theta2) = q_theta2.sin_cos();
             let [(sin0, _), (_, cos_theta1)] = (k9 * t).sin_cos_pair(q_theta1);
-            k27 * sin0 - (k21 * cos_theta1 + k22 * cos_theta2)
+            k27.mul_sub(sin0, k22.mul_add(cos_theta2, k21 * cos_theta1))
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -846,24 +876,42 @@ k43 = b*w^2*ny^2*(m1 + m2)
             let [(sin_theta2, cos_theta2), (sin_theta1, cos_theta1)] = q_theta2
                 .sin_cos_pair(q_theta1);
             let t9 = k10 * cos_theta2;
-            let t10 = cos_theta2 * sin_theta1 - cos_theta1 * sin_theta2;
+            let t10 = cos_theta1.mul_neg_add(sin_theta2, cos_theta2 * sin_theta1);
             let t11 = k19 * t10;
-            let t12 = sin_theta1 * (k21 - k14 * sin1) + k24 * qd_theta1
-                + t11 * qd_theta2 * qd_theta2;
-            let t13 = t3 + sin_theta2 * (k22 - k30 * sin1)
-                - qd_theta1 * (k7 + qd_theta1 * t11);
-            let t14 = t13 - k31 * cos_theta2 * cos2;
-            let t15 = k36 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
-            let t16 = k20 / (k28 + k18 * t10 * t10)
-                * (t12 + t14 * t15 - t3 - k15 * cos_theta1 * cos2);
-            let t17 = t16 + k29 * t14 - t16 - t15 * t16;
+            let t12 = (t11 * qd_theta2)
+                .mul_add(
+                    qd_theta2,
+                    k24.mul_add(qd_theta1, sin_theta1 * k14.mul_neg_add(sin1, k21)),
+                );
+            let t13 = qd_theta1
+                .mul_neg_add(
+                    qd_theta1.mul_add(t11, k7),
+                    sin_theta2.mul_add(k30.mul_neg_add(sin1, k22), t3),
+                );
+            let t14 = (k31 * cos_theta2).mul_neg_add(cos2, t13);
+            let t15 = k36 * sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
+            let t16 = k20 / (k18 * t10).mul_add(t10, k28)
+                * (k15 * cos_theta1).mul_neg_add(cos2, t14.mul_add(t15, t12) - t3);
+            let t17 = t15.mul_neg_add(t16, k29.mul_add(t14, t16) - t16);
             let t18 = k10 * sin_theta2;
             let t19 = k12 * sin_theta1;
             let t20 = k12 * cos_theta1;
-            let t21 = k11 - k43 * sin8 + t20 * t6 + t9 * t5 + t17 * t18;
+            let t21 = t17
+                .mul_add(
+                    t18,
+                    t9.mul_add(t5, t20.mul_add(t6, k43.mul_neg_add(sin8, k11))),
+                );
             ::pendulum_core::nalgebra::SVector::from([
-                t9 * t17 - t18 * t5 - t19 * t6 - t16 * t20 - k42 * cos7,
-                t21 - t16 * t19,
+                k42
+                    .mul_neg_add(
+                        cos7,
+                        t16
+                            .mul_neg_add(
+                                t20,
+                                t19.mul_neg_add(t6, t18.mul_neg_add(t5, t9 * t17)),
+                            ),
+                    ),
+                t16.mul_neg_add(t19, t21),
             ])
         }
     }
@@ -932,13 +980,13 @@ k43 = b*w^2*ny^2*(m1 + m2)
                     let [(_, cos0), (sin_theta1, cos_theta1)] = (t * k8)
                         .sin_cos_pair(q_theta1);
                     let t1 = k2 * cos0;
-                    let t2 = t1 + k0 * sin_theta1;
+                    let t2 = k0.mul_add(sin_theta1, t1);
                     let [(sin3, _), (sin_theta2, cos_theta2)] = (t * k9)
                         .sin_cos_pair(q_theta2);
-                    let t4 = k1 * sin_theta2 + t2;
+                    let t4 = k1.mul_add(sin_theta2, t2);
                     let t5 = k3 * sin3;
-                    let t6 = t5 - k0 * cos_theta1;
-                    let t7 = t6 - k1 * cos_theta2;
+                    let t6 = k0.mul_neg_add(cos_theta1, t5);
+                    let t7 = k1.mul_neg_add(cos_theta2, t6);
                     [
                         t1,
                         t5,

@@ -119,16 +119,19 @@ k11 = -m*c*d/(inertia + m*c^2)
         let t4 = T::from_f64(0.5) * t3;
         let t5 = T::from_f64(-1.0) / t3;
         let t6 = p_d * p_d;
-        let t7 = p_inertia + (t2 + p_m * t6);
-        let t8 = t1 * (p_inertia * (T::from_f64(2.0) * p_m)) + t6 * (p_m * p_inertia)
-            + p_m * p_m * (p_c * p_c * p_c * p_c);
-        let t9 = t8 + p_inertia * p_inertia;
+        let t7 = p_inertia + p_m.mul_add(t6, t2);
+        let t8 = (p_m * p_m)
+            .mul_add(
+                p_c * p_c * p_c * p_c,
+                t6.mul_add(p_m * p_inertia, t1 * (p_inertia * (T::from_f64(2.0) * p_m))),
+            );
+        let t9 = p_inertia.mul_add(p_inertia, t8);
         let t10 = T::from_f64(0.5) * t7;
         let t11 = p_m * p_c;
         let t12 = p_d * t11;
         let t13 = t12 * t5;
         let t14 = p_g * t11;
-        let t15 = t14 + p_g * (p_m * p_d);
+        let t15 = p_g.mul_add(p_m * p_d, t14);
         [p_gamma2, t3, t7, t12, t14, t15, t0, t9, t10, t4, t5, t13]
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -460,18 +463,28 @@ k11 = -m*c*d/(inertia + m*c^2)
             let k11 = self.constants[11];
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                 .sin_cos_pair(q_theta2);
-            let t0 = k3 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
-            let t1 = k4 * sin_theta2 + k0 * qd_theta2
-                - qd_theta1 * (k0 + qd_theta1 * t0);
-            let t2 = k11 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
-            let t3 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * (qd_theta2 * t0 - k0)
-                + t1 * t2;
-            let t4 = k1 / (k7 + t0 * t0) * t3;
+            let t0 = k3 * cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
+            let t1 = qd_theta1
+                .mul_neg_add(
+                    qd_theta1.mul_add(t0, k0),
+                    k0.mul_add(qd_theta2, k4 * sin_theta2),
+                );
+            let t2 = k11 * sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
+            let t3 = t1
+                .mul_add(
+                    t2,
+                    qd_theta2
+                        .mul_add(
+                            qd_theta2.mul_sub(t0, k0),
+                            k6.mul_add(qd_theta1, k5 * sin_theta1),
+                        ),
+                );
+            let t4 = k1 / t0.mul_add(t0, k7) * t3;
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta1,
                 qd_theta2,
                 -t4,
-                k10 * t1 - t2 * t4,
+                t2.mul_neg_add(t4, k10 * t1),
             ])
         }
         #[inline]
@@ -513,33 +526,33 @@ k11 = -m*c*d/(inertia + m*c^2)
             let t1 = k3 * qd_theta1;
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                 .sin_cos_pair(q_theta2);
-            let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
-            let t3 = t0 * t2 - k0;
-            let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
+            let t2 = cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
+            let t3 = t0.mul_sub(t2, k0);
+            let t4 = qd_theta2.mul_add(t3, k6.mul_add(qd_theta1, k5 * sin_theta1));
             let t5 = k3 * t2;
-            let t6 = k0 + t2 * t1;
-            let t7 = t3 + qd_theta2 * t5;
-            let t8 = T::from_f64(-1.0) / (k7 + t5 * t5);
+            let t6 = t2.mul_add(t1, k0);
+            let t7 = qd_theta2.mul_add(t5, t3);
+            let t8 = T::from_f64(-1.0) / t5.mul_add(t5, k7);
             let t9 = k1 * t8;
-            let t10 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t6;
-            let t11 = t6 + qd_theta1 * t5;
-            let t12 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+            let t10 = qd_theta1.mul_neg_add(t6, k0.mul_add(qd_theta2, k4 * sin_theta2));
+            let t11 = qd_theta1.mul_add(t5, t6);
+            let t12 = sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
             let t13 = k3 * t8 * t12;
             let t14 = k2 * t8;
-            let t15 = k6 * t9 + t13 * t11;
-            let t16 = -(k6 * t13 + t14 * t11);
-            let t17 = t9 * t7 - k0 * t13;
-            let t18 = k0 * t14 - t13 * t7;
-            let t19 = t4 * t9 - t10 * t13;
-            let t20 = t10 * t14 - t4 * t13;
-            let t21 = qd_theta2 * t0 * t12 - t20 * t5;
-            let t22 = qd_theta1 * t1 * t12 + t19 * t5;
-            let t23 = k5 * cos_theta1 + t21;
-            let t24 = t22 + k4 * cos_theta2;
-            let t25 = t9 * t23 + t13 * t22;
-            let t26 = -(t13 * t23 + t14 * t22);
-            let t27 = -(t9 * t21 + t13 * t24);
-            let t28 = t14 * t24 + t13 * t21;
+            let t15 = t13.mul_add(t11, k6 * t9);
+            let t16 = -t14.mul_add(t11, k6 * t13);
+            let t17 = k0.mul_neg_add(t13, t9 * t7);
+            let t18 = t13.mul_neg_add(t7, k0 * t14);
+            let t19 = t10.mul_neg_add(t13, t4 * t9);
+            let t20 = t4.mul_neg_add(t13, t10 * t14);
+            let t21 = t20.mul_neg_add(t5, qd_theta2 * t0 * t12);
+            let t22 = t19.mul_add(t5, qd_theta1 * t1 * t12);
+            let t23 = k5.mul_add(cos_theta1, t21);
+            let t24 = k4.mul_add(cos_theta2, t22);
+            let t25 = t13.mul_add(t22, t9 * t23);
+            let t26 = -t14.mul_add(t22, t13 * t23);
+            let t27 = -t13.mul_add(t24, t9 * t21);
+            let t28 = t13.mul_add(t21, t14 * t24);
             (
                 ::pendulum_core::nalgebra::SVector::from([
                     qd_theta1,
@@ -594,20 +607,20 @@ k11 = -m*c*d/(inertia + m*c^2)
             let t1 = k0 * qd_theta2;
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                 .sin_cos_pair(q_theta2);
-            let t2 = t0 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
-            let t3 = cos_theta1 * cos_theta2 + sin_theta1 * sin_theta2;
+            let t2 = t0 * cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
+            let t3 = sin_theta1.mul_add(sin_theta2, cos_theta1 * cos_theta2);
             (
                 ::pendulum_core::nalgebra::SVector::from([
                     q_theta1,
                     q_theta2,
-                    qd_theta1 * k2 + t0 * t3,
-                    qd_theta2 * k1 + qd_theta1 * k3 * t3,
+                    t0.mul_add(t3, qd_theta1 * k2),
+                    (qd_theta1 * k3).mul_add(t3, qd_theta2 * k1),
                 ]),
                 ::pendulum_core::nalgebra::SVector::from([
                     qd_theta1,
                     qd_theta2,
-                    t1 - sin_theta1 * k5 - qd_theta1 * (k6 + t2),
-                    qd_theta1 * (k0 + t2) - (sin_theta2 * k4 + t1),
+                    qd_theta1.mul_neg_add(k6 + t2, sin_theta1.mul_neg_add(k5, t1)),
+                    qd_theta1.mul_sub(k0 + t2, sin_theta2.mul_add(k4, t1)),
                 ]),
             )
         }
@@ -631,7 +644,7 @@ k11 = -m*c*d/(inertia + m*c^2)
             let t0 = qd_theta1 * k3;
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                 .sin_cos_pair(q_theta2);
-            let t1 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
+            let t1 = cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
             let t2 = qd_theta2 * k3 * t1;
             let t3 = -t2;
             let t4 = t0 * t1;
@@ -640,11 +653,11 @@ k11 = -m*c*d/(inertia + m*c^2)
             let t7 = k0 + t2;
             let t8 = k0 - t4;
             let t9 = t4 - k0;
-            let t10 = cos_theta1 * cos_theta2 + sin_theta1 * sin_theta2;
+            let t10 = sin_theta1.mul_add(sin_theta2, cos_theta1 * cos_theta2);
             let t11 = qd_theta2 * t0 * t10;
             let t12 = k3 * t10;
-            let t13 = -(cos_theta1 * k5 + t11);
-            let t14 = -(cos_theta2 * k4 + t11);
+            let t13 = -cos_theta1.mul_add(k5, t11);
+            let t14 = -cos_theta2.mul_add(k4, t11);
             (
                 ::pendulum_core::nalgebra::SMatrix::from([
                     [T::from_f64(1.0), T::from_f64(0.0), t3, t5],
@@ -671,8 +684,11 @@ k11 = -m*c*d/(inertia + m*c^2)
             let k8 = self.constants[8];
             let k9 = self.constants[9];
             let (_, cos0) = (q_theta1 - q_theta2).sin_cos();
-            qd_theta2 * (qd_theta2 * k9)
-                + qd_theta1 * (cos0 * (qd_theta2 * k3) + qd_theta1 * k8)
+            qd_theta1
+                .mul_add(
+                    qd_theta1.mul_add(k8, cos0 * (qd_theta2 * k3)),
+                    qd_theta2 * (qd_theta2 * k9),
+                )
         }
         #[inline]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
@@ -680,7 +696,7 @@ k11 = -m*c*d/(inertia + m*c^2)
             let k4 = self.constants[4];
             let k5 = self.constants[5];
             let [(_, cos_theta1), (_, cos_theta2)] = q_theta1.sin_cos_pair(q_theta2);
-            -(cos_theta1 * k5 + cos_theta2 * k4)
+            -cos_theta2.mul_add(k4, cos_theta1 * k5)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -741,20 +757,22 @@ k11 = -m*c*d/(inertia + m*c^2)
                     let t1 = k3 * qd_theta1;
                     let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                         .sin_cos_pair(q_theta2);
-                    let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
-                    let t3 = t0 * t2 - k0;
-                    let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
-                    let t5 = k0 + t2 * t1;
+                    let t2 = cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
+                    let t3 = t0.mul_sub(t2, k0);
+                    let t4 = qd_theta2
+                        .mul_add(t3, k6.mul_add(qd_theta1, k5 * sin_theta1));
+                    let t5 = t2.mul_add(t1, k0);
                     let t6 = k3 * t2;
-                    let t7 = T::from_f64(-1.0) / (k7 + t6 * t6);
-                    let t8 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t5;
-                    let t9 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+                    let t7 = T::from_f64(-1.0) / t6.mul_add(t6, k7);
+                    let t8 = qd_theta1
+                        .mul_neg_add(t5, k0.mul_add(qd_theta2, k4 * sin_theta2));
+                    let t9 = sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
                     let t10 = k3 * t7 * t9;
                     let t11 = k1 * t7;
-                    let t12 = t4 * t11 - t8 * t10;
+                    let t12 = t8.mul_neg_add(t10, t4 * t11);
                     let t13 = k3 * t12;
                     let t14 = k2 * t7;
-                    let t15 = t8 * t14 - t4 * t10;
+                    let t15 = t4.mul_neg_add(t10, t8 * t14);
                     let t16 = k3 * t15;
                     (
                         qd_theta1,
@@ -797,23 +815,23 @@ k11 = -m*c*d/(inertia + m*c^2)
                 let [s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11] = newest
                     .add(work.sums(k));
                 let [x0, x1, x2, x3] = x[k].data.0[0];
-                let t0 = -(over_order * s10 + x0 * h2);
-                let t1 = -(over_order * s11 + x1 * h4);
-                let t2 = over_order * s0 + x0 * h3;
+                let t0 = -x0.mul_add(h2, over_order * s10);
+                let t1 = -x1.mul_add(h4, over_order * s11);
+                let t2 = x0.mul_add(h3, over_order * s0);
                 let t3 = x0 - x1;
-                let t4 = over_order * s1 + t3 * h6;
-                let t5 = x3 * h15 + (k3 * s2 + h8 * t4);
-                let t6 = k6 * x2 + k5 * t2 + (h1 * t5 + (s3 + x3 * h10));
-                let t7 = x2 * h15 + (k3 * s7 + h9 * t4);
-                let t8 = over_order * s4 + t3 * h7;
-                let t9 = t6 + (k3 * s5 - h16 * t8);
+                let t4 = t3.mul_add(h6, over_order * s1);
+                let t5 = x3.mul_add(h15, h8.mul_add(t4, k3 * s2));
+                let t6 = k5.mul_add(t2, k6 * x2) + h1.mul_add(t5, x3.mul_add(h10, s3));
+                let t7 = x2.mul_add(h15, h9.mul_add(t4, k3 * s7));
+                let t8 = t3.mul_add(h7, over_order * s4);
+                let t9 = t6 + h16.mul_neg_add(t8, k3 * s5);
                 let t10 = order * t3;
-                let t11 = over_order * s6 + x1 * h5;
-                let t12 = k0 * x3 + k4 * t11 - (h0 * t7 + (s8 + x2 * h11));
-                let t13 = t12 + (k3 * s9 - h17 * t8);
+                let t11 = x1.mul_add(h5, over_order * s6);
+                let t12 = k4.mul_add(t11, k0 * x3) - h0.mul_add(t7, x2.mul_add(h11, s8));
+                let t13 = t12 + h17.mul_neg_add(t8, k3 * s9);
                 let t14 = -t8;
-                let t15 = h12 * t9 - h13 * t13;
-                let t16 = h14 * t13 - h13 * t9;
+                let t15 = h13.mul_neg_add(t13, h12 * t9);
+                let t16 = h13.mul_neg_add(t9, h14 * t13);
                 let t17 = order * x0;
                 let t18 = order * x1;
                 let (left, right) = (

@@ -160,21 +160,23 @@ k36 = -1
         let t12 = t7 * t6;
         let t13 = t12.sqrt();
         let t14 = T::from_f64(1.0) / t12.sqrt();
-        let t15 = T::from_f64(54.0) + T::from_f64(275.0) * t6;
+        let t15 = T::from_f64(275.0).mul_add(t6, T::from_f64(54.0));
         let t16 = T::from_f64(0.0013333333333333333) * t15;
         let t17 = T::from_f64(0.0006666666666666666) * t15;
         let t18 = p_a * p_a;
         let t19 = T::from_f64(1.8666666666666667) * t18;
         let t20 = T::from_f64(0.9333333333333333) * t18;
         let t21 = T::from_f64(1.0)
-            - T::from_f64(0.0).atan2(t18 - p_d * p_d) / T::from_f64(3.141592653589793);
+            - T::from_f64(0.0).atan2(p_d.mul_neg_add(p_d, t18))
+                / T::from_f64(3.141592653589793);
         let t22 = T::from_f64(1.0) - t21;
         let t23 = p_d * t22;
         let t24 = t22 * T::from_f64(0.0).atan2(p_d);
-        let t25 = T::from_f64(18.0) * p_a + p_b * (T::from_f64(55.0) * p_a);
+        let t25 = p_b.mul_add(T::from_f64(55.0) * p_a, T::from_f64(18.0) * p_a);
         let t26 = T::from_f64(0.02) * t25;
         let t27 = T::from_f64(0.01) * t25;
-        let t28 = T::from_f64(0.0981) * (T::from_f64(18.0) + T::from_f64(55.0) * p_b);
+        let t28 = T::from_f64(0.0981)
+            * T::from_f64(55.0).mul_add(p_b, T::from_f64(18.0));
         let t29 = T::from_f64(4.4145) * p_c;
         let t30 = T::from_f64(1.0) / p_b;
         let t31 = t28 * t30;
@@ -706,38 +708,51 @@ k36 = -1
             let t1 = k0 * cos_theta;
             let t2 = k3 - t1;
             let t3 = k0 * sin_theta;
-            let t4 = t2 * t2 + t3 * t3;
+            let t4 = t3.mul_add(t3, t2 * t2);
             let t5 = T::from_f64(1.0) / t4;
-            let t6 = T::from_f64(0.5) + k7 * t5;
-            let t7 = (k5 * t5 - t6 * t6).sqrt();
+            let t6 = k7.mul_add(t5, T::from_f64(0.5));
+            let t7 = t6.mul_neg_add(t6, k5 * t5).sqrt();
             let t8 = T::from_f64(1.0) / (t4 * t7);
-            let t9 = t2 * t7 - t3 * t6;
-            let t10 = t2 * t6 + t3 * t7;
+            let t9 = t3.mul_neg_add(t6, t2 * t7);
+            let t10 = t3.mul_add(t7, t2 * t6);
             let t11 = t2 - t10;
             let t12 = t3 + t9;
-            let t13 = t8 * (t3 * t11 + t1 * t12);
+            let t13 = t8 * t1.mul_add(t12, t3 * t11);
             let t14 = qd_theta * t13;
             let t15 = t14 * t14;
-            let t16 = t8 * (t3 * t10 - t1 * t9);
+            let t16 = t8 * t1.mul_neg_add(t9, t3 * t10);
             let t17 = qd_theta * t16;
             let t18 = t17 * t17;
-            let t19 = t3 * t0 + t9 * t15 - t12 * t18;
-            let t20 = t1 * t0 + t10 * t15 + t11 * t18;
+            let t19 = t12.mul_neg_add(t18, t9.mul_add(t15, t3 * t0));
+            let t20 = t11.mul_add(t18, t10.mul_add(t15, t1 * t0));
             let t21 = k18 * t16;
             let t22 = k27 * t9;
             let t23 = k27 * t10;
-            let t24 = sin_theta * t23 - cos_theta * t22;
-            let t25 = cos_theta * t23 + sin_theta * t22;
-            let t26 = k20 * t24 - k19 * t25;
-            let t27 = k26 * cos_theta + t8 * (t9 * t19 + t10 * t20) * t21
-                + t13
-                    * (T::from_f64(0.8829) * t22 + qd_theta * (qd_theta * t26)
-                        - k21 * t23);
+            let t24 = cos_theta.mul_neg_add(t22, sin_theta * t23);
+            let t25 = sin_theta.mul_add(t22, cos_theta * t23);
+            let t26 = k19.mul_neg_add(t25, k20 * t24);
+            let t27 = t13
+                .mul_add(
+                    k21
+                        .mul_neg_add(
+                            t23,
+                            qd_theta.mul_add(qd_theta * t26, T::from_f64(0.8829) * t22),
+                        ),
+                    (t8 * t10.mul_add(t20, t9 * t19)).mul_add(t21, k26 * cos_theta),
+                );
             let t28 = k16 * t13;
-            let t29 = t8 * (t12 * t19 - t11 * t20) * (k19 * t24 + k20 * t25 - t28);
-            let t30 = t27 + t29 + t14 * (t14 * t26)
-                + t16 * (k4 * t17 - k22 * (t11 / k2));
-            let t31 = k17 + t16 * t21 + t13 * (t28 - k14 * t25 - k15 * t24);
+            let t29 = t8 * t11.mul_neg_add(t20, t12 * t19)
+                * (k20.mul_add(t25, k19 * t24) - t28);
+            let t30 = t16
+                .mul_add(
+                    k22.mul_neg_add(t11 / k2, k4 * t17),
+                    t14.mul_add(t14 * t26, t27 + t29),
+                );
+            let t31 = t13
+                .mul_add(
+                    k15.mul_neg_add(t24, k14.mul_neg_add(t25, t28)),
+                    t16.mul_add(t21, k17),
+                );
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta,
                 t30 * (T::from_f64(-1.0) / t31),
@@ -813,94 +828,148 @@ k36 = -1
             let t2 = k0 * cos_theta;
             let t3 = k3 - t2;
             let t4 = k0 * sin_theta;
-            let t5 = t3 * t3 + t4 * t4;
+            let t5 = t4.mul_add(t4, t3 * t3);
             let t6 = T::from_f64(1.0) / t5;
-            let t7 = T::from_f64(0.5) + k7 * t6;
-            let t8 = (k5 * t6 - t7 * t7).sqrt();
+            let t7 = k7.mul_add(t6, T::from_f64(0.5));
+            let t8 = t7.mul_neg_add(t7, k5 * t6).sqrt();
             let t9 = t4 * t8;
-            let t10 = t3 * t7 + t9;
+            let t10 = t3.mul_add(t7, t9);
             let t11 = k27 * t10;
             let t12 = t4 * t7;
-            let t13 = t12 - t3 * t8;
+            let t13 = t3.mul_neg_add(t8, t12);
             let t14 = k27 * t13;
-            let t15 = sin_theta * t11 + cos_theta * t14;
+            let t15 = cos_theta.mul_add(t14, sin_theta * t11);
             let t16 = t5 * t8;
             let t17 = T::from_f64(1.0) / t16;
             let t18 = t3 - t10;
             let t19 = t4 - t13;
-            let t20 = t4 * t18 + t2 * t19;
+            let t20 = t2.mul_add(t19, t4 * t18);
             let t21 = t17 * t20;
             let t22 = qd_theta * t21;
             let t23 = t22 * t22;
             let t24 = T::from_f64(2.0) * t22;
             let t25 = t4 * t0;
-            let t26 = t4 * t10 + t2 * t13;
+            let t26 = t2.mul_add(t13, t4 * t10);
             let t27 = t17 * t26;
             let t28 = qd_theta * t27;
             let t29 = t28 * t28;
-            let t30 = t25 - t13 * t23 - t19 * t29;
+            let t30 = t19.mul_neg_add(t29, t13.mul_neg_add(t23, t25));
             let t31 = t2 * t0;
-            let t32 = t31 + t10 * t23 + t18 * t29;
-            let t33 = t19 * t30 - t18 * t32;
+            let t32 = t18.mul_add(t29, t10.mul_add(t23, t31));
+            let t33 = t18.mul_neg_add(t32, t19 * t30);
             let t34 = t17 * t33;
-            let t35 = cos_theta * t11 - sin_theta * t14;
-            let t36 = k20 * (t15 * t23 + t34 * t35)
-                + (k26 * cos_theta + k19 * (t15 * t34 - t35 * t23));
-            let t37 = t13 * t30 - t10 * t32;
+            let t35 = sin_theta.mul_neg_add(t14, cos_theta * t11);
+            let t36 = k20
+                .mul_add(
+                    t34.mul_add(t35, t15 * t23),
+                    k19.mul_add(t35.mul_neg_add(t23, t15 * t34), k26 * cos_theta),
+                );
+            let t37 = t10.mul_neg_add(t32, t13 * t30);
             let t38 = k18 * t17;
-            let t39 = k4 * t28 - t37 * t38 - k30 * t18;
+            let t39 = k30.mul_neg_add(t18, t37.mul_neg_add(t38, k4 * t28));
             let t40 = T::from_f64(2.0) * t28;
-            let t41 = qd_theta * (k19 * t35 - k20 * t15);
-            let t42 = k16 * t34 + T::from_f64(0.8829) * t14 + k21 * t11 + qd_theta * t41;
+            let t41 = qd_theta * k20.mul_neg_add(t15, k19 * t35);
+            let t42 = qd_theta
+                .mul_add(
+                    t41,
+                    k21.mul_add(t11, T::from_f64(0.8829).mul_add(t14, k16 * t34)),
+                );
             let t43 = k18 * t27;
-            let t44 = k14 * t35 + k15 * t15 - k16 * t21;
-            let t45 = T::from_f64(-1.0) / (k17 + t27 * t43 - t21 * t44);
-            let t46 = (t36 + t27 * t39 - t21 * t42) * t45;
+            let t44 = k16.mul_neg_add(t21, k15.mul_add(t15, k14 * t35));
+            let t45 = T::from_f64(-1.0) / t21.mul_neg_add(t44, t27.mul_add(t43, k17));
+            let t46 = t21.mul_neg_add(t42, t27.mul_add(t39, t36)) * t45;
             let t47 = t4 * (T::from_f64(2.0) * (t2 + t3));
             let t48 = t47 * (T::from_f64(1.0) / (t5 * t5));
             let t49 = k7 * t48;
             let t50 = T::from_f64(0.5) * (T::from_f64(1.0) / t8)
-                * (T::from_f64(2.0) * t7 * t49 - k5 * t48);
-            let t51 = (t8 * t47 + t5 * t50) * (T::from_f64(1.0) / (t16 * t16));
-            let t52 = t2 * t7 - t4 * t49 - (t9 + t3 * t50);
-            let t53 = t12 + t2 * t8 + t4 * t50 - t3 * t49;
-            let t54 = t17 * (t2 * (t10 + t52) + t4 * (t53 - t13)) - t26 * t51;
+                * k5.mul_neg_add(t48, T::from_f64(2.0) * t7 * t49);
+            let t51 = t5.mul_add(t50, t8 * t47) * (T::from_f64(1.0) / (t16 * t16));
+            let t52 = t4.mul_neg_add(t49, t2 * t7) - t3.mul_add(t50, t9);
+            let t53 = t3.mul_neg_add(t49, t4.mul_add(t50, t2.mul_add(t8, t12)));
+            let t54 = t26
+                .mul_neg_add(t51, t17 * t4.mul_add(t53 - t13, t2 * (t10 + t52)));
             let t55 = t2 - t52;
             let t56 = t4 - t53;
-            let t57 = t20 * t51 - t17 * (t2 * (t18 + t55) + t4 * (t56 - t19));
+            let t57 = t17
+                .mul_neg_add(t4.mul_add(t56 - t19, t2 * (t18 + t55)), t20 * t51);
             let t58 = T::from_f64(1.0) + t21;
             let t59 = t35 * t58;
             let t60 = t15 * t58;
-            let t61 = t44 * t57 + t54 * (t43 + t43)
-                - t21 * (k16 * t57 + k15 * t59 - k14 * t60);
+            let t61 = t21
+                .mul_neg_add(
+                    k14.mul_neg_add(t60, k15.mul_add(t59, k16 * t57)),
+                    t54.mul_add(t43 + t43, t44 * t57),
+                );
             let t62 = qd_theta * t57 * t24;
             let t63 = t21 * t24;
             let t64 = qd_theta * t54;
             let t65 = t64 * t40;
-            let t66 = t31 + t13 * t62 - t52 * t23 - t55 * t29 - t19 * t65;
-            let t67 = t53 * t23 + t56 * t29 + t18 * t65 - t25 - t10 * t62;
-            let t68 = t17 * (t30 * t55 + t19 * t66 - t32 * t56 - t18 * t67);
-            let t69 = t17 * (t30 * t52 + t13 * t66 - t32 * t53 - t10 * t67);
-            let t70 = k4 * t64 + k18 * (t37 * t51 - t69) - k30 * t19 * t27;
-            let t71 = t68 - t33 * t51;
-            let t72 = k16 * t71 + t21 * (T::from_f64(0.8829) * t11 - k21 * t14)
-                - (k19 * t60 + k20 * t59) * t0;
+            let t66 = t19
+                .mul_neg_add(
+                    t65,
+                    t55.mul_neg_add(t29, t52.mul_neg_add(t23, t13.mul_add(t62, t31))),
+                );
+            let t67 = t10
+                .mul_neg_add(t62, t18.mul_add(t65, t56.mul_add(t29, t53 * t23)) - t25);
+            let t68 = t17
+                * t18
+                    .mul_neg_add(t67, t32.mul_neg_add(t56, t19.mul_add(t66, t30 * t55)));
+            let t69 = t17
+                * t10
+                    .mul_neg_add(t67, t32.mul_neg_add(t53, t13.mul_add(t66, t30 * t52)));
+            let t70 = (k30 * t19)
+                .mul_neg_add(t27, k18.mul_add(t37.mul_sub(t51, t69), k4 * t64));
+            let t71 = t33.mul_neg_add(t51, t68);
+            let t72 = k20
+                .mul_add(t59, k19 * t60)
+                .mul_neg_add(
+                    t0,
+                    t21
+                        .mul_add(
+                            k21.mul_neg_add(t14, T::from_f64(0.8829) * t11),
+                            k16 * t71,
+                        ),
+                );
             let t73 = t27 * t40;
-            let t74 = t4 * t1 - t13 * t63 - t19 * t73;
-            let t75 = t2 * t1 + t10 * t63 + t18 * t73;
-            let t76 = t17 * (t19 * t74 - t18 * t75);
-            let t77 = k20 * (t15 * t63 + t35 * t76) + k19 * (t15 * t76 - t35 * t63);
-            let t78 = t77 + t27 * (k4 * t27 - (t13 * t74 - t10 * t75) * t38);
-            let t79 = k20 * (t59 * t23 + t35 * t71 - t15 * t62 - t34 * t60);
-            let t80 = k19 * (t15 * t71 + t34 * t59 + t35 * t62 + t60 * t23);
-            let t81 = t42 * t57 + t79 + (t80 - k26 * sin_theta) + t39 * t54 + t27 * t70;
+            let t74 = t19.mul_neg_add(t73, t13.mul_neg_add(t63, t4 * t1));
+            let t75 = t18.mul_add(t73, t10.mul_add(t63, t2 * t1));
+            let t76 = t17 * t18.mul_neg_add(t75, t19 * t74);
+            let t77 = k19
+                .mul_add(
+                    t35.mul_neg_add(t63, t15 * t76),
+                    k20 * t35.mul_add(t76, t15 * t63),
+                );
+            let t78 = t27
+                .mul_add(
+                    t10.mul_neg_add(t75, t13 * t74).mul_neg_add(t38, k4 * t27),
+                    t77,
+                );
+            let t79 = k20
+                * t34
+                    .mul_neg_add(t60, t15.mul_neg_add(t62, t35.mul_add(t71, t59 * t23)));
+            let t80 = k19
+                * t60.mul_add(t23, t35.mul_add(t62, t34.mul_add(t59, t15 * t71)));
+            let t81 = t27
+                .mul_add(
+                    t70,
+                    t39
+                        .mul_add(
+                            t54,
+                            t42.mul_add(t57, t79) + k26.mul_neg_add(sin_theta, t80),
+                        ),
+                );
             (
                 ::pendulum_core::nalgebra::SVector::from([qd_theta, t46]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [T::from_f64(0.0), t45 * (t81 + t46 * t61 - t21 * t72)],
+                    [
+                        T::from_f64(0.0),
+                        t45 * t21.mul_neg_add(t72, t46.mul_add(t61, t81)),
+                    ],
                     [
                         T::from_f64(1.0),
-                        t45 * (t78 - t21 * (k16 * t76 + T::from_f64(2.0) * t41)),
+                        t45
+                            * t21
+                                .mul_neg_add(T::from_f64(2.0).mul_add(t41, k16 * t76), t78),
                     ],
                 ]),
             )
@@ -937,20 +1006,27 @@ k36 = -1
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
             let t2 = k3 - t1;
-            let t3 = t2 * t2 + t0 * t0;
+            let t3 = t0.mul_add(t0, t2 * t2);
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + k7 * t4;
-            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t5 = k7.mul_add(t4, T::from_f64(0.5));
+            let t6 = t5.mul_neg_add(t5, k5 * t4).sqrt();
             let t7 = qd_theta * (T::from_f64(1.0) / (t3 * t6));
-            let t8 = t2 * t5 + t0 * t6;
-            let t9 = t0 * t5 - t2 * t6;
-            let t10 = (t0 * (t2 - t8) + t1 * (t0 - t9)) * t7;
-            let t11 = (t0 * t8 + t1 * t9) * t7;
+            let t8 = t0.mul_add(t6, t2 * t5);
+            let t9 = t2.mul_neg_add(t6, t0 * t5);
+            let t10 = t1.mul_add(t0 - t9, t0 * (t2 - t8)) * t7;
+            let t11 = t1.mul_add(t9, t0 * t8) * t7;
             let t12 = k27 * t8;
             let t13 = k27 * t9;
-            let t14 = k20 * (cos_theta * t12 - sin_theta * t13)
-                + k19 * (sin_theta * t12 + cos_theta * t13);
-            k24 * t10 * t10 + k25 * t11 * t11 + qd_theta * (k23 * qd_theta - t10 * t14)
+            let t14 = k19
+                .mul_add(
+                    cos_theta.mul_add(t13, sin_theta * t12),
+                    k20 * sin_theta.mul_neg_add(t13, cos_theta * t12),
+                );
+            qd_theta
+                .mul_add(
+                    t10.mul_neg_add(t14, k23 * qd_theta),
+                    (k25 * t11).mul_add(t11, k24 * t10 * t10),
+                )
         }
         #[inline]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
@@ -965,15 +1041,18 @@ k36 = -1
             let k31 = self.constants[31];
             let k32 = self.constants[32];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
-            let t0 = k3 - k0 * cos_theta;
+            let t0 = k0.mul_neg_add(cos_theta, k3);
             let t1 = k0 * sin_theta;
-            let t2 = T::from_f64(1.0) / (t0 * t0 + t1 * t1);
-            let t3 = T::from_f64(0.5) + k7 * t2;
-            let t4 = (k5 * t2 - t3 * t3).sqrt();
-            let t5 = t1 * t3 - t0 * t4;
-            let t6 = k26 * sin_theta + k32 * (t0 * t3 + t1 * t4)
-                - k22 * ((t5 - t1) / k2);
-            t6 - k31 * t5
+            let t2 = T::from_f64(1.0) / t1.mul_add(t1, t0 * t0);
+            let t3 = k7.mul_add(t2, T::from_f64(0.5));
+            let t4 = t3.mul_neg_add(t3, k5 * t2).sqrt();
+            let t5 = t0.mul_neg_add(t4, t1 * t3);
+            let t6 = k22
+                .mul_neg_add(
+                    (t5 - t1) / k2,
+                    k32.mul_add(t1.mul_add(t4, t0 * t3), k26 * sin_theta),
+                );
+            k31.mul_neg_add(t5, t6)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -1002,18 +1081,18 @@ k36 = -1
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = k3 - t0;
-            let t3 = t2 * t2 + t1 * t1;
+            let t3 = t1.mul_add(t1, t2 * t2);
             let t4 = T::from_f64(2.0) * (t1 * qd_theta);
-            let t5 = t2 * t4 + t0 * t4;
+            let t5 = t0.mul_add(t4, t2 * t4);
             let t6 = t5 * (T::from_f64(1.0) / (t3 * t3));
             let t7 = T::from_f64(1.0) / t3;
-            let t8 = T::from_f64(0.5) + k7 * t7;
-            let t9 = (k5 * t7 - t8 * t8).sqrt();
-            let t10 = T::from_f64(0.5) * t3 * (k6 * t8 * t6 - k5 * t6)
+            let t8 = k7.mul_add(t7, T::from_f64(0.5));
+            let t9 = t8.mul_neg_add(t8, k5 * t7).sqrt();
+            let t10 = T::from_f64(0.5) * t3 * k5.mul_neg_add(t6, k6 * t8 * t6)
                 * (T::from_f64(1.0) / t9);
             (
                 ::pendulum_core::nalgebra::SVector::from([t3 * t9 / k8]),
-                ::pendulum_core::nalgebra::SVector::from([k28 * (t9 * t5 + t10)]),
+                ::pendulum_core::nalgebra::SVector::from([k28 * t9.mul_add(t5, t10)]),
             )
         }
         ///Output `follow`.
@@ -1039,13 +1118,13 @@ k36 = -1
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = k3 - t0;
-            let t3 = k11 - k9 * t0;
-            let t4 = T::from_f64(1.0) / (t2 * t2 + t1 * t1);
-            let t5 = T::from_f64(0.5) + k7 * t4;
-            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t3 = k9.mul_neg_add(t0, k11);
+            let t4 = T::from_f64(1.0) / t1.mul_add(t1, t2 * t2);
+            let t5 = k7.mul_add(t4, T::from_f64(0.5));
+            let t6 = t5.mul_neg_add(t5, k5 * t4).sqrt();
             let t7 = k9 * t1;
-            let t8 = k12 + k9 * (k10 + q_theta)
-                + (t2 * t7 - t1 * t3).atan2(t2 * t3 + t1 * t7);
+            let t8 = k9.mul_add(k10 + q_theta, k12)
+                + t1.mul_neg_add(t3, t2 * t7).atan2(t1.mul_add(t7, t2 * t3));
             ::pendulum_core::nalgebra::SVector::from([
                 t6.atan2(t5) + t8 - q_theta - k13,
                 k33 + t8 + (-t6).atan2(T::from_f64(1.0) - t5),
@@ -1068,16 +1147,16 @@ k36 = -1
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
             let t2 = k3 - t1;
-            let t3 = t2 * t2 + t0 * t0;
+            let t3 = t0.mul_add(t0, t2 * t2);
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + k7 * t4;
-            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t5 = k7.mul_add(t4, T::from_f64(0.5));
+            let t6 = t5.mul_neg_add(t5, k5 * t4).sqrt();
             let t7 = qd_theta * (T::from_f64(1.0) / (t3 * t6));
-            let t8 = t2 * t5 + t0 * t6;
-            let t9 = t0 * t5 - t2 * t6;
+            let t8 = t0.mul_add(t6, t2 * t5);
+            let t9 = t2.mul_neg_add(t6, t0 * t5);
             ::pendulum_core::nalgebra::SVector::from([
-                -(qd_theta + (t0 * (t2 - t8) + t1 * (t0 - t9)) * t7),
-                (t0 * t8 + t1 * t9) * t7,
+                -t1.mul_add(t0 - t9, t0 * (t2 - t8)).mul_add(t7, qd_theta),
+                t1.mul_add(t9, t0 * t8) * t7,
             ])
         }
         ///Value of `follow`, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
@@ -1106,17 +1185,17 @@ k36 = -1
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = k3 - t0;
-            let t3 = k11 - k9 * t0;
-            let t4 = t2 * t2 + t1 * t1;
+            let t3 = k9.mul_neg_add(t0, k11);
+            let t4 = t1.mul_add(t1, t2 * t2);
             let t5 = T::from_f64(1.0) / t4;
-            let t6 = T::from_f64(0.5) + k7 * t5;
-            let t7 = (k5 * t5 - t6 * t6).sqrt();
+            let t6 = k7.mul_add(t5, T::from_f64(0.5));
+            let t7 = t6.mul_neg_add(t6, k5 * t5).sqrt();
             let t8 = T::from_f64(1.0) / (t4 * t7);
             let t9 = k9 * t1;
-            let t10 = k12 + k9 * (k10 + q_theta)
-                + (t2 * t9 - t1 * t3).atan2(t2 * t3 + t1 * t9);
-            let t11 = t2 * t6 + t1 * t7;
-            let t12 = t1 * t6 - t2 * t7;
+            let t10 = k9.mul_add(k10 + q_theta, k12)
+                + t1.mul_neg_add(t3, t2 * t9).atan2(t1.mul_add(t9, t2 * t3));
+            let t11 = t1.mul_add(t7, t2 * t6);
+            let t12 = t2.mul_neg_add(t7, t1 * t6);
             (
                 ::pendulum_core::nalgebra::SVector::from([
                     t7.atan2(t6) + t10 - q_theta - k13,
@@ -1124,8 +1203,12 @@ k36 = -1
                 ]),
                 ::pendulum_core::nalgebra::SMatrix::from([
                     [
-                        T::from_f64(-1.0) - t8 * (t1 * (t2 - t11) + t0 * (t1 - t12)),
-                        t8 * (t1 * t11 + t0 * t12),
+                        t8
+                            .mul_neg_add(
+                                t0.mul_add(t1 - t12, t1 * (t2 - t11)),
+                                T::from_f64(-1.0),
+                            ),
+                        t8 * t0.mul_add(t12, t1 * t11),
                     ],
                     [T::from_f64(0.0), T::from_f64(0.0)],
                 ]),
@@ -1148,15 +1231,15 @@ k36 = -1
             let k35 = self.constants[35];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
-            let t1 = k0 * cos_theta - k3;
-            let t2 = T::from_f64(1.0) / (t1 * t1 + t0 * t0);
-            let t3 = T::from_f64(0.5) + k7 * t2;
-            let t4 = (k5 * t2 - t3 * t3).sqrt();
-            let t5 = t0 * t4 - t1 * t3;
-            let t6 = t1 * t4 + t0 * t3;
+            let t1 = k0.mul_sub(cos_theta, k3);
+            let t2 = T::from_f64(1.0) / t0.mul_add(t0, t1 * t1);
+            let t3 = k7.mul_add(t2, T::from_f64(0.5));
+            let t4 = t3.mul_neg_add(t3, k5 * t2).sqrt();
+            let t5 = t1.mul_neg_add(t3, t0 * t4);
+            let t6 = t0.mul_add(t3, t1 * t4);
             ::pendulum_core::nalgebra::SVector::from([
-                k34 * t5 + t1 - k35 * (t1 + t5),
-                t0 + k35 * (t6 - t0) - k34 * t6,
+                k35.mul_neg_add(t1 + t5, k34.mul_add(t5, t1)),
+                k34.mul_neg_add(t6, k35.mul_add(t6 - t0, t0)),
             ])
         }
         ///Rate of `gap` along the motion.
@@ -1181,20 +1264,20 @@ k36 = -1
             let t1 = k0 * sin_theta;
             let t2 = k0 * cos_theta;
             let t3 = k3 - t2;
-            let t4 = t3 * t3 + t1 * t1;
+            let t4 = t1.mul_add(t1, t3 * t3);
             let t5 = T::from_f64(1.0) / t4;
-            let t6 = T::from_f64(0.5) + k7 * t5;
-            let t7 = (k5 * t5 - t6 * t6).sqrt();
+            let t6 = k7.mul_add(t5, T::from_f64(0.5));
+            let t7 = t6.mul_neg_add(t6, k5 * t5).sqrt();
             let t8 = qd_theta * (T::from_f64(1.0) / (t4 * t7));
-            let t9 = t3 * t7 - t1 * t6;
-            let t10 = t3 * t6 + t1 * t7;
+            let t9 = t1.mul_neg_add(t6, t3 * t7);
+            let t10 = t1.mul_add(t7, t3 * t6);
             let t11 = t3 - t10;
-            let t12 = k29 * (k2 * (t1 * t10 - t2 * t9) * t8);
+            let t12 = k29 * (k2 * t2.mul_neg_add(t9, t1 * t10) * t8);
             let t13 = t1 + t9;
-            let t14 = k27 * (k1 * (t1 * t11 + t2 * t13) * t8);
+            let t14 = k27 * (k1 * t2.mul_add(t13, t1 * t11) * t8);
             ::pendulum_core::nalgebra::SVector::from([
-                t13 * t12 - (sin_theta * t0 - t9 * t14),
-                t0 * cos_theta + t11 * t12 - t10 * t14,
+                t13.mul_sub(t12, t9.mul_neg_add(t14, sin_theta * t0)),
+                t10.mul_neg_add(t14, t11.mul_add(t12, t0 * cos_theta)),
             ])
         }
         ///Value of `gap`, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
@@ -1221,20 +1304,20 @@ k36 = -1
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
             let t2 = t1 - k3;
-            let t3 = t2 * t2 + t0 * t0;
+            let t3 = t0.mul_add(t0, t2 * t2);
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + k7 * t4;
-            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t5 = k7.mul_add(t4, T::from_f64(0.5));
+            let t6 = t5.mul_neg_add(t5, k5 * t4).sqrt();
             let t7 = T::from_f64(1.0) / (t3 * t6);
-            let t8 = t0 * t6 - t2 * t5;
-            let t9 = t2 * t6 + t0 * t5;
+            let t8 = t2.mul_neg_add(t5, t0 * t6);
+            let t9 = t0.mul_add(t5, t2 * t6);
             let t10 = t2 + t8;
             let t11 = k1 * (k27 * t8);
-            let t12 = t7 * (t0 * t8 + t1 * t9);
+            let t12 = t7 * t1.mul_add(t9, t0 * t8);
             let t13 = k2 * (k29 * t10);
             let t14 = k1 * (k27 * t9);
             let t15 = t0 - t9;
-            let t16 = t7 * (t1 * t15 - t0 * t10);
+            let t16 = t7 * t0.mul_neg_add(t10, t1 * t15);
             let t17 = k2 * (k29 * t15);
             (
                 ::pendulum_core::nalgebra::SVector::from([
@@ -1242,7 +1325,10 @@ k36 = -1
                     t0 - t14 - t17,
                 ]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [t17 * t12 - (t0 + t14 * t16), t1 - t11 * t16 - t13 * t12],
+                    [
+                        t17.mul_sub(t12, t14.mul_add(t16, t0)),
+                        t13.mul_neg_add(t12, t11.mul_neg_add(t16, t1)),
+                    ],
                     [T::from_f64(0.0), T::from_f64(0.0)],
                 ]),
             )
@@ -1264,11 +1350,12 @@ k36 = -1
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = k3 - t0;
-            let t3 = t2 * t2 + t1 * t1;
+            let t3 = t1.mul_add(t1, t2 * t2);
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + t4 * k7;
-            let t6 = (k5 * t4 - t5 * t5).sqrt();
-            let t7 = t1 * (t2 * t5 + t1 * t6) + t0 * (t1 * t5 - t2 * t6);
+            let t5 = t4.mul_add(k7, T::from_f64(0.5));
+            let t6 = t5.mul_neg_add(t5, k5 * t4).sqrt();
+            let t7 = t0
+                .mul_add(t2.mul_neg_add(t6, t1 * t5), t1 * t1.mul_add(t6, t2 * t5));
             qd_theta * (T::from_f64(1.0) / (t3 * t6) * t7)
         }
         ///Rate of `rocking` along the motion.
@@ -1302,23 +1389,23 @@ k36 = -1
             let t1 = k0 * cos_theta;
             let t2 = k3 - t1;
             let t3 = k0 * sin_theta;
-            let t4 = t2 * t2 + t3 * t3;
+            let t4 = t3.mul_add(t3, t2 * t2);
             let t5 = T::from_f64(1.0) / t4;
-            let t6 = T::from_f64(0.5) + k7 * t5;
-            let t7 = (k5 * t5 - t6 * t6).sqrt();
+            let t6 = k7.mul_add(t5, T::from_f64(0.5));
+            let t7 = t6.mul_neg_add(t6, k5 * t5).sqrt();
             let t8 = T::from_f64(1.0) / (t4 * t7);
-            let t9 = t2 * t6 + t3 * t7;
-            let t10 = t3 * t6 - t2 * t7;
+            let t9 = t3.mul_add(t7, t2 * t6);
+            let t10 = t2.mul_neg_add(t7, t3 * t6);
             let t11 = t2 - t9;
-            let t12 = t8 * (t3 * t9 + t1 * t10);
+            let t12 = t8 * t1.mul_add(t10, t3 * t9);
             let t13 = t12 * qd_theta;
             let t14 = k27 * t9;
             let t15 = k27 * t10;
-            let t16 = sin_theta * t14 + cos_theta * t15;
-            let t17 = cos_theta * t14 - sin_theta * t15;
-            let t18 = k20 * t16 - k19 * t17;
+            let t16 = cos_theta.mul_add(t15, sin_theta * t14);
+            let t17 = sin_theta.mul_neg_add(t15, cos_theta * t14);
+            let t18 = k19.mul_neg_add(t17, k20 * t16);
             let t19 = t3 - t10;
-            let t20 = t3 * t11 + t1 * t19;
+            let t20 = t1.mul_add(t19, t3 * t11);
             let t21 = t3 * t0;
             let t22 = t1 * t0;
             let t23 = t8 * t20;
@@ -1326,20 +1413,36 @@ k36 = -1
             let t25 = t24 * t24;
             let t26 = qd_theta * t23;
             let t27 = t26 * t26;
-            let t28 = t12 * (k4 * t13 - k22 * (t11 / k2)) + t18 * t27
-                + t23 * (t18 * t0 - T::from_f64(0.8829) * t15 - k21 * t14);
+            let t28 = t23
+                .mul_add(
+                    k21.mul_neg_add(t14, T::from_f64(0.8829).mul_neg_add(t15, t18 * t0)),
+                    t18.mul_add(t27, t12 * k22.mul_neg_add(t11 / k2, k4 * t13)),
+                );
             let t29 = t13 * t13;
             let t30 = t19 * t29;
             let t31 = t11 * t29;
-            let t32 = t10 * (t21 - t10 * t25 - t30) - t9 * (t22 + t9 * t25 + t31);
-            let t33 = t21 - t10 * t27 - t30;
-            let t34 = t31 + t22 + t9 * t27;
+            let t32 = t9
+                .mul_neg_add(
+                    t9.mul_add(t25, t22) + t31,
+                    t10 * (t10.mul_neg_add(t25, t21) - t30),
+                );
+            let t33 = t10.mul_neg_add(t27, t21) - t30;
+            let t34 = t9.mul_add(t27, t31 + t22);
             let t35 = k16 * t23;
-            let t36 = (t19 * t33 - t11 * t34) * (k19 * t16 + k20 * t17 - t35);
+            let t36 = t11.mul_neg_add(t34, t19 * t33)
+                * (k20.mul_add(t17, k19 * t16) - t35);
             let t37 = k18 * t12;
-            let t38 = t28 + k26 * cos_theta + t8 * (t36 + t37 * (t9 * t34 - t10 * t33));
-            let t39 = k17 + t12 * t37 + t23 * (t35 - k14 * t17 - k15 * t16);
-            t12 * t38 * (T::from_f64(-1.0) / t39) - t8 * t32
+            let t38 = t8
+                .mul_add(
+                    t37.mul_add(t10.mul_neg_add(t33, t9 * t34), t36),
+                    k26.mul_add(cos_theta, t28),
+                );
+            let t39 = t23
+                .mul_add(
+                    k15.mul_neg_add(t16, k14.mul_neg_add(t17, t35)),
+                    t12.mul_add(t37, k17),
+                );
+            t8.mul_neg_add(t32, t12 * t38 * (T::from_f64(-1.0) / t39))
         }
         ///Value of `rocking`, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
         #[inline]
@@ -1358,27 +1461,29 @@ k36 = -1
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = k3 - t0;
-            let t3 = t2 * t2 + t1 * t1;
+            let t3 = t1.mul_add(t1, t2 * t2);
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + k7 * t4;
-            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t5 = k7.mul_add(t4, T::from_f64(0.5));
+            let t6 = t5.mul_neg_add(t5, k5 * t4).sqrt();
             let t7 = t3 * t6;
             let t8 = T::from_f64(1.0) / t7;
             let t9 = t1 * t6;
-            let t10 = t2 * t5 + t9;
+            let t10 = t2.mul_add(t5, t9);
             let t11 = t1 * t5;
-            let t12 = t11 - t2 * t6;
-            let t13 = t1 * t10 + t0 * t12;
+            let t12 = t2.mul_neg_add(t6, t11);
+            let t13 = t0.mul_add(t12, t1 * t10);
             let t14 = t8 * t13;
             let t15 = t1 * (T::from_f64(2.0) * (t0 + t2));
             let t16 = T::from_f64(1.0) / (t3 * t3) * t15;
             let t17 = k7 * t16;
             let t18 = T::from_f64(0.5) * (T::from_f64(1.0) / t6)
-                * (T::from_f64(2.0) * t5 * t17 - k5 * t16);
-            let t19 = t0 * (t10 + (t0 * t5 - t9 - t1 * t17 - t2 * t18));
-            let t20 = t1 * (t11 + t0 * t6 + t1 * t18 - t2 * t17 - t12);
-            let t21 = t8 * (t19 + t20)
-                - t13 * (t6 * t15 + t3 * t18) * (T::from_f64(1.0) / (t7 * t7));
+                * k5.mul_neg_add(t16, T::from_f64(2.0) * t5 * t17);
+            let t19 = t0
+                * (t10 + t2.mul_neg_add(t18, t1.mul_neg_add(t17, t0.mul_sub(t5, t9))));
+            let t20 = t1
+                * (t2.mul_neg_add(t17, t1.mul_add(t18, t0.mul_add(t6, t11))) - t12);
+            let t21 = (t13 * t3.mul_add(t18, t6 * t15))
+                .mul_neg_add(T::from_f64(1.0) / (t7 * t7), t8 * (t19 + t20));
             (
                 qd_theta * t14,
                 ::pendulum_core::nalgebra::SMatrix::from([[qd_theta * t21], [t14]]),
@@ -1409,22 +1514,22 @@ k36 = -1
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = k3 - t0;
-            let t3 = k11 - k9 * t0;
-            let t4 = t2 * t2 + t1 * t1;
+            let t3 = k9.mul_neg_add(t0, k11);
+            let t4 = t1.mul_add(t1, t2 * t2);
             let t5 = T::from_f64(1.0) / t4;
-            let t6 = T::from_f64(0.5) + k7 * t5;
-            let t7 = (k5 * t5 - t6 * t6).sqrt();
+            let t6 = k7.mul_add(t5, T::from_f64(0.5));
+            let t7 = t6.mul_neg_add(t6, k5 * t5).sqrt();
             let t8 = k9 * t1;
-            let t9 = k12 + k9 * (k10 + q_theta)
-                + (t2 * t8 - t1 * t3).atan2(t2 * t3 + t1 * t8);
-            let t10 = t2 * t6 + t1 * t7;
-            let t11 = t2 * t7 - t1 * t6;
+            let t9 = k9.mul_add(k10 + q_theta, k12)
+                + t1.mul_neg_add(t3, t2 * t8).atan2(t1.mul_add(t8, t2 * t3));
+            let t10 = t1.mul_add(t7, t2 * t6);
+            let t11 = t1.mul_neg_add(t6, t2 * t7);
             ::pendulum_core::nalgebra::SVector::from([
                 t7.atan2(t6) + t9 - q_theta - k13,
                 k33 + t9 + (-t7).atan2(T::from_f64(1.0) - t6),
-                k34 * t10 + k35 * (t2 - t10) - t2,
-                t1 + k34 * t11 - k35 * (t1 + t11),
-                qd_theta * (T::from_f64(1.0) / (t4 * t7)) * (t1 * t10 - t0 * t11),
+                k35.mul_add(t2 - t10, k34 * t10) - t2,
+                k35.mul_neg_add(t1 + t11, k34.mul_add(t11, t1)),
+                qd_theta * (T::from_f64(1.0) / (t4 * t7)) * t0.mul_neg_add(t11, t1 * t10),
             ])
         }
         ///Rate of all outputs along the motion.
@@ -1461,19 +1566,19 @@ k36 = -1
             let t2 = k0 * cos_theta;
             let t3 = k3 - t2;
             let t4 = k0 * sin_theta;
-            let t5 = t3 * t3 + t4 * t4;
+            let t5 = t4.mul_add(t4, t3 * t3);
             let t6 = T::from_f64(1.0) / t5;
-            let t7 = T::from_f64(0.5) + k7 * t6;
-            let t8 = (k5 * t6 - t7 * t7).sqrt();
+            let t7 = k7.mul_add(t6, T::from_f64(0.5));
+            let t8 = t7.mul_neg_add(t7, k5 * t6).sqrt();
             let t9 = T::from_f64(1.0) / (t5 * t8);
-            let t10 = t3 * t7 + t4 * t8;
-            let t11 = t4 * t7 - t3 * t8;
+            let t10 = t4.mul_add(t8, t3 * t7);
+            let t11 = t3.mul_neg_add(t8, t4 * t7);
             let t12 = t3 - t10;
             let t13 = t4 - t11;
-            let t14 = t4 * t12 + t2 * t13;
+            let t14 = t2.mul_add(t13, t4 * t12);
             let t15 = qd_theta * t9 * t14;
             let t16 = t9 * t14;
-            let t17 = t9 * (t4 * t10 + t2 * t11);
+            let t17 = t9 * t2.mul_add(t11, t4 * t10);
             let t18 = t4 * t1;
             let t19 = t2 * t1;
             let t20 = qd_theta * t17;
@@ -1483,30 +1588,46 @@ k36 = -1
             let t24 = t15 * t15;
             let t25 = k29 * t12;
             let t26 = k27 * t10;
-            let t27 = sin_theta * t26 + cos_theta * t22;
-            let t28 = cos_theta * t26 - sin_theta * t22;
-            let t29 = k20 * t27 - k19 * t28;
+            let t27 = cos_theta.mul_add(t22, sin_theta * t26);
+            let t28 = sin_theta.mul_neg_add(t22, cos_theta * t26);
+            let t29 = k19.mul_neg_add(t28, k20 * t27);
             let t30 = qd_theta * t16;
             let t31 = t30 * t30;
-            let t32 = t17 * (k4 * t20 - k22 * t25) + t29 * t31
-                + t16 * (t29 * t1 - T::from_f64(0.8829) * t22 - k21 * t26);
+            let t32 = t16
+                .mul_add(
+                    k21.mul_neg_add(t26, T::from_f64(0.8829).mul_neg_add(t22, t29 * t1)),
+                    t29.mul_add(t31, t17 * k22.mul_neg_add(t25, k4 * t20)),
+                );
             let t33 = t20 * t20;
             let t34 = t13 * t33;
             let t35 = t12 * t33;
-            let t36 = t11 * (t18 - t11 * t24 - t34) - t10 * (t19 + t10 * t24 + t35);
-            let t37 = t18 - t11 * t31 - t34;
-            let t38 = t35 + t19 + t10 * t31;
+            let t36 = t10
+                .mul_neg_add(
+                    t10.mul_add(t24, t19) + t35,
+                    t11 * (t11.mul_neg_add(t24, t18) - t34),
+                );
+            let t37 = t11.mul_neg_add(t31, t18) - t34;
+            let t38 = t10.mul_add(t31, t35 + t19);
             let t39 = k16 * t16;
-            let t40 = (t13 * t37 - t12 * t38) * (k19 * t27 + k20 * t28 - t39);
+            let t40 = t12.mul_neg_add(t38, t13 * t37)
+                * (k20.mul_add(t28, k19 * t27) - t39);
             let t41 = k18 * t17;
-            let t42 = t32 + k26 * cos_theta + t9 * (t40 + t41 * (t10 * t38 - t11 * t37));
-            let t43 = k17 + t17 * t41 + t16 * (t39 - k14 * t28 - k15 * t27);
+            let t42 = t9
+                .mul_add(
+                    t41.mul_add(t11.mul_neg_add(t37, t10 * t38), t40),
+                    k26.mul_add(cos_theta, t32),
+                );
+            let t43 = t16
+                .mul_add(
+                    k15.mul_neg_add(t27, k14.mul_neg_add(t28, t39)),
+                    t17.mul_add(t41, k17),
+                );
             ::pendulum_core::nalgebra::SVector::from([
                 -(qd_theta + t15),
                 t20,
-                k29 * t13 * t21 - (sin_theta * t0 + t22 * t23),
-                cos_theta * t0 + t25 * t21 - t26 * t23,
-                t17 * t42 * (T::from_f64(-1.0) / t43) - t9 * t36,
+                (k29 * t13).mul_sub(t21, t22.mul_add(t23, sin_theta * t0)),
+                t26.mul_neg_add(t23, t25.mul_add(t21, cos_theta * t0)),
+                t9.mul_neg_add(t36, t17 * t42 * (T::from_f64(-1.0) / t43)),
             ])
         }
         ///Value of all outputs, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
@@ -1539,46 +1660,48 @@ k36 = -1
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = k3 - t0;
-            let t3 = t2 * t2 + t1 * t1;
+            let t3 = t1.mul_add(t1, t2 * t2);
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + k7 * t4;
-            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t5 = k7.mul_add(t4, T::from_f64(0.5));
+            let t6 = t5.mul_neg_add(t5, k5 * t4).sqrt();
             let t7 = k9 * t1;
-            let t8 = k11 - k9 * t0;
-            let t9 = k12 + k9 * (k10 + q_theta)
-                + (t2 * t7 - t1 * t8).atan2(t2 * t8 + t1 * t7);
+            let t8 = k9.mul_neg_add(t0, k11);
+            let t9 = k9.mul_add(k10 + q_theta, k12)
+                + t1.mul_neg_add(t8, t2 * t7).atan2(t1.mul_add(t7, t2 * t8));
             let t10 = t6.atan2(t5) + t9 - q_theta - k13;
             let t11 = k33 + t9 + (-t6).atan2(T::from_f64(1.0) - t5);
             let t12 = t1 * t6;
-            let t13 = t2 * t5 + t12;
+            let t13 = t2.mul_add(t5, t12);
             let t14 = k1 * (k27 * t13);
             let t15 = t2 - t13;
             let t16 = k2 * (k29 * t15);
             let t17 = t14 + t16 - t2;
             let t18 = t1 * t5;
-            let t19 = t2 * t6 - t18;
+            let t19 = t2.mul_sub(t6, t18);
             let t20 = k1 * (k27 * t19);
             let t21 = t1 + t19;
             let t22 = k2 * (k29 * t21);
             let t23 = t1 + t20 - t22;
             let t24 = t3 * t6;
             let t25 = T::from_f64(1.0) / t24;
-            let t26 = t25 * (t1 * t15 + t0 * t21);
+            let t26 = t25 * t0.mul_add(t21, t1 * t15);
             let t27 = T::from_f64(-1.0) - t26;
-            let t28 = t1 * t13 - t0 * t19;
+            let t28 = t0.mul_neg_add(t19, t1 * t13);
             let t29 = t25 * t28;
-            let t30 = t22 * t29 - (t1 - t20 * t26);
-            let t31 = t0 + t16 * t29 - t14 * t26;
+            let t30 = t22.mul_sub(t29, t20.mul_neg_add(t26, t1));
+            let t31 = t14.mul_neg_add(t26, t16.mul_add(t29, t0));
             let t32 = qd_theta * t29;
             let t33 = t1 * (T::from_f64(2.0) * (t0 + t2));
             let t34 = T::from_f64(1.0) / (t3 * t3) * t33;
             let t35 = k7 * t34;
             let t36 = T::from_f64(0.5) * (T::from_f64(1.0) / t6)
-                * (T::from_f64(2.0) * t5 * t35 - k5 * t34);
-            let t37 = t0 * (t13 + (t0 * t5 - t12 - t1 * t35 - t2 * t36));
-            let t38 = t1 * (t19 + (t18 + t0 * t6 + t1 * t36 - t2 * t35));
-            let t39 = t25 * (t37 + t38)
-                - t28 * (t6 * t33 + t3 * t36) * (T::from_f64(1.0) / (t24 * t24));
+                * k5.mul_neg_add(t34, T::from_f64(2.0) * t5 * t35);
+            let t37 = t0
+                * (t13 + t2.mul_neg_add(t36, t1.mul_neg_add(t35, t0.mul_sub(t5, t12))));
+            let t38 = t1
+                * (t19 + t2.mul_neg_add(t35, t1.mul_add(t36, t0.mul_add(t6, t18))));
+            let t39 = (t28 * t3.mul_add(t36, t6 * t33))
+                .mul_neg_add(T::from_f64(1.0) / (t24 * t24), t25 * (t37 + t38));
             let t40 = qd_theta * t39;
             (
                 ::pendulum_core::nalgebra::SVector::from([t10, t11, t17, t23, t32]),
@@ -1698,19 +1821,19 @@ k36 = -1
                     let t0 = k0 * cos_theta;
                     let t1 = k0 * sin_theta;
                     let t2 = k3 - t0;
-                    let t3 = T::from_f64(1.0) / (t2 * t2 + t1 * t1);
-                    let t4 = T::from_f64(0.5) + k7 * t3;
-                    let t5 = (k5 * t3 - t4 * t4).sqrt();
-                    let t6 = t2 * t4 + t1 * t5;
-                    let t7 = t1 * t4 - t2 * t5;
-                    let t8 = k3 - k35 * (t2 - t6);
+                    let t3 = T::from_f64(1.0) / t1.mul_add(t1, t2 * t2);
+                    let t4 = k7.mul_add(t3, T::from_f64(0.5));
+                    let t5 = t4.mul_neg_add(t4, k5 * t3).sqrt();
+                    let t6 = t1.mul_add(t5, t2 * t4);
+                    let t7 = t2.mul_neg_add(t5, t1 * t4);
+                    let t8 = k35.mul_neg_add(t2 - t6, k3);
                     let t9 = k27 * t6;
                     let t10 = k36 * (t7 - t1);
                     let t11 = k27 * t7;
-                    let t12 = t0 + k1 * t9;
+                    let t12 = k1.mul_add(t9, t0);
                     let t13 = T::from_f64(0.3) * t9;
                     let t14 = t0 + t13;
-                    let t15 = t1 - k1 * t11;
+                    let t15 = k1.mul_neg_add(t11, t1);
                     let t16 = T::from_f64(0.3) * t11;
                     let t17 = t1 - t16;
                     let t18 = t14 + t16;

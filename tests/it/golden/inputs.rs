@@ -109,7 +109,7 @@ k8 = -0.5/(1/3*l)
         let t4 = T::from_f64(0.5) * t1;
         let t5 = p_l * p_l;
         let t6 = T::from_f64(0.08333333333333333)
-            * (t5 * (p_pole * (T::from_f64(4.0) * p_cart)) + t5 * (p_pole * p_pole));
+            * t5.mul_add(p_pole * p_pole, t5 * (p_pole * (T::from_f64(4.0) * p_cart)));
         let t7 = p_pole * t5;
         let t8 = T::from_f64(0.16666666666666666) * t7;
         let t9 = T::from_f64(0.3333333333333333) * t7;
@@ -380,13 +380,13 @@ k8 = -0.5/(1/3*l)
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k3 * sin_theta;
             let t1 = k8 * cos_theta;
-            let t2 = (k1 * sin_theta * qd_theta * qd_theta + t0 * t1 - u_push)
-                * (k2 / (k5 + k0 * sin_theta * sin_theta));
+            let t2 = (t0.mul_add(t1, k1 * sin_theta * qd_theta * qd_theta) - u_push)
+                * (k2 / (k0 * sin_theta).mul_add(sin_theta, k5));
             ::pendulum_core::nalgebra::SVector::from([
                 qd_s,
                 qd_theta,
                 -t2,
-                t1 * t2 - k6 * t0,
+                k6.mul_neg_add(t0, t1 * t2),
             ])
         }
     }
@@ -418,17 +418,17 @@ k8 = -0.5/(1/3*l)
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t2 = k3 * sin_theta;
             let t3 = k8 * cos_theta;
-            let t4 = k2 / (k5 + k0 * sin_theta * sin_theta);
+            let t4 = k2 / (k0 * sin_theta).mul_add(sin_theta, k5);
             let t5 = T::from_f64(2.0) * sin_theta * t0 * t4;
             let t6 = -t5;
             let t7 = t3 * t5;
-            let t8 = (sin_theta * t1 + t2 * t3 - u_push) * t4;
+            let t8 = (t2.mul_add(t3, sin_theta * t1) - u_push) * t4;
             let t9 = -t8;
-            let t10 = t3 * t8 - k6 * t2;
+            let t10 = k6.mul_neg_add(t2, t3 * t8);
             let t11 = k1 * sin_theta;
-            let t12 = k3 * cos_theta + t8 * t11;
-            let t13 = t4 * (t1 * cos_theta + t10 * t11 + t3 * t12);
-            let t14 = t3 * t13 - k6 * t12;
+            let t12 = t8.mul_add(t11, k3 * cos_theta);
+            let t13 = t4 * t3.mul_add(t12, t10.mul_add(t11, t1 * cos_theta));
+            let t14 = k6.mul_neg_add(t12, t3 * t13);
             let t15 = -t13;
             (
                 ::pendulum_core::nalgebra::SVector::from([qd_s, qd_theta, t9, t10]),
@@ -484,7 +484,7 @@ k8 = -0.5/(1/3*l)
             let k5 = self.constants[5];
             let k8 = self.constants[8];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
-            let t0 = k2 / (k5 + k0 * sin_theta * sin_theta);
+            let t0 = k2 / (k0 * sin_theta).mul_add(sin_theta, k5);
             ::pendulum_core::nalgebra::SMatrix::from([
                 [T::from_f64(0.0), T::from_f64(0.0), t0, -(k8 * t0 * cos_theta)],
             ])
@@ -503,7 +503,11 @@ k8 = -0.5/(1/3*l)
             let k4 = self.constants[4];
             let k7 = self.constants[7];
             let (_, cos_theta) = q_theta.sin_cos();
-            k7 * qd_s * qd_s + qd_theta * (k4 * qd_theta - k1 * (qd_s * cos_theta))
+            qd_theta
+                .mul_add(
+                    k1.mul_neg_add(qd_s * cos_theta, k4 * qd_theta),
+                    k7 * qd_s * qd_s,
+                )
         }
         #[inline]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {

@@ -168,9 +168,9 @@ k57 = 77343750000000/1998607065841*l^2*k
         let t13 = T::from_f64(4.205214465937763) * t8;
         let t14 = T::from_f64(0.5) * p_l;
         let t15 = p_m * t14;
-        let t16 = T::from_f64(0.08333333333333333) * p_m * t8 + p_m * (t14 * t14);
+        let t16 = p_m.mul_add(t14 * t14, T::from_f64(0.08333333333333333) * p_m * t8);
         let t17 = p_m * p_l;
-        let t18 = t16 + p_l * t17;
+        let t18 = p_l.mul_add(t17, t16);
         let t19 = T::from_f64(9.81) * (t15 + t17);
         let t20 = T::from_f64(4.905) * t17;
         let t21 = T::from_f64(14.715) * t17;
@@ -205,9 +205,9 @@ k57 = 77343750000000/1998607065841*l^2*k
         let t50 = T::from_f64(386.9882745934068) * t46;
         let t51 = p_l * p_l * p_l * p_l;
         let t52 = T::from_f64(0.0340604272932612)
-            * (p_k * (T::from_f64(4131.0) * t8) + p_k * (T::from_f64(10000.0) * t51));
+            * p_k.mul_add(T::from_f64(10000.0) * t51, p_k * (T::from_f64(4131.0) * t8));
         let t53 = T::from_f64(0.11726917411921418)
-            * (p_k * (T::from_f64(989.0) * t8) + p_k * (T::from_f64(2500.0) * t51));
+            * p_k.mul_add(T::from_f64(2500.0) * t51, p_k * (T::from_f64(989.0) * t8));
         let t54 = p_k * t51;
         let t55 = T::from_f64(681.208545865224) * t54;
         let t56 = T::from_f64(586.3458705960709) * t54;
@@ -575,24 +575,24 @@ k57 = 77343750000000/1998607065841*l^2*k
             let t8 = k6 * sin3;
             let t9 = k1 * cos_theta1;
             let t10 = k6 * cos3;
-            let t11 = t7 * t8 + t9 * t10;
-            let t12 = k8 + t4 + t6 + T::from_f64(2.0) * t11 - t4;
+            let t11 = t9.mul_add(t10, t7 * t8);
+            let t12 = T::from_f64(2.0).mul_add(t11, k8 + t4 + t6) - t4;
             let t13 = t6 + t11;
-            let t14 = T::from_f64(-1.0) / (t12 * t6 - t13 * t13);
+            let t14 = T::from_f64(-1.0) / t13.mul_neg_add(t13, t12 * t6);
             let t15 = t7 * t10;
-            let t16 = t8 * (T::from_f64(9.81) + t9 * t1) - t15 * t1;
+            let t16 = t15.mul_neg_add(t1, t8 * t9.mul_add(t1, T::from_f64(9.81)));
             let t17 = T::from_f64(-0.15) - t7;
             let t18 = t9 - T::from_f64(0.66);
             let t19 = t18 * t18;
             let t20 = T::from_f64(2.0) * t7 * t18;
-            let t21 = t17 * t17 + t19;
+            let t21 = t17.mul_add(t17, t19);
             let t22 = T::from_f64(2.0) * t9;
             let t23 = T::from_f64(1.0) / (t21 * t21 * t21)
-                * ((t17 * t22 + t20) * t21.sqrt());
+                * (t17.mul_add(t22, t20) * t21.sqrt());
             let t24 = T::from_f64(0.2) - t7;
-            let t25 = t19 + t24 * t24;
+            let t25 = t24.mul_add(t24, t19);
             let t26 = T::from_f64(1.0) / (t25 * t25 * t25)
-                * ((t20 + t24 * t22) * t25.sqrt());
+                * (t24.mul_add(t22, t20) * t25.sqrt());
             let t27 = k1 * cos3;
             let t28 = t9 + t27;
             let t29 = k1 * sin3;
@@ -602,27 +602,37 @@ k57 = 77343750000000/1998607065841*l^2*k
             let t33 = t28 - T::from_f64(0.66);
             let t34 = T::from_f64(2.0) * t33;
             let t35 = t33 * t33;
-            let t36 = t31 * t31 + t35;
+            let t36 = t31.mul_add(t31, t35);
             let t37 = T::from_f64(1.5) * t36.sqrt()
                 * (T::from_f64(1.0) / (t36 * t36 * t36));
             let t38 = t29 * t34;
             let t39 = t30 * t34;
             let t40 = T::from_f64(0.2) - t30;
-            let t41 = t35 + t40 * t40;
+            let t41 = t40.mul_add(t40, t35);
             let t42 = T::from_f64(2.0) * t40;
             let t43 = T::from_f64(1.5) * t41.sqrt()
                 * (T::from_f64(1.0) / (t41 * t41 * t41));
-            let t44 = T::from_f64(1.5) * (t23 + t26) - (t28 * t32 + t39) * t37
-                - (t39 + t28 * t42) * t43;
-            let t45 = k3 * qd_theta1 + k2 * t44 + k39 * sin_theta1 + t16
-                + t2 * (t2 * (t15 - t8 * t9));
-            let t46 = k2 * ((t27 * t32 + t38) * t37 + (t38 + t27 * t42) * t43);
-            let t47 = t16 + k3 * qd_theta2 - t46;
+            let t44 = t28
+                .mul_add(t42, t39)
+                .mul_neg_add(
+                    t43,
+                    t28
+                        .mul_add(t32, t39)
+                        .mul_neg_add(t37, T::from_f64(1.5) * (t23 + t26)),
+                );
+            let t45 = t2
+                .mul_add(
+                    t2 * t8.mul_neg_add(t9, t15),
+                    k39.mul_add(sin_theta1, k2.mul_add(t44, k3 * qd_theta1)) + t16,
+                );
+            let t46 = k2
+                * t27.mul_add(t42, t38).mul_add(t43, t27.mul_add(t32, t38) * t37);
+            let t47 = k3.mul_add(qd_theta2, t16) - t46;
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta1,
                 qd_theta2,
-                t14 * (t6 * t45 - t13 * t47),
-                t14 * (t12 * t47 - t13 * t45),
+                t14 * t13.mul_neg_add(t47, t6 * t45),
+                t14 * t13.mul_neg_add(t45, t12 * t47),
             ])
         }
         #[inline]
@@ -704,133 +714,230 @@ k57 = 77343750000000/1998607065841*l^2*k
             let t0 = qd_theta1 * qd_theta1;
             let [(sin_theta2, cos_theta2), (sin_theta1, cos_theta1)] = q_theta2
                 .sin_cos_pair(q_theta1);
-            let t1 = k24 / (k27 + k28 * sin_theta2 * sin_theta2);
+            let t1 = k24 / (k28 * sin_theta2).mul_add(sin_theta2, k27);
             let t2 = k9 * sin_theta2;
-            let t3 = k3 - qd_theta2 * t2;
-            let t4 = sin_theta1 * cos_theta2 + sin_theta2 * cos_theta1;
+            let t3 = qd_theta2.mul_neg_add(t2, k3);
+            let t4 = sin_theta2.mul_add(cos_theta1, sin_theta1 * cos_theta2);
             let t5 = k26 * t4;
-            let t6 = T::from_f64(1.0) + k12 * sin_theta1 - k13 * cos_theta1;
+            let t6 = k13
+                .mul_neg_add(cos_theta1, k12.mul_add(sin_theta1, T::from_f64(1.0)));
             let t7 = sin_theta1 * t4;
-            let t8 = cos_theta2 * cos_theta1 - sin_theta2 * sin_theta1;
+            let t8 = sin_theta2.mul_neg_add(sin_theta1, cos_theta2 * cos_theta1);
             let t9 = cos_theta1 * t8;
-            let t10 = k20 + t6 + k12 * t4 + k20 * t7 + k20 * t9 - k13 * t8;
+            let t10 = k13
+                .mul_neg_add(
+                    t8,
+                    k20.mul_add(t9, k20.mul_add(t7, k12.mul_add(t4, k20 + t6))),
+                );
             let t11 = T::from_f64(1.0) / t10;
             let t12 = T::from_f64(1.0) / (k14 + t6);
             let t13 = k11 * cos_theta1;
-            let t14 = T::from_f64(0.4581) + k10 * sin_theta1 - t13;
-            let t15 = T::from_f64(0.4756) - t13 - k15 * sin_theta1;
-            let t16 = k19 - k11 * t8 + (k19 * t7 + k19 * t9);
+            let t14 = k10.mul_add(sin_theta1, T::from_f64(0.4581)) - t13;
+            let t15 = k15.mul_neg_add(sin_theta1, T::from_f64(0.4756) - t13);
+            let t16 = k11.mul_neg_add(t8, k19) + k19.mul_add(t9, k19 * t7);
             let t17 = t11 * t11;
-            let t18 = (t14 + k10 * t4 + t16).sqrt() * t17;
+            let t18 = (k10.mul_add(t4, t14) + t16).sqrt() * t17;
             let t19 = t17 * t18;
             let t20 = t11 * t18;
-            let t21 = T::from_f64(1.0) - k16 * sin_theta1 - k17 * cos_theta1;
-            let t22 = k21 + t21 + k21 * t7 + k21 * t9 - k16 * t4 - k17 * t8;
+            let t21 = k17
+                .mul_neg_add(cos_theta1, k16.mul_neg_add(sin_theta1, T::from_f64(1.0)));
+            let t22 = k17
+                .mul_neg_add(
+                    t8,
+                    k16.mul_neg_add(t4, k21.mul_add(t9, k21.mul_add(t7, k21 + t21))),
+                );
             let t23 = T::from_f64(1.0) / t22;
             let t24 = T::from_f64(1.0) / (k18 + t21);
             let t25 = t23 * t23;
-            let t26 = (t15 + t16 - k15 * t4).sqrt() * t25;
+            let t26 = k15.mul_neg_add(t4, t15 + t16).sqrt() * t25;
             let t27 = t25 * t26;
             let t28 = t23 * t26;
-            let t29 = T::from_f64(20.596067900816703) * t20
-                + T::from_f64(18.40516233966243) * t28;
-            let t30 = T::from_f64(4.680924522912886) * t20
-                - T::from_f64(5.577321921109827) * t28;
-            let t31 = t4 * t29 + t8 * t30;
+            let t29 = T::from_f64(18.40516233966243)
+                .mul_add(t28, T::from_f64(20.596067900816703) * t20);
+            let t30 = T::from_f64(5.577321921109827)
+                .mul_neg_add(t28, T::from_f64(4.680924522912886) * t20);
+            let t31 = t8.mul_add(t30, t4 * t29);
             let t32 = t24 * t24;
             let t33 = (k5 + t15).sqrt() * t32;
             let t34 = t24 * t33;
-            let t35 = t23 * t28 - t24 * t34;
+            let t35 = t24.mul_neg_add(t34, t23 * t28);
             let t36 = t34 - t28;
             let t37 = t12 * t12;
             let t38 = (k5 + t14).sqrt() * t37;
             let t39 = t12 * t38;
-            let t40 = t12 * t39 - t11 * t20;
-            let t41 = cos_theta1
-                * (T::from_f64(77.39765491868137) * t35
-                    + T::from_f64(67.43964604065718) * t40)
-                + sin_theta1
-                    * (T::from_f64(140.703625148462) * t40
-                        - T::from_f64(115.97921320390283) * t35);
+            let t40 = t11.mul_neg_add(t20, t12 * t39);
+            let t41 = sin_theta1
+                .mul_add(
+                    T::from_f64(115.97921320390283)
+                        .mul_neg_add(t35, T::from_f64(140.703625148462) * t40),
+                    cos_theta1
+                        * T::from_f64(67.43964604065718)
+                            .mul_add(t40, T::from_f64(77.39765491868137) * t35),
+                );
             let t42 = t20 - t39;
-            let t43 = T::from_f64(5.577321921109827) * t36
-                + T::from_f64(4.680924522912886) * t42;
-            let t44 = T::from_f64(20.596067900816703) * t42
-                - T::from_f64(18.40516233966243) * t36;
-            let t45 = k22 * (cos_theta1 * t44 + t8 * t29 - t4 * t30 - sin_theta1 * t43);
-            let t46 = qd_theta1 * t3 + (k29 * sin_theta1 + t5)
-                + k22 * (t31 + cos_theta1 * t43 + sin_theta1 * t44);
-            let t47 = k3 * qd_theta2 + t5
-                + sin_theta2 * (k25 * t0 - (k34 * t20 + k35 * t28));
-            let t48 = t47 + k22 * t31;
-            let t49 = k37 + k38 * cos_theta2;
-            let t50 = t1 * (t46 + t49 * t48 - k25 * sin_theta2 * qd_theta2 * qd_theta2);
+            let t43 = T::from_f64(4.680924522912886)
+                .mul_add(t42, T::from_f64(5.577321921109827) * t36);
+            let t44 = T::from_f64(18.40516233966243)
+                .mul_neg_add(t36, T::from_f64(20.596067900816703) * t42);
+            let t45 = k22
+                * sin_theta1
+                    .mul_neg_add(
+                        t43,
+                        t4.mul_neg_add(t30, t8.mul_add(t29, cos_theta1 * t44)),
+                    );
+            let t46 = k22
+                .mul_add(
+                    sin_theta1.mul_add(t44, cos_theta1.mul_add(t43, t31)),
+                    qd_theta1.mul_add(t3, k29.mul_add(sin_theta1, t5)),
+                );
+            let t47 = sin_theta2
+                .mul_add(
+                    k25.mul_sub(t0, k35.mul_add(t28, k34 * t20)),
+                    k3.mul_add(qd_theta2, t5),
+                );
+            let t48 = k22.mul_add(t31, t47);
+            let t49 = k38.mul_add(cos_theta2, k37);
+            let t50 = t1
+                * (k25 * sin_theta2 * qd_theta2)
+                    .mul_neg_add(qd_theta2, t49.mul_add(t48, t46));
             let t51 = -t50;
-            let t52 = k36 * t48 - t49 * t50;
-            let t53 = qd_theta2 * cos_theta2 * (qd_theta1 + T::from_f64(0.5) * qd_theta2)
-                + sin_theta2 * (T::from_f64(0.5) * t52 - t50);
+            let t52 = t49.mul_neg_add(t50, k36 * t48);
+            let t53 = sin_theta2
+                .mul_add(
+                    T::from_f64(0.5).mul_sub(t52, t50),
+                    qd_theta2 * cos_theta2
+                        * T::from_f64(0.5).mul_add(qd_theta2, qd_theta1),
+                );
             let t54 = k26 * t8;
-            let t55 = sin_theta1 * t8 + cos_theta1 * t4;
-            let t56 = T::from_f64(77.39765491868137) * t8
-                - T::from_f64(115.97921320390283) * t4;
-            let t57 = T::from_f64(7.6635961409837705) * t37 * t38
-                + T::from_f64(11.726917411921418) * t32 * t33
-                + (T::from_f64(77.39765491868137) * t55 + t4 * t56
-                    - T::from_f64(23.453834823842836) * t9
-                    - T::from_f64(23.453834823842836)) * t27;
-            let t58 = T::from_f64(67.43964604065718) * t8
-                + T::from_f64(140.703625148462) * t4;
-            let t59 = t57
-                + sin_theta1
-                    * (t41
-                        - t4
-                            * (T::from_f64(296.73444257889156) * t19
-                                + T::from_f64(255.4122612316485) * t27))
-                - (T::from_f64(15.327192281967541) + T::from_f64(15.327192281967541) * t9
-                    + T::from_f64(67.43964604065718) * t55 + t4 * t58) * t19;
+            let t55 = cos_theta1.mul_add(t4, sin_theta1 * t8);
+            let t56 = T::from_f64(115.97921320390283)
+                .mul_neg_add(t4, T::from_f64(77.39765491868137) * t8);
+            let t57 = (T::from_f64(23.453834823842836)
+                .mul_neg_add(t9, t4.mul_add(t56, T::from_f64(77.39765491868137) * t55))
+                - T::from_f64(23.453834823842836))
+                .mul_add(
+                    t27,
+                    (T::from_f64(11.726917411921418) * t32)
+                        .mul_add(t33, T::from_f64(7.6635961409837705) * t37 * t38),
+                );
+            let t58 = T::from_f64(140.703625148462)
+                .mul_add(t4, T::from_f64(67.43964604065718) * t8);
+            let t59 = t4
+                .mul_add(
+                    t58,
+                    T::from_f64(67.43964604065718)
+                        .mul_add(
+                            t55,
+                            T::from_f64(15.327192281967541)
+                                .mul_add(t9, T::from_f64(15.327192281967541)),
+                        ),
+                )
+                .mul_neg_add(
+                    t19,
+                    sin_theta1
+                        .mul_add(
+                            t4
+                                .mul_neg_add(
+                                    T::from_f64(255.4122612316485)
+                                        .mul_add(t27, T::from_f64(296.73444257889156) * t19),
+                                    t41,
+                                ),
+                            t57,
+                        ),
+                );
             let t60 = k31 * t8;
             let t61 = T::from_f64(193.4941372967034) * sin_theta2;
             let t62 = T::from_f64(58.63458705960709)
-                + T::from_f64(58.63458705960709) * cos_theta2;
-            let t63 = k33
-                + t23
-                    * (k40 * (t61 - t62)
-                        + k23 * (t56 - T::from_f64(127.70613061582425) * sin_theta1));
+                .mul_add(cos_theta2, T::from_f64(58.63458705960709));
+            let t63 = t23
+                .mul_add(
+                    k23
+                        .mul_add(
+                            T::from_f64(127.70613061582425).mul_neg_add(sin_theta1, t56),
+                            k40 * (t61 - t62),
+                        ),
+                    k33,
+                );
             let t64 = k40 * sin_theta1;
-            let t65 = t23 * ((t61 + t62) * t64 + (k57 * t55 - k54 * t9 - k54));
+            let t65 = t23
+                * (t61 + t62).mul_add(t64, k54.mul_neg_add(t9, k57 * t55) - k54);
             let t66 = k30 * t8;
             let t67 = T::from_f64(224.79882013552393) * sin_theta2;
             let t68 = T::from_f64(51.0906409398918)
-                + T::from_f64(51.0906409398918) * cos_theta2;
-            let t69 = t11 * ((t67 - t68) * t64 - (k52 + k52 * t9 + k56 * t55));
+                .mul_add(cos_theta2, T::from_f64(51.0906409398918));
+            let t69 = t11
+                * (t67 - t68).mul_sub(t64, k56.mul_add(t55, k52.mul_add(t9, k52)));
             let t70 = t11
-                * (k40 * (t67 + t68)
-                    - k23 * (t58 + T::from_f64(148.36722128944578) * sin_theta1)) - k32;
-            let t71 = t54 + (t60 + t65) * t28
-                + ((t66 + t69) * t20 + t4 * (t63 * t28 + t70 * t20));
-            let t72 = t1 * (k29 * cos_theta1 + t54 + t45 + k23 * t59 + t49 * t71);
+                .mul_sub(
+                    k23
+                        .mul_neg_add(
+                            T::from_f64(148.36722128944578).mul_add(sin_theta1, t58),
+                            k40 * (t67 + t68),
+                        ),
+                    k32,
+                );
+            let t71 = (t60 + t65).mul_add(t28, t54)
+                + t4.mul_add(t70.mul_add(t20, t63 * t28), (t66 + t69) * t20);
+            let t72 = t1
+                * t49.mul_add(t71, k23.mul_add(t59, k29.mul_add(cos_theta1, t54) + t45));
             let t73 = -t72;
-            let t74 = k36 * t71 - t49 * t72;
-            let t75 = t66 - k34 * cos_theta2
-                - t11 * (k52 + sin_theta1 * (k42 + k51 * sin_theta1));
-            let t76 = t60 + t23 * (sin_theta1 * (k47 - k53 * sin_theta1) - k54)
-                - k35 * cos_theta2;
-            let t77 = cos_theta2 * (k46 * sin_theta1 - k47) + k49 * sin_theta2 + k48 * t8
-                - k50 * t4;
-            let t78 = cos_theta2 * (k42 + k41 * sin_theta1) + k44 * sin_theta2 - k43 * t8
-                - k45 * t4;
-            let t79 = t4 * ((k33 + t23 * t77) * t28 + (t11 * t78 - k32) * t20);
-            let t80 = t54 + t79 + t75 * t20 + t76 * t28
-                + k25 * (cos_theta2 * t0 + sin_theta2 * t50);
-            let t81 = t1 * (t49 * t80 + t71 - k9 * t53);
-            let t82 = k36 * t80 - t49 * t81;
+            let t74 = t49.mul_neg_add(t72, k36 * t71);
+            let t75 = t11
+                .mul_neg_add(
+                    sin_theta1.mul_add(k51.mul_add(sin_theta1, k42), k52),
+                    k34.mul_neg_add(cos_theta2, t66),
+                );
+            let t76 = k35
+                .mul_neg_add(
+                    cos_theta2,
+                    t23
+                        .mul_add(
+                            sin_theta1.mul_sub(k53.mul_neg_add(sin_theta1, k47), k54),
+                            t60,
+                        ),
+                );
+            let t77 = k50
+                .mul_neg_add(
+                    t4,
+                    k48
+                        .mul_add(
+                            t8,
+                            k49
+                                .mul_add(
+                                    sin_theta2,
+                                    cos_theta2 * k46.mul_sub(sin_theta1, k47),
+                                ),
+                        ),
+                );
+            let t78 = k45
+                .mul_neg_add(
+                    t4,
+                    k43
+                        .mul_neg_add(
+                            t8,
+                            k44
+                                .mul_add(
+                                    sin_theta2,
+                                    cos_theta2 * k41.mul_add(sin_theta1, k42),
+                                ),
+                        ),
+                );
+            let t79 = t4
+                * t11.mul_sub(t78, k32).mul_add(t20, t23.mul_add(t77, k33) * t28);
+            let t80 = k25
+                .mul_add(
+                    sin_theta2.mul_add(t50, cos_theta2 * t0),
+                    t76.mul_add(t28, t75.mul_add(t20, t54 + t79)),
+                );
+            let t81 = t1 * k9.mul_neg_add(t53, t49.mul_add(t80, t71));
+            let t82 = t49.mul_neg_add(t81, k36 * t80);
             let t83 = -t81;
             let t84 = qd_theta1 * t2;
-            let t85 = t1 * (t3 + t49 * t84);
-            let t86 = k36 * t84 - t49 * t85;
+            let t85 = t1 * t49.mul_add(t84, t3);
+            let t86 = t49.mul_neg_add(t85, k36 * t84);
             let t87 = -t85;
-            let t88 = t1 * (k3 * t49 - (qd_theta1 + qd_theta2) * t2);
-            let t89 = k55 - t49 * t88;
+            let t88 = t1 * (qd_theta1 + qd_theta2).mul_neg_add(t2, k3 * t49);
+            let t89 = t49.mul_neg_add(t88, k55);
             let t90 = -t88;
             (
                 ::pendulum_core::nalgebra::SVector::from([
@@ -870,10 +977,15 @@ k57 = 77343750000000/1998607065841*l^2*k
             let k9 = self.constants[9];
             let (_, cos_theta2) = q_theta2.sin_cos();
             let t0 = T::from_f64(0.5) * cos_theta2;
-            let t1 = qd_theta2 * (T::from_f64(0.16666666666666666) * qd_theta2)
-                + qd_theta1
-                    * (qd_theta2 * (T::from_f64(0.3333333333333333) + t0)
-                        + qd_theta1 * (T::from_f64(0.8333333333333334) + t0));
+            let t1 = qd_theta1
+                .mul_add(
+                    qd_theta1
+                        .mul_add(
+                            T::from_f64(0.8333333333333334) + t0,
+                            qd_theta2 * (T::from_f64(0.3333333333333333) + t0),
+                        ),
+                    qd_theta2 * (T::from_f64(0.16666666666666666) * qd_theta2),
+                );
             k9 * t1
         }
         #[inline]
@@ -890,18 +1002,21 @@ k57 = 77343750000000/1998607065841*l^2*k
             let t4 = k1 * cos_theta1;
             let t5 = T::from_f64(-0.66) + t4;
             let t6 = t5 * t5;
-            let t7 = T::from_f64(-0.66) + (t4 + k1 * cos1);
-            let t8 = t2 + k1 * sin1;
+            let t7 = T::from_f64(-0.66) + k1.mul_add(cos1, t4);
+            let t8 = k1.mul_add(sin1, t2);
             let t9 = T::from_f64(0.2) - t2;
-            let t10 = T::from_f64(1.0) / (t3 * t3 + t6).powf(T::from_f64(1.5))
-                + T::from_f64(1.0) / (t6 + t9 * t9).powf(T::from_f64(1.5));
+            let t10 = T::from_f64(1.0) / t3.mul_add(t3, t6).powf(T::from_f64(1.5))
+                + T::from_f64(1.0) / t9.mul_add(t9, t6).powf(T::from_f64(1.5));
             let t11 = t7 * t7;
             let t12 = T::from_f64(-0.15) - t8;
             let t13 = T::from_f64(0.2) - t8;
-            let t14 = T::from_f64(1.0) / (t12 * t12 + t11).powf(T::from_f64(1.5))
-                + T::from_f64(1.0) / (t11 + t13 * t13).powf(T::from_f64(1.5));
-            k2 * (t10 - t14)
-                - T::from_f64(9.81) * (k6 * cos_theta1 + (k6 * cos1 + k0 * t4))
+            let t14 = T::from_f64(1.0) / t12.mul_add(t12, t11).powf(T::from_f64(1.5))
+                + T::from_f64(1.0) / t13.mul_add(t13, t11).powf(T::from_f64(1.5));
+            T::from_f64(9.81)
+                .mul_neg_add(
+                    k6.mul_add(cos_theta1, k0.mul_add(t4, k6 * cos1)),
+                    k2 * (t10 - t14),
+                )
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

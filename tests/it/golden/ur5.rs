@@ -470,14 +470,14 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t3 = T::from_f64(0.10510116377025) * cos2;
             let t4 = T::from_f64(0.017784735) * sin2;
             let t5 = T::from_f64(0.017784735) * cos2;
-            let t6 = qd_q5 - cos2 * qd_q1;
+            let t6 = cos2.mul_neg_add(qd_q1, qd_q5);
             let t7 = sin2 * qd_q1;
             let t8 = qd_q2 + qd_q3;
             let t9 = qd_q4 + t8;
             let t10 = qd_q1 * qd_q2;
-            let t11 = t10 + qd_q1 * qd_q3;
+            let t11 = qd_q1.mul_add(qd_q3, t10);
             let t12 = T::from_f64(2.0) * t10;
-            let t13 = qd_q1 * qd_q4 + t11;
+            let t13 = qd_q1.mul_add(qd_q4, t11);
             let t14 = cos2 * t13;
             let t15 = qd_q1 * qd_q1;
             let t16 = qd_q2 * qd_q2;
@@ -511,11 +511,11 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t44 = T::from_f64(0.39225) * sin33;
             let t45 = t5 * t44;
             let t46 = T::from_f64(58.35506475215265) * t41;
-            let t47 = cos_q5 * t7 + sin_q5 * t9;
-            let t48 = cos_q5 * t9 - sin_q5 * t7;
-            let t49 = sin_q5 * t14 + qd_q5 * t47;
-            let t50 = cos_q5 * t14 + qd_q5 * t48;
-            let t51 = t22 - t39 * t25;
+            let t47 = sin_q5.mul_add(t9, cos_q5 * t7);
+            let t48 = sin_q5.mul_neg_add(t7, cos_q5 * t9);
+            let t49 = qd_q5.mul_add(t47, sin_q5 * t14);
+            let t50 = qd_q5.mul_add(t48, cos_q5 * t14);
+            let t51 = t39.mul_neg_add(t25, t22);
             let t52 = qd_q6 + (t48 + qd_q6);
             let t53 = t47 * t48;
             let t54 = T::from_f64(0.051322656825) * cos33;
@@ -532,97 +532,197 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t64 = cos_q5 * t63;
             let t65 = T::from_f64(0.126621) + t64;
             let t66 = sin2 * (cos_q5 * t57);
-            let t67 = cos2 * t3 + cos2 * (cos2 * (t65 - t59) - T::from_f64(2.0) * t66);
+            let t67 = cos2
+                .mul_add(
+                    T::from_f64(2.0).mul_neg_add(t66, cos2 * (t65 - t59)),
+                    cos2 * t3,
+                );
             let t68 = T::from_f64(0.00460883622975) + t59 + t67;
             let t69 = T::from_f64(0.10971) + t65 - t67;
             let t70 = t57 * sin_q5;
-            let t71 = t63 * t40 + cos2 * t70 - T::from_f64(0.001653980355) * cos2;
-            let t72 = T::from_f64(0.0020475) + t35 + t68 - T::from_f64(2.0) * t38;
+            let t71 = T::from_f64(0.001653980355)
+                .mul_neg_add(cos2, cos2.mul_add(t70, t63 * t40));
+            let t72 = T::from_f64(2.0)
+                .mul_neg_add(t38, T::from_f64(0.0020475) + t35 + t68);
             let t73 = t68 + t69;
-            let t74 = T::from_f64(0.59360445167475) + t69 + T::from_f64(2.0) * t45 - t35;
+            let t74 = T::from_f64(2.0).mul_add(t45, T::from_f64(0.59360445167475) + t69)
+                - t35;
             let t75 = T::from_f64(0.425) * cos_q2;
             let t76 = t75 * (t39 - t4);
-            let t77 = T::from_f64(0.0075537) + t61 + t72 + T::from_f64(2.0) * t76;
+            let t77 = T::from_f64(2.0).mul_add(t76, T::from_f64(0.0075537) + t61 + t72);
             let t78 = T::from_f64(0.126621) + t58;
-            let t79 = t66 - cos2 * t78;
+            let t79 = cos2.mul_neg_add(t78, t66);
             let t80 = T::from_f64(-1.0) / t78;
             let t81 = t79 * t80;
             let t82 = t80 * t70;
-            let t83 = T::from_f64(0.017136473145) * cos_q5 * cos_q5 - t70 * t82;
+            let t83 = t70
+                .mul_neg_add(t82, T::from_f64(0.017136473145) * cos_q5 * cos_q5);
             let t84 = t73 + t45 - t38 - t83;
             let t85 = T::from_f64(-1.0) / (t73 - t83);
             let t86 = t72 + t74 - t83;
-            let t87 = cos_q5 * t41 + t79 * t82;
-            let t88 = T::from_f64(0.00028722347025) * cos2 + t87 - t71;
-            let t89 = T::from_f64(0.051322656825) * sin33 - T::from_f64(0.1197) * t43
-                - t71 + t87;
+            let t87 = t79.mul_add(t82, cos_q5 * t41);
+            let t88 = T::from_f64(0.00028722347025).mul_add(cos2, t87) - t71;
+            let t89 = T::from_f64(0.1197)
+                .mul_neg_add(t43, T::from_f64(0.051322656825) * sin33) - t71 + t87;
             let t90 = t88 * t85;
             let t91 = t85 * t84;
-            let t92 = T::from_f64(0.13585) * t43 + t88 * t91 + t89;
-            let t93 = T::from_f64(-1.0) / (t84 * t91 + t86);
+            let t92 = t88.mul_add(t91, T::from_f64(0.13585) * t43) + t89;
+            let t93 = T::from_f64(-1.0) / t84.mul_add(t91, t86);
             let t94 = t92 * t93;
-            let t95 = T::from_f64(0.29853861244275) + t58 + t77 + t79 * t81 + t88 * t90
-                + t92 * t94;
+            let t95 = t92
+                .mul_add(
+                    t94,
+                    t88
+                        .mul_add(
+                            t90,
+                            t79.mul_add(t81, T::from_f64(0.29853861244275) + t58 + t77),
+                        ),
+                );
             let t96 = T::from_f64(0.425) * sin_q2;
-            let t97 = t5 * t96 + t84 - t4 * t75;
+            let t97 = t4.mul_neg_add(t75, t5.mul_add(t96, t84));
             let t98 = t85 * t97;
             let t99 = t43 * t96;
-            let t100 = t76 + t99 + t91 * t97 + t86;
+            let t100 = t91.mul_add(t97, t76 + t99) + t86;
             let t101 = t93 * t100;
-            let t102 = T::from_f64(1.76257323841) + t77 + t74 + T::from_f64(2.0) * t99
-                + t97 * t98 + t100 * t101;
-            let t103 = T::from_f64(0.13585) * (t43 + T::from_f64(4.4329225) * sin_q2)
-                + t88 * t98 + t92 * t101 + t89;
+            let t102 = t100
+                .mul_add(
+                    t101,
+                    t97
+                        .mul_add(
+                            t98,
+                            T::from_f64(2.0)
+                                .mul_add(t99, T::from_f64(1.76257323841) + t77 + t74),
+                        ),
+                );
+            let t103 = t92
+                .mul_add(
+                    t101,
+                    t88
+                        .mul_add(
+                            t98,
+                            T::from_f64(0.13585)
+                                * T::from_f64(4.4329225).mul_add(sin_q2, t43),
+                        ),
+                ) + t89;
             let t104 = T::from_f64(-1.0) / (t102 - t61 - t83);
-            let t105 = t103 - T::from_f64(0.19371331275) * sin_q2;
+            let t105 = T::from_f64(0.19371331275).mul_neg_add(sin_q2, t103);
             let t106 = t105 * t104;
-            let t107 = cos_q6 * t6 + sin_q6 * t47;
-            let t108 = cos_q6 * t47 - sin_q6 * t6;
+            let t107 = sin_q6.mul_add(t47, cos_q6 * t6);
+            let t108 = sin_q6.mul_neg_add(t6, cos_q6 * t47);
             let t109 = t107 * t108;
-            let t110 = T::from_f64(0.000225473145) * (t109 - t49)
-                - T::from_f64(0.016911) * (t109 + t49);
-            let t111 = t110 - T::from_f64(0.10971) * (t49 + t6 * t47);
+            let t110 = T::from_f64(0.016911)
+                .mul_neg_add(t109 + t49, T::from_f64(0.000225473145) * (t109 - t49));
+            let t111 = T::from_f64(0.10971).mul_neg_add(t6.mul_add(t47, t49), t110);
             let t112 = T::from_f64(0.016911)
-                * (cos_q6 * t27 + sin_q6 * t50 + t108 * t52);
+                * t108.mul_add(t52, sin_q6.mul_add(t50, cos_q6 * t27));
             let t113 = T::from_f64(0.000225473145)
-                * (sin_q6 * t27 + t107 * t52 - cos_q6 * t50);
-            let t114 = T::from_f64(0.126621) * (t50 + t6 * t48) + sin_q6 * t112
-                - cos_q6 * t113;
-            let t115 = T::from_f64(0.10971) * (t27 + t53) + cos_q6 * t112 + sin_q6 * t113
-                - T::from_f64(0.126621) * (t53 - t27);
-            let t116 = T::from_f64(0.1197) * t15 - t18 - t96 * t12;
-            let t117 = t46 * t110 + T::from_f64(0.19371331275) * cos_q2 * (t15 - t17)
-                + t39 * t116 + t19 * (t15 - t21);
+                * cos_q6.mul_neg_add(t50, t107.mul_add(t52, sin_q6 * t27));
+            let t114 = cos_q6
+                .mul_neg_add(
+                    t113,
+                    sin_q6.mul_add(t112, T::from_f64(0.126621) * t6.mul_add(t48, t50)),
+                );
+            let t115 = T::from_f64(0.126621)
+                .mul_neg_add(
+                    t53 - t27,
+                    sin_q6
+                        .mul_add(
+                            t113,
+                            cos_q6.mul_add(t112, T::from_f64(0.10971) * (t27 + t53)),
+                        ),
+                );
+            let t116 = t96.mul_neg_add(t12, T::from_f64(0.1197).mul_sub(t15, t18));
+            let t117 = t19
+                .mul_add(
+                    t15 - t21,
+                    t39
+                        .mul_add(
+                            t116,
+                            (T::from_f64(0.19371331275) * cos_q2)
+                                .mul_add(t15 - t17, t46 * t110),
+                        ),
+                );
             let t118 = t75 * t17;
-            let t119 = t5 * (t118 + t37 * t25) + t26 * (t21 - t20) + sin_q5 * t114;
-            let t120 = T::from_f64(-9.81) - t96 * t16;
-            let t121 = t119 + cos_q5 * t111 - t4 * (t120 - t44 * t23)
-                - t19 * (t13 - t28);
-            let t122 = t121 + t39 * t120 + t42 * t118 + t54 * (t11 - t24)
-                + t36 * (t25 - t23);
-            let t123 = cos_q5 * t110 - t82 * t115;
-            let t124 = t122 - t37 * t29 - t44 * t22 - t123;
+            let t119 = sin_q5
+                .mul_add(t114, t26.mul_add(t21 - t20, t5 * t37.mul_add(t25, t118)));
+            let t120 = t96.mul_neg_add(t16, T::from_f64(-9.81));
+            let t121 = t19
+                .mul_neg_add(
+                    t13 - t28,
+                    t4
+                        .mul_neg_add(
+                            t44.mul_neg_add(t23, t120),
+                            cos_q5.mul_add(t111, t119),
+                        ),
+                );
+            let t122 = t36
+                .mul_add(
+                    t25 - t23,
+                    t54.mul_add(t11 - t24, t42.mul_add(t118, t39.mul_add(t120, t121))),
+                );
+            let t123 = t82.mul_neg_add(t115, cos_q5 * t110);
+            let t124 = t44.mul_neg_add(t22, t37.mul_neg_add(t29, t122)) - t123;
             let t125 = t121 - t123;
-            let t126 = t91 * t125 + t124;
-            let t127 = t62 * (t17 - t16) + t98 * t125 + t101 * t126 + t124
-                - T::from_f64(43.486969725) * cos_q2;
-            let t128 = t127 - t75 * (t29 + t42 * t23) - t96 * t51;
+            let t126 = t91.mul_add(t125, t124);
+            let t127 = T::from_f64(43.486969725)
+                .mul_neg_add(
+                    cos_q2,
+                    t101.mul_add(t126, t98.mul_add(t125, t62 * (t17 - t16))) + t124,
+                );
+            let t128 = t96
+                .mul_neg_add(t51, t75.mul_neg_add(t42.mul_add(t23, t29), t127));
             let t129 = T::from_f64(4.4329225) * cos_q2;
-            let t130 = t117 + T::from_f64(0.1197) * t51 + t90 * t125 + t94 * t126
-                + t106 * t128;
-            let t131 = t130 + t115 * (t81 - cos2) - t129 * t18 - t12 * t62 - t36 * t30;
-            let t132 = t131 - t54 * (t15 - t25) - t4 * (t116 - t44 * t30) - t26 * t31;
-            let t133 = t132 - sin2 * (sin_q5 * t111 - cos_q5 * t114) - t37 * t32
-                - t75 * (t32 + t42 * t30);
-            let t134 = T::from_f64(-1.0) / (t95 + t105 * t106 - t64 - t41 * t46)
-                * (t133 - T::from_f64(0.13585) * (t51 - t129 * t17));
-            let t135 = t104 * t128 + t106 * t134;
-            let t136 = t93 * t126 + t94 * t134 + t101 * t135;
-            let t137 = t85 * t125 + t90 * t134 + t98 * t135 + t91 * t136;
+            let t130 = t106
+                .mul_add(
+                    t128,
+                    t94
+                        .mul_add(
+                            t126,
+                            t90.mul_add(t125, T::from_f64(0.1197).mul_add(t51, t117)),
+                        ),
+                );
+            let t131 = t36
+                .mul_neg_add(
+                    t30,
+                    t12
+                        .mul_neg_add(
+                            t62,
+                            t129.mul_neg_add(t18, t115.mul_add(t81 - cos2, t130)),
+                        ),
+                );
+            let t132 = t26
+                .mul_neg_add(
+                    t31,
+                    t4
+                        .mul_neg_add(
+                            t44.mul_neg_add(t30, t116),
+                            t54.mul_neg_add(t15 - t25, t131),
+                        ),
+                );
+            let t133 = t75
+                .mul_neg_add(
+                    t42.mul_add(t30, t32),
+                    t37
+                        .mul_neg_add(
+                            t32,
+                            sin2
+                                .mul_neg_add(cos_q5.mul_neg_add(t114, sin_q5 * t111), t132),
+                        ),
+                );
+            let t134 = T::from_f64(-1.0)
+                / t41.mul_neg_add(t46, t105.mul_add(t106, t95) - t64)
+                * T::from_f64(0.13585).mul_neg_add(t129.mul_neg_add(t17, t51), t133);
+            let t135 = t106.mul_add(t134, t104 * t128);
+            let t136 = t101.mul_add(t135, t94.mul_add(t134, t93 * t126));
+            let t137 = t91
+                .mul_add(t136, t98.mul_add(t135, t90.mul_add(t134, t85 * t125)));
             let t138 = t137 + (t135 + t136);
-            let t139 = t46 * t134 - T::from_f64(58.35506475215265) * t110
-                - cos_q5 * t138;
-            let t140 = t80 * t115 + t81 * t134 + t82 * t138;
+            let t139 = cos_q5
+                .mul_neg_add(
+                    t138,
+                    T::from_f64(58.35506475215265).mul_neg_add(t110, t46 * t134),
+                );
+            let t140 = t82.mul_add(t138, t81.mul_add(t134, t80 * t115));
             ::pendulum_core::nalgebra::SVector::from([
                 qd_q1,
                 qd_q2,
@@ -814,9 +914,9 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t12 = qd_q2 + qd_q3;
                 let t13 = qd_q4 + t12;
                 let t14 = qd_q1 * qd_q2;
-                let t15 = t14 + qd_q1 * qd_q3;
+                let t15 = qd_q1.mul_add(qd_q3, t14);
                 let t16 = T::from_f64(2.0) * t14;
-                let t17 = qd_q1 * qd_q4 + t15;
+                let t17 = qd_q1.mul_add(qd_q4, t15);
                 let t18 = cos2 * t17;
                 let t19 = qd_q1 * qd_q1;
                 let t20 = qd_q2 * qd_q2;
@@ -845,8 +945,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t43 = t19 - t34;
                 let t44 = t8 * t39;
                 let t45 = T::from_f64(0.10510116377025) * sin2;
-                let t46 = t4 - sin2 * t45;
-                let t47 = t5 + cos2 * t45;
+                let t46 = sin2.mul_neg_add(t45, t4);
+                let t47 = cos2.mul_add(t45, t5);
                 let t48 = cos2 * t13;
                 let t49 = T::from_f64(0.2717) * qd_q1;
                 let t50 = T::from_f64(2.0) * qd_q2;
@@ -873,17 +973,17 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t71 = t8 * t70;
                 let t72 = T::from_f64(0.051322656825) * sin59;
                 let t73 = T::from_f64(58.35506475215265) * t67;
-                let t74 = cos_q5 * t11 + sin_q5 * t13;
-                let t75 = cos_q5 * t13 - sin_q5 * t11;
+                let t74 = sin_q5.mul_add(t13, cos_q5 * t11);
+                let t75 = sin_q5.mul_neg_add(t11, cos_q5 * t13);
                 let t76 = qd_q5 * t74;
-                let t77 = sin_q5 * t18 + t76;
+                let t77 = sin_q5.mul_add(t18, t76);
                 let t78 = t70 * t25;
                 let t79 = t65 * t34;
                 let t80 = t31 - t79;
                 let t81 = t63 * t34;
                 let t82 = t70 * t32;
                 let t83 = qd_q5 * t75;
-                let t84 = cos_q5 * t18 + t83;
+                let t84 = cos_q5.mul_add(t18, t83);
                 let t85 = t10 * t75;
                 let t86 = t75 + qd_q6;
                 let t87 = t10 * t74;
@@ -894,25 +994,25 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t92 = sin_q5 * t9;
                 let t93 = cos_q5 * t9;
                 let t94 = qd_q6 + t86;
-                let t95 = t75 * t93 - t74 * t92;
+                let t95 = t74.mul_neg_add(t92, t75 * t93);
                 let t96 = T::from_f64(0.59155695167475) * sin59;
-                let t97 = t61 - sin59 * t96;
-                let t98 = t62 + cos59 * t96;
+                let t97 = sin59.mul_neg_add(t96, t61);
+                let t98 = cos59.mul_add(t96, t62);
                 let t99 = cos_q5 * sin2;
-                let t100 = sin_q5 * t48 + qd_q5 * t99;
-                let t101 = cos_q5 * t48 - qd_q5 * t66;
-                let t102 = t52 - t65 * t51;
-                let t103 = t75 * t99 - t74 * t66;
+                let t100 = qd_q5.mul_add(t99, sin_q5 * t48);
+                let t101 = qd_q5.mul_neg_add(t66, cos_q5 * t48);
+                let t102 = t65.mul_neg_add(t51, t52);
+                let t103 = t74.mul_neg_add(t66, t75 * t99);
                 let t104 = t62 * t51;
                 let t105 = t70 * t33;
                 let t106 = t63 * t56;
                 let t107 = t70 * t51;
                 let t108 = t63 * t33;
-                let t109 = t93 + cos_q5 * qd_q5;
-                let t110 = t92 + sin_q5 * qd_q5;
-                let t111 = sin_q5 * t75 + cos_q5 * t74;
-                let t112 = t106 + t70 * t57;
-                let t113 = t57 - t65 * t33;
+                let t109 = cos_q5.mul_add(qd_q5, t93);
+                let t110 = sin_q5.mul_add(qd_q5, t92);
+                let t111 = cos_q5.mul_add(t74, sin_q5 * t75);
+                let t112 = t70.mul_add(t57, t106);
+                let t113 = t65.mul_neg_add(t33, t57);
                 let [(sin_q6, cos_q6), (sin_q2, cos_q2)] = q_q6.sin_cos_pair(q_q2);
                 let t114 = T::from_f64(0.016685526855) * cos_q6;
                 let t115 = cos_q6 * t114;
@@ -926,160 +1026,291 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t123 = cos_q5 * t122;
                 let t124 = T::from_f64(0.126621) + t123;
                 let t125 = sin2 * (cos_q5 * t116);
-                let t126 = t4 + cos2 * (cos2 * (t124 - t118) - T::from_f64(2.0) * t125);
+                let t126 = cos2
+                    .mul_add(
+                        T::from_f64(2.0).mul_neg_add(t125, cos2 * (t124 - t118)),
+                        t4,
+                    );
                 let t127 = T::from_f64(0.00460883622975) + t118 + t126;
                 let t128 = T::from_f64(0.10971) + t124 - t126;
                 let t129 = t116 * sin_q5;
-                let t130 = t122 * t66 + cos2 * t129 - t7;
-                let t131 = T::from_f64(0.0020475) + t61 + t127 - T::from_f64(2.0) * t64;
+                let t130 = cos2.mul_add(t129, t122 * t66) - t7;
+                let t131 = T::from_f64(2.0)
+                    .mul_neg_add(t64, T::from_f64(0.0020475) + t61 + t127);
                 let t132 = t127 + t128;
-                let t133 = T::from_f64(0.59360445167475) + t128 + T::from_f64(2.0) * t71
-                    - t61;
+                let t133 = T::from_f64(2.0)
+                    .mul_add(t71, T::from_f64(0.59360445167475) + t128) - t61;
                 let t134 = T::from_f64(0.425) * cos_q2;
                 let t135 = t134 * (t65 - t6);
-                let t136 = T::from_f64(0.0075537) + t120 + t131
-                    + T::from_f64(2.0) * t135;
+                let t136 = T::from_f64(2.0)
+                    .mul_add(t135, T::from_f64(0.0075537) + t120 + t131);
                 let t137 = T::from_f64(0.126621) + t117;
-                let t138 = t125 - cos2 * t137;
+                let t138 = cos2.mul_neg_add(t137, t125);
                 let t139 = T::from_f64(-1.0) / t137;
                 let t140 = t138 * t139;
                 let t141 = t139 * t129;
-                let t142 = T::from_f64(0.017136473145) * cos_q5 * cos_q5 - t129 * t141;
+                let t142 = t129
+                    .mul_neg_add(t141, T::from_f64(0.017136473145) * cos_q5 * cos_q5);
                 let t143 = t132 + t71 - t64 - t142;
                 let t144 = T::from_f64(-1.0) / (t132 - t142);
                 let t145 = t131 + t133 - t142;
-                let t146 = cos_q5 * t67 + t138 * t141;
-                let t147 = T::from_f64(0.00028722347025) * cos2 + t146 - t130;
-                let t148 = t72 - T::from_f64(0.1197) * t69 - t130 + t146;
+                let t146 = t138.mul_add(t141, cos_q5 * t67);
+                let t147 = T::from_f64(0.00028722347025).mul_add(cos2, t146) - t130;
+                let t148 = T::from_f64(0.1197).mul_neg_add(t69, t72) - t130 + t146;
                 let t149 = t147 * t144;
                 let t150 = t144 * t143;
-                let t151 = T::from_f64(0.13585) * t69 + t147 * t150 + t148;
-                let t152 = T::from_f64(-1.0) / (t143 * t150 + t145);
+                let t151 = t147.mul_add(t150, T::from_f64(0.13585) * t69) + t148;
+                let t152 = T::from_f64(-1.0) / t143.mul_add(t150, t145);
                 let t153 = t151 * t152;
-                let t154 = T::from_f64(0.29853861244275) + t117 + t136 + t138 * t140
-                    + t147 * t149 + t151 * t153;
+                let t154 = t151
+                    .mul_add(
+                        t153,
+                        t147
+                            .mul_add(
+                                t149,
+                                t138
+                                    .mul_add(t140, T::from_f64(0.29853861244275) + t117 + t136),
+                            ),
+                    );
                 let t155 = T::from_f64(4.4329225) * sin_q2;
                 let t156 = T::from_f64(0.425) * sin_q2;
-                let t157 = t8 * t156 + t143 - t6 * t134;
-                let t158 = t156 * t16 + (t23 - T::from_f64(0.1197) * t19);
+                let t157 = t6.mul_neg_add(t134, t8.mul_add(t156, t143));
+                let t158 = t156.mul_add(t16, T::from_f64(0.1197).mul_neg_add(t19, t23));
                 let t159 = t144 * t157;
                 let t160 = t69 * t156;
-                let t161 = t135 + t160 + t150 * t157 + t145;
+                let t161 = t150.mul_add(t157, t135 + t160) + t145;
                 let t162 = t152 * t161;
-                let t163 = T::from_f64(1.76257323841) + t136 + t133
-                    + T::from_f64(2.0) * t160 + t157 * t159 + t161 * t162;
+                let t163 = t161
+                    .mul_add(
+                        t162,
+                        t157
+                            .mul_add(
+                                t159,
+                                T::from_f64(2.0)
+                                    .mul_add(t160, T::from_f64(1.76257323841) + t136 + t133),
+                            ),
+                    );
                 let t164 = T::from_f64(-1.0) / (t163 - t120 - t142);
                 let t165 = T::from_f64(0.19371331275) * sin_q2;
-                let t166 = T::from_f64(0.13585) * (t69 + t155) + t147 * t159
-                    + t151 * t162 + t148 - t165;
+                let t166 = t151
+                    .mul_add(
+                        t162,
+                        t147.mul_add(t159, T::from_f64(0.13585) * (t69 + t155)),
+                    ) + t148 - t165;
                 let t167 = t166 * t164;
-                let t168 = T::from_f64(-1.0) / (t154 + t166 * t167 - t123 - t67 * t73);
-                let t169 = cos_q6 * t10 + sin_q6 * t74;
-                let t170 = cos_q6 * t74 - sin_q6 * t10;
+                let t168 = T::from_f64(-1.0)
+                    / t67.mul_neg_add(t73, t166.mul_add(t167, t154) - t123);
+                let t169 = sin_q6.mul_add(t74, cos_q6 * t10);
+                let t170 = sin_q6.mul_neg_add(t10, cos_q6 * t74);
                 let t171 = t169 * t170;
-                let t172 = T::from_f64(0.000225473145) * (t171 - t77)
-                    - T::from_f64(0.016911) * (t171 + t77);
-                let t173 = t172 - T::from_f64(0.10971) * (t77 + t87);
+                let t172 = T::from_f64(0.016911)
+                    .mul_neg_add(t171 + t77, T::from_f64(0.000225473145) * (t171 - t77));
+                let t173 = T::from_f64(0.10971).mul_neg_add(t77 + t87, t172);
                 let t174 = T::from_f64(0.19371331275) * cos_q2;
-                let t175 = t73 * t172 + t174 * t22 + t6 * (t158 + t78) + t27 * t30;
+                let t175 = t27
+                    .mul_add(t30, t6.mul_add(t158 + t78, t174.mul_add(t22, t73 * t172)));
                 let t176 = t134 * t21;
-                let t177 = T::from_f64(9.81) + t156 * t20;
-                let t178 = t170 * qd_q6 + t170 * t86;
+                let t177 = t156.mul_add(t20, T::from_f64(9.81));
+                let t178 = t170.mul_add(t86, t170 * qd_q6);
                 let t179 = t169 * t86;
-                let t180 = T::from_f64(0.016911) * (cos_q6 * t36 + sin_q6 * t84 + t178);
+                let t180 = T::from_f64(0.016911)
+                    * (sin_q6.mul_add(t84, cos_q6 * t36) + t178);
                 let t181 = t169 * qd_q6;
                 let t182 = T::from_f64(0.000225473145)
-                    * (t179 + sin_q6 * t36 + t181 - cos_q6 * t84);
-                let t183 = T::from_f64(0.126621) * (t84 + t85) + sin_q6 * t180
-                    - cos_q6 * t182;
-                let t184 = T::from_f64(0.10971) * (t36 + t88) + cos_q6 * t180
-                    + sin_q6 * t182 - T::from_f64(0.126621) * (t88 - t36);
-                let t185 = t8 * (t176 + t81) + t6 * (t177 + t82) + t5 * t35
-                    + sin_q5 * t183;
-                let t186 = t185 + cos_q5 * t173 - t27 * t38;
-                let t187 = cos_q5 * t172 - t141 * t184;
+                    * cos_q6.mul_neg_add(t84, sin_q6.mul_add(t36, t179) + t181);
+                let t183 = cos_q6
+                    .mul_neg_add(
+                        t182,
+                        sin_q6.mul_add(t180, T::from_f64(0.126621) * (t84 + t85)),
+                    );
+                let t184 = T::from_f64(0.126621)
+                    .mul_neg_add(
+                        t88 - t36,
+                        sin_q6
+                            .mul_add(
+                                t182,
+                                cos_q6.mul_add(t180, T::from_f64(0.10971) * (t36 + t88)),
+                            ),
+                    );
+                let t185 = sin_q5
+                    .mul_add(
+                        t183,
+                        t5.mul_add(t35, t6.mul_add(t177 + t82, t8 * (t176 + t81))),
+                    );
+                let t186 = t27.mul_neg_add(t38, cos_q5.mul_add(t173, t185));
+                let t187 = t141.mul_neg_add(t184, cos_q5 * t172);
                 let t188 = t186 - t187;
-                let t189 = t186 + t68 * t176 + t89 * t26 + t62 * t40 - t65 * t177;
-                let t190 = t189 - t63 * t41 - t70 * t31 - t187;
-                let t191 = t150 * t188 + t190;
-                let t192 = t121 * t42 + t159 * t188 + t162 * t191 + t190
-                    - T::from_f64(43.486969725) * cos_q2;
-                let t193 = t192 - t134 * (t41 + t90) - t156 * t80;
-                let t194 = t175 + T::from_f64(0.1197) * t80 + t149 * t188 + t153 * t191
-                    + t167 * t193;
+                let t189 = t65
+                    .mul_neg_add(
+                        t177,
+                        t62.mul_add(t40, t89.mul_add(t26, t68.mul_add(t176, t186))),
+                    );
+                let t190 = t70.mul_neg_add(t31, t63.mul_neg_add(t41, t189)) - t187;
+                let t191 = t150.mul_add(t188, t190);
+                let t192 = T::from_f64(43.486969725)
+                    .mul_neg_add(
+                        cos_q2,
+                        t162.mul_add(t191, t159.mul_add(t188, t121 * t42)) + t190,
+                    );
+                let t193 = t156.mul_neg_add(t80, t134.mul_neg_add(t41 + t90, t192));
+                let t194 = t167
+                    .mul_add(
+                        t193,
+                        t153
+                            .mul_add(
+                                t191,
+                                t149.mul_add(t188, T::from_f64(0.1197).mul_add(t80, t175)),
+                            ),
+                    );
                 let t195 = t140 - cos2;
                 let t196 = T::from_f64(4.4329225) * cos_q2;
-                let t197 = t194 + t184 * t195 - t196 * t23 - t16 * t121 - t62 * t25;
-                let t198 = t197 - t89 * t43 - t65 * t158 - t5 * t39
-                    - sin2 * (sin_q5 * t173 - cos_q5 * t183);
-                let t199 = t198 - t63 * t44 - t134 * (t44 + t91)
-                    - T::from_f64(0.13585) * (t80 - t196 * t21);
+                let t197 = t62
+                    .mul_neg_add(
+                        t25,
+                        t16
+                            .mul_neg_add(
+                                t121,
+                                t196.mul_neg_add(t23, t184.mul_add(t195, t194)),
+                            ),
+                    );
+                let t198 = sin2
+                    .mul_neg_add(
+                        cos_q5.mul_neg_add(t183, sin_q5 * t173),
+                        t5
+                            .mul_neg_add(
+                                t39,
+                                t65.mul_neg_add(t158, t89.mul_neg_add(t43, t197)),
+                            ),
+                    );
+                let t199 = T::from_f64(0.13585)
+                    .mul_neg_add(
+                        t196.mul_neg_add(t21, t80),
+                        t134.mul_neg_add(t44 + t91, t63.mul_neg_add(t44, t198)),
+                    );
                 let t200 = t168 * t199;
-                let t201 = t164 * t193 + t167 * t200;
-                let t202 = t152 * t191 + t153 * t200 + t162 * t201;
-                let t203 = t144 * t188 + t149 * t200 + t159 * t201 + t150 * t202;
+                let t201 = t167.mul_add(t200, t164 * t193);
+                let t202 = t162.mul_add(t201, t153.mul_add(t200, t152 * t191));
+                let t203 = t150
+                    .mul_add(t202, t159.mul_add(t201, t149.mul_add(t200, t144 * t188)));
                 let t204 = t201 + t202;
                 let t205 = t203 + t204;
-                let t206 = t139 * t184 + t140 * t200 + t141 * t205;
-                let t207 = t36 - cos2 * t200;
-                let t208 = t18 + sin2 * t200;
-                let t209 = t44 + t6 * t200;
-                let t210 = t83 + cos_q5 * t208 + sin_q5 * t205;
+                let t206 = t141.mul_add(t205, t140.mul_add(t200, t139 * t184));
+                let t207 = cos2.mul_neg_add(t200, t36);
+                let t208 = sin2.mul_add(t200, t18);
+                let t209 = t6.mul_add(t200, t44);
+                let t210 = sin_q5.mul_add(t205, cos_q5.mul_add(t208, t83));
                 let t211 = t85 + t210;
                 let t212 = t206 + t207;
-                let t213 = t179 - (cos_q6 * t210 - t181 - sin_q6 * t212);
-                let t214 = cos_q6 * t212 + sin_q6 * t210 + t178;
-                let t215 = t134 * t200 - t158;
-                let t216 = t68 * t215
-                    - (t72 * t43 + t89 * t204 - t25 * t97 - t200 * t98);
+                let t213 = t179 - sin_q6.mul_neg_add(t212, cos_q6.mul_sub(t210, t181));
+                let t214 = sin_q6.mul_add(t210, cos_q6 * t212) + t178;
+                let t215 = t134.mul_sub(t200, t158);
+                let t216 = t68
+                    .mul_sub(
+                        t215,
+                        t200
+                            .mul_neg_add(
+                                t98,
+                                t25.mul_neg_add(t97, t89.mul_add(t204, t72 * t43)),
+                            ),
+                    );
                 let t217 = t204 * t98;
                 let t218 = cos_q5 * t205;
-                let t219 = t73 * t200 - T::from_f64(58.35506475215265) * t172 - t218;
-                let t220 = t218 - t76 - sin_q5 * t208;
+                let t219 = T::from_f64(58.35506475215265).mul_neg_add(t172, t73 * t200)
+                    - t218;
+                let t220 = sin_q5.mul_neg_add(t208, t218 - t76);
                 let t221 = t219 + t220;
                 let t222 = t87 - t220;
-                let t223 = T::from_f64(0.000225473145) * (t171 + t221)
-                    - T::from_f64(0.016911) * (t171 - t221)
-                    - T::from_f64(0.10971) * t222;
-                let t224 = t134 * t16 + t156 * t200;
-                let t225 = t63 * t25 + t70 * t200;
+                let t223 = T::from_f64(0.10971)
+                    .mul_neg_add(
+                        t222,
+                        T::from_f64(0.016911)
+                            .mul_neg_add(
+                                t171 - t221,
+                                T::from_f64(0.000225473145) * (t171 + t221),
+                            ),
+                    );
+                let t224 = t156.mul_add(t200, t134 * t16);
+                let t225 = t70.mul_add(t200, t63 * t25);
                 let t226 = t156 * t201;
-                let t227 = t134 * t20 + t226;
+                let t227 = t134.mul_add(t20, t226);
                 let t228 = t70 * t204;
-                let t229 = t63 * t32 + t228;
+                let t229 = t63.mul_add(t32, t228);
                 let t230 = t205 * t47;
                 let t231 = t134 * t201;
                 let t232 = t231 - t177;
-                let t233 = t40 * t97 + t217 + t89 * t200 - t217 - t72 * t26 - t68 * t232;
-                let t234 = t156 * t21 - t231;
-                let t235 = t104 - t89 * t33
-                    - (T::from_f64(0.1197) * t113 - t134 * (t58 + t68 * t51));
+                let t233 = t68
+                    .mul_neg_add(
+                        t232,
+                        t72
+                            .mul_neg_add(
+                                t26,
+                                t89.mul_add(t200, t40.mul_add(t97, t217)) - t217,
+                            ),
+                    );
+                let t234 = t156.mul_sub(t21, t231);
+                let t235 = t89.mul_neg_add(t33, t104)
+                    - t134
+                        .mul_neg_add(t68.mul_add(t51, t58), T::from_f64(0.1197) * t113);
                 let t236 = t63 * t204;
-                let t237 = t35 * t46 + t230 - t230 - t27 * t200 - t7 * t38
-                    - t8 * (t232 + t236 - t82);
-                let t238 = t236 - t70 * t34;
+                let t237 = t8
+                    .mul_neg_add(
+                        t232 + t236 - t82,
+                        t7
+                            .mul_neg_add(
+                                t38,
+                                t27.mul_neg_add(t200, t35.mul_add(t46, t230) - t230),
+                            ),
+                    );
+                let t238 = t70.mul_neg_add(t34, t236);
                 let t239 = T::from_f64(0.13585) * t200;
-                let t240 = T::from_f64(0.1197) * t200 - t176 - t226 - t239;
-                let t241 = cos_q5 * t207 + qd_q5 * t92;
-                let t242 = qd_q5 * t93 - sin_q5 * t207;
+                let t240 = T::from_f64(0.1197).mul_sub(t200, t176) - t226 - t239;
+                let t241 = qd_q5.mul_add(t92, cos_q5 * t207);
+                let t242 = sin_q5.mul_neg_add(t207, qd_q5 * t93);
                 let t243 = sin_q6 * t11;
-                let t244 = cos_q6 * t93 - t243;
+                let t244 = cos_q6.mul_sub(t93, t243);
                 let t245 = T::from_f64(0.016911)
-                    * (cos_q6 * t208 + t244 * t94 - t170 * t92 - sin_q6 * t241);
+                    * sin_q6
+                        .mul_neg_add(
+                            t241,
+                            t170.mul_neg_add(t92, t244.mul_add(t94, cos_q6 * t208)),
+                        );
                 let t246 = cos_q6 * t11;
-                let t247 = t246 + sin_q6 * t93;
-                let t248 = t170 * t247 + t169 * t244;
+                let t247 = sin_q6.mul_add(t93, t246);
+                let t248 = t169.mul_add(t244, t170 * t247);
                 let t249 = T::from_f64(0.000225473145)
-                    * (cos_q6 * t241 + sin_q6 * t208 + t247 * t94 - t169 * t92);
-                let t250 = T::from_f64(0.126621) * (t11 * t75 - t10 * t92 - t241)
-                    + sin_q6 * t245 - cos_q6 * t249;
-                let t251 = T::from_f64(0.10971) * (t208 + t95) + cos_q6 * t245
-                    + sin_q6 * t249 - T::from_f64(0.126621) * (t95 - t208);
-                let t252 = T::from_f64(0.000225473145) * (t248 - t242)
-                    - T::from_f64(0.016911) * (t248 + t242);
-                let t253 = t252 - T::from_f64(0.10971) * (t242 + t10 * t93 + t11 * t74);
+                    * t169
+                        .mul_neg_add(
+                            t92,
+                            t247.mul_add(t94, sin_q6.mul_add(t208, cos_q6 * t241)),
+                        );
+                let t250 = cos_q6
+                    .mul_neg_add(
+                        t249,
+                        sin_q6
+                            .mul_add(
+                                t245,
+                                T::from_f64(0.126621)
+                                    * (t10.mul_neg_add(t92, t11 * t75) - t241),
+                            ),
+                    );
+                let t251 = T::from_f64(0.126621)
+                    .mul_neg_add(
+                        t95 - t208,
+                        sin_q6
+                            .mul_add(
+                                t249,
+                                cos_q6.mul_add(t245, T::from_f64(0.10971) * (t208 + t95)),
+                            ),
+                    );
+                let t252 = T::from_f64(0.016911)
+                    .mul_neg_add(
+                        t248 + t242,
+                        T::from_f64(0.000225473145) * (t248 - t242),
+                    );
+                let t253 = T::from_f64(0.10971)
+                    .mul_neg_add(t11.mul_add(t74, t10.mul_add(t93, t242)), t252);
                 let t254 = t237
-                    + (t6 * (t240 - t81 - t228) + (sin_q5 * t250 + cos_q5 * t253));
+                    + t6.mul_add(t240 - t81 - t228, cos_q5.mul_add(t253, sin_q5 * t250));
                 (
                     sin2,
                     cos2,
@@ -1283,280 +1514,515 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 t485,
                 t486,
             ) = {
-                let t255 = t140 * t251 + (t73 * t252 - t8 * (t215 + t63 * t200 - t78));
-                let t256 = t6 * (t227 + t229) + t254 - t8 * (t234 - t238);
-                let t257 = t6 * t229 + t8 * t238 + t254;
-                let t258 = cos_q5 * t252 - t141 * t251;
+                let t255 = t140
+                    .mul_add(
+                        t251,
+                        t8.mul_neg_add(t63.mul_add(t200, t215) - t78, t73 * t252),
+                    );
+                let t256 = t8.mul_neg_add(t234 - t238, t6.mul_add(t227 + t229, t254));
+                let t257 = t8.mul_add(t238, t6 * t229) + t254;
+                let t258 = t141.mul_neg_add(t251, cos_q5 * t252);
                 let t259 = T::from_f64(58.35506475215265) * t252;
                 let t260 = t256 - t258;
                 let t261 = t8 * t205;
                 let t262 = t31 - t261;
-                let t263 = t261 - t6 * t28;
+                let t263 = t6.mul_neg_add(t28, t261);
                 let t264 = t6 * t205;
-                let t265 = t8 * t29 + t264;
+                let t265 = t8.mul_add(t29, t264);
                 let t266 = t41 + t264;
-                let t267 = t63 * t263 + t70 * t265;
-                let t268 = t233 - (t65 * t240 + (t63 * t262 + t267 - t70 * t266));
-                let t269 = t256 + t268 - t65 * t227 - t68 * t234 - t258;
+                let t267 = t70.mul_add(t265, t63 * t263);
+                let t268 = t233
+                    - t65.mul_add(t240, t70.mul_neg_add(t266, t63.mul_add(t262, t267)));
+                let t269 = t68.mul_neg_add(t234, t65.mul_neg_add(t227, t256 + t268))
+                    - t258;
                 let t270 = t257 + t268 - t258;
                 let t271 = t257 - t258;
                 let t272 = t254 - t267 - t258;
                 let t273 = t254 - t258;
-                let t274 = t150 * t260 + t269;
-                let t275 = t155 * t23 + t6 * (t224 + t225) + t149 * t260 + t153 * t274;
+                let t274 = t150.mul_add(t260, t269);
+                let t275 = t153
+                    .mul_add(
+                        t274,
+                        t149.mul_add(t260, t6.mul_add(t224 + t225, t155 * t23)),
+                    );
                 let t276 = T::from_f64(1.75501953841) * sin_q2;
-                let t277 = t120 - sin_q2 * t276;
-                let t278 = t121 + cos_q2 * t276;
+                let t277 = sin_q2.mul_neg_add(t276, t120);
+                let t278 = cos_q2.mul_add(t276, t121);
                 let t279 = t201 * t278;
-                let t280 = T::from_f64(43.486969725) * sin_q2 + t196 * t239 + t42 * t277
-                    + t279 + t159 * t260;
+                let t280 = t159
+                    .mul_add(
+                        t260,
+                        t42
+                            .mul_add(
+                                t277,
+                                t196.mul_add(t239, T::from_f64(43.486969725) * sin_q2),
+                            ) + t279,
+                    );
                 let t281 = t65 * t204;
-                let t282 = t280 + t162 * t274 + t269 - t279 - t174 * t200
-                    - t156 * (t281 - t90 - t266);
-                let t283 = t265 + t68 * t34 - t281;
+                let t282 = t156
+                    .mul_neg_add(
+                        t281 - t90 - t266,
+                        t174.mul_neg_add(t200, t162.mul_add(t274, t280) + t269 - t279),
+                    );
+                let t283 = t68.mul_add(t34, t265) - t281;
                 let t284 = t68 * t204;
-                let t285 = t134 * (t263 + t65 * t32 + t284) + t156 * t283;
-                let t286 = t282 - t134 * (t262 - t79 - t284) - t285;
-                let t287 = t275 + t167 * t286 - t165 * t22 - t174 * t201 - t16 * t277;
-                let t288 = t287 - t200 * t278 - t65 * t224
-                    - t156 * (t65 * t200 - t91 - t209);
-                let t289 = t8 * t200 - t6 * t39;
+                let t285 = t156.mul_add(t283, t134 * (t65.mul_add(t32, t263) + t284));
+                let t286 = t134.mul_neg_add(t262 - t79 - t284, t282) - t285;
+                let t287 = t16
+                    .mul_neg_add(
+                        t277,
+                        t174
+                            .mul_neg_add(
+                                t201,
+                                t165.mul_neg_add(t22, t167.mul_add(t286, t275)),
+                            ),
+                    );
+                let t288 = t156
+                    .mul_neg_add(
+                        t65.mul_sub(t200, t91) - t209,
+                        t65.mul_neg_add(t224, t200.mul_neg_add(t278, t287)),
+                    );
+                let t289 = t6.mul_neg_add(t39, t8 * t200);
                 let t290 = T::from_f64(0.016911) * t214;
                 let t291 = T::from_f64(0.000225473145) * t214;
                 let t292 = T::from_f64(0.000225473145) * t213;
                 let t293 = T::from_f64(0.016911) * t213;
-                let t294 = sin_q6 * t290 - cos_q6 * t292;
-                let t295 = cos_q6 * t290 + sin_q6 * t292;
-                let t296 = sin_q5 * t253 - cos_q5 * t250
-                    - (T::from_f64(0.10971) * (t88 + t212) + t295
-                        - T::from_f64(0.126621) * (t88 - t212));
-                let t297 = t295 - sin_q6 * t293 - cos_q6 * t291;
-                let t298 = sin_q6 * t291 - cos_q6 * t293 - t294;
-                let t299 = T::from_f64(0.126621) * t211 + t294;
-                let t300 = sin_q5 * t223 - cos_q5 * t299;
-                let t301 = t7 * t30 - t27 * t205 - t39 * t46 - t200 * t47
-                    - (cos2 * (t300 + t251) + sin2 * t296);
+                let t294 = cos_q6.mul_neg_add(t292, sin_q6 * t290);
+                let t295 = sin_q6.mul_add(t292, cos_q6 * t290);
+                let t296 = cos_q5.mul_neg_add(t250, sin_q5 * t253)
+                    - T::from_f64(0.126621)
+                        .mul_neg_add(
+                            t88 - t212,
+                            T::from_f64(0.10971).mul_add(t88 + t212, t295),
+                        );
+                let t297 = cos_q6.mul_neg_add(t291, sin_q6.mul_neg_add(t293, t295));
+                let t298 = cos_q6.mul_neg_add(t293, sin_q6 * t291) - t294;
+                let t299 = T::from_f64(0.126621).mul_add(t211, t294);
+                let t300 = cos_q5.mul_neg_add(t299, sin_q5 * t223);
+                let t301 = t200
+                    .mul_neg_add(
+                        t47,
+                        t39.mul_neg_add(t46, t27.mul_neg_add(t205, t7 * t30)),
+                    ) - sin2.mul_add(t296, cos2 * (t300 + t251));
                 let t302 = t301 + t255;
                 let t303 = t139 * t251;
                 let t304 = t63 * t289;
-                let t305 = t134 * (t289 + t65 * t25 + t68 * t200) - t302
-                    + (t216 + (t304 - t70 * t209 - T::from_f64(0.1197) * t283));
+                let t305 = t134.mul_sub(t68.mul_add(t200, t65.mul_add(t25, t289)), t302)
+                    + (t216
+                        + T::from_f64(0.1197)
+                            .mul_neg_add(t283, t70.mul_neg_add(t209, t304)));
                 let t306 = t168
-                    * (t288 - T::from_f64(0.13585) * (t283 + t155 * t21 - t196 * t201)
-                        - t305);
-                let t307 = t164 * t286 + t167 * t306;
-                let t308 = t152 * t274 + t153 * t306 + t162 * t307;
-                let t309 = t144 * t260 + t149 * t306 + t159 * t307 + t150 * t308;
+                    * (T::from_f64(0.13585)
+                        .mul_neg_add(
+                            t196.mul_neg_add(t201, t155.mul_add(t21, t283)),
+                            t288,
+                        ) - t305);
+                let t307 = t167.mul_add(t306, t164 * t286);
+                let t308 = t162.mul_add(t307, t153.mul_add(t306, t152 * t274));
+                let t309 = t150
+                    .mul_add(t308, t159.mul_add(t307, t149.mul_add(t306, t144 * t260)));
                 let t310 = t309 + (t307 + t308);
-                let t311 = t303 + t140 * t306 + t141 * t310;
-                let t312 = t73 * t306 - t259 - cos_q5 * t310;
-                let t313 = t150 * t271 + t270;
-                let t314 = t159 * t271 + t162 * t313 + t270 - t285;
-                let t315 = t6 * t225 + t149 * t271 + t153 * t313 + t167 * t314
-                    - T::from_f64(0.13585) * t283;
+                let t311 = t141.mul_add(t310, t140.mul_add(t306, t303));
+                let t312 = cos_q5.mul_neg_add(t310, t73.mul_sub(t306, t259));
+                let t313 = t150.mul_add(t271, t270);
+                let t314 = t162.mul_add(t313, t159 * t271) + t270 - t285;
+                let t315 = T::from_f64(0.13585)
+                    .mul_neg_add(
+                        t283,
+                        t167
+                            .mul_add(
+                                t314,
+                                t153.mul_add(t313, t149.mul_add(t271, t6 * t225)),
+                            ),
+                    );
                 let t316 = t168 * (t315 - t305);
-                let t317 = t164 * t314 + t167 * t316;
-                let t318 = t152 * t313 + t153 * t316 + t162 * t317;
-                let t319 = t144 * t271 + t149 * t316 + t159 * t317 + t150 * t318;
+                let t317 = t167.mul_add(t316, t164 * t314);
+                let t318 = t162.mul_add(t317, t153.mul_add(t316, t152 * t313));
+                let t319 = t150
+                    .mul_add(t318, t159.mul_add(t317, t149.mul_add(t316, t144 * t271)));
                 let t320 = t319 + (t317 + t318);
-                let t321 = t303 + t140 * t316 + t141 * t320;
-                let t322 = t73 * t316 - t259 - cos_q5 * t320;
-                let t323 = t150 * t273 + t272;
-                let t324 = t159 * t273 + t162 * t323 + t272 - t134 * t263 - t156 * t265;
-                let t325 = t149 * t273 + t153 * t323 + t167 * t324
-                    + T::from_f64(-0.01615) * t265 + t302;
-                let t326 = t168 * (t325 - t304 - t134 * t289);
-                let t327 = t164 * t324 + t167 * t326;
-                let t328 = t152 * t323 + t153 * t326 + t162 * t327;
-                let t329 = t144 * t273 + t149 * t326 + t159 * t327 + t150 * t328;
+                let t321 = t141.mul_add(t320, t140.mul_add(t316, t303));
+                let t322 = cos_q5.mul_neg_add(t320, t73.mul_sub(t316, t259));
+                let t323 = t150.mul_add(t273, t272);
+                let t324 = t156
+                    .mul_neg_add(
+                        t265,
+                        t134.mul_neg_add(t263, t162.mul_add(t323, t159 * t273) + t272),
+                    );
+                let t325 = T::from_f64(-0.01615)
+                    .mul_add(t265, t167.mul_add(t324, t153.mul_add(t323, t149 * t273)))
+                    + t302;
+                let t326 = t168 * t134.mul_neg_add(t289, t325 - t304);
+                let t327 = t167.mul_add(t326, t164 * t324);
+                let t328 = t162.mul_add(t327, t153.mul_add(t326, t152 * t323));
+                let t329 = t150
+                    .mul_add(t328, t159.mul_add(t327, t149.mul_add(t326, t144 * t273)));
                 let t330 = t329 + (t327 + t328);
-                let t331 = t303 + t140 * t326 + t141 * t330;
-                let t332 = t73 * t326 - t259 - cos_q5 * t330;
+                let t331 = t141.mul_add(t330, t140.mul_add(t326, t303));
+                let t332 = cos_q5.mul_neg_add(t330, t73.mul_sub(t326, t259));
                 let t333 = sin_q6 * t75;
                 let t334 = cos_q6 * t75;
-                let t335 = t170 * t333 + t169 * t334;
-                let t336 = T::from_f64(0.000225473145) * (t335 - t210)
-                    - T::from_f64(0.016911) * (t210 + t335);
-                let t337 = t336 - T::from_f64(0.10971) * t211;
+                let t335 = t169.mul_add(t334, t170 * t333);
+                let t336 = T::from_f64(0.016911)
+                    .mul_neg_add(
+                        t210 + t335,
+                        T::from_f64(0.000225473145) * (t335 - t210),
+                    );
+                let t337 = T::from_f64(0.10971).mul_neg_add(t211, t336);
                 let t338 = T::from_f64(0.016911)
-                    * (sin_q6 * t220 + t334 * t94 - t74 * t170);
+                    * t74.mul_neg_add(t170, t334.mul_add(t94, sin_q6 * t220));
                 let t339 = T::from_f64(0.000225473145)
-                    * (t333 * t94 - t74 * t169 - cos_q6 * t220);
-                let t340 = sin_q6 * t338 - T::from_f64(0.126621) * t222 - cos_q6 * t339;
-                let t341 = cos_q6 * t338 + sin_q6 * t339
-                    + T::from_f64(-0.016911) * (t75 * t75 - t74 * t74);
-                let t342 = sin_q5 * t340 + t141 * t341 + cos_q5 * (t337 - t336) - t300;
-                let t343 = T::from_f64(0.016911) * (t333 - sin_q6 * t94);
-                let t344 = T::from_f64(0.000225473145) * (cos_q6 * t94 - t334);
-                let t345 = t342 + t150 * t342;
-                let t346 = t342 + t159 * t342 + t162 * t345;
-                let t347 = t73 * t336 + t149 * t342 + t153 * t345 + t167 * t346
-                    + t341 * t195;
+                    * cos_q6.mul_neg_add(t220, t74.mul_neg_add(t169, t333 * t94));
+                let t340 = cos_q6
+                    .mul_neg_add(
+                        t339,
+                        T::from_f64(0.126621).mul_neg_add(t222, sin_q6 * t338),
+                    );
+                let t341 = T::from_f64(-0.016911)
+                    .mul_add(
+                        t74.mul_neg_add(t74, t75 * t75),
+                        sin_q6.mul_add(t339, cos_q6 * t338),
+                    );
+                let t342 = cos_q5.mul_add(t337 - t336, t141.mul_add(t341, sin_q5 * t340))
+                    - t300;
+                let t343 = T::from_f64(0.016911) * sin_q6.mul_neg_add(t94, t333);
+                let t344 = T::from_f64(0.000225473145) * cos_q6.mul_sub(t94, t334);
+                let t345 = t150.mul_add(t342, t342);
+                let t346 = t162.mul_add(t345, t159.mul_add(t342, t342));
+                let t347 = t341
+                    .mul_add(
+                        t195,
+                        t167
+                            .mul_add(
+                                t346,
+                                t153.mul_add(t345, t149.mul_add(t342, t73 * t336)),
+                            ),
+                    );
                 let t348 = t168
-                    * (t347 - sin2 * (cos_q5 * (t223 - t340) + sin_q5 * (t299 + t337)));
-                let t349 = t164 * t346 + t167 * t348;
-                let t350 = t152 * t345 + t153 * t348 + t162 * t349;
-                let t351 = t144 * t342 + t149 * t348 + t159 * t349 + t150 * t350;
+                    * sin2
+                        .mul_neg_add(
+                            sin_q5.mul_add(t299 + t337, cos_q5 * (t223 - t340)),
+                            t347,
+                        );
+                let t349 = t167.mul_add(t348, t164 * t346);
+                let t350 = t162.mul_add(t349, t153.mul_add(t348, t152 * t345));
+                let t351 = t150
+                    .mul_add(t350, t159.mul_add(t349, t149.mul_add(t348, t144 * t342)));
                 let t352 = t351 + (t349 + t350);
-                let t353 = t139 * t341 + t140 * t348 + t141 * t352;
-                let t354 = t73 * t348 - T::from_f64(58.35506475215265) * t336
-                    - cos_q5 * t352;
-                let t355 = T::from_f64(-0.016685526855) * (t170 * t170 - t169 * t169);
+                let t353 = t141.mul_add(t352, t140.mul_add(t348, t139 * t341));
+                let t354 = cos_q5
+                    .mul_neg_add(
+                        t352,
+                        T::from_f64(58.35506475215265).mul_neg_add(t336, t73 * t348),
+                    );
+                let t355 = T::from_f64(-0.016685526855)
+                    * t169.mul_neg_add(t169, t170 * t170);
                 let t356 = cos_q5 * t355;
-                let t357 = t356 + sin_q5 * t297 + t141 * t298 - t356;
-                let t358 = t357 + t150 * t357;
-                let t359 = t357 + t159 * t357 + t162 * t358;
-                let t360 = t73 * t355 + t149 * t357 + t153 * t358 + t167 * t359
-                    + t298 * t195;
-                let t361 = t168 * (t360 - sin2 * (sin_q5 * t355 - cos_q5 * t297));
-                let t362 = t164 * t359 + t167 * t361;
-                let t363 = t152 * t358 + t153 * t361 + t162 * t362;
-                let t364 = t144 * t357 + t149 * t361 + t159 * t362 + t150 * t363;
+                let t357 = t141.mul_add(t298, sin_q5.mul_add(t297, t356)) - t356;
+                let t358 = t150.mul_add(t357, t357);
+                let t359 = t162.mul_add(t358, t159.mul_add(t357, t357));
+                let t360 = t298
+                    .mul_add(
+                        t195,
+                        t167
+                            .mul_add(
+                                t359,
+                                t153.mul_add(t358, t149.mul_add(t357, t73 * t355)),
+                            ),
+                    );
+                let t361 = t168
+                    * sin2.mul_neg_add(cos_q5.mul_neg_add(t297, sin_q5 * t355), t360);
+                let t362 = t167.mul_add(t361, t164 * t359);
+                let t363 = t162.mul_add(t362, t153.mul_add(t361, t152 * t358));
+                let t364 = t150
+                    .mul_add(t363, t159.mul_add(t362, t149.mul_add(t361, t144 * t357)));
                 let t365 = t364 + (t362 + t363);
-                let t366 = t139 * t298 + t140 * t361 + t141 * t365;
-                let t367 = t73 * t361 - T::from_f64(58.35506475215265) * t355
-                    - cos_q5 * t365;
-                let t368 = sin_q6 * t99 - cos2 * cos_q6;
-                let t369 = cos2 * sin_q6 + cos_q6 * t99;
-                let t370 = t170 * t368 + t169 * t369;
-                let t371 = T::from_f64(0.000225473145) * (t370 - t100)
-                    - T::from_f64(0.016911) * (t370 + t100);
+                let t366 = t141.mul_add(t365, t140.mul_add(t361, t139 * t298));
+                let t367 = cos_q5
+                    .mul_neg_add(
+                        t365,
+                        T::from_f64(58.35506475215265).mul_neg_add(t355, t73 * t361),
+                    );
+                let t368 = cos2.mul_neg_add(cos_q6, sin_q6 * t99);
+                let t369 = cos_q6.mul_add(t99, cos2 * sin_q6);
+                let t370 = t169.mul_add(t369, t170 * t368);
+                let t371 = T::from_f64(0.016911)
+                    .mul_neg_add(
+                        t370 + t100,
+                        T::from_f64(0.000225473145) * (t370 - t100),
+                    );
                 let t372 = T::from_f64(0.016911)
-                    * (cos_q6 * t54 + sin_q6 * t101 + t369 * t94 - t170 * t66);
+                    * t170
+                        .mul_neg_add(
+                            t66,
+                            t369.mul_add(t94, sin_q6.mul_add(t101, cos_q6 * t54)),
+                        );
                 let t373 = T::from_f64(0.000225473145)
-                    * (sin_q6 * t54 + t368 * t94 - t169 * t66 - cos_q6 * t101);
-                let t374 = T::from_f64(0.126621) * (t101 - t10 * t66 - cos2 * t75)
-                    + sin_q6 * t372 - cos_q6 * t373;
-                let t375 = T::from_f64(0.10971) * (t54 + t103) + cos_q6 * t372
-                    + sin_q6 * t373 - T::from_f64(0.126621) * (t103 - t54);
-                let t376 = t371 - T::from_f64(0.10971) * (t100 + t10 * t99 - cos2 * t74);
-                let t377 = T::from_f64(0.253242) * t75 + sin_q6 * t343 - cos_q6 * t344;
-                let t378 = cos_q6 * t343 + sin_q6 * t344;
+                    * cos_q6
+                        .mul_neg_add(
+                            t101,
+                            t169.mul_neg_add(t66, t368.mul_add(t94, sin_q6 * t54)),
+                        );
+                let t374 = cos_q6
+                    .mul_neg_add(
+                        t373,
+                        sin_q6
+                            .mul_add(
+                                t372,
+                                T::from_f64(0.126621)
+                                    * cos2.mul_neg_add(t75, t10.mul_neg_add(t66, t101)),
+                            ),
+                    );
+                let t375 = T::from_f64(0.126621)
+                    .mul_neg_add(
+                        t103 - t54,
+                        sin_q6
+                            .mul_add(
+                                t373,
+                                cos_q6.mul_add(t372, T::from_f64(0.10971) * (t54 + t103)),
+                            ),
+                    );
+                let t376 = T::from_f64(0.10971)
+                    .mul_neg_add(cos2.mul_neg_add(t74, t10.mul_add(t99, t100)), t371);
+                let t377 = cos_q6
+                    .mul_neg_add(
+                        t344,
+                        sin_q6.mul_add(t343, T::from_f64(0.253242) * t75),
+                    );
+                let t378 = sin_q6.mul_add(t344, cos_q6 * t343);
                 let t379 = t156 * t50;
-                let t380 = T::from_f64(0.2394) * qd_q1 - t49 - t379;
+                let t380 = T::from_f64(0.2394).mul_sub(qd_q1, t49) - t379;
                 let t381 = t134 * t51;
-                let t382 = t53 + t8 * (t381 + t63 * t51) + sin_q5 * t374 + cos_q5 * t376;
-                let t383 = cos_q5 * t371 - t141 * t375;
-                let t384 = t382 + t68 * t381 + t104 - t70 * t52 - t383;
+                let t382 = cos_q5
+                    .mul_add(
+                        t376,
+                        sin_q5.mul_add(t374, t8.mul_add(t63.mul_add(t51, t381), t53)),
+                    );
+                let t383 = t141.mul_neg_add(t375, cos_q5 * t371);
+                let t384 = t70.mul_neg_add(t52, t68.mul_add(t381, t382) + t104) - t383;
                 let t385 = t382 - t383;
-                let t386 = t150 * t385 + t384;
-                let t387 = t73 * t371 + t65 * t380 + T::from_f64(0.1197) * t102
-                    + t149 * t385 + t153 * t386;
+                let t386 = t150.mul_add(t385, t384);
+                let t387 = t153
+                    .mul_add(
+                        t386,
+                        t149
+                            .mul_add(
+                                t385,
+                                T::from_f64(0.1197)
+                                    .mul_add(t102, t65.mul_add(t380, t73 * t371)),
+                            ),
+                    );
                 let t388 = t121 * t51;
-                let t389 = t388 + t159 * t385 + t162 * t386 + t384 - t156 * t102;
-                let t390 = t387 + t167 * t389 + t375 * t195 - t196 * t49 - t121 * t50;
-                let t391 = t390 - t62 * t33 - t6 * (t380 - t105) - t5 * t55
-                    - sin2 * (sin_q5 * t376 - cos_q5 * t374);
-                let t392 = t134 * (t56 + t68 * t33);
+                let t389 = t156
+                    .mul_neg_add(
+                        t102,
+                        t162.mul_add(t386, t159.mul_add(t385, t388)) + t384,
+                    );
+                let t390 = t121
+                    .mul_neg_add(
+                        t50,
+                        t196
+                            .mul_neg_add(
+                                t49,
+                                t375.mul_add(t195, t167.mul_add(t389, t387)),
+                            ),
+                    );
+                let t391 = sin2
+                    .mul_neg_add(
+                        cos_q5.mul_neg_add(t374, sin_q5 * t376),
+                        t5
+                            .mul_neg_add(
+                                t55,
+                                t6.mul_neg_add(t380 - t105, t62.mul_neg_add(t33, t390)),
+                            ),
+                    );
+                let t392 = t134 * t68.mul_add(t33, t56);
                 let t393 = t168
-                    * (t391 - t106 - t392 - T::from_f64(0.13585) * (t102 - t196 * t51));
-                let t394 = t164 * t389 + t167 * t393;
-                let t395 = t152 * t386 + t153 * t393 + t162 * t394;
-                let t396 = t144 * t385 + t149 * t393 + t159 * t394 + t150 * t395;
+                    * T::from_f64(0.13585)
+                        .mul_neg_add(t196.mul_neg_add(t51, t102), t391 - t106 - t392);
+                let t394 = t167.mul_add(t393, t164 * t389);
+                let t395 = t162.mul_add(t394, t153.mul_add(t393, t152 * t386));
+                let t396 = t150
+                    .mul_add(t395, t159.mul_add(t394, t149.mul_add(t393, t144 * t385)));
                 let t397 = t396 + (t394 + t395);
-                let t398 = t139 * t375 + t140 * t393 + t141 * t397;
-                let t399 = t73 * t393 - T::from_f64(58.35506475215265) * t371
-                    - cos_q5 * t397;
+                let t398 = t141.mul_add(t397, t140.mul_add(t393, t139 * t375));
+                let t399 = cos_q5
+                    .mul_neg_add(
+                        t397,
+                        T::from_f64(58.35506475215265).mul_neg_add(t371, t73 * t393),
+                    );
                 let t400 = t156 * t51;
-                let t401 = t392 + t156 * t113;
+                let t401 = t156.mul_add(t113, t392);
                 let t402 = t134 * t50;
                 let t403 = cos_q6 * sin_q5;
                 let t404 = T::from_f64(0.016911)
-                    * (t246 + cos_q5 * t170 + sin_q6 * t109 + t403 * t94);
+                    * t403
+                        .mul_add(t94, sin_q6.mul_add(t109, cos_q5.mul_add(t170, t246)));
                 let t405 = sin_q6 * sin_q5;
                 let t406 = T::from_f64(0.000225473145)
-                    * (t243 + cos_q5 * t169 + t405 * t94 - cos_q6 * t109);
-                let t407 = t170 * t405 + t169 * t403;
-                let t408 = T::from_f64(0.10971) * (t11 + t111) + cos_q6 * t404
-                    + sin_q6 * t406 - T::from_f64(0.126621) * (t111 - t11);
-                let t409 = T::from_f64(0.126621) * (cos_q5 * t10 + t109) + sin_q6 * t404
-                    - cos_q6 * t406;
-                let t410 = T::from_f64(0.000225473145) * (t407 - t110)
-                    - T::from_f64(0.016911) * (t407 + t110);
-                let t411 = t410 - T::from_f64(0.10971) * (t110 + sin_q5 * t10);
-                let t412 = t53 + t27 * t55
-                    + (sin2 * (sin_q5 * t411 - cos_q5 * t409) + cos2 * t408);
-                let t413 = sin_q5 * t409 + cos_q5 * t411;
-                let t414 = t412 - (t140 * t408 + (t73 * t410 - t63 * t58));
+                    * cos_q6
+                        .mul_neg_add(
+                            t109,
+                            t405.mul_add(t94, cos_q5.mul_add(t169, t243)),
+                        );
+                let t407 = t169.mul_add(t403, t170 * t405);
+                let t408 = T::from_f64(0.126621)
+                    .mul_neg_add(
+                        t111 - t11,
+                        sin_q6
+                            .mul_add(
+                                t406,
+                                cos_q6.mul_add(t404, T::from_f64(0.10971) * (t11 + t111)),
+                            ),
+                    );
+                let t409 = cos_q6
+                    .mul_neg_add(
+                        t406,
+                        sin_q6
+                            .mul_add(
+                                t404,
+                                T::from_f64(0.126621) * cos_q5.mul_add(t10, t109),
+                            ),
+                    );
+                let t410 = T::from_f64(0.016911)
+                    .mul_neg_add(
+                        t407 + t110,
+                        T::from_f64(0.000225473145) * (t407 - t110),
+                    );
+                let t411 = T::from_f64(0.10971)
+                    .mul_neg_add(sin_q5.mul_add(t10, t110), t410);
+                let t412 = t27.mul_add(t55, t53)
+                    + cos2.mul_add(t408, sin2 * cos_q5.mul_neg_add(t409, sin_q5 * t411));
+                let t413 = cos_q5.mul_add(t411, sin_q5 * t409);
+                let t414 = t412 - t140.mul_add(t408, t63.mul_neg_add(t58, t73 * t410));
                 let t415 = t414 + t235;
-                let t416 = t6 * (t379 + t105) + t8 * (t402 + t108) + t413;
-                let t417 = t413 + t6 * t105 + t8 * t108;
-                let t418 = cos_q5 * t410 - t141 * t408;
-                let t419 = t416 + t68 * t402 - t65 * t379 - t112 - t418;
+                let t416 = t8.mul_add(t402 + t108, t6 * (t379 + t105)) + t413;
+                let t417 = t8.mul_add(t108, t6.mul_add(t105, t413));
+                let t418 = t141.mul_neg_add(t408, cos_q5 * t410);
+                let t419 = t65.mul_neg_add(t379, t68.mul_add(t402, t416)) - t112 - t418;
                 let t420 = t416 - t418;
                 let t421 = t139 * t408;
                 let t422 = T::from_f64(58.35506475215265) * t410;
-                let t423 = t150 * t420 + t419;
-                let t424 = t159 * t420 + t162 * t423 + t419 - t401;
-                let t425 = t6 * (t400 + t107) + t149 * t420 + t153 * t423 + t167 * t424;
-                let t426 = t425 - t388 - t174 * t50 - t65 * t400
-                    - T::from_f64(0.13585) * (t113 - t196 * t50);
+                let t423 = t150.mul_add(t420, t419);
+                let t424 = t162.mul_add(t423, t159 * t420) + t419 - t401;
+                let t425 = t167
+                    .mul_add(
+                        t424,
+                        t153.mul_add(t423, t149.mul_add(t420, t6 * (t400 + t107))),
+                    );
+                let t426 = T::from_f64(0.13585)
+                    .mul_neg_add(
+                        t196.mul_neg_add(t50, t113),
+                        t65.mul_neg_add(t400, t174.mul_neg_add(t50, t425 - t388)),
+                    );
                 let t427 = t168 * (t426 - t415);
-                let t428 = t164 * t424 + t167 * t427;
-                let t429 = t152 * t423 + t153 * t427 + t162 * t428;
-                let t430 = t144 * t420 + t149 * t427 + t159 * t428 + t150 * t429;
+                let t428 = t167.mul_add(t427, t164 * t424);
+                let t429 = t162.mul_add(t428, t153.mul_add(t427, t152 * t423));
+                let t430 = t150
+                    .mul_add(t429, t159.mul_add(t428, t149.mul_add(t427, t144 * t420)));
                 let t431 = t430 + (t428 + t429);
-                let t432 = t421 + t140 * t427 + t141 * t431;
-                let t433 = t73 * t427 - t422 - cos_q5 * t431;
+                let t432 = t141.mul_add(t431, t140.mul_add(t427, t421));
+                let t433 = cos_q5.mul_neg_add(t431, t73.mul_sub(t427, t422));
                 let t434 = t417 - t418;
                 let t435 = t417 - t112 - t418;
                 let t436 = t413 - t112 - t418;
                 let t437 = t413 - t418;
-                let t438 = t150 * t434 + t435;
-                let t439 = t159 * t434 + t162 * t438 + t435 - t401;
-                let t440 = t6 * t107 + t149 * t434 + t153 * t438 + t167 * t439
-                    - T::from_f64(0.13585) * t113;
+                let t438 = t150.mul_add(t434, t435);
+                let t439 = t162.mul_add(t438, t159 * t434) + t435 - t401;
+                let t440 = T::from_f64(0.13585)
+                    .mul_neg_add(
+                        t113,
+                        t167
+                            .mul_add(
+                                t439,
+                                t153.mul_add(t438, t149.mul_add(t434, t6 * t107)),
+                            ),
+                    );
                 let t441 = t168 * (t440 - t415);
-                let t442 = t164 * t439 + t167 * t441;
-                let t443 = t152 * t438 + t153 * t441 + t162 * t442;
-                let t444 = t144 * t434 + t149 * t441 + t159 * t442 + t150 * t443;
+                let t442 = t167.mul_add(t441, t164 * t439);
+                let t443 = t162.mul_add(t442, t153.mul_add(t441, t152 * t438));
+                let t444 = t150
+                    .mul_add(t443, t159.mul_add(t442, t149.mul_add(t441, t144 * t434)));
                 let t445 = t444 + (t442 + t443);
-                let t446 = t421 + t140 * t441 + t141 * t445;
-                let t447 = t73 * t441 - t422 - cos_q5 * t445;
-                let t448 = t150 * t437 + t436;
-                let t449 = t159 * t437 + t162 * t448 + t436 - t134 * t56 - t156 * t57;
-                let t450 = t149 * t437 + t153 * t448 + t167 * t449
-                    + T::from_f64(-0.01615) * t57 - t134 * t58;
+                let t446 = t141.mul_add(t445, t140.mul_add(t441, t421));
+                let t447 = cos_q5.mul_neg_add(t445, t73.mul_sub(t441, t422));
+                let t448 = t150.mul_add(t437, t436);
+                let t449 = t156
+                    .mul_neg_add(
+                        t57,
+                        t134.mul_neg_add(t56, t162.mul_add(t448, t159 * t437) + t436),
+                    );
+                let t450 = t134
+                    .mul_neg_add(
+                        t58,
+                        T::from_f64(-0.01615)
+                            .mul_add(
+                                t57,
+                                t167.mul_add(t449, t153.mul_add(t448, t149 * t437)),
+                            ),
+                    );
                 let t451 = t168 * (t450 - t414);
-                let t452 = t164 * t449 + t167 * t451;
-                let t453 = t152 * t448 + t153 * t451 + t162 * t452;
-                let t454 = t144 * t437 + t149 * t451 + t159 * t452 + t150 * t453;
+                let t452 = t167.mul_add(t451, t164 * t449);
+                let t453 = t162.mul_add(t452, t153.mul_add(t451, t152 * t448));
+                let t454 = t150
+                    .mul_add(t453, t159.mul_add(t452, t149.mul_add(t451, t144 * t437)));
                 let t455 = t454 + (t452 + t453);
-                let t456 = t421 + t140 * t451 + t141 * t455;
-                let t457 = t73 * t451 - t422 - cos_q5 * t455;
-                let t458 = cos_q6 * t170 - sin_q6 * t169;
-                let t459 = T::from_f64(0.000225473145) * (t458 - t74)
-                    - T::from_f64(0.016911) * (t74 + t458);
-                let t460 = t459 - T::from_f64(0.21942) * t74;
+                let t456 = t141.mul_add(t455, t140.mul_add(t451, t421));
+                let t457 = cos_q5.mul_neg_add(t455, t73.mul_sub(t451, t422));
+                let t458 = sin_q6.mul_neg_add(t169, cos_q6 * t170);
+                let t459 = T::from_f64(0.016911)
+                    .mul_neg_add(t74 + t458, T::from_f64(0.000225473145) * (t458 - t74));
+                let t460 = T::from_f64(0.21942).mul_neg_add(t74, t459);
                 let t461 = T::from_f64(0.033822) * t170;
                 let t462 = T::from_f64(0.00045094629) * t169;
-                let t463 = sin_q5 * t377 + t141 * t378 + cos_q5 * (t460 - t459);
-                let t464 = t463 + t150 * t463;
-                let t465 = t463 + t159 * t463 + t162 * t464;
-                let t466 = t73 * t459 + t149 * t463 + t153 * t464 + t167 * t465
-                    + t378 * t195;
-                let t467 = t168 * (t466 - sin2 * (sin_q5 * t460 - cos_q5 * t377));
-                let t468 = t164 * t465 + t167 * t467;
-                let t469 = t152 * t464 + t153 * t467 + t162 * t468;
-                let t470 = t144 * t463 + t149 * t467 + t159 * t468 + t150 * t469;
+                let t463 = cos_q5
+                    .mul_add(t460 - t459, t141.mul_add(t378, sin_q5 * t377));
+                let t464 = t150.mul_add(t463, t463);
+                let t465 = t162.mul_add(t464, t159.mul_add(t463, t463));
+                let t466 = t378
+                    .mul_add(
+                        t195,
+                        t167
+                            .mul_add(
+                                t465,
+                                t153.mul_add(t464, t149.mul_add(t463, t73 * t459)),
+                            ),
+                    );
+                let t467 = t168
+                    * sin2.mul_neg_add(cos_q5.mul_neg_add(t377, sin_q5 * t460), t466);
+                let t468 = t167.mul_add(t467, t164 * t465);
+                let t469 = t162.mul_add(t468, t153.mul_add(t467, t152 * t464));
+                let t470 = t150
+                    .mul_add(t469, t159.mul_add(t468, t149.mul_add(t467, t144 * t463)));
                 let t471 = t470 + (t468 + t469);
-                let t472 = t139 * t378 + t140 * t467 + t141 * t471;
-                let t473 = t73 * t467 - T::from_f64(58.35506475215265) * t459
-                    - cos_q5 * t471;
-                let t474 = sin_q6 * t461 - cos_q6 * t462;
-                let t475 = cos_q6 * t461 + sin_q6 * t462;
-                let t476 = sin_q5 * t474 + t141 * t475;
-                let t477 = t476 + t150 * t476;
-                let t478 = t476 + t159 * t476 + t162 * t477;
-                let t479 = t99 * t474 + t149 * t476 + t153 * t477 + t167 * t478
-                    + t475 * t195;
+                let t472 = t141.mul_add(t471, t140.mul_add(t467, t139 * t378));
+                let t473 = cos_q5
+                    .mul_neg_add(
+                        t471,
+                        T::from_f64(58.35506475215265).mul_neg_add(t459, t73 * t467),
+                    );
+                let t474 = cos_q6.mul_neg_add(t462, sin_q6 * t461);
+                let t475 = sin_q6.mul_add(t462, cos_q6 * t461);
+                let t476 = t141.mul_add(t475, sin_q5 * t474);
+                let t477 = t150.mul_add(t476, t476);
+                let t478 = t162.mul_add(t477, t159.mul_add(t476, t476));
+                let t479 = t475
+                    .mul_add(
+                        t195,
+                        t167
+                            .mul_add(
+                                t478,
+                                t153.mul_add(t477, t149.mul_add(t476, t99 * t474)),
+                            ),
+                    );
                 let t480 = t168 * t479;
-                let t481 = t164 * t478 + t167 * t480;
-                let t482 = t152 * t477 + t153 * t480 + t162 * t481;
-                let t483 = t144 * t476 + t149 * t480 + t159 * t481 + t150 * t482;
+                let t481 = t167.mul_add(t480, t164 * t478);
+                let t482 = t162.mul_add(t481, t153.mul_add(t480, t152 * t477));
+                let t483 = t150
+                    .mul_add(t482, t159.mul_add(t481, t149.mul_add(t480, t144 * t476)));
                 let t484 = t483 + (t481 + t482);
-                let t485 = t73 * t480 - cos_q5 * t484;
-                let t486 = t139 * t475 + t140 * t480 + t141 * t484;
+                let t485 = cos_q5.mul_neg_add(t484, t73 * t480);
+                let t486 = t141.mul_add(t484, t140.mul_add(t480, t139 * t475));
                 (
                     t306,
                     t307,
@@ -1847,59 +2313,109 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let (sin_q4, cos_q4) = q_q4.sin_cos();
             let t2 = T::from_f64(0.00697606230375) * sin_q4;
             let [(sin_q6, cos_q6), (sin_q2, cos_q2)] = q_q6.sin_cos_pair(q_q2);
-            let t3 = T::from_f64(0.0085682365725) * qd_q6 * qd_q6
-                + qd_q5 * qd_q5
-                    * (T::from_f64(0.126621)
-                        - T::from_f64(0.0083427634275) * sin_q6 * sin_q6);
+            let t3 = (qd_q5 * qd_q5)
+                .mul_add(
+                    (T::from_f64(0.0083427634275) * sin_q6)
+                        .mul_neg_add(sin_q6, T::from_f64(0.126621)),
+                    T::from_f64(0.0085682365725) * qd_q6 * qd_q6,
+                );
             let t4 = sin_q6 * qd_q1;
             let [(sin_q5, cos_q5), (sin_q3, cos_q3)] = q_q5.sin_cos_pair(q_q3);
             let t5 = sin_q6 * sin_q5;
             let t6 = T::from_f64(0.016685526855) * t5;
-            let t7 = cos_q5 * t0 + qd_q5 * cos_q6 * t6;
+            let t7 = (qd_q5 * cos_q6).mul_add(t6, cos_q5 * t0);
             let t8 = t5 * t6;
             let t9 = T::from_f64(0.0083427634275) * t5 * t5;
             let t10 = T::from_f64(0.24116530937475) + t8 - t2;
             let t11 = t9 - t2;
-            let t12 = t3 + qd_q4 * (t7 + qd_q4 * (T::from_f64(0.120582654687375) + t9))
-                + qd_q3
-                    * (t7 + qd_q4 * t10 + qd_q3 * (T::from_f64(0.41840863052475) + t11));
-            let t13 = sin_q3 * cos_q4 + sin_q4 * cos_q3;
+            let t12 = qd_q3
+                .mul_add(
+                    qd_q3
+                        .mul_add(
+                            T::from_f64(0.41840863052475) + t11,
+                            qd_q4.mul_add(t10, t7),
+                        ),
+                    qd_q4
+                        .mul_add(
+                            qd_q4.mul_add(T::from_f64(0.120582654687375) + t9, t7),
+                            t3,
+                        ),
+                );
+            let t13 = sin_q4.mul_add(cos_q3, sin_q3 * cos_q4);
             let t14 = T::from_f64(0.007558512375) * t13;
-            let t15 = t14 - T::from_f64(0.679472691875) * cos_q3;
-            let t16 = t7 + qd_q4 * (t10 - t14)
-                + qd_q3
-                    * (T::from_f64(0.8368172610495) + t8
-                        - T::from_f64(0.0139521246075) * sin_q4 - t15);
-            let t17 = cos_q4 * cos_q3 - sin_q4 * sin_q3;
-            let t18 = cos_q3 * sin_q2 + sin_q3 * cos_q2;
+            let t15 = T::from_f64(0.679472691875).mul_neg_add(cos_q3, t14);
+            let t16 = qd_q3
+                .mul_add(
+                    T::from_f64(0.0139521246075)
+                        .mul_neg_add(sin_q4, T::from_f64(0.8368172610495) + t8) - t15,
+                    qd_q4.mul_add(t10 - t14, t7),
+                );
+            let t17 = sin_q4.mul_neg_add(sin_q3, cos_q4 * cos_q3);
+            let t18 = sin_q3.mul_add(cos_q2, cos_q3 * sin_q2);
             let t19 = T::from_f64(0.07714261911625) * t18;
-            let t20 = cos_q2 * t17 - t13 * sin_q2;
-            let t21 = sin_q2 * t17 + t13 * cos_q2;
-            let t22 = qd_q2 * (T::from_f64(0.408499208875) * sin_q2 + t19) + qd_q3 * t19
-                + (T::from_f64(0.00194120382525) * t1 - T::from_f64(0.253242) * qd_q5)
-                    * t20;
-            let t23 = t21 * t4 + cos_q5 * (t1 * t5 + cos_q6 * (qd_q5 - qd_q1 * t20));
+            let t20 = t13.mul_neg_add(sin_q2, cos_q2 * t17);
+            let t21 = t13.mul_add(cos_q2, sin_q2 * t17);
+            let t22 = T::from_f64(0.253242)
+                .mul_neg_add(qd_q5, T::from_f64(0.00194120382525) * t1)
+                .mul_add(
+                    t20,
+                    qd_q3
+                        .mul_add(
+                            t19,
+                            qd_q2 * T::from_f64(0.408499208875).mul_add(sin_q2, t19),
+                        ),
+                );
+            let t23 = cos_q5
+                .mul_add(
+                    cos_q6.mul_add(qd_q1.mul_neg_add(t20, qd_q5), t1 * t5),
+                    t21 * t4,
+                );
             let t24 = T::from_f64(0.016685526855)
-                * (t20 * (qd_q5 * sin_q6 - cos_q6 * sin_q5 * t1) + t21 * t23);
-            let t25 = cos_q3 * cos_q2 - sin_q3 * sin_q2;
+                * t21
+                    .mul_add(
+                        t23,
+                        t20 * (cos_q6 * sin_q5).mul_neg_add(t1, qd_q5 * sin_q6),
+                    );
+            let t25 = sin_q3.mul_neg_add(sin_q2, cos_q3 * cos_q2);
             let t26 = sin_q5 * t21;
-            let t27 = T::from_f64(1.50883415126375)
-                + T::from_f64(0.679472691875) * cos_q2 * t25
-                - T::from_f64(0.877509769205) * sin_q2 * sin_q2
-                - T::from_f64(0.295778475837375) * t18 * t18;
+            let t27 = (T::from_f64(0.295778475837375) * t18)
+                .mul_neg_add(
+                    t18,
+                    (T::from_f64(0.877509769205) * sin_q2)
+                        .mul_neg_add(
+                            sin_q2,
+                            (T::from_f64(0.679472691875) * cos_q2)
+                                .mul_add(t25, T::from_f64(1.50883415126375)),
+                        ),
+                );
             let t28 = qd_q1
-                * (t27
-                    - t21
-                        * (T::from_f64(0.007558512375) * cos_q2
-                            + T::from_f64(0.00697606230375) * t25
-                            + T::from_f64(0.115748345312625) * t21));
-            let t29 = t22 + t28
-                + sin_q6
-                    * (t24
-                        - (T::from_f64(0.0083427634275)
-                            + T::from_f64(0.0083427634275) * t26 * t26) * t4);
-            t12 + qd_q2 * (t16 + qd_q2 * (T::from_f64(1.30347209972975) + t11 - t15))
-                + qd_q1 * (t29 - t0 * t26)
+                * t21
+                    .mul_neg_add(
+                        T::from_f64(0.115748345312625)
+                            .mul_add(
+                                t21,
+                                T::from_f64(0.00697606230375)
+                                    .mul_add(t25, T::from_f64(0.007558512375) * cos_q2),
+                            ),
+                        t27,
+                    );
+            let t29 = sin_q6
+                .mul_add(
+                    (T::from_f64(0.0083427634275) * t26)
+                        .mul_add(t26, T::from_f64(0.0083427634275))
+                        .mul_neg_add(t4, t24),
+                    t22 + t28,
+                );
+            qd_q1
+                .mul_add(
+                    t0.mul_neg_add(t26, t29),
+                    qd_q2
+                        .mul_add(
+                            qd_q2
+                                .mul_add(T::from_f64(1.30347209972975) + t11 - t15, t16),
+                            t12,
+                        ),
+                )
         }
         #[inline]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 12>) -> T {
@@ -1907,8 +2423,16 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t0 = q_q2 + q_q3;
             let (_, cos1) = (q_q4 + t0).sin_cos();
             let [(sin_q2, _), (sin2, _)] = q_q2.sin_cos_pair(t0);
-            T::from_f64(14.863711066281) - T::from_f64(43.486969725) * sin_q2
-                - T::from_f64(15.68382848775) * sin2 - T::from_f64(0.17446825035) * cos1
+            T::from_f64(0.17446825035)
+                .mul_neg_add(
+                    cos1,
+                    T::from_f64(15.68382848775)
+                        .mul_neg_add(
+                            sin2,
+                            T::from_f64(43.486969725)
+                                .mul_neg_add(sin_q2, T::from_f64(14.863711066281)),
+                        ),
+                )
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -1928,42 +2452,58 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t2 = T::from_f64(0.016685526855) * t0;
             let t3 = T::from_f64(0.253242) - t2;
             let [(sin_q2, cos_q2), (sin_q3, cos_q3)] = q_q2.sin_cos_pair(q_q3);
-            let t4 = cos_q2 * cos_q3 - sin_q2 * sin_q3;
-            let t5 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+            let t4 = sin_q2.mul_neg_add(sin_q3, cos_q2 * cos_q3);
+            let t5 = cos_q2.mul_add(sin_q3, sin_q2 * cos_q3);
             let [(sin_q4, cos_q4), (sin_q5, cos_q5)] = q_q4.sin_cos_pair(q_q5);
-            let t6 = cos_q3 * cos_q4 - sin_q3 * sin_q4;
-            let t7 = sin_q3 * cos_q4 + cos_q3 * sin_q4;
-            let t8 = sin_q2 * t6 + cos_q2 * t7;
-            let t9 = cos_q2 * t6 - sin_q2 * t7;
+            let t6 = sin_q3.mul_neg_add(sin_q4, cos_q3 * cos_q4);
+            let t7 = cos_q3.mul_add(sin_q4, sin_q3 * cos_q4);
+            let t8 = cos_q2.mul_add(t7, sin_q2 * t6);
+            let t9 = sin_q2.mul_neg_add(t7, cos_q2 * t6);
             let t10 = -(T::from_f64(0.017136473145) * t8 * sin_q5);
             let t11 = T::from_f64(0.016685526855) * sin_q5;
             let t12 = sin_q5 * t11;
             let t13 = t11 * t1;
-            let t14 = t8
-                * ((T::from_f64(0.03337105371) - t12) * t0
-                    - T::from_f64(0.23149669062525))
-                - T::from_f64(0.01511702475) * cos_q2
-                - T::from_f64(0.0139521246075) * t4;
-            let t15 = T::from_f64(3.0176683025275)
-                + T::from_f64(1.35894538375) * cos_q2 * t4
-                + t8 * (t14 - T::from_f64(0.03337105371) * cos_q5 * t9 * t1);
-            let t16 = t15 - T::from_f64(1.75501953841) * sin_q2 * sin_q2
-                - T::from_f64(0.59155695167475) * t5 * t5 - t2;
+            let t14 = T::from_f64(0.0139521246075)
+                .mul_neg_add(
+                    t4,
+                    T::from_f64(0.01511702475)
+                        .mul_neg_add(
+                            cos_q2,
+                            t8
+                                * (T::from_f64(0.03337105371) - t12)
+                                    .mul_sub(t0, T::from_f64(0.23149669062525)),
+                        ),
+                );
+            let t15 = t8
+                .mul_add(
+                    (T::from_f64(0.03337105371) * cos_q5 * t9).mul_neg_add(t1, t14),
+                    (T::from_f64(1.35894538375) * cos_q2)
+                        .mul_add(t4, T::from_f64(3.0176683025275)),
+                );
+            let t16 = (T::from_f64(0.59155695167475) * t5)
+                .mul_neg_add(
+                    t5,
+                    (T::from_f64(1.75501953841) * sin_q2).mul_neg_add(sin_q2, t15),
+                ) - t2;
             let t17 = cos_q5 * (T::from_f64(0.016685526855) * t8);
-            let t18 = t1 * t17 + t9 * (t2 - T::from_f64(0.253242));
-            let t19 = sin_q5 * t0 * t17 + t9 * (T::from_f64(0.00194120382525) - t13);
-            let t20 = T::from_f64(0.07714261911625) * t5 + t19;
-            let t21 = T::from_f64(0.408499208875) * sin_q2 + t20;
+            let t18 = t9.mul_add(t2 - T::from_f64(0.253242), t1 * t17);
+            let t19 = t9.mul_add(T::from_f64(0.00194120382525) - t13, sin_q5 * t0 * t17);
+            let t20 = T::from_f64(0.07714261911625).mul_add(t5, t19);
+            let t21 = T::from_f64(0.408499208875).mul_add(sin_q2, t20);
             let t22 = t12 * t0;
             let t23 = T::from_f64(0.0139521246075) * sin_q4;
-            let t24 = T::from_f64(2.6069441994595) + T::from_f64(1.35894538375) * cos_q3
-                + t22 - T::from_f64(0.01511702475) * t7 - t23;
+            let t24 = T::from_f64(0.01511702475)
+                .mul_neg_add(
+                    t7,
+                    T::from_f64(1.35894538375)
+                        .mul_add(cos_q3, T::from_f64(2.6069441994595)) + t22,
+                ) - t23;
             let t25 = T::from_f64(0.007558512375) * t7;
             let t26 = T::from_f64(0.8368172610495) + t22;
-            let t27 = T::from_f64(0.679472691875) * cos_q3 - t25 - (t23 - t26);
+            let t27 = T::from_f64(0.679472691875).mul_sub(cos_q3, t25) - (t23 - t26);
             let t28 = t26 - t23;
             let t29 = T::from_f64(0.24116530937475) + t22;
-            let t30 = t29 - T::from_f64(0.00697606230375) * sin_q4;
+            let t30 = T::from_f64(0.00697606230375).mul_neg_add(sin_q4, t29);
             let t31 = T::from_f64(0.017136473145) * cos_q5;
             let t32 = t30 - t25;
             let a0 = t16;
@@ -2019,9 +2559,9 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t10 = T::from_f64(0.13585) * t2;
             let t11 = qd_q1 * qd_q2;
             let t12 = T::from_f64(2.0) * t11;
-            let t13 = t11 + qd_q1 * qd_q3;
+            let t13 = qd_q1.mul_add(qd_q3, t11);
             let t14 = t13 + t8;
-            let t15 = t13 + qd_q1 * qd_q4;
+            let t15 = qd_q1.mul_add(qd_q4, t13);
             let t16 = qd_q1 * t4;
             let t17 = t15 + t16;
             let t18 = qd_q2 * qd_q2;
@@ -2033,10 +2573,10 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t23 = T::from_f64(4.4329225) * cos_q2;
             let t24 = T::from_f64(1.75501953841) * cos_q2 * sin_q2;
             let t25 = T::from_f64(0.425) * sin_q2;
-            let t26 = T::from_f64(0.1197) * t2 - t10 - t12 * t25;
-            let t27 = T::from_f64(-9.81) - t18 * t25;
+            let t26 = t12.mul_neg_add(t25, T::from_f64(0.1197).mul_sub(t2, t10));
+            let t27 = t18.mul_neg_add(t25, T::from_f64(-9.81));
             let t28 = T::from_f64(0.10510116377025) * sin20 * cos20;
-            let t29 = qd_q5 - qd_q1 * cos20;
+            let t29 = qd_q1.mul_neg_add(cos20, qd_q5);
             let t30 = qd_q1 * sin20;
             let t31 = cos20 * t15;
             let t32 = sin20 * t15;
@@ -2048,46 +2588,79 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t38 = t5 * t33;
             let [(sin39, cos39), (sin_q5, cos_q5)] = t0.sin_cos_pair(q_q5);
             let t40 = T::from_f64(1.598759275) * cos39;
-            let t41 = t22 - t9 * t40;
+            let t41 = t9.mul_neg_add(t40, t22);
             let t42 = T::from_f64(0.59155695167475) * sin39 * cos39;
             let t43 = T::from_f64(0.051322656825) * cos39;
-            let t44 = t23 * t10 + t12 * t24 + t42 * t14 + t43 * (t2 - t9);
+            let t44 = t43
+                .mul_add(t2 - t9, t42.mul_add(t14, t12.mul_add(t24, t23 * t10)));
             let t45 = T::from_f64(0.39225) * sin39;
-            let t46 = cos_q5 * t30 + t4 * sin_q5;
-            let t47 = t4 * cos_q5 - sin_q5 * t30;
-            let t48 = cos_q6 * t29 + sin_q6 * t46;
-            let t49 = cos_q6 * t46 - t29 * sin_q6;
+            let t46 = t4.mul_add(sin_q5, cos_q5 * t30);
+            let t47 = sin_q5.mul_neg_add(t30, t4 * cos_q5);
+            let t48 = sin_q6.mul_add(t46, cos_q6 * t29);
+            let t49 = t29.mul_neg_add(sin_q6, cos_q6 * t46);
             let t50 = t48 * t49;
-            let t51 = sin_q5 * t31 + qd_q5 * t46;
-            let t52 = T::from_f64(0.000225473145) * (t50 - t51)
-                - T::from_f64(0.016911) * (t50 + t51);
-            let t53 = t52 - T::from_f64(0.10971) * (t51 + t29 * t46);
-            let t54 = cos_q5 * t31 + qd_q5 * t47;
+            let t51 = qd_q5.mul_add(t46, sin_q5 * t31);
+            let t52 = T::from_f64(0.016911)
+                .mul_neg_add(t50 + t51, T::from_f64(0.000225473145) * (t50 - t51));
+            let t53 = T::from_f64(0.10971).mul_neg_add(t29.mul_add(t46, t51), t52);
+            let t54 = qd_q5.mul_add(t47, cos_q5 * t31);
             let t55 = t46 * t47;
             let t56 = qd_q6 + (t47 + qd_q6);
-            let t57 = T::from_f64(0.016911) * (cos_q6 * t32 + sin_q6 * t54 + t49 * t56);
+            let t57 = T::from_f64(0.016911)
+                * t49.mul_add(t56, sin_q6.mul_add(t54, cos_q6 * t32));
             let t58 = T::from_f64(0.000225473145)
-                * (sin_q6 * t32 + t48 * t56 - cos_q6 * t54);
-            let t59 = T::from_f64(0.126621) * (t54 + t29 * t47) + sin_q6 * t57
-                - cos_q6 * t58;
-            let t60 = T::from_f64(0.10971) * (t32 + t55) + cos_q6 * t57 + sin_q6 * t58
-                - T::from_f64(0.126621) * (t55 - t32);
-            let t61 = t44 + t21 * (t26 - t14 * t45) + t28 * t17
-                + sin20 * (sin_q5 * t53 - cos_q5 * t59);
+                * cos_q6.mul_neg_add(t54, t48.mul_add(t56, sin_q6 * t32));
+            let t59 = cos_q6
+                .mul_neg_add(
+                    t58,
+                    sin_q6.mul_add(t57, T::from_f64(0.126621) * t29.mul_add(t47, t54)),
+                );
+            let t60 = T::from_f64(0.126621)
+                .mul_neg_add(
+                    t55 - t32,
+                    sin_q6
+                        .mul_add(
+                            t58,
+                            cos_q6.mul_add(t57, T::from_f64(0.10971) * (t32 + t55)),
+                        ),
+                );
+            let t61 = sin20
+                .mul_add(
+                    cos_q5.mul_neg_add(t59, sin_q5 * t53),
+                    t28.mul_add(t17, t21.mul_add(t14.mul_neg_add(t45, t26), t44)),
+                );
             let t62 = T::from_f64(0.39225) * cos39;
-            let t63 = t33 * (t37 + t9 * t62) + t28 * (t6 - t5) + sin_q5 * t59;
-            let t64 = t63 + cos_q5 * t53 - t21 * (t27 - t7 * t45) - t36 * (t15 - t16);
+            let t63 = sin_q5
+                .mul_add(t59, t28.mul_add(t6 - t5, t33 * t9.mul_add(t62, t37)));
+            let t64 = t36
+                .mul_neg_add(
+                    t15 - t16,
+                    t21.mul_neg_add(t7.mul_neg_add(t45, t27), cos_q5.mul_add(t53, t63)),
+                );
             let t65 = T::from_f64(1.598759275) * sin39;
-            let t66 = t40 * t27 + t65 * t37 + t43 * (t13 - t8) + t42 * (t9 - t7);
-            let t67 = t61 + cos20 * t60 + t62 * t34 + t35 * (t34 + t14 * t65);
-            let t68 = t66 + t64 - t62 * t38 - t45 * t22;
-            let t69 = t24 * (t19 - t18) + t68 - T::from_f64(43.486969725) * cos_q2
-                - t35 * (t38 + t7 * t65);
-            let t70 = t67 + T::from_f64(0.13585) * (t41 - t23 * t19)
-                - T::from_f64(0.19371331275) * cos_q2 * (t2 - t19);
+            let t66 = t42
+                .mul_add(t9 - t7, t43.mul_add(t13 - t8, t65.mul_add(t37, t40 * t27)));
+            let t67 = t35
+                .mul_add(
+                    t14.mul_add(t65, t34),
+                    t62.mul_add(t34, cos20.mul_add(t60, t61)),
+                );
+            let t68 = t45.mul_neg_add(t22, t62.mul_neg_add(t38, t66 + t64));
+            let t69 = t35
+                .mul_neg_add(
+                    t7.mul_add(t65, t38),
+                    T::from_f64(43.486969725)
+                        .mul_neg_add(cos_q2, t24.mul_add(t19 - t18, t68)),
+                );
+            let t70 = (T::from_f64(0.19371331275) * cos_q2)
+                .mul_neg_add(
+                    t2 - t19,
+                    T::from_f64(0.13585).mul_add(t23.mul_neg_add(t19, t41), t67),
+                );
             ::pendulum_core::nalgebra::SVector::from([
-                T::from_f64(0.1197) * t41 - (t70 - t40 * t26 - t36 * (t2 - t6)),
-                t69 - t25 * t41,
+                T::from_f64(0.1197)
+                    .mul_sub(t41, t36.mul_neg_add(t2 - t6, t40.mul_neg_add(t26, t70))),
+                t25.mul_neg_add(t41, t69),
                 t68,
                 t64,
                 t60,
@@ -2109,59 +2682,93 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let (sin_q6, cos_q6) = q_q6.sin_cos();
             let t2 = T::from_f64(0.016685526855) * sin_q6;
             let [(sin_q2, cos_q2), (sin_q3, cos_q3)] = q_q2.sin_cos_pair(q_q3);
-            let t3 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+            let t3 = cos_q2.mul_add(sin_q3, sin_q2 * cos_q3);
             let t4 = T::from_f64(0.07714261911625) * t3;
-            let t5 = T::from_f64(0.408499208875) * sin_q2 + t4;
-            let t6 = cos_q3 * cos_q2 - sin_q2 * sin_q3;
-            let t7 = T::from_f64(3.0176683025275)
-                + T::from_f64(1.35894538375) * cos_q2 * t6
-                - T::from_f64(1.75501953841) * sin_q2 * sin_q2
-                - T::from_f64(0.59155695167475) * t3 * t3;
+            let t5 = T::from_f64(0.408499208875).mul_add(sin_q2, t4);
+            let t6 = sin_q2.mul_neg_add(sin_q3, cos_q3 * cos_q2);
+            let t7 = (T::from_f64(0.59155695167475) * t3)
+                .mul_neg_add(
+                    t3,
+                    (T::from_f64(1.75501953841) * sin_q2)
+                        .mul_neg_add(
+                            sin_q2,
+                            (T::from_f64(1.35894538375) * cos_q2)
+                                .mul_add(t6, T::from_f64(3.0176683025275)),
+                        ),
+                );
             let [(sin_q4, cos_q4), (sin_q5, cos_q5)] = q_q4.sin_cos_pair(q_q5);
-            let t8 = cos_q3 * cos_q4 - sin_q3 * sin_q4;
-            let t9 = sin_q3 * cos_q4 + cos_q3 * sin_q4;
-            let t10 = cos_q2 * t8 - sin_q2 * t9;
-            let t11 = sin_q2 * t8 + cos_q2 * t9;
+            let t8 = sin_q3.mul_neg_add(sin_q4, cos_q3 * cos_q4);
+            let t9 = cos_q3.mul_add(sin_q4, sin_q3 * cos_q4);
+            let t10 = sin_q2.mul_neg_add(t9, cos_q2 * t8);
+            let t11 = cos_q2.mul_add(t9, sin_q2 * t8);
             let t12 = qd_q1
-                * (t7
-                    - t11
-                        * (T::from_f64(0.01511702475) * cos_q2
-                            + T::from_f64(0.0139521246075) * t6
-                            + T::from_f64(0.23149669062525) * t11));
-            let t13 = qd_q2 * t5 + t4 * qd_q3
-                + (T::from_f64(0.00194120382525) * t0 - T::from_f64(0.253242) * qd_q5)
-                    * t10;
+                * t11
+                    .mul_neg_add(
+                        T::from_f64(0.23149669062525)
+                            .mul_add(
+                                t11,
+                                T::from_f64(0.0139521246075)
+                                    .mul_add(t6, T::from_f64(0.01511702475) * cos_q2),
+                            ),
+                        t7,
+                    );
+            let t13 = T::from_f64(0.253242)
+                .mul_neg_add(qd_q5, T::from_f64(0.00194120382525) * t0)
+                .mul_add(t10, t4.mul_add(qd_q3, qd_q2 * t5));
             let t14 = t11 * sin_q6;
             let t15 = t10 * cos_q6;
             let t16 = t11 * qd_q1;
-            let t17 = t0 * cos_q5 - sin_q5 * t16;
-            let t18 = qd_q5 * (t10 * sin_q6 + t11 * cos_q6 * cos_q5)
-                + sin_q5 * (t14 * t17 - t0 * t15);
-            let t19 = T::from_f64(0.03337105371) * (t14 - cos_q5 * t15) * t16
-                + T::from_f64(0.016685526855) * (t18 - qd_q1 * sin_q6);
-            let t20 = sin_q5 * t0 + cos_q5 * t16;
-            let t21 = T::from_f64(0.24116530937475)
-                - T::from_f64(0.00697606230375) * sin_q4;
+            let t17 = sin_q5.mul_neg_add(t16, t0 * cos_q5);
+            let t18 = sin_q5
+                .mul_add(
+                    t0.mul_neg_add(t15, t14 * t17),
+                    qd_q5 * (t11 * cos_q6).mul_add(cos_q5, t10 * sin_q6),
+                );
+            let t19 = T::from_f64(0.016685526855)
+                .mul_add(
+                    qd_q1.mul_neg_add(sin_q6, t18),
+                    T::from_f64(0.03337105371) * cos_q5.mul_neg_add(t15, t14) * t16,
+                );
+            let t20 = cos_q5.mul_add(t16, sin_q5 * t0);
+            let t21 = T::from_f64(0.00697606230375)
+                .mul_neg_add(sin_q4, T::from_f64(0.24116530937475));
             let t22 = T::from_f64(0.007558512375) * t9;
             let t23 = t21 - t22;
             let t24 = T::from_f64(0.00194120382525) * t10;
-            let t25 = qd_q5 - t10 * qd_q1;
-            let t26 = t1 * cos_q5 + sin_q5 * (sin_q6 * t20 + cos_q6 * t25) * t2;
+            let t25 = t10.mul_neg_add(qd_q1, qd_q5);
+            let t26 = (sin_q5 * cos_q6.mul_add(t25, sin_q6 * t20))
+                .mul_add(t2, t1 * cos_q5);
             let t27 = T::from_f64(0.0139521246075) * sin_q4;
             let t28 = T::from_f64(0.8368172610495) - t27;
-            let t29 = T::from_f64(0.679472691875) * cos_q3 + t28 - t22;
-            let t30 = qd_q4 * t23 + qd_q1 * (t5 + t24) + qd_q3 * t29
-                + qd_q2
-                    * (T::from_f64(2.6069441994595) + T::from_f64(1.35894538375) * cos_q3
-                        - t27 - T::from_f64(0.01511702475) * t9);
-            let t31 = qd_q4 * t21 + qd_q3 * t28 + qd_q1 * (t4 + t24) + qd_q2 * t29;
+            let t29 = T::from_f64(0.679472691875).mul_add(cos_q3, t28) - t22;
+            let t30 = qd_q2
+                .mul_add(
+                    T::from_f64(0.01511702475)
+                        .mul_neg_add(
+                            t9,
+                            T::from_f64(1.35894538375)
+                                .mul_add(cos_q3, T::from_f64(2.6069441994595)) - t27,
+                        ),
+                    qd_q3.mul_add(t29, qd_q1.mul_add(t5 + t24, qd_q4 * t23)),
+                );
+            let t31 = qd_q2
+                .mul_add(t29, qd_q1.mul_add(t4 + t24, qd_q3.mul_add(t28, qd_q4 * t21)));
             ::pendulum_core::nalgebra::SVector::from([
-                t13 + t12 + sin_q6 * t19 - sin_q5 * t1 * t11,
+                (sin_q5 * t1).mul_neg_add(t11, sin_q6.mul_add(t19, t13 + t12)),
                 t30 + t26,
                 t31 + t26,
-                qd_q3 * t21 + T::from_f64(0.24116530937475) * qd_q4 + qd_q1 * t24
-                    + qd_q2 * t23 + t26,
-                T::from_f64(0.253242) * t25 + (cos_q6 * t20 - sin_q6 * t25) * t2,
+                qd_q2
+                    .mul_add(
+                        t23,
+                        qd_q1
+                            .mul_add(
+                                t24,
+                                T::from_f64(0.24116530937475).mul_add(qd_q4, qd_q3 * t21),
+                            ),
+                    ) + t26,
+                sin_q6
+                    .mul_neg_add(t25, cos_q6 * t20)
+                    .mul_add(t2, T::from_f64(0.253242) * t25),
                 T::from_f64(0.017136473145) * (qd_q6 + t17),
             ])
         }
@@ -2186,7 +2793,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t5 = T::from_f64(0.13585) * t0;
             let t6 = qd_q1 * qd_q2;
             let t7 = T::from_f64(2.0) * t6;
-            let t8 = t6 + qd_q1 * qd_q3;
+            let t8 = qd_q1.mul_add(qd_q3, t6);
             let t9 = t3 + q_q4;
             let (sin10, cos10) = t9.sin_cos();
             let t11 = T::from_f64(0.001653980355) * sin10;
@@ -2198,30 +2805,30 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t17 = t4 + qdd_q4;
             let t18 = T::from_f64(0.017784735) * sin10;
             let t19 = T::from_f64(0.017784735) * cos10;
-            let t20 = t18 * t15 - t17 * t19;
+            let t20 = t17.mul_neg_add(t19, t18 * t15);
             let t21 = t12 * t12;
             let t22 = qd_q1 * t12;
             let t23 = t0 + t21;
-            let t24 = t8 + qd_q1 * qd_q4;
+            let t24 = qd_q1.mul_add(qd_q4, t8);
             let t25 = qd_q1 * t13;
             let t26 = t24 + t25;
-            let t27 = t26 * t19 + qdd_q1 * t18;
+            let t27 = qdd_q1.mul_add(t18, t26 * t19);
             let t28 = t8 + t22;
             let t29 = T::from_f64(0.10510116377025) * cos10;
             let t30 = cos10 * t29;
             let t31 = sin10 * t29;
             let t32 = T::from_f64(0.00460883622975) + t30;
-            let t33 = qd_q5 - qd_q1 * cos10;
+            let t33 = qd_q1.mul_neg_add(cos10, qd_q5);
             let t34 = qd_q1 * sin10;
-            let t35 = cos10 * t24 + qdd_q1 * sin10;
-            let t36 = qdd_q5 + sin10 * t24 - qdd_q1 * cos10;
+            let t35 = qdd_q1.mul_add(sin10, cos10 * t24);
+            let t36 = qdd_q1.mul_neg_add(cos10, sin10.mul_add(t24, qdd_q5));
             let t37 = T::from_f64(0.13585) * qdd_q1;
-            let t38 = t14 * t19 + t18 * t17;
+            let t38 = t18.mul_add(t17, t14 * t19);
             let [(sin39, cos39), (sin_q6, cos_q6)] = t3.sin_cos_pair(q_q6);
             let t40 = T::from_f64(0.051322656825) * sin39;
             let t41 = T::from_f64(1.598759275) * cos39;
             let t42 = T::from_f64(1.598759275) * sin39;
-            let t43 = t20 - t23 * t41 - t4 * t42;
+            let t43 = t4.mul_neg_add(t42, t23.mul_neg_add(t41, t20));
             let t44 = T::from_f64(0.59155695167475) * cos39;
             let t45 = cos39 * t44;
             let t46 = sin39 * t44;
@@ -2232,61 +2839,154 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let [(sin_q2, cos_q2), (sin_q5, cos_q5)] = q_q2.sin_cos_pair(q_q5);
             let t51 = T::from_f64(0.425) * cos_q2;
             let t52 = T::from_f64(0.425) * sin_q2;
-            let t53 = T::from_f64(0.1197) * t0 + qdd_q1 * t51 - t5 - t7 * t52;
-            let t54 = T::from_f64(0.19371331275) * cos_q2 * (t0 - t2) + t40 * t4
-                + t41 * t53 + t11 * (t0 - t15);
-            let t55 = t54 + t16 * t17 + T::from_f64(0.1197) * t43
-                + t51 * (qdd_q1 * t41 - t27 - t28 * t42);
+            let t53 = t7
+                .mul_neg_add(t52, qdd_q1.mul_add(t51, T::from_f64(0.1197) * t0) - t5);
+            let t54 = t11
+                .mul_add(
+                    t0 - t15,
+                    t41
+                        .mul_add(
+                            t53,
+                            t40
+                                .mul_add(
+                                    t4,
+                                    T::from_f64(0.19371331275) * cos_q2 * (t0 - t2),
+                                ),
+                        ),
+                );
+            let t55 = t51
+                .mul_add(
+                    t28.mul_neg_add(t42, qdd_q1.mul_sub(t41, t27)),
+                    T::from_f64(0.1197).mul_add(t43, t16.mul_add(t17, t54)),
+                );
             let t56 = T::from_f64(1.75501953841) * cos_q2;
             let t57 = cos_q2 * t56;
             let t58 = sin_q2 * t56;
             let t59 = T::from_f64(0.0075537) + t57;
             let t60 = T::from_f64(4.4329225) * cos_q2;
             let t61 = T::from_f64(0.19371331275) * sin_q2;
-            let t62 = t55 + qdd_q1 * (T::from_f64(0.29853861244275) + t59 + t47 + t32)
-                - t60 * t5 - qdd_q2 * t61;
-            let t63 = t62 - t7 * t58 - t48 * (t0 - t23) - t46 * t28
-                - t18 * (t53 + qdd_q1 * t49 - t28 * t50);
-            let t64 = cos_q5 * t34 + t13 * sin_q5;
-            let t65 = t13 * cos_q5 - sin_q5 * t34;
-            let t66 = cos_q6 * t33 + sin_q6 * t64;
-            let t67 = cos_q6 * t64 - t33 * sin_q6;
+            let t62 = qdd_q2
+                .mul_neg_add(
+                    t61,
+                    t60
+                        .mul_neg_add(
+                            t5,
+                            qdd_q1
+                                .mul_add(
+                                    T::from_f64(0.29853861244275) + t59 + t47 + t32,
+                                    t55,
+                                ),
+                        ),
+                );
+            let t63 = t18
+                .mul_neg_add(
+                    t28.mul_neg_add(t50, qdd_q1.mul_add(t49, t53)),
+                    t46
+                        .mul_neg_add(
+                            t28,
+                            t48.mul_neg_add(t0 - t23, t7.mul_neg_add(t58, t62)),
+                        ),
+                );
+            let t64 = t13.mul_add(sin_q5, cos_q5 * t34);
+            let t65 = sin_q5.mul_neg_add(t34, t13 * cos_q5);
+            let t66 = sin_q6.mul_add(t64, cos_q6 * t33);
+            let t67 = t33.mul_neg_add(sin_q6, cos_q6 * t64);
             let t68 = t66 * t67;
-            let t69 = t17 * cos_q5 - sin_q5 * t35 - qd_q5 * t64;
-            let t70 = qd_q5 * t65 + cos_q5 * t35 + t17 * sin_q5;
+            let t69 = qd_q5.mul_neg_add(t64, sin_q5.mul_neg_add(t35, t17 * cos_q5));
+            let t70 = t17.mul_add(sin_q5, cos_q5.mul_add(t35, qd_q5 * t65));
             let t71 = qdd_q6 + t69;
-            let t72 = T::from_f64(0.000225473145) * (t68 + t71)
-                - T::from_f64(0.016911) * (t68 - t71);
-            let t73 = t72 - T::from_f64(0.10971) * (t33 * t64 - t69);
+            let t72 = T::from_f64(0.016911)
+                .mul_neg_add(t68 - t71, T::from_f64(0.000225473145) * (t68 + t71));
+            let t73 = T::from_f64(0.10971).mul_neg_add(t33.mul_sub(t64, t69), t72);
             let t74 = t64 * t65;
             let t75 = qd_q6 + (t65 + qd_q6);
-            let t76 = T::from_f64(0.016911) * (cos_q6 * t36 + sin_q6 * t70 + t67 * t75);
+            let t76 = T::from_f64(0.016911)
+                * t67.mul_add(t75, sin_q6.mul_add(t70, cos_q6 * t36));
             let t77 = T::from_f64(0.000225473145)
-                * (sin_q6 * t36 + t66 * t75 - cos_q6 * t70);
-            let t78 = T::from_f64(0.126621) * (t33 * t65 + t70) + sin_q6 * t76
-                - cos_q6 * t77;
-            let t79 = T::from_f64(0.10971) * (t36 + t74) + cos_q6 * t76 + sin_q6 * t77
-                - T::from_f64(0.126621) * (t74 - t36);
-            let t80 = t63 - t31 * t26 - sin10 * (sin_q5 * t73 - cos_q5 * t78)
-                - cos10 * t79;
-            let t81 = t31 * (t15 - t14) + qdd_q1 * t16 + sin_q5 * t78 + cos_q5 * t73;
+                * cos_q6.mul_neg_add(t70, t66.mul_add(t75, sin_q6 * t36));
+            let t78 = cos_q6
+                .mul_neg_add(
+                    t77,
+                    sin_q6.mul_add(t76, T::from_f64(0.126621) * t33.mul_add(t65, t70)),
+                );
+            let t79 = T::from_f64(0.126621)
+                .mul_neg_add(
+                    t74 - t36,
+                    sin_q6
+                        .mul_add(
+                            t77,
+                            cos_q6.mul_add(t76, T::from_f64(0.10971) * (t36 + t74)),
+                        ),
+                );
+            let t80 = cos10
+                .mul_neg_add(
+                    t79,
+                    sin10
+                        .mul_neg_add(
+                            cos_q5.mul_neg_add(t78, sin_q5 * t73),
+                            t31.mul_neg_add(t26, t63),
+                        ),
+                );
+            let t81 = cos_q5
+                .mul_add(
+                    t73,
+                    sin_q5.mul_add(t78, qdd_q1.mul_add(t16, t31 * (t15 - t14))),
+                );
             let t82 = T::from_f64(4.4329225) * sin_q2;
-            let t83 = qdd_q2 * t51 - t1 * t52 - T::from_f64(9.81);
-            let t84 = t81 + t17 * (t32 + (T::from_f64(0.10971) - t30))
-                - t11 * (t24 - t25) - t18 * (t83 + t4 * t49 - t21 * t50);
-            let t85 = t41 * t83 + t46 * (t23 - t21) + t48 * (t8 - t22) + qdd_q1 * t40;
-            let t86 = T::from_f64(0.1197) * qdd_q1 - t37 - t2 * t51 - qdd_q2 * t52;
-            let t87 = t84 - t19 * (t86 - t23 * t49 - t4 * t50);
-            let t88 = t85 + t87 + t4 * (t47 + (T::from_f64(0.59360445167475) - t45))
-                - t42 * t86 - t49 * t38;
-            let t89 = t88 - t50 * t20;
-            let t90 = t82 * t37 + t58 * (t2 - t1) + t89
-                + t51 * (t4 * t41 - t38 - t21 * t42);
-            let t91 = t90 + qdd_q2 * (t59 + (T::from_f64(1.76257323841) - t57))
-                - T::from_f64(43.486969725) * cos_q2 - qdd_q1 * t61;
+            let t83 = t1.mul_neg_add(t52, qdd_q2 * t51) - T::from_f64(9.81);
+            let t84 = t18
+                .mul_neg_add(
+                    t21.mul_neg_add(t50, t4.mul_add(t49, t83)),
+                    t11
+                        .mul_neg_add(
+                            t24 - t25,
+                            t17.mul_add(t32 + (T::from_f64(0.10971) - t30), t81),
+                        ),
+                );
+            let t85 = qdd_q1
+                .mul_add(t40, t48.mul_add(t8 - t22, t46.mul_add(t23 - t21, t41 * t83)));
+            let t86 = qdd_q2
+                .mul_neg_add(
+                    t52,
+                    t2.mul_neg_add(t51, T::from_f64(0.1197).mul_sub(qdd_q1, t37)),
+                );
+            let t87 = t19
+                .mul_neg_add(t4.mul_neg_add(t50, t23.mul_neg_add(t49, t86)), t84);
+            let t88 = t49
+                .mul_neg_add(
+                    t38,
+                    t42
+                        .mul_neg_add(
+                            t86,
+                            t4
+                                .mul_add(
+                                    t47 + (T::from_f64(0.59360445167475) - t45),
+                                    t85 + t87,
+                                ),
+                        ),
+                );
+            let t89 = t50.mul_neg_add(t20, t88);
+            let t90 = t51
+                .mul_add(
+                    t21.mul_neg_add(t42, t4.mul_sub(t41, t38)),
+                    t58.mul_add(t2 - t1, t82 * t37) + t89,
+                );
+            let t91 = qdd_q1
+                .mul_neg_add(
+                    t61,
+                    T::from_f64(43.486969725)
+                        .mul_neg_add(
+                            cos_q2,
+                            qdd_q2.mul_add(t59 + (T::from_f64(1.76257323841) - t57), t90),
+                        ),
+                );
             ::pendulum_core::nalgebra::SVector::from([
-                t80 - t49 * t27 - T::from_f64(0.13585) * (t43 - t60 * t2 - qdd_q2 * t82),
-                t91 - t52 * t43,
+                T::from_f64(0.13585)
+                    .mul_neg_add(
+                        qdd_q2.mul_neg_add(t82, t60.mul_neg_add(t2, t43)),
+                        t49.mul_neg_add(t27, t80),
+                    ),
+                t52.mul_neg_add(t43, t91),
                 t89,
                 t87,
                 t79,
@@ -2513,16 +3213,16 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                     let t36 = qd_q1 * qd_q2;
                     let t37 = T::from_f64(0.85) * t36;
                     let t38 = T::from_f64(2.0) * t36;
-                    let t39 = t36 + qd_q1 * qd_q3;
+                    let t39 = qd_q1.mul_add(qd_q3, t36);
                     let t40 = t11 - t17;
                     let t41 = t17 - t15;
                     let t42 = t10 * t15;
                     let t43 = T::from_f64(0.001653980355) * t40;
                     let t44 = T::from_f64(0.39225) * t42;
                     let t45 = T::from_f64(0.001653980355) * sin2;
-                    let t46 = qd_q5 - cos2 * qd_q1;
+                    let t46 = cos2.mul_neg_add(qd_q1, qd_q5);
                     let t47 = sin2 * qd_q1;
-                    let t48 = t39 + qd_q1 * qd_q4;
+                    let t48 = qd_q1.mul_add(qd_q4, t39);
                     let t49 = cos2 * t48;
                     let t50 = sin2 * t9;
                     let t51 = sin2 * t48;
@@ -2572,12 +3272,12 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                     let t95 = T::from_f64(0.425) * t94;
                     let t96 = T::from_f64(0.39225) * sin68;
                     let t97 = t10 * t96;
-                    let t98 = t19 - t84 * t25;
+                    let t98 = t84.mul_neg_add(t25, t19);
                     let t99 = T::from_f64(0.425) * t98;
                     let t100 = T::from_f64(0.051322656825) * cos68;
-                    let t101 = t42 + t93 * t21;
+                    let t101 = t93.mul_add(t21, t42);
                     let t102 = T::from_f64(0.425) * t101;
-                    let t103 = t93 * t59 + t64;
+                    let t103 = t93.mul_add(t59, t64);
                     let t104 = T::from_f64(0.425) * t103;
                     let [(sin_q5, cos_q5), (sin_q2, cos_q2)] = q_q5.sin_cos_pair(q_q2);
                     let t105 = cos_q5 * t90;
@@ -2588,7 +3288,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                     let t110 = T::from_f64(0.85) * sin_q2;
                     let t111 = cos_q5 * t78;
                     let t112 = t111 * sin2;
-                    let t113 = t112 - cos2 * t82;
+                    let t113 = cos2.mul_neg_add(t82, t112);
                     let t114 = t78 * sin_q5;
                     let t115 = t113 * t83;
                     let t116 = T::from_f64(0.425) * cos_q2;
@@ -2600,115 +3300,215 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                     let t122 = cos_q5 * t105;
                     let t123 = T::from_f64(0.126621) + t122;
                     let t124 = t123 - t81;
-                    let t125 = cos2 * t124 - T::from_f64(2.0) * t112;
+                    let t125 = T::from_f64(2.0).mul_neg_add(t112, cos2 * t124);
                     let t126 = cos2 * (t9 + t125);
                     let t127 = T::from_f64(0.00460883622975) + t81 + t126;
                     let t128 = T::from_f64(0.10971) + t123 - t126;
-                    let t129 = T::from_f64(0.0020475) + t88 + t127
-                        - T::from_f64(2.0) * t92;
+                    let t129 = T::from_f64(2.0)
+                        .mul_neg_add(t92, T::from_f64(0.0020475) + t88 + t127);
                     let t130 = t127 + t128;
-                    let t131 = T::from_f64(0.59360445167475) + t128
-                        + T::from_f64(2.0) * t97 - t88;
-                    let t132 = T::from_f64(2.0) * t117 + (T::from_f64(0.0075537) + t119)
-                        + t129;
+                    let t131 = T::from_f64(2.0)
+                        .mul_add(t97, T::from_f64(0.59360445167475) + t128) - t88;
+                    let t132 = T::from_f64(2.0)
+                        .mul_add(t117, T::from_f64(0.0075537) + t119) + t129;
                     let t133 = sin2 * sin_q5;
-                    let t134 = cos2 * (T::from_f64(0.001653980355) - t114) - t105 * t133;
+                    let t134 = t105
+                        .mul_neg_add(t133, cos2 * (T::from_f64(0.001653980355) - t114));
                     let t135 = t83 * t114;
-                    let t136 = t114 * t135
-                        - T::from_f64(0.017136473145) * cos_q5 * cos_q5;
+                    let t136 = (T::from_f64(0.017136473145) * cos_q5)
+                        .mul_neg_add(cos_q5, t114 * t135);
                     let t137 = t130 + t97 - t92 + t136;
                     let t138 = T::from_f64(-1.0) / (t130 + t136);
                     let t139 = t129 + t131 + t136;
                     let t140 = T::from_f64(0.017136473145) * t133;
-                    let t141 = t113 * t135 + cos_q5 * t140;
-                    let t142 = T::from_f64(0.00028722347025) * cos2 + t134 + t141;
-                    let t143 = t134 + T::from_f64(0.051322656825) * sin68
-                        - T::from_f64(0.1197) * t94 + t141;
+                    let t141 = cos_q5.mul_add(t140, t113 * t135);
+                    let t142 = T::from_f64(0.00028722347025).mul_add(cos2, t134) + t141;
+                    let t143 = T::from_f64(0.1197)
+                        .mul_neg_add(
+                            t94,
+                            T::from_f64(0.051322656825).mul_add(sin68, t134),
+                        ) + t141;
                     let t144 = t142 * t138;
                     let t145 = t138 * t137;
-                    let t146 = T::from_f64(0.13585) * t94 + t142 * t145 + t143;
-                    let t147 = T::from_f64(-1.0) / (t137 * t145 + t139);
+                    let t146 = t142.mul_add(t145, T::from_f64(0.13585) * t94) + t143;
+                    let t147 = T::from_f64(-1.0) / t137.mul_add(t145, t139);
                     let t148 = t146 * t147;
-                    let t149 = t113 * t115 + (T::from_f64(0.29853861244275) + t80) + t132
-                        + t142 * t144 + t146 * t148;
+                    let t149 = t146
+                        .mul_add(
+                            t148,
+                            t142
+                                .mul_add(
+                                    t144,
+                                    t113.mul_add(t115, T::from_f64(0.29853861244275) + t80)
+                                        + t132,
+                                ),
+                        );
                     let t150 = T::from_f64(0.425) * sin_q2;
-                    let t151 = t10 * t150 + t137 - t116 * t8;
-                    let t152 = T::from_f64(0.1197) * t11 - t35 - t150 * t38;
-                    let t153 = T::from_f64(-9.81) - t150 * t28;
-                    let t154 = t153 - t96 * t21;
+                    let t151 = t116.mul_neg_add(t8, t10.mul_add(t150, t137));
+                    let t152 = t150
+                        .mul_neg_add(t38, T::from_f64(0.1197).mul_sub(t11, t35));
+                    let t153 = t150.mul_neg_add(t28, T::from_f64(-9.81));
+                    let t154 = t96.mul_neg_add(t21, t153);
                     let t155 = T::from_f64(1.598759275) * t152;
                     let t156 = T::from_f64(1.598759275) * t153;
                     let t157 = T::from_f64(0.017784735) * t154;
                     let t158 = t138 * t151;
                     let t159 = t94 * t150;
-                    let t160 = t117 + t159 + t145 * t151 + t139;
+                    let t160 = t145.mul_add(t151, t117 + t159) + t139;
                     let t161 = t147 * t160;
-                    let t162 = T::from_f64(1.76257323841) + t132 + t131
-                        + T::from_f64(2.0) * t159 + t151 * t158 + t160 * t161;
-                    let t163 = T::from_f64(0.13585)
-                        * (t94 + T::from_f64(4.4329225) * sin_q2) + t142 * t158
-                        + t146 * t161 + t143;
+                    let t162 = t160
+                        .mul_add(
+                            t161,
+                            t151
+                                .mul_add(
+                                    t158,
+                                    T::from_f64(2.0)
+                                        .mul_add(t159, T::from_f64(1.76257323841) + t132 + t131),
+                                ),
+                        );
+                    let t163 = t146
+                        .mul_add(
+                            t161,
+                            t142
+                                .mul_add(
+                                    t158,
+                                    T::from_f64(0.13585)
+                                        * T::from_f64(4.4329225).mul_add(sin_q2, t94),
+                                ),
+                        ) + t143;
                     let t164 = T::from_f64(-1.0) / (t162 + t136 - t119);
-                    let t165 = t163 - T::from_f64(0.19371331275) * sin_q2;
+                    let t165 = T::from_f64(0.19371331275).mul_neg_add(sin_q2, t163);
                     let t166 = t165 * t164;
                     let t167 = T::from_f64(-1.0)
-                        / (t149 + t165 * t166 - t122 - t133 * t140);
+                        / t133.mul_neg_add(t140, t165.mul_add(t166, t149) - t122);
                     let t168 = T::from_f64(0.19371331275) * cos_q2;
-                    let t169 = sin_q5 * t14 + cos_q5 * t47;
-                    let t170 = cos_q5 * t14 - sin_q5 * t47;
-                    let t171 = cos_q6 * t46 + sin_q6 * t169;
-                    let t172 = cos_q6 * t169 - sin_q6 * t46;
+                    let t169 = cos_q5.mul_add(t47, sin_q5 * t14);
+                    let t170 = sin_q5.mul_neg_add(t47, cos_q5 * t14);
+                    let t171 = sin_q6.mul_add(t169, cos_q6 * t46);
+                    let t172 = sin_q6.mul_neg_add(t46, cos_q6 * t169);
                     let t173 = t171 * t172;
-                    let t174 = sin_q5 * t49 + qd_q5 * t169;
-                    let t175 = T::from_f64(0.000225473145) * (t173 - t174)
-                        - T::from_f64(0.016911) * (t173 + t174);
-                    let t176 = T::from_f64(0.1197) * t98 + t168 * t33 + t84 * t152
-                        + t40 * t45 + t133 * t175;
-                    let t177 = t175 - T::from_f64(0.10971) * (t174 + t46 * t169);
-                    let t178 = cos_q5 * t49 + qd_q5 * t170;
+                    let t174 = qd_q5.mul_add(t169, sin_q5 * t49);
+                    let t175 = T::from_f64(0.016911)
+                        .mul_neg_add(
+                            t173 + t174,
+                            T::from_f64(0.000225473145) * (t173 - t174),
+                        );
+                    let t176 = t133
+                        .mul_add(
+                            t175,
+                            t40
+                                .mul_add(
+                                    t45,
+                                    t84
+                                        .mul_add(t152, t168.mul_add(t33, T::from_f64(0.1197) * t98)),
+                                ),
+                        );
+                    let t177 = T::from_f64(0.10971)
+                        .mul_neg_add(t46.mul_add(t169, t174), t175);
+                    let t178 = qd_q5.mul_add(t170, cos_q5 * t49);
                     let t179 = t169 * t170;
-                    let t180 = t152 - t96 * t59;
+                    let t180 = t96.mul_neg_add(t59, t152);
                     let t181 = T::from_f64(0.017784735) * t180;
                     let t182 = t116 * t30;
-                    let t183 = t182 + t91 * t25;
+                    let t183 = t91.mul_add(t25, t182);
                     let t184 = T::from_f64(1.598759275) * t182;
                     let t185 = T::from_f64(0.017784735) * t183;
                     let t186 = qd_q6 + qd_q6 + t170;
                     let t187 = T::from_f64(0.016911)
-                        * (cos_q6 * t51 + sin_q6 * t178 + t186 * t172);
+                        * t186.mul_add(t172, sin_q6.mul_add(t178, cos_q6 * t51));
                     let t188 = T::from_f64(0.000225473145)
-                        * (sin_q6 * t51 + t171 * t186 - cos_q6 * t178);
-                    let t189 = T::from_f64(0.126621) * (t178 + t46 * t170)
-                        + sin_q6 * t187 - cos_q6 * t188;
-                    let t190 = sin_q6 * t188 + T::from_f64(0.10971) * (t51 + t179)
-                        + cos_q6 * t187 - T::from_f64(0.126621) * (t179 - t51);
-                    let t191 = cos_q5 * t177 + t10 * t183 + t50 * t41 + sin_q5 * t189
-                        - t8 * t154;
-                    let t192 = t191 - t45 * t53;
-                    let t193 = t192 + t89 * t57 + t84 * t153 + t93 * t182 + t100 * t58;
-                    let t194 = sin_q5 * t177 - cos_q5 * t189;
-                    let t195 = cos_q5 * t175 - t135 * t190;
-                    let t196 = t193 - t91 * t42 - t96 * t19 - t195;
+                        * cos_q6.mul_neg_add(t178, t171.mul_add(t186, sin_q6 * t51));
+                    let t189 = cos_q6
+                        .mul_neg_add(
+                            t188,
+                            sin_q6
+                                .mul_add(
+                                    t187,
+                                    T::from_f64(0.126621) * t46.mul_add(t170, t178),
+                                ),
+                        );
+                    let t190 = T::from_f64(0.126621)
+                        .mul_neg_add(
+                            t179 - t51,
+                            cos_q6
+                                .mul_add(
+                                    t187,
+                                    T::from_f64(0.10971).mul_add(t51 + t179, sin_q6 * t188),
+                                ),
+                        );
+                    let t191 = t8
+                        .mul_neg_add(
+                            t154,
+                            sin_q5
+                                .mul_add(
+                                    t189,
+                                    t50.mul_add(t41, t10.mul_add(t183, cos_q5 * t177)),
+                                ),
+                        );
+                    let t192 = t45.mul_neg_add(t53, t191);
+                    let t193 = t100
+                        .mul_add(
+                            t58,
+                            t93.mul_add(t182, t84.mul_add(t153, t89.mul_add(t57, t192))),
+                        );
+                    let t194 = cos_q5.mul_neg_add(t189, sin_q5 * t177);
+                    let t195 = t135.mul_neg_add(t190, cos_q5 * t175);
+                    let t196 = t96.mul_neg_add(t19, t91.mul_neg_add(t42, t193)) - t195;
                     let t197 = t192 - t195;
-                    let t198 = t145 * t197 + t196;
-                    let t199 = t120 * t63 + t158 * t197 + t161 * t198 + t196
-                        - T::from_f64(43.486969725) * cos_q2;
-                    let t200 = t199 - t116 * t101 - t150 * t98;
-                    let t201 = t176 + t144 * t197 + t148 * t198 + t166 * t200
-                        + t190 * (t115 - cos2);
+                    let t198 = t145.mul_add(t197, t196);
+                    let t199 = T::from_f64(43.486969725)
+                        .mul_neg_add(
+                            cos_q2,
+                            t161.mul_add(t198, t158.mul_add(t197, t120 * t63)) + t196,
+                        );
+                    let t200 = t150.mul_neg_add(t98, t116.mul_neg_add(t101, t199));
+                    let t201 = t190
+                        .mul_add(
+                            t115 - cos2,
+                            t166
+                                .mul_add(t200, t148.mul_add(t198, t144.mul_add(t197, t176))),
+                        );
                     let t202 = T::from_f64(4.4329225) * cos_q2;
-                    let t203 = t201 - T::from_f64(0.13585) * (t98 - t202 * t30)
-                        - t116 * t103 - t91 * t64;
-                    let t204 = t203 - t54 * t50 - t8 * t180 - t100 * t66 - t59 * t89;
-                    let t205 = t167 * (t204 - t202 * t35 - t38 * t120 - sin2 * t194);
-                    let t206 = t164 * t200 + t166 * t205;
-                    let t207 = t147 * t198 + t148 * t205 + t161 * t206;
-                    let t208 = t138 * t197 + t144 * t205 + t158 * t206 + t145 * t207;
+                    let t203 = t91
+                        .mul_neg_add(
+                            t64,
+                            t116
+                                .mul_neg_add(
+                                    t103,
+                                    T::from_f64(0.13585)
+                                        .mul_neg_add(t202.mul_neg_add(t30, t98), t201),
+                                ),
+                        );
+                    let t204 = t59
+                        .mul_neg_add(
+                            t89,
+                            t100
+                                .mul_neg_add(
+                                    t66,
+                                    t8.mul_neg_add(t180, t54.mul_neg_add(t50, t203)),
+                                ),
+                        );
+                    let t205 = t167
+                        * sin2
+                            .mul_neg_add(
+                                t194,
+                                t38.mul_neg_add(t120, t202.mul_neg_add(t35, t204)),
+                            );
+                    let t206 = t166.mul_add(t205, t164 * t200);
+                    let t207 = t161.mul_add(t206, t148.mul_add(t205, t147 * t198));
+                    let t208 = t145
+                        .mul_add(
+                            t207,
+                            t158.mul_add(t206, t144.mul_add(t205, t138 * t197)),
+                        );
                     let t209 = T::from_f64(0.017136473145) * t206;
                     let t210 = t208 + (t206 + t207);
-                    let t211 = t133 * t205 - T::from_f64(58.35506475215265) * t175
-                        - cos_q5 * t210;
-                    let t212 = t83 * t190 + t115 * t205 + t135 * t210;
+                    let t211 = cos_q5
+                        .mul_neg_add(
+                            t210,
+                            T::from_f64(58.35506475215265).mul_neg_add(t175, t133 * t205),
+                        );
+                    let t212 = t135.mul_add(t210, t115.mul_add(t205, t83 * t190));
                     let t213 = T::from_f64(0.017136473145) * t211;
                     let t214 = T::from_f64(0.017136473145) * t207;
                     let t215 = T::from_f64(0.017136473145) * t208;
@@ -2913,211 +3713,344 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t6 = t1 + t5;
                 let t7 = x1 + x2;
                 let t8 = x3 + t7;
-                let t9 = over_order * s0 + t8 * h41;
-                let t10 = h48 * t6 + (T::from_f64(0.017784735) * s3 + h104 * t9);
+                let t9 = t8.mul_add(h41, over_order * s0);
+                let t10 = h48
+                    .mul_add(t6, h104.mul_add(t9, T::from_f64(0.017784735) * s3));
                 let t11 = t2 * h31;
                 let t12 = t11 + (s5 + t11);
-                let t13 = t2 * h0 + (s16 + x6 * h31);
+                let t13 = t2.mul_add(h0, x6.mul_add(h31, s16));
                 let t14 = t1 + t12;
-                let t15 = over_order * s4 + t7 * h12;
+                let t15 = t7.mul_add(h12, over_order * s4);
                 let t16 = t10
-                    - (h27 * t14 + (T::from_f64(1.598759275) * s6 - h105 * t15));
-                let t17 = over_order * s7 + x1 * h10;
-                let t18 = over_order * s10 + x1 * h11;
-                let t19 = h26 * t18 + (T::from_f64(1.75501953841) * s11 - h34 * t17);
-                let t20 = x7 * h0 + (s9 + x6 * h1);
-                let t21 = h76 * t1 + (T::from_f64(0.602212521625) * s8 - h106 * t17)
-                    + (h22 * t19 + (T::from_f64(2.0) * s12 + h107 * t20));
-                let t22 = t20 + (x8 * h0 + (s15 + x6 * h2));
-                let t23 = T::from_f64(0.1197) * t1 - T::from_f64(0.13585) * t1
-                    - (h77 * t20 + (T::from_f64(0.85) * s19 + h78 * t18));
+                    - h27
+                        .mul_add(
+                            t14,
+                            h105.mul_neg_add(t15, T::from_f64(1.598759275) * s6),
+                        );
+                let t17 = x1.mul_add(h10, over_order * s7);
+                let t18 = x1.mul_add(h11, over_order * s10);
+                let t19 = h26
+                    .mul_add(
+                        t18,
+                        h34.mul_neg_add(t17, T::from_f64(1.75501953841) * s11),
+                    );
+                let t20 = x7.mul_add(h0, x6.mul_add(h1, s9));
+                let t21 = h76
+                    .mul_add(t1, h106.mul_neg_add(t17, T::from_f64(0.602212521625) * s8))
+                    + h22.mul_add(t19, h107.mul_add(t20, T::from_f64(2.0) * s12));
+                let t22 = t20 + x8.mul_add(h0, x6.mul_add(h2, s15));
+                let t23 = T::from_f64(0.13585).mul_neg_add(t1, T::from_f64(0.1197) * t1)
+                    - h77.mul_add(t20, h78.mul_add(t18, T::from_f64(0.85) * s19));
                 let t24 = t22 + t13;
                 let t25 = t22 - t13;
-                let t26 = x9 * h0 + (s24 + x6 * h3) + t22;
-                let t27 = over_order * s13 + t7 * h13;
+                let t26 = x9.mul_add(h0, x6.mul_add(h3, s24)) + t22;
+                let t27 = t7.mul_add(h13, over_order * s13);
                 let t28 = order * t7;
-                let t29 = h30 * t27 + (T::from_f64(0.59155695167475) * s14 - h35 * t15);
+                let t29 = h30
+                    .mul_add(
+                        t27,
+                        h35.mul_neg_add(t15, T::from_f64(0.59155695167475) * s14),
+                    );
                 let t30 = t1 - t14;
-                let t31 = t21 + (h59 * t24 + (s17 + h32 * t29))
-                    + (h29 * t30 + (T::from_f64(0.051322656825) * s18 - h108 * t15));
-                let t32 = t23 - (h17 * t24 + (T::from_f64(0.39225) * s20 + h79 * t27));
-                let t33 = t3 * h0 + (s25 + x6 * h68);
+                let t31 = t21 + h59.mul_add(t24, h32.mul_add(t29, s17))
+                    + h29
+                        .mul_add(
+                            t30,
+                            h108.mul_neg_add(t15, T::from_f64(0.051322656825) * s18),
+                        );
+                let t32 = t23
+                    - h17.mul_add(t24, h79.mul_add(t27, T::from_f64(0.39225) * s20));
+                let t33 = t3.mul_add(h0, x6.mul_add(h68, s25));
                 let t34 = t26 + t33;
                 let t35 = t26 - t33;
-                let t36 = over_order * s22 + t8 * h44;
+                let t36 = t8.mul_add(h44, over_order * s22);
                 let t37 = order * t8;
-                let t38 = h42 * t9 + (T::from_f64(0.10510116377025) * s23 - h66 * t36);
+                let t38 = h42
+                    .mul_add(
+                        t9,
+                        h66.mul_neg_add(t36, T::from_f64(0.10510116377025) * s23),
+                    );
                 let t39 = t31
-                    + (h48 * t32 + (T::from_f64(0.017784735) * s21 + h109 * t9))
-                    + (h60 * t34 + (s26 + h69 * t38));
-                let t40 = h55 * t34 + (T::from_f64(0.017784735) * s65 - h110 * t36);
-                let t41 = h28 * t24 + (T::from_f64(1.598759275) * s20 + h84 * t27) + t40;
-                let t42 = x6 * h44 + (s33 + h0 * t9);
-                let t43 = over_order * s32 + x4 * h18;
-                let t44 = over_order * s27 + x4 * h19;
-                let t45 = h19 * t42 + (s34 - h57 * t43) + (t3 * h18 + (s35 + h68 * t44));
-                let t46 = t3 * h19 + (s46 - h68 * t43) - (h18 * t42 + (s47 + h57 * t44));
-                let t47 = over_order * s28 + x5 * h20;
-                let t48 = x10 - (x6 * h41 + (s29 - h0 * t36));
-                let t49 = over_order * s31 + x5 * h21;
-                let t50 = h21 * t45 + (s37 - h86 * t47)
-                    - (h20 * t48 + (s38 + h56 * t49));
-                let t51 = h21 * t48 + (s30 - h56 * t47)
-                    + (h20 * t45 + (s36 + h86 * t49));
-                let t52 = h87 * t50 + (s39 + h88 * t51);
-                let t53 = h41 * t26 + (s40 - h67 * t36);
-                let t54 = h44 * t26 + (s50 + h67 * t9);
-                let t55 = h18 * t53 + (s41 + h70 * t44) + (h4 * t45 + (s42 + x10 * h86));
-                let t56 = T::from_f64(0.000225473145) * (t52 - t55)
-                    - T::from_f64(0.016911) * (t52 + t55);
-                let t57 = t56
-                    - T::from_f64(0.10971) * (t55 + (h56 * t45 + (s43 + h86 * t48)));
-                let t58 = h19 * t53 + (s45 - h70 * t43) + (h4 * t46 + (s48 + x10 * h90));
-                let t59 = h86 * t46 + (s61 + h90 * t45);
-                let t60 = h21 * t54 + (s51 - h71 * t47)
-                    + (h20 * t58 + (s52 + h91 * t49));
+                    + h48.mul_add(t32, h109.mul_add(t9, T::from_f64(0.017784735) * s21))
+                    + h60.mul_add(t34, h69.mul_add(t38, s26));
+                let t40 = h55
+                    .mul_add(t34, h110.mul_neg_add(t36, T::from_f64(0.017784735) * s65));
+                let t41 = h28
+                    .mul_add(t24, h84.mul_add(t27, T::from_f64(1.598759275) * s20))
+                    + t40;
+                let t42 = x6.mul_add(h44, h0.mul_add(t9, s33));
+                let t43 = x4.mul_add(h18, over_order * s32);
+                let t44 = x4.mul_add(h19, over_order * s27);
+                let t45 = h19.mul_add(t42, h57.mul_neg_add(t43, s34))
+                    + t3.mul_add(h18, h68.mul_add(t44, s35));
+                let t46 = t3.mul_add(h19, h68.mul_neg_add(t43, s46))
+                    - h18.mul_add(t42, h57.mul_add(t44, s47));
+                let t47 = x5.mul_add(h20, over_order * s28);
+                let t48 = x10 - x6.mul_add(h41, h0.mul_neg_add(t36, s29));
+                let t49 = x5.mul_add(h21, over_order * s31);
+                let t50 = h21.mul_add(t45, h86.mul_neg_add(t47, s37))
+                    - h20.mul_add(t48, h56.mul_add(t49, s38));
+                let t51 = h21.mul_add(t48, h56.mul_neg_add(t47, s30))
+                    + h20.mul_add(t45, h86.mul_add(t49, s36));
+                let t52 = h87.mul_add(t50, h88.mul_add(t51, s39));
+                let t53 = h41.mul_add(t26, h67.mul_neg_add(t36, s40));
+                let t54 = h44.mul_add(t26, h67.mul_add(t9, s50));
+                let t55 = h18.mul_add(t53, h70.mul_add(t44, s41))
+                    + h4.mul_add(t45, x10.mul_add(h86, s42));
+                let t56 = T::from_f64(0.016911)
+                    .mul_neg_add(t52 + t55, T::from_f64(0.000225473145) * (t52 - t55));
+                let t57 = T::from_f64(0.10971)
+                    .mul_neg_add(t55 + h56.mul_add(t45, h86.mul_add(t48, s43)), t56);
+                let t58 = h19.mul_add(t53, h70.mul_neg_add(t43, s45))
+                    + h4.mul_add(t46, x10.mul_add(h90, s48));
+                let t59 = h86.mul_add(t46, h90.mul_add(t45, s61));
+                let t60 = h21.mul_add(t54, h71.mul_neg_add(t47, s51))
+                    + h20.mul_add(t58, h91.mul_add(t49, s52));
                 let t61 = x11 + (x11 + t46);
-                let t62 = t60 + (h88 * t61 + (s53 + h92 * t50));
-                let t63 = T::from_f64(0.126621) * (t58 + (h56 * t46 + (s49 + h90 * t48)))
-                    + (h80 * t62 + (T::from_f64(0.016911) * s54 + h93 * t49));
-                let t64 = h20 * t54 + (s55 + h71 * t49)
-                    + (h87 * t61 + (s56 + h92 * t51));
-                let t65 = t64 - (h21 * t58 + (s57 - h91 * t47));
+                let t62 = t60 + h88.mul_add(t61, h92.mul_add(t50, s53));
+                let t63 = T::from_f64(0.126621)
+                    .mul_add(
+                        t58 + h56.mul_add(t46, h90.mul_add(t48, s49)),
+                        h80.mul_add(t62, h93.mul_add(t49, T::from_f64(0.016911) * s54)),
+                    );
+                let t64 = h20.mul_add(t54, h71.mul_add(t49, s55))
+                    + h87.mul_add(t61, h92.mul_add(t51, s56));
+                let t65 = t64 - h21.mul_add(t58, h91.mul_neg_add(t47, s57));
                 let t66 = t63
-                    - (h81 * t65 + (T::from_f64(0.000225473145) * s58 - h94 * t47));
-                let t67 = T::from_f64(0.10971) * (t54 + t59)
-                    + (h82 * t62 + (T::from_f64(0.016911) * s62 - h93 * t47));
-                let t68 = t67
-                    + (h83 * t65 + (T::from_f64(0.000225473145) * s63 + h94 * t49))
-                    - T::from_f64(0.126621) * (t59 - t54);
-                let t69 = h33 * t49 + (T::from_f64(0.016685526855) * s80 - h36 * t47);
-                let t70 = h18 * t57 + (s44 + h89 * t44)
-                    - (h19 * t66 + (s59 - h95 * t43));
-                let t71 = t39 + (h44 * t70 + (s60 + h96 * t9))
-                    + (h41 * t68 + (s64 - h97 * t36));
-                let t72 = t71 + (h16 * t40 + (T::from_f64(0.39225) * s66 - h111 * t15))
-                    + (h14 * t41 + (T::from_f64(0.425) * s67 - h112 * t17));
+                    - h81
+                        .mul_add(
+                            t65,
+                            h94.mul_neg_add(t47, T::from_f64(0.000225473145) * s58),
+                        );
+                let t67 = T::from_f64(0.10971)
+                    .mul_add(
+                        t54 + t59,
+                        h82
+                            .mul_add(
+                                t62,
+                                h93.mul_neg_add(t47, T::from_f64(0.016911) * s62),
+                            ),
+                    );
+                let t68 = T::from_f64(0.126621)
+                    .mul_neg_add(
+                        t59 - t54,
+                        t67
+                            + h83
+                                .mul_add(
+                                    t65,
+                                    h94.mul_add(t49, T::from_f64(0.000225473145) * s63),
+                                ),
+                    );
+                let t69 = h33
+                    .mul_add(
+                        t49,
+                        h36.mul_neg_add(t47, T::from_f64(0.016685526855) * s80),
+                    );
+                let t70 = h18.mul_add(t57, h89.mul_add(t44, s44))
+                    - h19.mul_add(t66, h95.mul_neg_add(t43, s59));
+                let t71 = t39 + h44.mul_add(t70, h96.mul_add(t9, s60))
+                    + h41.mul_add(t68, h97.mul_neg_add(t36, s64));
+                let t72 = t71
+                    + h16.mul_add(t40, h111.mul_neg_add(t15, T::from_f64(0.39225) * s66))
+                    + h14.mul_add(t41, h112.mul_neg_add(t17, T::from_f64(0.425) * s67));
                 let t73 = x7 * h1;
                 let t74 = t73 + (s68 + t73);
                 let t75 = t1 + t74;
-                let t76 = t72
-                    + T::from_f64(0.13585)
-                        * (t16
-                            - (h24 * t75 + (T::from_f64(4.4329225) * s69 - h113 * t17)));
+                let t76 = T::from_f64(0.13585)
+                    .mul_add(
+                        t16
+                            - h24
+                                .mul_add(
+                                    t75,
+                                    h113.mul_neg_add(t17, T::from_f64(4.4329225) * s69),
+                                ),
+                        t72,
+                    );
                 let t77 = t1 - t75;
                 let t78 = t76
-                    - (h25 * t77 + (T::from_f64(0.19371331275) * s70 - h114 * t17))
-                    - (h27 * t23 + (T::from_f64(1.598759275) * s71 - h115 * t15));
+                    - h25
+                        .mul_add(
+                            t77,
+                            h114.mul_neg_add(t17, T::from_f64(0.19371331275) * s70),
+                        )
+                    - h27
+                        .mul_add(
+                            t23,
+                            h115.mul_neg_add(t15, T::from_f64(1.598759275) * s71),
+                        );
                 let t79 = t1 - t6;
-                let t80 = T::from_f64(0.1197) * t16
-                    - (t78
-                        - (h61 * t79 + (T::from_f64(0.001653980355) * s72 + h116 * t9)));
+                let t80 = T::from_f64(0.1197)
+                    .mul_sub(
+                        t16,
+                        t78
+                            - h61
+                                .mul_add(
+                                    t79,
+                                    h116.mul_add(t9, T::from_f64(0.001653980355) * s72),
+                                ),
+                    );
                 let t81 = t6 - t5;
-                let t82 = h55 * t5 + (T::from_f64(0.017784735) * s110 - h128 * t36);
+                let t82 = h55
+                    .mul_add(t5, h128.mul_neg_add(t36, T::from_f64(0.017784735) * s110));
                 let t83 = h33 * t47;
                 let t84 = -t47;
-                let t85 = T::from_f64(0.016685526855) * s73 - t83;
+                let t85 = T::from_f64(0.016685526855).mul_sub(s73, t83);
                 let t86 = t85 - t83;
                 let t87 = t83 - t85;
                 let t88 = h26 * t17;
-                let t89 = T::from_f64(1.75501953841) * s74 - t88 - t88;
+                let t89 = T::from_f64(1.75501953841).mul_sub(s74, t88) - t88;
                 let t90 = h30 * t15;
-                let t91 = T::from_f64(0.59155695167475) * s75 - t90 - t90;
+                let t91 = T::from_f64(0.59155695167475).mul_sub(s75, t90) - t90;
                 let t92 = h42 * t36;
-                let t93 = h19 * t86 + (s77 - h39 * t43);
-                let t94 = h19 * t93 + (s78 - h40 * t43);
+                let t93 = h19.mul_add(t86, h39.mul_neg_add(t43, s77));
+                let t94 = h19.mul_add(t93, h40.mul_neg_add(t43, s78));
                 let t95 = t94 - t87;
-                let t96 = h19 * t69 + (s81 - h45 * t43);
-                let t97 = h44 * t96 + (s82 + h46 * t9);
-                let t98 = h41 * t95 + (s79 - h43 * t36) - T::from_f64(2.0) * t97;
-                let t99 = T::from_f64(0.10510116377025) * s76 - t92 - t92
-                    + (h41 * t98 + (s83 - h47 * t36));
+                let t96 = h19.mul_add(t69, h45.mul_neg_add(t43, s81));
+                let t97 = h44.mul_add(t96, h46.mul_add(t9, s82));
+                let t98 = T::from_f64(2.0)
+                    .mul_neg_add(t97, h41.mul_add(t95, h43.mul_neg_add(t36, s79)));
+                let t99 = T::from_f64(0.10510116377025).mul_sub(s76, t92) - t92
+                    + h41.mul_add(t98, h47.mul_neg_add(t36, s83));
                 let t100 = t87 + t99;
-                let t101 = h45 * t44 + (s89 + h18 * t69);
-                let t102 = t97 - (h41 * t86 + (s94 - h50 * t36));
-                let t103 = t68 + (s133 + h5 * t102) + (s134 + h6 * t101)
-                    + (s135 + h7 * t101);
-                let t104 = t103 + (s136 + h8 * t101) + (s137 + h9 * t86);
+                let t101 = h45.mul_add(t44, h18.mul_add(t69, s89));
+                let t102 = t97 - h41.mul_add(t86, h50.mul_neg_add(t36, s94));
+                let t103 = t68 + h5.mul_add(t102, s133) + h6.mul_add(t101, s134)
+                    + h7.mul_add(t101, s135);
+                let t104 = t103 + h8.mul_add(t101, s136) + h9.mul_add(t86, s137);
                 let t105 = t94 - t99;
-                let t106 = h38 * t9 + (T::from_f64(0.00697606230375) * s84 - h117 * t15);
-                let t107 = t91 + t100 - T::from_f64(2.0) * t106;
+                let t106 = h38
+                    .mul_add(
+                        t9,
+                        h117.mul_neg_add(t15, T::from_f64(0.00697606230375) * s84),
+                    );
+                let t107 = T::from_f64(2.0).mul_neg_add(t106, t91 + t100);
                 let t108 = t100 + t105;
-                let t109 = T::from_f64(1.598759275) * t15
-                    + T::from_f64(0.017784735) * t9;
+                let t109 = T::from_f64(0.017784735)
+                    .mul_add(t9, T::from_f64(1.598759275) * t15);
                 let t110 = -t109;
-                let t111 = T::from_f64(0.425) * s85 - h118 * t17 - h14 * t109;
-                let t112 = t89 + t107 + T::from_f64(2.0) * t111;
+                let t111 = h14
+                    .mul_neg_add(t109, h118.mul_neg_add(t17, T::from_f64(0.425) * s85));
+                let t112 = T::from_f64(2.0).mul_add(t111, t89 + t107);
                 let t113 = t86 + t112 - t94;
-                let t114 = T::from_f64(1.598759275) * t27
-                    - T::from_f64(0.017784735) * t36;
-                let t115 = h44 * t44 + (s87 + h18 * t9);
-                let t116 = h40 * t115 + (s88 + h49 * t93)
-                    + (h41 * t101 + (s90 - h53 * t36));
-                let t117 = T::from_f64(0.001653980355) * t36 + t116;
-                let t118 = t56 - (T::from_f64(0.017136473145) * s138 + h138 * t115)
-                    + (T::from_f64(0.017136473145) * s139 - h73 * t43);
-                let t119 = t118 + (T::from_f64(0.017136473145) * s140 - h74 * t43)
-                    + (T::from_f64(0.017136473145) * s141 - h75 * t43);
-                let t120 = s123 + h9 * t101;
-                let t121 = T::from_f64(0.051322656825) * t27 - t117
-                    - T::from_f64(0.1197) * t114;
-                let t122 = t117 + T::from_f64(0.00028722347025) * t36;
-                let t123 = T::from_f64(0.13585) * (t114 + T::from_f64(4.4329225) * t18)
-                    + t121 - T::from_f64(0.19371331275) * t18;
-                let t124 = T::from_f64(0.13585) * t114 + t121;
-                let t125 = t80 + (s86 + h5 * t113) + (s91 + h6 * t123)
-                    + (s92 + h7 * t124);
-                let t126 = t125 + (s93 - h8 * t122) + (s95 + h9 * t102)
-                    - (T::from_f64(0.017136473145) * s96 + h23 * t115);
-                let t127 = h135 * t18 + (T::from_f64(0.425) * s117 + h15 * t114);
-                let t128 = T::from_f64(0.017136473145) * s124 - h23 * t43;
-                let t129 = h14 * t75 + (T::from_f64(0.425) * s69 - h121 * t17);
+                let t114 = T::from_f64(0.017784735)
+                    .mul_neg_add(t36, T::from_f64(1.598759275) * t27);
+                let t115 = h44.mul_add(t44, h18.mul_add(t9, s87));
+                let t116 = h40.mul_add(t115, h49.mul_add(t93, s88))
+                    + h41.mul_add(t101, h53.mul_neg_add(t36, s90));
+                let t117 = T::from_f64(0.001653980355).mul_add(t36, t116);
+                let t118 = t56 - h138.mul_add(t115, T::from_f64(0.017136473145) * s138)
+                    + h73.mul_neg_add(t43, T::from_f64(0.017136473145) * s139);
+                let t119 = t118
+                    + h74.mul_neg_add(t43, T::from_f64(0.017136473145) * s140)
+                    + h75.mul_neg_add(t43, T::from_f64(0.017136473145) * s141);
+                let t120 = h9.mul_add(t101, s123);
+                let t121 = T::from_f64(0.1197)
+                    .mul_neg_add(t114, T::from_f64(0.051322656825).mul_sub(t27, t117));
+                let t122 = T::from_f64(0.00028722347025).mul_add(t36, t117);
+                let t123 = T::from_f64(0.19371331275)
+                    .mul_neg_add(
+                        t18,
+                        T::from_f64(0.13585)
+                            .mul_add(T::from_f64(4.4329225).mul_add(t18, t114), t121),
+                    );
+                let t124 = T::from_f64(0.13585).mul_add(t114, t121);
+                let t125 = t80 + h5.mul_add(t113, s86) + h6.mul_add(t123, s91)
+                    + h7.mul_add(t124, s92);
+                let t126 = t125 + h8.mul_neg_add(t122, s93) + h9.mul_add(t102, s95)
+                    - h23.mul_add(t115, T::from_f64(0.017136473145) * s96);
+                let t127 = h135
+                    .mul_add(t18, h15.mul_add(t114, T::from_f64(0.425) * s117));
+                let t128 = h23.mul_neg_add(t43, T::from_f64(0.017136473145) * s124);
+                let t129 = h14
+                    .mul_add(t75, h121.mul_neg_add(t17, T::from_f64(0.425) * s69));
                 let t130 = t75 - t74;
-                let t131 = h15 * t74 + (T::from_f64(0.425) * s98 + h119 * t18);
+                let t131 = h15.mul_add(t74, h119.mul_add(t18, T::from_f64(0.425) * s98));
                 let t132 = -t131;
-                let t133 = h16 * t14 + (T::from_f64(0.39225) * s6 - h123 * t15) + t129;
-                let t134 = h55 * t133 + (T::from_f64(0.017784735) * s103 - h124 * t36)
-                    + (h60 * t81 + (s104 + h72 * t38));
-                let t135 = t134 + (h18 * t66 + (s105 + h95 * t44))
-                    + (h19 * t57 + (s106 - h89 * t43));
-                let t136 = T::from_f64(1.598759275) * s99 - h120 * t15 - h27 * t131
-                    + (h28 * t129 + (T::from_f64(1.598759275) * s100 + h122 * t27));
+                let t133 = h16
+                    .mul_add(t14, h123.mul_neg_add(t15, T::from_f64(0.39225) * s6))
+                    + t129;
+                let t134 = h55
+                    .mul_add(
+                        t133,
+                        h124.mul_neg_add(t36, T::from_f64(0.017784735) * s103),
+                    ) + h60.mul_add(t81, h72.mul_add(t38, s104));
+                let t135 = t134 + h18.mul_add(t66, h95.mul_add(t44, s105))
+                    + h19.mul_add(t57, h89.mul_neg_add(t43, s106));
+                let t136 = h27
+                    .mul_neg_add(
+                        t131,
+                        h120.mul_neg_add(t15, T::from_f64(1.598759275) * s99),
+                    )
+                    + h28
+                        .mul_add(
+                            t129,
+                            h122.mul_add(t27, T::from_f64(1.598759275) * s100),
+                        );
                 let t137 = t131
-                    + (h17 * t12 + (T::from_f64(0.39225) * s107 + h125 * t27));
+                    + h17.mul_add(t12, h125.mul_add(t27, T::from_f64(0.39225) * s107));
                 let t138 = t135
-                    - (T::from_f64(0.017784735) * s108 + h126 * t9 - h48 * t137)
-                    - (h61 * t35 + (T::from_f64(0.001653980355) * s109 + h127 * t9));
+                    - h48
+                        .mul_neg_add(
+                            t137,
+                            h126.mul_add(t9, T::from_f64(0.017784735) * s108),
+                        )
+                    - h61
+                        .mul_add(
+                            t35,
+                            h127.mul_add(t9, T::from_f64(0.001653980355) * s109),
+                        );
                 let t139 = -t137;
                 let t140 = t14 - t12;
                 let t141 = t136
-                    + (h29 * t25 + (T::from_f64(0.051322656825) * s101 - h85 * t15))
-                    + (h59 * t140 + (s102 + h62 * t29));
+                    + h29
+                        .mul_add(
+                            t25,
+                            h85.mul_neg_add(t15, T::from_f64(0.051322656825) * s101),
+                        ) + h59.mul_add(t140, h62.mul_add(t29, s102));
                 let t142 = t141 + t138
-                    - (h16 * t82 + (T::from_f64(0.39225) * s111 - h129 * t15))
-                    - (h17 * t10 + (T::from_f64(0.39225) * s112 + h130 * t27));
+                    - h16
+                        .mul_add(t82, h129.mul_neg_add(t15, T::from_f64(0.39225) * s111))
+                    - h17.mul_add(t10, h130.mul_add(t27, T::from_f64(0.39225) * s112));
                 let t143 = t82
-                    + (h28 * t12 + (T::from_f64(1.598759275) * s107 + h131 * t27));
-                let t144 = T::from_f64(43.486969725) * t17
-                    + (h58 * t130 + (s97 + h63 * t19) + t142)
-                    - (h14 * t143 + (T::from_f64(0.425) * s113 - h132 * t17));
-                let t145 = t144 - (h15 * t16 + (T::from_f64(0.425) * s114 + h133 * t18))
-                    + (s115 + h5 * t123);
-                let t146 = h134 * t27
-                    + (T::from_f64(0.00697606230375) * s116 - h65 * t36);
-                let t147 = t105 + T::from_f64(2.0) * t146 - t91;
+                    + h28
+                        .mul_add(
+                            t12,
+                            h131.mul_add(t27, T::from_f64(1.598759275) * s107),
+                        );
+                let t144 = T::from_f64(43.486969725)
+                    .mul_add(t17, h58.mul_add(t130, h63.mul_add(t19, s97)) + t142)
+                    - h14
+                        .mul_add(t143, h132.mul_neg_add(t17, T::from_f64(0.425) * s113));
+                let t145 = t144
+                    - h15.mul_add(t16, h133.mul_add(t18, T::from_f64(0.425) * s114))
+                    + h5.mul_add(t123, s115);
+                let t146 = h134
+                    .mul_add(
+                        t27,
+                        h65.mul_neg_add(t36, T::from_f64(0.00697606230375) * s116),
+                    );
+                let t147 = T::from_f64(2.0).mul_add(t146, t105) - t91;
                 let t148 = t146 + t108 - t106;
                 let t149 = t148
-                    + (h136 * t18 + (T::from_f64(0.007558512375) * s120 - h64 * t36))
-                    - (T::from_f64(0.007558512375) * s121 + h37 * t9 - h137 * t17);
-                let t150 = t112 + t147 + T::from_f64(2.0) * t127 - t89;
+                    + h136
+                        .mul_add(
+                            t18,
+                            h64.mul_neg_add(t36, T::from_f64(0.007558512375) * s120),
+                        )
+                    - h137
+                        .mul_neg_add(
+                            t17,
+                            h37.mul_add(t9, T::from_f64(0.007558512375) * s121),
+                        );
+                let t150 = T::from_f64(2.0).mul_add(t127, t112 + t147) - t89;
                 let t151 = t107 + t147;
                 let t152 = t111 + t127 + t151;
-                let t153 = t142 + (s125 + h5 * t124) + (s126 + h6 * t152)
-                    + (s127 + h7 * t151);
-                let t154 = t145 + (s118 + h6 * t150) + (s119 + h7 * t152)
-                    + (s122 + h8 * t149);
-                let t155 = t138 + (s129 - h5 * t122) + (s130 + h6 * t149)
-                    + (s131 + h7 * t148);
+                let t153 = t142 + h5.mul_add(t124, s125) + h6.mul_add(t152, s126)
+                    + h7.mul_add(t151, s127);
+                let t154 = t145 + h6.mul_add(t150, s118) + h7.mul_add(t152, s119)
+                    + h8.mul_add(t149, s122);
+                let t155 = t138 + h5.mul_neg_add(t122, s129) + h6.mul_add(t149, s130)
+                    + h7.mul_add(t148, s131);
                 let t156 = -t15;
                 let t157 = -t17;
                 let t158 = -t36;
@@ -3125,19 +4058,46 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t160 = -t122;
                 let t161 = h19 * t119;
                 let t162 = h54 * t104;
-                let t163 = t128 + (t120 + (t155 + (s132 + h8 * t108))) - t161 + t162;
-                let t164 = t128 + (t120 + (t153 + (s128 + h8 * t148))) - t161 + t162
-                    + h100 * t163;
-                let t165 = t154 + t120 + t128 - t161 + t162 + h99 * t163 + h102 * t164;
-                let t166 = t126 + h49 * t119 + h52 * t104 + h139 * t163 + h140 * t164;
-                let t167 = h142 * (t166 + h141 * t165);
-                let t168 = h103 * t165 + h141 * t167;
-                let t169 = h101 * t164 + h140 * t167 + h102 * t168;
-                let t170 = h98 * t163 + h139 * t167 + h99 * t168 + h100 * t169;
-                let t171 = h51 * t104 + h52 * t167 + h54 * t168 + h54 * t169
-                    + h54 * t170;
-                let t172 = h49 * t167 - T::from_f64(58.35506475215265) * t119
-                    - h19 * t168 - h19 * t169 - h19 * t170;
+                let t163 = t128 + (t120 + (t155 + h8.mul_add(t108, s132))) - t161 + t162;
+                let t164 = h100
+                    .mul_add(
+                        t163,
+                        t128 + (t120 + (t153 + h8.mul_add(t148, s128))) - t161 + t162,
+                    );
+                let t165 = h102
+                    .mul_add(t164, h99.mul_add(t163, t154 + t120 + t128 - t161 + t162));
+                let t166 = h140
+                    .mul_add(
+                        t164,
+                        h139.mul_add(t163, h52.mul_add(t104, h49.mul_add(t119, t126))),
+                    );
+                let t167 = h142 * h141.mul_add(t165, t166);
+                let t168 = h141.mul_add(t167, h103 * t165);
+                let t169 = h102.mul_add(t168, h140.mul_add(t167, h101 * t164));
+                let t170 = h100
+                    .mul_add(t169, h99.mul_add(t168, h139.mul_add(t167, h98 * t163)));
+                let t171 = h54
+                    .mul_add(
+                        t170,
+                        h54
+                            .mul_add(
+                                t169,
+                                h54.mul_add(t168, h52.mul_add(t167, h51 * t104)),
+                            ),
+                    );
+                let t172 = h19
+                    .mul_neg_add(
+                        t170,
+                        h19
+                            .mul_neg_add(
+                                t169,
+                                h19
+                                    .mul_neg_add(
+                                        t168,
+                                        T::from_f64(58.35506475215265).mul_neg_add(t119, h49 * t167),
+                                    ),
+                            ),
+                    );
                 let t173 = order * x1;
                 let t174 = order * x4;
                 let t175 = order * x5;

@@ -6,7 +6,7 @@ use super::Scene;
 use super::names::identifiers;
 use super::template::lines;
 use crate::expr::{Binary, Precedence, Unary};
-use crate::program::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
+use crate::program::{Block, Coefficient, Let, Local, MultiplyAdd, Signs, SinCos, Term, Variable};
 
 /// Names of called functions, collected while their calls are written.
 pub(super) type Calls = BTreeSet<String>;
@@ -71,11 +71,25 @@ impl Scene<'_> {
 
     /// Statements of a block, and its results. All variables are copied first, so results may be stored in their place.
     pub(super) fn code(&self, block: &Block, calls: &mut Calls) -> (String, Vec<Piece>) {
+        self.written(block, calls, self.fused)
+    }
+
+    /// Like [`code`](Self::code), for what is computed once in plain arithmetic, as in Rust.
+    pub(super) fn plain_code(&self, block: &Block, calls: &mut Calls) -> (String, Vec<Piece>) {
+        self.written(block, calls, false)
+    }
+
+    fn written(&self, block: &Block, calls: &mut Calls, fused: bool) -> (String, Vec<Piece>) {
         let reads = block.reads().into_iter().filter(|read| *read != Variable::Time);
         let reads = reads.map(|read| self.variable(read));
         let reads = lines(reads.map(|(name, place)| format!("const double {name} = {place};")));
         let (scene, locals) = (self, identifiers(&block.names));
-        let mut writer = Writer { scene, locals, calls };
+        let mut writer = Writer {
+            scene,
+            locals,
+            calls,
+            fused,
+        };
         let code: String = block.lets.iter().map(|code| writer.statement(code)).collect();
         let results = block.results.iter().map(|term| writer.term(term)).collect();
         (reads + &code, results)
@@ -87,6 +101,8 @@ struct Writer<'s> {
     /// Names of the values defined by statements.
     locals: Vec<String>,
     calls: &'s mut Calls,
+    /// True if sums with a product are fused.
+    fused: bool,
 }
 
 impl Writer<'_> {
@@ -103,7 +119,12 @@ impl Writer<'_> {
 
     fn sine_and_cosine(&mut self, pair: &SinCos) -> String {
         self.calls.extend(["PENDULUM_SIN", "PENDULUM_COS"].map(String::from));
-        let call = self.call("pendulum_sincos", &[&pair.angle]);
+        let function = if self.fused {
+            "pendulum_sincos_fused"
+        } else {
+            "pendulum_sincos"
+        };
+        let call = self.call(function, &[&pair.angle]);
         let at = pair.sine.or(pair.cosine).map_or(0, Local::index);
         let value = |name, of| format!("const double {} = a{at}.{name};\n", self.local(of));
         let sine = pair.sine.map(|of| value("sin", of)).unwrap_or_default();
@@ -123,6 +144,9 @@ impl Writer<'_> {
 
     fn term(&mut self, term: &Term) -> Piece {
         use Precedence::{Atom, Power, Product, Sum, Unary as Prefix};
+        if let Some(fused) = term.multiply_add().filter(|_| self.fused) {
+            return Piece(self.multiply_add(&fused), Atom);
+        }
         let (text, precedence) = match term {
             Term::Number(value) => (number(*value), if *value < 0.0 { Prefix } else { Atom }),
             Term::Local(of) => (self.local(*of), Atom),
@@ -148,5 +172,18 @@ impl Writer<'_> {
             Term::Power(a, exponent) => (self.call_platform("pow", &[a, &Term::Number(*exponent)]), Atom),
         };
         Piece(text, precedence)
+    }
+
+    /// Call of the fused operation. A negation is exact.
+    fn multiply_add(&mut self, fused: &MultiplyAdd<'_>) -> String {
+        let [a, b] = fused.factors.map(|factor| self.term(factor));
+        let other = self.term(fused.other);
+        let negated = |piece: &Piece| format!("-{}", piece.within(Precedence::Power));
+        self.calls.insert("PENDULUM_FMA".to_owned());
+        match fused.signs {
+            Signs::Add => format!("PENDULUM_FMA({}, {}, {})", a.0, b.0, other.0),
+            Signs::Subtract => format!("PENDULUM_FMA({}, {}, {})", a.0, b.0, negated(&other)),
+            Signs::SubtractProduct => format!("PENDULUM_FMA({}, {}, {})", negated(&a), b.0, other.0),
+        }
     }
 }

@@ -29,7 +29,20 @@ pub struct Sources {
 /// Results equal those of the Rust code bit for bit if `sqrt` and `fabs` are the only platform functions called. The
 /// last bits of other functions differ from platform to platform; those of the Rust code do not.
 pub fn c(program: &Program) -> Sources {
+    sources(Scene::new(program, snake_case(&program.name)))
+}
+
+/// Like [`c`], but sums with a product call `fma`, as code in fused arithmetic does: results equal those of the Rust
+/// code for `Fused<f64>` bit for bit, except for the coefficients of series.
+///
+/// Without `-mfma`, or the like for another processor, the calls take much longer than a multiplication and an addition.
+/// The function `<name>_rounds_once` tells if the platform rounds as IEEE 754 demands.
+pub fn c_fused(program: &Program) -> Sources {
     let scene = Scene::new(program, snake_case(&program.name));
+    sources(Scene { fused: true, ..scene })
+}
+
+fn sources(scene: Scene<'_>) -> Sources {
     let (source, calls) = scene.source();
     let (header, name) = (scene.header(&calls), scene.name);
     Sources { name, header, source }
@@ -38,6 +51,8 @@ pub fn c(program: &Program) -> Sources {
 /// Program, and the names of its parts in C.
 struct Scene<'p> {
     program: &'p Program,
+    /// True if sums with a product are fused.
+    fused: bool,
     name: String,
     parameters: Vec<String>,
     inputs: Vec<String>,
@@ -51,6 +66,7 @@ impl<'p> Scene<'p> {
         let [positions, rates] = program.layout.components();
         Self {
             program,
+            fused: false,
             name,
             parameters: identifiers(program.parameters.iter().map(|parameter| &parameter.name)),
             inputs: identifiers(program.inputs.iter().map(|input| &input.name)),

@@ -40,6 +40,7 @@ impl Scene<'_> {
             ("meanings", lines(meanings.map(|(n, text)| format!("k[{n}] = {text}")))),
             ("codes", lines(codes.map(code))),
             ("last", (self.rules().len() + 1).to_string()),
+            ("fused", self.of_fused(include_str!("templates/fused.h"))),
             ("routines", self.declarations()),
         ];
         self.fill(include_str!("templates/header.h"), &values)
@@ -52,7 +53,7 @@ impl Scene<'_> {
         let codes = self.codes();
         let (codes, of_rules) = codes.split_at(self.parameters.len());
         let finite = |(code, field): (&String, &String)| refuse(code, format!("pendulum_is_finite(params->{field})"));
-        let (mut checks, checked) = self.code(&program.checked, &mut calls);
+        let (mut checks, checked) = self.plain_code(&program.checked, &mut calls);
         checks += &statements(&checked, |n| format!("const double r{n}"));
         for (code, rule) in of_rules.iter().zip(&program.rules) {
             let holds = match rule.condition {
@@ -65,9 +66,13 @@ impl Scene<'_> {
             };
             checks += &refuse(code, holds);
         }
-        let (code, constants) = self.code(&program.constants, &mut calls);
+        let (code, constants) = self.plain_code(&program.constants, &mut calls);
         let texts = self.rules().into_iter().chain([FINITE_CONSTANT.to_owned()]);
+        if self.fused {
+            calls.insert("PENDULUM_FMA".to_owned());
+        }
         let values = [
+            ("fused", self.of_fused(include_str!("templates/fused.c"))),
             ("routines", self.routines(&mut calls)),
             ("functions", functions(&calls).map(|(_, code)| code).collect()),
             ("defaults", self.defaults(include_str!("templates/defaults.c"))),
@@ -77,6 +82,15 @@ impl Scene<'_> {
             ("texts", lines(texts.map(|text| format!("{text:?},")))),
         ];
         (self.fill(include_str!("templates/source.c"), &values), calls)
+    }
+
+    /// Fills a template for fused arithmetic. Empty if sums are not fused.
+    fn of_fused(&self, template: &str) -> String {
+        if self.fused {
+            self.fill(template, &[])
+        } else {
+            String::new()
+        }
     }
 
     /// Fills a template for the default parameters. Empty if a parameter has no default. C has no empty structures.

@@ -21,7 +21,7 @@ use crate::program::{Program, Role};
 pub fn opencl(program: &Program) -> String {
     let scene = Scene::new(program, "scene".to_owned());
     let mut calls = Calls::new();
-    let (code, constants) = scene.code(&program.constants, &mut calls);
+    let (code, constants) = scene.plain_code(&program.constants, &mut calls);
     let rhs = program.with_role(Role::Rhs).into_iter();
     let rhs: String = rhs.map(|routine| scene.routine(routine, &mut calls)).collect();
     let values = [

@@ -7,7 +7,7 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::count;
 use crate::expr::{Binary, Precedence, Unary};
-use crate::program::{Block, Coefficient, Let, Local, Program, SinCos, Term, Variable};
+use crate::program::{Block, Coefficient, Let, Local, MultiplyAdd, Program, Signs, SinCos, Term, Variable};
 
 /// Maximum number of statements in one Rust block. Every `let` opens a scope inside the one before, and compilers that
 /// walk scopes by recursion (as LLVM does for debug information) overflow the stack at some thousand nested scopes.
@@ -242,6 +242,9 @@ impl Writer<'_> {
 
     fn term(&self, term: &Term) -> Piece {
         use Precedence::{Atom, Product, Sum};
+        if let Some(fused) = term.multiply_add() {
+            return self.multiply_add(&fused);
+        }
         let (tokens, precedence) = match term {
             Term::Number(value) => (number(*value), Atom),
             Term::Local(of) => {
@@ -288,5 +291,17 @@ impl Writer<'_> {
             }
         };
         Piece(tokens, precedence)
+    }
+
+    /// A product and a sum in one call, so that fused number types round once.
+    fn multiply_add(&self, fused: &MultiplyAdd<'_>) -> Piece {
+        let [a, b] = fused.factors;
+        let (a, b, other) = (self.within(a, Precedence::Atom), self.term(b), self.term(fused.other));
+        let tokens = match fused.signs {
+            Signs::Add => quote!(#a.mul_add(#b, #other)),
+            Signs::Subtract => quote!(#a.mul_sub(#b, #other)),
+            Signs::SubtractProduct => quote!(#a.mul_neg_add(#b, #other)),
+        };
+        Piece(tokens, Precedence::Atom)
     }
 }

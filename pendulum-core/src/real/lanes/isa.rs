@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::{Lanes, Pack};
 use crate::dual::Dual;
-use crate::real::Float;
+use crate::real::{Float, Fused};
 
 /// True if the machine has a feature. Without `std`, the target features of the compilation decide.
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
@@ -52,6 +52,7 @@ pub struct Isa(Set);
 enum Set {
     Portable,
     #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    /// AVX2 and fused operations: every x86-64 machine of note has both or neither.
     Avx2,
     #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
     Avx512,
@@ -89,7 +90,7 @@ impl Isa {
             #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
             has!("avx512f").then_some(Self(Set::Avx512)),
             #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-            has!("avx2").then_some(Self(Set::Avx2)),
+            (has!("avx2") && has!("fma")).then_some(Self(Set::Avx2)),
             Some(Self(Set::Portable)),
         ]
         .into_iter()
@@ -102,7 +103,7 @@ impl Isa {
         Self::available().next().unwrap_or(Self(Set::Portable))
     }
 
-    /// True if AVX2 is available.
+    /// True if AVX2 and fused operations are available.
     #[cfg(all(
         target_arch = "x86_64",
         target_feature = "sse2",
@@ -154,7 +155,7 @@ impl fmt::Debug for Isa {
     }
 }
 
-/// A scalar type of lanes: `f64`, `f32`, or [dual numbers](Dual) of these.
+/// A scalar type of lanes: `f64`, `f32`, [dual numbers](Dual) of these, or [fused](Fused) `f64`.
 pub trait LaneElement: Float {
     /// Runs a kernel whose lanes fill one register.
     fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output;
@@ -188,3 +189,4 @@ lane! {
     f64: Ymm64 Zmm64;
     f32: Ymm32 Zmm32;
 }
+lane!([] Fused<f64>: Pack<Fused<f64>>, Pack<Fused<super::x86::Ymm64>>, Pack<Fused<super::x86::Zmm64>>);

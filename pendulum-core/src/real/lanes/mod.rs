@@ -40,7 +40,7 @@ mod x86;
 
 pub(crate) use isa::Routine;
 pub use isa::{Isa, Kernel, LaneElement};
-pub(crate) use register::{Pair, Register};
+pub(crate) use register::{Fuse, Pair, Register};
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 pub(super) use x86::{Xmm32 as Two32, Xmm64 as Two64};
 #[cfg(all(target_arch = "x86_64", target_feature = "avx2"))]

@@ -90,6 +90,21 @@ impl<R: Register> Real for Pack<R> {
     }
 
     #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        Self(self.0.mul_add(a.0, b.0))
+    }
+
+    #[inline(always)]
+    fn mul_sub(self, a: Self, b: Self) -> Self {
+        Self(self.0.mul_sub(a.0, b.0))
+    }
+
+    #[inline(always)]
+    fn mul_neg_add(self, a: Self, b: Self) -> Self {
+        Self(self.0.mul_neg_add(a.0, b.0))
+    }
+
+    #[inline(always)]
     fn sqrt(self) -> Self {
         Self(self.0.sqrt())
     }

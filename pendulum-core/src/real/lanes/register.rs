@@ -43,6 +43,21 @@ pub trait Register:
             *to = self.lane(lane);
         }
     }
+    /// `self * a + b`.
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
+    /// `self * a - b`.
+    #[inline(always)]
+    fn mul_sub(self, a: Self, b: Self) -> Self {
+        self * a - b
+    }
+    /// `b - self * a`.
+    #[inline(always)]
+    fn mul_neg_add(self, a: Self, b: Self) -> Self {
+        b - self * a
+    }
     /// Square root.
     fn sqrt(self) -> Self;
     /// Absolute value.
@@ -127,6 +142,30 @@ macro_rules! one_lane {
 one_lane!(f64 of 64 bits);
 one_lane!(f32 of 32 bits);
 
+/// A register with a fused operation.
+pub trait Fuse: Register<Scalar = f64> {
+    /// `self * a + b`, rounded once.
+    fn fused_mul_add(self, a: Self, b: Self) -> Self;
+}
+
+impl Fuse for f64 {
+    // IEEE 754 rounds it correctly, so that all versions are bit-identical. The C library of MinGW does not.
+    #[inline(always)]
+    fn fused_mul_add(self, a: Self, b: Self) -> Self {
+        #[cfg(all(feature = "std", not(all(windows, target_env = "gnu"))))]
+        return f64::mul_add(self, a, b);
+        #[cfg(not(all(feature = "std", not(all(windows, target_env = "gnu")))))]
+        return libm::fma(self, a, b);
+    }
+}
+
+impl<R: Fuse> Fuse for Pair<R> {
+    #[inline(always)]
+    fn fused_mul_add(self, a: Self, b: Self) -> Self {
+        Self(self.0.fused_mul_add(a.0, b.0), self.1.fused_mul_add(a.1, b.1))
+    }
+}
+
 /// Two registers used as one of twice the width.
 ///
 /// Each operation is applied to both halves before the next one, which hides instruction latency.
@@ -178,6 +217,21 @@ impl<R: Register> Register for Pair<R> {
         } else {
             self.1.lane(i - R::LANES)
         }
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        Self(self.0.mul_add(a.0, b.0), self.1.mul_add(a.1, b.1))
+    }
+
+    #[inline(always)]
+    fn mul_sub(self, a: Self, b: Self) -> Self {
+        Self(self.0.mul_sub(a.0, b.0), self.1.mul_sub(a.1, b.1))
+    }
+
+    #[inline(always)]
+    fn mul_neg_add(self, a: Self, b: Self) -> Self {
+        Self(self.0.mul_neg_add(a.0, b.0), self.1.mul_neg_add(a.1, b.1))
     }
 
     #[inline(always)]

@@ -18,6 +18,12 @@ extern double PENDULUM_COS(double);
 #endif
 extern double PENDULUM_EXP(double);
 
+//! PENDULUM_FMA: fma
+#ifndef PENDULUM_FMA
+#define PENDULUM_FMA fma
+#endif
+extern double PENDULUM_FMA(double, double, double);
+
 //! PENDULUM_LN: log
 #ifndef PENDULUM_LN
 #define PENDULUM_LN log
@@ -123,6 +129,63 @@ static inline pendulum_pair pendulum_sincos(double x) {
     // a difference, so that the sine of -0.0 is -0.0
     sine.number = r - (r * (z * s) + excess * base);
     cosine.number = base + (((1.0 - base) - half_z) + (z2 * c + r * excess));
+
+    // quarter turns, without a branch
+    swap = (sine.bits ^ cosine.bits) & (0 - (turned.bits & 1));
+    sine.bits ^= swap ^ ((turned.bits & 2) << 62);
+    cosine.bits ^= swap ^ (((turned.bits + 1) & 2) << 62);
+    pair.sin = sine.number;
+    pair.cos = cosine.number;
+    return pair;
+}
+
+//! pendulum_sincos_fused
+typedef struct {
+    double sin, cos;
+} pendulum_pair;
+
+typedef union {
+    double number;
+    uint64_t bits;
+} pendulum_bits;
+
+// Sine and cosine of an angle in radians, to less than 1 ulp, in fused arithmetic.
+//
+// The angle is reduced to [-pi/4, pi/4] by a multiple of pi/2 in parts of 37, 37 and 53 bits (Cody and Waite), and the rounding error
+// of the reduced angle is carried along. The polynomials are minimax ones, evaluated by Estrin's scheme.
+static inline pendulum_pair pendulum_sincos_fused(double x) {
+    pendulum_bits turned, sine, cosine;
+    pendulum_pair pair;
+    uint64_t swap;
+    if (x > 1e5 || x < -1e5) {
+        pair.sin = PENDULUM_SIN(x);
+        pair.cos = PENDULUM_COS(x);
+        return pair;
+    }
+    // 1.5 * 2^52 leaves no room for a fraction: the sum is rounded to an integer, which stands in its lowest bits
+    turned.number = PENDULUM_FMA(x, 0.6366197723675814, 6755399441055744.0);
+    const double n = turned.number - 6755399441055744.0;
+    const double near = PENDULUM_FMA(-n, 1.5707963267923333, x);
+    const double low = n * 2.5633441515839558e-12;
+    const double r = near - low;
+    // the reduced angle is r - excess
+    const double excess = PENDULUM_FMA(n, 1.0562999066987428e-23, low - (near - r));
+
+    const double z = r * r;
+    const double z2 = z * z;
+    const double half_z = z * 0.5;
+    const double base = 1.0 - half_z;
+    const double s = PENDULUM_FMA(z2, PENDULUM_FMA(z2,
+        PENDULUM_FMA(z, -1.5896227149403376e-10, 2.5050747713723324e-8),
+        PENDULUM_FMA(z, -2.7557313621092594e-6, 0.0001984126982958877)),
+        PENDULUM_FMA(z, -0.008333333333322118, 0.1666666666666663));
+    const double c = PENDULUM_FMA(z2, PENDULUM_FMA(z2,
+        PENDULUM_FMA(z, -1.1358534274429555e-11, 2.0875700799352644e-9),
+        PENDULUM_FMA(z, -2.7557314178988574e-7, 2.4801587288850653e-5)),
+        PENDULUM_FMA(z, -0.0013888888888873056, 0.041666666666666595));
+    // a difference, so that the sine of -0.0 is -0.0
+    sine.number = r - PENDULUM_FMA(r, z * s, excess * base);
+    cosine.number = base + (((1.0 - base) - half_z) + PENDULUM_FMA(z2, c, r * excess));
 
     // quarter turns, without a branch
     swap = (sine.bits ^ cosine.bits) & (0 - (turned.bits & 1));

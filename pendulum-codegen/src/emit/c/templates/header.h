@@ -55,6 +55,7 @@ int @name@_new(@name@_model *model, const @name@_params *params);
 
 /// Returns the meaning of a code: "`parameter`: its rule".
 const char *@name@_error(int code);
+@fused@
 @routines@
 
 #ifdef __cplusplus

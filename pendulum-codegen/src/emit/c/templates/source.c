@@ -58,4 +58,5 @@ const char *@name@_error(int code) {
     if (code < 0 || code >= @NAME@_CONSTANT + @constants@) return "unknown code";
     return texts[code < @NAME@_CONSTANT ? code : @NAME@_CONSTANT];
 }
+@fused@
 @routines@

@@ -6,7 +6,7 @@ use core::arch::x86_64::*;
 use core::mem::transmute;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::super::register::Register;
+use super::super::register::{Fuse, Register};
 
 macro_rules! binary {
     ($name:ident, $($trait:ident $method:ident $intrinsic:ident),*) => { $(
@@ -151,6 +151,30 @@ register! {
     /// A `zmm` register of `f32`.
     Zmm32 = 16 f32 in __m512,
     _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_sqrt_ps;
+}
+
+/// Lane by lane, since code that can name the type runs on machines without the instruction, too.
+impl Fuse for Xmm64 {
+    #[inline(always)]
+    fn fused_mul_add(self, a: Self, b: Self) -> Self {
+        Self::from_fn(&mut |i| self.lane(i).fused_mul_add(a.lane(i), b.lane(i)))
+    }
+}
+
+impl Fuse for Ymm64 {
+    #[inline(always)]
+    fn fused_mul_add(self, a: Self, b: Self) -> Self {
+        // SAFETY: a value of the type exists, so the machine has the instruction.
+        unsafe { Self(_mm256_fmadd_pd(self.0, a.0, b.0)) }
+    }
+}
+
+impl Fuse for Zmm64 {
+    #[inline(always)]
+    fn fused_mul_add(self, a: Self, b: Self) -> Self {
+        // SAFETY: a value of the type exists, so the machine has the instruction.
+        unsafe { Self(_mm512_fmadd_pd(self.0, a.0, b.0)) }
+    }
 }
 
 /// Bitwise operations, selection and comparison, whose intrinsics differ between registers.

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use super::super::{Isa, Routine};
 
-/// Proof that the machine has AVX2, and that the environment variable allows it.
+/// Proof that the machine has AVX2 and fused operations, and that the environment variable allows it.
 pub(in super::super) struct Avx2(());
 
 impl Avx2 {
@@ -23,11 +23,11 @@ impl Avx2 {
         read: &B,
     ) -> R::Output {
         #[inline(never)]
-        #[target_feature(enable = "avx2")]
+        #[target_feature(enable = "avx2,fma")]
         fn inside<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
             routine.run(changed, read)
         }
-        // SAFETY: a value of the type exists, so the machine has the feature.
+        // SAFETY: a value of the type exists, so the machine has the features.
         unsafe { inside(routine, changed, read) }
     }
 }
