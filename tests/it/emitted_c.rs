@@ -217,18 +217,16 @@ fn fused_code_is_the_same() {
         all.into_iter().map(|number| number.0).collect()
     });
     let Some(folder) = folder("Wrist") else { return };
+    let main = "#include <stdio.h>\n#include \"wrist.h\"\ndouble twice(double a, double b, double c) { return a * b + c; }\n\
+                int main(void) { printf(\"%d\", wrist_rounds_once()); return 0; }\n";
     // a platform whose operation rounds twice
     for (fma, expected) in [("fma", "1"), ("twice", "0")] {
-        let main = format!(
-            "#include <stdio.h>\n#include \"wrist.h\"\ndouble twice(double a, double b, double c) {{ return a * b + c; \
-             }}\nint main(void) {{ printf(\"%d\", wrist_rounds_once()); return 0; }}\n"
-        );
         let source = format!("#define PENDULUM_FMA {fma}\n{}", sources.source);
         let sources = Sources {
             source,
             ..sources.clone()
         };
-        let told = output(&compiled(&folder, &sources, &main), &[]);
+        let told = output(&compiled(&folder, &sources, main), &[]);
         assert_eq!(String::from_utf8_lossy(&told), expected, "{fma}");
     }
 }
