@@ -5,6 +5,7 @@
 //! cargo run --example emitted -- src/lib.rs           # for every declaration of a file, wherever it stands there
 //! cargo run --example emitted -- --latex src/lib.rs   # their equations of motion in LaTeX, which needs amsmath
 //! cargo run --example emitted -- --c src/lib.rs out   # C: a header and a source for each, in a folder
+//! cargo run --example emitted -- --fused src/lib.rs out   # C in fused arithmetic
 //! ```
 
 use std::collections::BTreeSet;
@@ -12,7 +13,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use pendulum_codegen::{Sources, c, expand, program};
+use pendulum_codegen::{Sources, c, c_fused, expand, program};
 use proc_macro2::TokenStream;
 
 use declarations::declarations;
@@ -23,7 +24,8 @@ mod declarations;
 /// File that is read by default.
 const DEFAULT: &str = "testbed/src/scenes.rs";
 
-const USAGE: &str = "usage: emitted [FILE], emitted --latex [FILE] or emitted --c [FILE [FOLDER]]";
+const USAGE: &str = "usage: emitted [FILE], emitted --latex [FILE], emitted --c [FILE [FOLDER]], or emitted --fused [FILE \
+                     [FOLDER]] for C in fused arithmetic";
 
 /// Language of the output.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -31,6 +33,7 @@ enum Output {
     Rust,
     Latex,
     C,
+    FusedC,
 }
 
 struct Arguments {
@@ -51,6 +54,7 @@ impl Arguments {
             match argument.as_str() {
                 "--latex" => read.output = Output::Latex,
                 "--c" => read.output = Output::C,
+                "--fused" => read.output = Output::FusedC,
                 option if option.starts_with('-') => return Err(USAGE.to_owned()),
                 _ => named.push(argument),
             }
@@ -58,7 +62,8 @@ impl Arguments {
         let mut named = named.into_iter();
         read.path = named.next().unwrap_or(read.path);
         let folder = named.next();
-        if named.next().is_some() || (folder.is_some() && read.output != Output::C) {
+        let is_c = matches!(read.output, Output::C | Output::FusedC);
+        if named.next().is_some() || (folder.is_some() && !is_c) {
             return Err(USAGE.to_owned());
         }
         read.folder = folder.map_or(read.folder, PathBuf::from);
@@ -93,8 +98,11 @@ fn run() -> Result<(), Box<dyn Error>> {
             })),
             Ok(program) => match output {
                 Output::Latex => println!("{}", program.equations.latex()),
-                Output::C => {
-                    let sources = c(&program);
+                Output::C | Output::FusedC => {
+                    let sources = match output {
+                        Output::FusedC => c_fused(&program),
+                        _ => c(&program),
+                    };
                     let name = &sources.name;
                     if !written.insert(name.clone()) {
                         return Err(

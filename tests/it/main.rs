@@ -15,6 +15,7 @@ mod every_method;
 mod fits;
 mod followers;
 mod forces;
+mod fused;
 mod gauss;
 mod golden;
 mod growth;
