@@ -6,14 +6,14 @@ use super::{Lanes, Pack};
 use crate::dual::Dual;
 use crate::real::{Float, Fused};
 
-/// True if the machine has a feature. Without `std`, the target features of the compilation decide.
+/// True if the machine has all of these features. Without `std`, the target features of the compilation decide.
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 macro_rules! has {
-    ($feature:tt) => {{
+    ($($feature:tt)+) => {{
         #[cfg(feature = "std")]
-        let has = is_x86_feature_detected!($feature);
+        let has = $(is_x86_feature_detected!($feature))&&+;
         #[cfg(not(feature = "std"))]
-        let has = cfg!(target_feature = $feature);
+        let has = cfg!(all($(target_feature = $feature),+));
         has
     }};
 }
@@ -90,7 +90,7 @@ impl Isa {
             #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
             has!("avx512f").then_some(Self(Set::Avx512)),
             #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-            (has!("avx2") && has!("fma")).then_some(Self(Set::Avx2)),
+            has!("avx2" "fma").then_some(Self(Set::Avx2)),
             Some(Self(Set::Portable)),
         ]
         .into_iter()

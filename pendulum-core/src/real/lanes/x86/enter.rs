@@ -11,7 +11,7 @@ macro_rules! enter {
             fn inside<K: Kernel<V::Scalar>, V: Lanes>(kernel: K) -> K::Output {
                 kernel.run::<V>()
             }
-            assert!($(has!($feature))&&+);
+            assert!(has!($($feature)+));
             // SAFETY: the line above checks that the machine has the features.
             unsafe { inside::<K, V>(kernel) }
         }
