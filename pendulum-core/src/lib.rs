@@ -31,7 +31,7 @@
 //! | [`hybrid`] | dry friction with sticking, stops and walls |
 //! | [`inputs`] | models with inputs, and control laws |
 //! | [`layout`] | kind and place of each component of a state |
-//! | [`real`], [`dual`] | the number types: scalars, lanes and dual numbers |
+//! | [`real`], [`dual`] | the number types: scalars, fused ones, lanes and dual numbers |
 //! | [`ensemble`] | many trajectories at once, in the lanes of vector registers |
 //! | [`method`] | the methods, and the [`Stepper`] beneath them, which uses no heap |
 //! | [`tableau`] | Butcher tableaus as data |
