@@ -134,8 +134,29 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
 
 /// Evaluates `x0 + c_1 theta + c_2 theta^2 + ..`. Odd and even powers are summed separately, which shortens the chain
 /// of dependent additions.
+///
+/// Not in fused arithmetic: dense output is evaluated outside of steps, in code for the baseline.
 #[inline(always)]
 pub(crate) fn polynomial<T: Real, const N: usize>(
+    x0: &SVector<T, N>,
+    coefficients: &[SVector<T, N>],
+    theta: T,
+) -> SVector<T, N> {
+    evaluate::<false, T, N>(x0, coefficients, theta)
+}
+
+/// [`polynomial`] in fused arithmetic, if `T` is fused, for steps.
+#[inline(always)]
+pub(crate) fn polynomial_of_step<T: Real, const N: usize>(
+    x0: &SVector<T, N>,
+    coefficients: &[SVector<T, N>],
+    h: T,
+) -> SVector<T, N> {
+    evaluate::<true, T, N>(x0, coefficients, h)
+}
+
+#[inline(always)]
+fn evaluate<const FUSED: bool, T: Real, const N: usize>(
     x0: &SVector<T, N>,
     coefficients: &[SVector<T, N>],
     theta: T,
@@ -144,15 +165,21 @@ pub(crate) fn polynomial<T: Real, const N: usize>(
     let (mut odd, mut even) = ([T::default(); N], [T::default(); N]);
     for pair in coefficients.chunks(2).rev() {
         for (odd, &coefficient) in odd.iter_mut().zip(&pair[0].data.0[0]) {
-            *odd = odd.mul_add(square, coefficient);
+            *odd = add_product::<FUSED, T>(*odd, square, coefficient);
         }
         for (even, &coefficient) in even.iter_mut().zip(pair.get(1).iter().flat_map(|pair| &pair.data.0[0])) {
-            *even = even.mul_add(square, coefficient);
+            *even = add_product::<FUSED, T>(*even, square, coefficient);
         }
     }
     let mut x = *x0;
     for (x, (&odd, &even)) in x.data.0[0].iter_mut().zip(odd.iter().zip(&even)) {
-        *x = theta.mul_add(theta.mul_add(even, odd), *x);
+        *x = add_product::<FUSED, T>(theta, add_product::<FUSED, T>(theta, even, odd), *x);
     }
     x
+}
+
+/// `a * b + c`.
+#[inline(always)]
+fn add_product<const FUSED: bool, T: Real>(a: T, b: T, c: T) -> T {
+    if FUSED { a.mul_add(b, c) } else { a * b + c }
 }

@@ -130,7 +130,9 @@ pub trait System<T: Real, const N: usize> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be converted to other number types",
     note = "`mechanism!` implements `Cast` for scenes without inputs where `generate` has `rhs`; a model with inputs \
-            has it as `model.with_law(law)`, with a law that is generic over `Real`"
+            has it as `model.with_law(law)`, with a law that is generic over `Real`",
+    note = "a system of your own implements `System<T, N>` for every `T: Real`, and `Cast`; a method without \
+            `.fused()` needs neither"
 )]
 pub trait Cast<const N: usize> {
     /// True if the model may be [hybrid](crate::hybrid).

@@ -49,8 +49,9 @@ mechanism! {
 mechanism! {
     /// Two joints in space.
     pub Wrist {
-        params { l: m = 0.7 }
-        gravity: [0, 0, -9.81],
+        params { l: m = 0.7, slope: rad = 0.2 }
+        // constants have sines of their own, in plain arithmetic
+        gravity: [9.81*sin(slope), 0, -9.81*cos(slope)],
         generate: [rhs, jacobian, energy],
         body first on ground {
             mass: 3, com: [0.01, 0.02, 0.15], inertia: [0.03, 0.03, 0.02],

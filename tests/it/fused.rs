@@ -55,7 +55,7 @@ fn trajectories_are_those_of_the_number_type() {
     );
     assert_eq!(own.statistics(), expected.statistics());
     let between = expected.at(Fused(3.3)).expect("within the span");
-    assert!((own.at(3.3).expect("within the span") - plain(&between)).amax() < 1e-14);
+    assert_eq!(own.at(3.3).expect("within the span"), plain(&between));
     // other bits than those of `f64`, to the same accuracy
     let in_f64 = method.solve(&model, 0.0, 10.0, START).expect("regular");
     let difference = (own.end() - in_f64.end()).amax();

@@ -2,6 +2,7 @@
 
 use std::fmt::{Display, Formatter, Result};
 
+use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::{Formula, Precedence, Rational};
@@ -101,9 +102,12 @@ fn decimal(n: &Rational) -> Option<String> {
         return None;
     }
     let decimal = format!("{:?}", super::eval::nearest_f64(n));
-    let digits = decimal.split_once('.').map_or("", |(_, digits)| digits);
-    let exact = decimal.len() <= LONGEST
-        && !decimal.contains('e')
-        && 10_u64.pow(digits.len() as u32).is_multiple_of(denominator);
-    exact.then_some(decimal)
+    if decimal.len() > LONGEST || decimal.contains('e') {
+        return None;
+    }
+    let (whole, fraction) = decimal.split_once('.')?;
+    let digits: BigInt = format!("{whole}{fraction}").parse().ok()?;
+    let scale = 10_u64.pow(fraction.len() as u32);
+    let is_exact = scale.is_multiple_of(denominator) && n.numer() * (scale / denominator) == digits;
+    is_exact.then_some(decimal)
 }

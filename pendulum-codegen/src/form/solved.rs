@@ -21,7 +21,7 @@ const MOST_DERIVED: usize = 50_000;
 const MOST_IN_ROW: usize = 16;
 
 /// Maximum ratio, as a fraction, of the accelerations on a closed basis to the shortest ones up to which their
-/// derivatives are expanded. In the examples and tests of this repository, none beyond 5/4 won.
+/// derivatives are expanded, with a margin: in the examples and tests of this repository, none beyond 5/4 won.
 const MOST_EXPANDED: [usize; 2] = [4, 3];
 
 /// Accelerations by the articulated-body algorithm for scenes with orientations, and the balance that they satisfy.
@@ -216,8 +216,9 @@ impl<'g> Forms<'g> {
         let least = sizes.iter().copied().min().unwrap_or(0);
         for (written, size) in forms.iter().zip(sizes) {
             let Written { form: own, balance, .. } = written;
-            let is_small = size <= MOST_DERIVED || HOPELESS[1] * size <= HOPELESS[0] * least;
-            if !is_small || own.basis == Basis::Shared && !accelerations.is_within(HOPELESS, own.basis) {
+            let is_large = size > MOST_DERIVED && HOPELESS[1] * size > HOPELESS[0] * least;
+            let is_hopeless = own.basis == Basis::Shared && !accelerations.is_within(HOPELESS, own.basis);
+            if is_large || is_hopeless {
                 continue;
             }
             let columns = derivatives(own.basis, balance, size);

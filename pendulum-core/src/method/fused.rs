@@ -17,8 +17,13 @@ use crate::system::{Cast, IntoState};
 /// A method that computes in [`Fused`] arithmetic, for models that can be [cast](Cast); `A` is the method.
 ///
 /// Results are bit-identical on every machine, and differ from those of the method itself in the last bits. Where the
-/// processor has fused operations, as x86-64 processors since 2013 and all ARM processors of 64 bits, an integration
-/// takes a tenth less time; where it has none, it takes several times longer.
+/// processor has fused operations, as most x86-64 processors since 2013 and all ARM processors of 64 bits, the steps of
+/// smooth systems take a tenth less time; where it has none, several times longer. On x86-64, code outside the steps,
+/// as of [hybrid](crate::hybrid) systems, calls a function for each sum unless it is compiled with
+/// `-C target-cpu=native`: motions with dry friction and stops then take up to twice the time.
+///
+/// It is not a [`Method`], whose numbers are those of its system; [`solve`](Self::solve) and its siblings cast the
+/// model.
 ///
 /// ```
 /// use pendulum_core::prelude::*;

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::cost::Operations;
-use crate::dense::{Step, polynomial};
+use crate::dense::{Step, polynomial_of_step};
 use crate::error::Reason;
 use crate::hybrid::InMode;
 use crate::method::operations as count;
@@ -291,7 +291,7 @@ where
     ) -> Result<T, Stalled> {
         let (h, other) = (t_new - t, 1 - self.current);
         self.from = self.current;
-        *x_new = polynomial(x, &self.series(self.current)[1..], h);
+        *x_new = polynomial_of_step(x, &self.series(self.current)[1..], h);
         end_step(system, (t, x), (t_new, x_new));
         self.find(other, system, (t_new, x_new), work);
         Ok(match &self.tolerance {

@@ -22,8 +22,9 @@ use super::{Float, Real};
 /// assert_eq!(Fused(third).mul_sub(Fused(3.0), Fused(1.0)), Fused(-2_f64.powi(-54)));
 /// ```
 ///
-/// The operations are inlined in code for processors that have them: in integrations, in a
-/// [kernel](super::lanes::Kernel), and in builds with `-C target-cpu=native`. Elsewhere on x86-64 each is a call.
+/// Only `Fused<f64>` and its lanes are a [`Real`]; dual numbers of them are not fused. The operations are inlined in
+/// code for processors that have them: in the steps of integrations, in a [kernel](super::lanes::Kernel), and in builds
+/// with `-C target-cpu=native`. Elsewhere on x86-64, in builds with debug assertions and without `std`, each is a call.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct Fused<T>(pub T);
 
@@ -279,31 +280,65 @@ mod tests {
     use super::Fused;
     use crate::real::Real;
 
-    #[test]
-    fn software_and_hardware_round_alike() {
-        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
-        let mut next = |magnitude: i32| {
+    /// Numbers in [-0.5, 0.5), times a power of 2.
+    fn numbers(seed: u64) -> impl FnMut(i32) -> f64 {
+        let mut bits = seed;
+        move |magnitude| {
             bits ^= bits << 13;
             bits ^= bits >> 7;
             bits ^= bits << 17;
             let number = f64::from_bits(bits >> 12 | 0x3ff0_0000_0000_0000) - 1.5;
             number * 2_f64.powi((bits % 64) as i32 * magnitude)
-        };
-        for round in 0..100_000 {
+        }
+    }
+
+    /// A number as the exact sum of two numbers of 26 bits. T. J. Dekker, "A floating-point technique for extending the
+    /// available precision" (1971).
+    fn halves(a: f64) -> [f64; 2] {
+        let scaled = 134_217_729.0 * a;
+        let high = scaled - (scaled - a);
+        [high, a - high]
+    }
+
+    #[test]
+    fn the_rest_of_a_product_is_exact() {
+        let mut next = numbers(0x9e37_79b9_7f4a_7c15);
+        for _ in 0..100_000 {
             let (a, b) = (next(1), next(-1));
-            // sums in which the product cancels, and others
-            let c = if round % 2 == 0 { -(a * b) } else { next(1) };
-            assert_eq!(
-                Fused(a).mul_add(Fused(b), Fused(c)).0.to_bits(),
-                libm::fma(a, b, c).to_bits()
-            );
-            if round % 2 == 0 {
-                let product = Fused(a).mul_add(Fused(b), Fused(c)).0;
-                assert_eq!(
-                    a * b + product,
-                    a * b,
-                    "the rest of a product is below half a unit in the last place"
-                );
+            let product = a * b;
+            let ([a1, a0], [b1, b0]) = (halves(a), halves(b));
+            let rest = ((a1 * b1 - product) + a1 * b0 + a0 * b1) + a0 * b0;
+            assert_eq!(Fused(a).mul_sub(Fused(b), Fused(product)).0, rest, "{a:e} {b:e}");
+            assert_eq!(Fused(a).mul_neg_add(Fused(b), Fused(product)).0, -rest, "{a:e} {b:e}");
+            assert_eq!(Fused(a).mul_add(Fused(b), Fused(-product)).0, rest, "{a:e} {b:e}");
+        }
+    }
+
+    #[test]
+    fn the_function_of_libm_rounds_alike() {
+        let mut next = numbers(0x2545_f491_4f6c_dd1d);
+        let special = [
+            0.0,
+            -0.0,
+            1.0,
+            f64::MIN_POSITIVE,
+            5e-324,
+            f64::MAX,
+            f64::INFINITY,
+            f64::NAN,
+        ];
+        let check = |a: f64, b: f64, c: f64| {
+            let [own, expected] = [Fused(a).mul_add(Fused(b), Fused(c)).0, libm::fma(a, b, c)];
+            let agree = own.to_bits() == expected.to_bits() || own.is_nan() && expected.is_nan();
+            assert!(agree, "{a:e} * {b:e} + {c:e}: {own:e}, not {expected:e}");
+        };
+        for _ in 0..10_000 {
+            check(next(1), next(-1), next(1));
+            check(next(-15), next(-15), next(-16));
+        }
+        for a in special {
+            for b in special {
+                special.iter().for_each(|&c| check(a, b, c));
             }
         }
     }

@@ -21,7 +21,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// the last bits. The exceptions are [`signum`](Real::signum), which is 0 at 0, and `sqrt` and `abs`, which agree
 /// exactly.
 ///
-/// For `f64` and `f32`, and lanes of these, all results are bit-identical on every machine and in every build.
+/// For `f64`, `f32` and `Fused<f64>`, and lanes of these, all results are bit-identical on every machine and in every build.
 /// [`sin_cos`](Real::sin_cos) is implemented here; `tan`, `exp`, `ln`, `tanh`, `atan2` and `powf` come from the crate
 /// [libm](https://docs.rs/libm) instead of the platform; IEEE 754 defines the rest. The inherent methods of `f64` do
 /// not guarantee this.
@@ -49,8 +49,9 @@ pub trait Real:
     /// Converts `v` to the nearest number of the type.
     fn from_f64(v: f64) -> Self;
 
-    /// `self * a + b`, rounded once by [`Fused`] numbers. Generated code and methods compute sums of products by this
-    /// method and the next two.
+    /// `self * a + b`, rounded once by [`Fused`] numbers only. Generated code and methods compute sums of products by
+    /// this method and the next two. The inherent method of `f64` with this name, which takes precedence where the type
+    /// is known, rounds once.
     #[inline(always)]
     #[must_use]
     fn mul_add(self, a: Self, b: Self) -> Self {
@@ -185,7 +186,7 @@ pub trait Real:
 
     /// Sine and cosine of an angle in radians; NaN if the angle is not finite.
     ///
-    /// For `f64` and `f32`, and lanes of these, errors are below 1 ulp and results are bit-identical on every machine.
+    /// For `f64`, `f32` and `Fused<f64>`, and lanes of these, errors are below 1 ulp and results are bit-identical on every machine.
     /// Angles beyond 1e5 rad in `f64` and 6400 rad in `f32` take longer.
     fn sin_cos(self) -> (Self, Self);
 

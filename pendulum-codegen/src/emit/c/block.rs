@@ -118,7 +118,8 @@ impl Writer<'_> {
     }
 
     fn sine_and_cosine(&mut self, pair: &SinCos) -> String {
-        self.calls.extend(["PENDULUM_SIN", "PENDULUM_COS"].map(String::from));
+        let needed = ["PENDULUM_SIN", "PENDULUM_COS", "pendulum_pair"];
+        self.calls.extend(needed.map(String::from));
         let function = if self.fused {
             "pendulum_sincos_fused"
         } else {

@@ -33,7 +33,8 @@ pub fn c(program: &Program) -> Sources {
 }
 
 /// Like [`c`], but sums with a product call `fma`, as code in fused arithmetic does: results equal those of the Rust
-/// code for `Fused<f64>` bit for bit, except for the coefficients of series.
+/// code for `Fused<f64>` bit for bit, except for the coefficients of series and under the same condition on the
+/// functions of the platform.
 ///
 /// Without `-mfma`, or the like for another processor, the calls take much longer than a multiplication and an addition.
 /// The function `<name>_rounds_once` tells if the platform rounds as IEEE 754 demands.

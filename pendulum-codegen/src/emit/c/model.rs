@@ -29,10 +29,15 @@ impl Scene<'_> {
         let codes = (1..).zip(self.codes()).zip(self.rules());
         let code = |((n, code), rule): ((usize, String), String)| format!("/// {rule}\n{code} = {n},");
         let platform = functions(calls).filter(|(head, _)| head.contains(':'));
+        let of_number = match self.fused {
+            true => " for Fused<f64>, up to the coefficients of series",
+            false => "",
+        };
         let values = [
             ("docs", program.docs.join("\n")),
             ("state", lines(state)),
             ("equations", program.equations.to_string()),
+            ("number", of_number.to_owned()),
             ("platform", lines(platform.map(|(head, _)| head.to_owned()))),
             ("parameters", fields(&program.parameters, &self.parameters)),
             ("defaults", self.defaults(include_str!("templates/defaults.h"))),

@@ -40,6 +40,8 @@ pub fn opencl(program: &Program) -> String {
 fn functions_for_kernels(calls: &Calls) -> String {
     let functions = functions(calls).map(|(name, code)| match name {
         "pendulum_sincos" => include_str!("templates/sincos.cl"),
+        // the types are in the file of the function
+        "pendulum_pair" => "",
         _ => code,
     });
     let built_in = |line: &&str| line.starts_with("extern");

@@ -109,7 +109,7 @@ impl Isa {
         target_feature = "sse2",
         feature = "std",
         not(debug_assertions),
-        not(target_feature = "avx2")
+        not(all(target_feature = "avx2", target_feature = "fma"))
     ))]
     pub(super) fn has_avx2() -> bool {
         Self::available().any(|isa| isa.0 == Set::Avx2)
@@ -133,7 +133,7 @@ impl Isa {
             target_feature = "sse2",
             feature = "std",
             not(debug_assertions),
-            not(target_feature = "avx2")
+            not(all(target_feature = "avx2", target_feature = "fma"))
         ))]
         if let Some(avx2) = super::x86::Avx2::available() {
             return avx2.run(routine, changed, read);

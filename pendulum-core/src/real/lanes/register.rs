@@ -152,9 +152,9 @@ impl Fuse for f64 {
     // IEEE 754 rounds it correctly, so that all versions are bit-identical. The C library of MinGW does not.
     #[inline(always)]
     fn fused_mul_add(self, a: Self, b: Self) -> Self {
-        #[cfg(all(feature = "std", not(all(windows, target_env = "gnu"))))]
+        #[cfg(all(feature = "std", any(target_feature = "fma", not(all(windows, target_env = "gnu")))))]
         return f64::mul_add(self, a, b);
-        #[cfg(not(all(feature = "std", not(all(windows, target_env = "gnu")))))]
+        #[cfg(not(all(feature = "std", any(target_feature = "fma", not(all(windows, target_env = "gnu"))))))]
         return libm::fma(self, a, b);
     }
 }

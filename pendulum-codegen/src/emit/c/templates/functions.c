@@ -84,7 +84,7 @@ static inline double pendulum_signum(double x) {
     return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
 }
 
-//! pendulum_sincos
+//! pendulum_pair
 typedef struct {
     double sin, cos;
 } pendulum_pair;
@@ -94,6 +94,7 @@ typedef union {
     uint64_t bits;
 } pendulum_bits;
 
+//! pendulum_sincos
 // Sine and cosine of an angle in radians, to less than 1 ulp.
 //
 // The angle is reduced to [-pi/4, pi/4] by a multiple of pi/2 in parts of 37, 37 and 53 bits (Cody and Waite), and the rounding error
@@ -140,15 +141,6 @@ static inline pendulum_pair pendulum_sincos(double x) {
 }
 
 //! pendulum_sincos_fused
-typedef struct {
-    double sin, cos;
-} pendulum_pair;
-
-typedef union {
-    double number;
-    uint64_t bits;
-} pendulum_bits;
-
 // Sine and cosine of an angle in radians, to less than 1 ulp, in fused arithmetic.
 //
 // The angle is reduced to [-pi/4, pi/4] by a multiple of pi/2 in parts of 37, 37 and 53 bits (Cody and Waite), and the rounding error

@@ -11,7 +11,7 @@
 ///     @equations@
 ///
 /// Compile the source as C99 with -ffp-contract=off and without -ffast-math: then the results have the same bits on every machine and
-/// in Rust, except where functions of the platform are called. There is no heap, and no library is needed but for these functions. Results
+/// in Rust@number@, except where functions of the platform are called. There is no heap, and no library is needed but for these functions. Results
 /// may overwrite what they are computed from.
 ///
 /// Functions of the platform, by the macros that name them; for example, -DPENDULUM_SQRT=my_sqrt calls my_sqrt in place of sqrt:

@@ -14,12 +14,20 @@
 
 mod enter;
 mod registers;
-#[cfg(all(feature = "std", not(debug_assertions), not(target_feature = "avx2")))]
+#[cfg(all(
+    feature = "std",
+    not(debug_assertions),
+    not(all(target_feature = "avx2", target_feature = "fma"))
+))]
 mod routine;
 
 pub(super) use enter::{avx2, avx512};
 pub(in crate::real) use registers::{Xmm32, Xmm64};
 pub(in crate::real) use registers::{Ymm32, Ymm64};
 pub(super) use registers::{Zmm32, Zmm64};
-#[cfg(all(feature = "std", not(debug_assertions), not(target_feature = "avx2")))]
+#[cfg(all(
+    feature = "std",
+    not(debug_assertions),
+    not(all(target_feature = "avx2", target_feature = "fma"))
+))]
 pub(super) use routine::Avx2;
