@@ -115,13 +115,7 @@ impl<A> FusedMethod<A> {
             tolerance,
             &mut Plain(&mut solution),
         );
-        match ended {
-            Ok(_) => Ok(solution),
-            Err(early) => Err(SolveError {
-                reason: early.reason,
-                solution: Box::new(solution),
-            }),
-        }
+        watch::concluded(ended, solution)
     }
 
     /// Like [`Method::follow`].

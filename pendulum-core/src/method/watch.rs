@@ -50,7 +50,16 @@ where
     T: Float,
 {
     let mut solution = Solution::start(stepper.t(), from(&stepper, x0));
-    match watched(&mut stepper, x0, events, tolerance, &mut solution) {
+    let ended = watched(&mut stepper, x0, events, tolerance, &mut solution);
+    concluded(ended, solution)
+}
+
+/// Solution of an integration that ended in this way, whose numbers may be of another type.
+pub(super) fn concluded<T, U, const N: usize>(
+    ended: Result<SVector<T, N>, Early<T, N>>,
+    solution: Solution<U, N>,
+) -> Result<Solution<U, N>, SolveError<U, N>> {
+    match ended {
         Ok(_) => Ok(solution),
         Err(early) => Err(SolveError {
             reason: early.reason,

@@ -21,10 +21,10 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// the last bits. The exceptions are [`signum`](Real::signum), which is 0 at 0, and `sqrt` and `abs`, which agree
 /// exactly.
 ///
-/// For `f64`, `f32` and `Fused<f64>`, and lanes of these, all results are bit-identical on every machine and in every build.
-/// [`sin_cos`](Real::sin_cos) is implemented here; `tan`, `exp`, `ln`, `tanh`, `atan2` and `powf` come from the crate
-/// [libm](https://docs.rs/libm) instead of the platform; IEEE 754 defines the rest. The inherent methods of `f64` do
-/// not guarantee this.
+/// For `f64`, `f32` and `Fused<f64>`, and lanes of these, all results are bit-identical on every machine and in every
+/// build. [`sin_cos`](Real::sin_cos) is implemented here; `tan`, `exp`, `ln`, `tanh`, `atan2` and `powf` come from the
+/// crate [libm](https://docs.rs/libm) instead of the platform; IEEE 754 defines the rest. The inherent methods of `f64`
+/// do not guarantee this.
 pub trait Real:
     nalgebra::Scalar
     + Copy
@@ -186,8 +186,8 @@ pub trait Real:
 
     /// Sine and cosine of an angle in radians; NaN if the angle is not finite.
     ///
-    /// For `f64`, `f32` and `Fused<f64>`, and lanes of these, errors are below 1 ulp and results are bit-identical on every machine.
-    /// Angles beyond 1e5 rad in `f64` and 6400 rad in `f32` take longer.
+    /// For `f64`, `f32` and `Fused<f64>`, and lanes of these, errors are below 1 ulp and results are bit-identical on
+    /// every machine. Angles beyond 1e5 rad in `f64` and 6400 rad in `f32` take longer.
     fn sin_cos(self) -> (Self, Self);
 
     /// Sines and cosines of two angles, bit-identical to [`sin_cos`](Self::sin_cos) of each. Scalars compute both in
