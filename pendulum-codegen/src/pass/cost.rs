@@ -77,7 +77,8 @@ impl Operations {
         const WAIT: usize = 12;
         /// Look-ahead of the processor, in independent additions.
         const AHEAD: usize = 500;
-        let work = self.arithmetic() + 60 * self.sincos + 30 * self.functions;
+        let sines_and_functions = work(CostKind::Sincos) * self.sincos + work(CostKind::Function) * self.functions;
+        let work = self.arithmetic() + sines_and_functions;
         let chain = WAIT * self.chain * work / (work + AHEAD);
         // the larger of the two, and slightly more if they are of similar size: (work^8 + chain^8)^(1/8)
         let (larger, smaller) = (work.max(chain) as f64, work.min(chain) as f64);
@@ -87,7 +88,7 @@ impl Operations {
 
     /// Work without sines and functions, in additions. The forms of one function hardly differ in their sines.
     pub(crate) fn arithmetic(&self) -> usize {
-        self.additions + self.multiplications + 6 * self.divisions
+        self.additions + self.multiplications + work(CostKind::Division) * self.divisions
     }
 }
 
@@ -113,8 +114,18 @@ fn chain(g: &Graph, reachable: &[ExprId], roots: &[Expr<'_>]) -> usize {
     roots.iter().map(|root| ends[root.id().index()]).max().unwrap_or(0)
 }
 
+/// Time of an operation among many independent ones, in additions.
+pub(crate) fn work(kind: CostKind) -> usize {
+    match kind {
+        CostKind::Addition | CostKind::Multiplication => 1,
+        CostKind::Division => 6,
+        CostKind::Function => 30,
+        CostKind::Sincos => 60,
+    }
+}
+
 /// Latency of an operation, in additions.
-fn waiting(kind: CostKind) -> usize {
+pub(crate) fn waiting(kind: CostKind) -> usize {
     match kind {
         CostKind::Addition | CostKind::Multiplication => 1,
         CostKind::Division => 4,

@@ -2,7 +2,7 @@
 
 mod angles;
 pub(crate) mod constants;
-mod cost;
+pub(crate) mod cost;
 pub(crate) mod factor;
 mod flat;
 mod nest;

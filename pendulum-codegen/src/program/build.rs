@@ -6,7 +6,7 @@ use num_traits::{Signed, ToPrimitive};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::block::{Block, Let, Local, SinCos, Term, Variable};
-use super::schedule::{Step, schedule};
+use super::schedule::{Step, Time, schedule};
 use crate::expr::{Binary, Expr, ExprId, Graph, Level, Node, Printer, Rational, Symbol, SymbolKind, Unary, ratio};
 
 /// Number of operations at which an expression becomes a statement of its own.
@@ -149,6 +149,7 @@ impl<'g> Builder<'g> {
             defines: code.defines().count(),
             needs: code.needs().iter().map(|local| origins[local]).collect(),
             is_result: self.uses[id] == 1 && roots.contains(id),
+            time: Time::of(code),
         };
         self.statements.iter().map(step).collect()
     }

@@ -1,31 +1,96 @@
 //! Order of statements.
 
+use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
-use rustc_hash::FxHashMap;
+use super::block::{Let, Term};
+use crate::expr::CostKind;
+use crate::pass::cost::{waiting, work};
 
-/// Number of values defined by a statement, and the statements it depends on.
+/// Latency of an addition: four cycles, in which eight independent ones take place.
+const LATENCY: usize = 8;
+/// Number of operations that a processor looks ahead, whatever their order.
+const LOOK_AHEAD: usize = 256;
+
+/// Number of values defined by a statement, the statements it depends on, and its time.
 #[derive(Debug, Default)]
 pub(super) struct Step {
     /// Number of values that the step defines.
     pub(super) defines: usize,
-    /// Indices of the steps whose values it needs.
+    /// Indices of the steps whose values it needs, all before its own.
     pub(super) needs: BTreeSet<usize>,
     /// True if its values are results, which need not stay alive.
     pub(super) is_result: bool,
+    /// Time of the step.
+    pub(super) time: Time,
+}
+
+/// Estimated time of a computation, in multiples of one addition among many independent ones.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Time {
+    /// Time of its operations among many independent ones.
+    work: usize,
+    /// Time of its longest chain of dependent operations.
+    chain: usize,
+}
+
+impl Time {
+    /// Time of a statement.
+    pub(super) fn of(code: &Let) -> Self {
+        match code {
+            Let::Value(_, term) => Self::of_term(term),
+            Let::SinCos(pairs) => pairs.iter().fold(Self::default(), |time, pair| {
+                time.beside(Self::of_term(&pair.angle).then(CostKind::Sincos))
+            }),
+        }
+    }
+
+    fn of_term(term: &Term) -> Self {
+        match term {
+            Term::Number(_) | Term::Local(_) | Term::Read(_) => Self::default(),
+            Term::Unary(op, a) => Self::of_term(a).then(op.cost()),
+            Term::Binary(op, a, b) => Self::of_term(a).beside(Self::of_term(b)).then(op.cost()),
+            Term::Sqrt(a) => Self::of_term(a).then(CostKind::Division),
+            Term::Power(a, _) => Self::of_term(a).then(CostKind::Function),
+        }
+    }
+
+    fn beside(self, other: Self) -> Self {
+        Self {
+            work: self.work + other.work,
+            chain: self.chain.max(other.chain),
+        }
+    }
+
+    fn then(self, kind: CostKind) -> Self {
+        Self {
+            work: self.work + work(kind),
+            chain: self.chain + LATENCY * waiting(kind),
+        }
+    }
 }
 
 /// Orders steps so that few values are alive at a time. Among the steps whose needs are met, the next is the one after
-/// which the fewest values are alive; the first in the given order wins a tie. A processor has 16 or 32 registers, and
-/// further values are spilled to memory.
+/// which the fewest values are alive: a processor has 16 or 32 registers, and further values are spilled to memory. Of
+/// several it is the first in the given order, unless the longest chain takes more time than all work side by side,
+/// and the work is more than the processor sees at once: then the one with the longest chain to the end goes first.
 pub(super) fn schedule(steps: &[Step]) -> Vec<usize> {
-    let mut users: FxHashMap<usize, Vec<usize>> = FxHashMap::default();
+    let mut users = vec![Vec::new(); steps.len()];
     for (n, step) in steps.iter().enumerate() {
         for &need in &step.needs {
-            users.entry(need).or_default().push(n);
+            users[need].push(n);
         }
     }
-    let mut waiting_users: Vec<usize> = (0..steps.len()).map(|n| users.get(&n).map_or(0, Vec::len)).collect();
+    // longest chain from each step to the end
+    let mut chains = vec![0; steps.len()];
+    for (n, step) in steps.iter().enumerate().rev() {
+        chains[n] = step.time.chain + users[n].iter().map(|&user| chains[user]).max().unwrap_or(0);
+    }
+    let all_work: usize = steps.iter().map(|step| step.time.work).sum();
+    if all_work <= LOOK_AHEAD || chains.iter().all(|&chain| chain <= all_work) {
+        chains.fill(0);
+    }
+    let mut waiting_users: Vec<usize> = users.iter().map(Vec::len).collect();
     let mut unmet: Vec<usize> = steps.iter().map(|step| step.needs.len()).collect();
     let mut ready: BTreeSet<usize> = (0..steps.len()).filter(|&n| unmet[n] == 0).collect();
     let mut order = Vec::with_capacity(steps.len());
@@ -38,14 +103,14 @@ pub(super) fn schedule(steps: &[Step]) -> Vec<usize> {
             .map(|&need| count(need))
             .sum();
         let starting = if step.is_result { 0 } else { count(n) };
-        (starting - ending, n)
+        (starting - ending, Reverse(chains[n]), n)
     }) {
         ready.remove(&next);
         order.push(next);
         for &need in &steps[next].needs {
             waiting_users[need] -= 1;
         }
-        for &user in users.get(&next).map_or(&[][..], Vec::as_slice) {
+        for &user in &users[next] {
             unmet[user] -= 1;
             if unmet[user] == 0 {
                 ready.insert(user);
@@ -57,13 +122,17 @@ pub(super) fn schedule(steps: &[Step]) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Step, schedule};
+    use super::{LATENCY, Step, Time, schedule};
 
     fn step(needs: &[usize]) -> Step {
         Step {
             defines: 1,
             needs: needs.iter().copied().collect(),
             is_result: false,
+            time: Time {
+                work: 1,
+                chain: LATENCY,
+            },
         }
     }
 
@@ -102,5 +171,33 @@ mod tests {
         }
         let given: Vec<usize> = (0..steps.len()).collect();
         assert_eq!((most_alive(&steps, &given), most_alive(&steps, &order)), (4, 2));
+    }
+
+    #[test]
+    fn a_chain_that_cannot_hide_starts_first() {
+        let divided = |needs: &[usize]| Step {
+            time: Time {
+                work: 6,
+                chain: 4 * LATENCY,
+            },
+            ..step(needs)
+        };
+        // independent steps, then twelve divisions, each of the one before it
+        let order = |count: usize| {
+            let chain = (1..12).map(|n| divided(&[count + n - 1]));
+            let steps: Vec<Step> = (0..count)
+                .map(|_| step(&[]))
+                .chain([divided(&[])])
+                .chain(chain)
+                .collect();
+            schedule(&steps)
+        };
+        let chain_first: Vec<usize> = (250..262).chain(0..250).collect();
+        assert_eq!(order(250), chain_first);
+        // the processor sees all of a few steps, and the chain hides behind many
+        for count in [100, 1000] {
+            let given: Vec<usize> = (0..count + 12).collect();
+            assert_eq!(order(count), given);
+        }
     }
 }

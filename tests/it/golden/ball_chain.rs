@@ -272,188 +272,188 @@ t29 = t27 + t26 - t27
         ) -> ::pendulum_core::nalgebra::SVector<T, 14> {
             let [qw_a, qx_a, qy_a, qz_a, qw_b, qx_b, qy_b, qz_b, qdx_a, qdy_a, qdz_a,
             qdx_b, qdy_b, qdz_b] = x.data.0[0];
-            let t0 = T::from_f64(0.5) * qx_a;
-            let t1 = T::from_f64(0.5) * qy_a;
-            let t2 = T::from_f64(0.5) * qz_a;
-            let t3 = -qdz_a.mul_add(t2, qdy_a.mul_add(t1, qdx_a * t0));
-            let t4 = T::from_f64(0.5) * qw_a;
-            let t5 = qdz_a.mul_add(t1, qdy_a.mul_neg_add(t2, qdx_a * t4));
-            let t6 = qdz_a.mul_neg_add(t0, qdy_a.mul_add(t4, qdx_a * t2));
-            let t7 = qdz_a.mul_add(t4, qdx_a.mul_neg_add(t1, qdy_a * t0));
-            let t8 = T::from_f64(0.5) * qx_b;
-            let t9 = T::from_f64(0.5) * qy_b;
-            let t10 = T::from_f64(0.5) * qz_b;
-            let t11 = -qdz_b.mul_add(t10, qdy_b.mul_add(t9, qdx_b * t8));
-            let t12 = T::from_f64(0.5) * qw_b;
-            let t13 = qdz_b.mul_add(t9, qdy_b.mul_neg_add(t10, qdx_b * t12));
-            let t14 = qdz_b.mul_neg_add(t8, qdy_b.mul_add(t12, qdx_b * t10));
-            let t15 = qdz_b.mul_add(t12, qdx_b.mul_neg_add(t9, qdy_b * t8));
-            let t16 = qx_b * qy_b;
-            let t17 = qz_b * qw_b;
-            let t18 = t16 - t17;
-            let t19 = t16 + t17;
-            let t20 = T::from_f64(2.0) * t18;
-            let t21 = T::from_f64(0.9154481881754609) * t18;
-            let t22 = qy_b * qy_b;
-            let t23 = qz_b * qz_b;
-            let t24 = T::from_f64(2.0).mul_neg_add(t22 + t23, T::from_f64(1.0));
-            let t25 = T::from_f64(0.4721311475409836) * t24;
-            let t26 = t24.mul_add(t25, t20 * t21);
-            let t27 = T::from_f64(0.25)
-                .mul_neg_add(t26, T::from_f64(0.21674666666666667));
-            let t28 = T::from_f64(0.5).mul_sub(t26, T::from_f64(0.5));
-            let t29 = qx_b * qx_b;
-            let t30 = T::from_f64(2.0).mul_neg_add(t23 + t29, T::from_f64(1.0));
-            let t31 = T::from_f64(2.0).mul_neg_add(t22 + t29, T::from_f64(1.0));
-            let t32 = T::from_f64(0.45772409408773046) * t30;
-            let t33 = T::from_f64(2.0) * t19;
-            let t34 = T::from_f64(0.9442622950819672) * t19;
-            let t35 = t33.mul_add(t34, t30 * t32);
-            let t36 = T::from_f64(0.25)
-                .mul_neg_add(t35, T::from_f64(0.21674666666666667));
-            let t37 = t36 - t27;
-            let t38 = T::from_f64(1.0) / (t36 - t37);
-            let t39 = t25.mul_add(t33, t21 * t30);
-            let t40 = T::from_f64(0.25) * t39;
-            let t41 = T::from_f64(0.5) * t39;
-            let t42 = t40 * t38;
-            let t43 = qy_b * qz_b;
-            let t44 = qx_b * qw_b;
-            let t45 = T::from_f64(2.0) * (t43 + t44);
-            let t46 = T::from_f64(2.0) * (t43 - t44);
-            let t47 = t30.mul_add(qdy_a, t20.mul_add(qdx_a, qdz_a.mul_add(t45, qdy_b)));
-            let t48 = qx_b * qz_b;
-            let t49 = qy_b * qw_b;
-            let t50 = T::from_f64(2.0) * (t48 + t49);
-            let t51 = T::from_f64(2.0) * (t48 - t49);
-            let t52 = T::from_f64(0.5) * t25.mul_add(t51, t21 * t45);
-            let t53 = qdy_a.mul_add(t46, qdx_a.mul_add(t50, qdz_a.mul_add(t31, qdz_b)));
-            let t54 = t47 * t53;
-            let t55 = T::from_f64(0.03048).mul_neg_add(t54, T::from_f64(0.00098) * t54);
-            let t56 = t55 - t55;
-            let t57 = t33.mul_add(qdy_a, t24.mul_add(qdx_a, qdz_a.mul_add(t51, qdx_b)));
-            let t58 = t53 * t57;
-            let t59 = T::from_f64(2e-5).mul_neg_add(t58, T::from_f64(0.03048) * t58);
-            let t60 = t59 - t59;
-            let t61 = t47 * t57;
-            let t62 = T::from_f64(0.00098).mul_neg_add(t61, T::from_f64(2e-5) * t61);
-            let t63 = t62 - t62;
-            let t64 = qdx_a * qdz_a;
-            let t65 = T::from_f64(0.12) * t57.mul_add(t57, t47 * t47);
-            let t66 = T::from_f64(0.5) * qdx_a.mul_add(qdx_a, qdy_a * qdy_a);
-            let t67 = T::from_f64(0.5) * t64;
-            let t68 = qdz_a * qdy_a;
-            let t69 = T::from_f64(0.5) * t68;
-            let t70 = t30.mul_neg_add(t69, t20.mul_neg_add(t67, t45 * t66));
-            let t71 = t33.mul_neg_add(t69, t24.mul_neg_add(t67, t51 * t66));
-            let t72 = T::from_f64(0.45772409408773046)
+            let t0 = qy_b * qy_b;
+            let t1 = qz_b * qz_b;
+            let t2 = qx_b * qx_b;
+            let t3 = qx_b * qy_b;
+            let t4 = qz_b * qw_b;
+            let t5 = T::from_f64(2.0).mul_neg_add(t0 + t1, T::from_f64(1.0));
+            let t6 = T::from_f64(2.0).mul_neg_add(t1 + t2, T::from_f64(1.0));
+            let t7 = T::from_f64(2.0).mul_neg_add(t0 + t2, T::from_f64(1.0));
+            let t8 = qy_b * qz_b;
+            let t9 = qx_b * qw_b;
+            let t10 = qx_b * qz_b;
+            let t11 = qy_b * qw_b;
+            let t12 = t3 - t4;
+            let t13 = t3 + t4;
+            let t14 = T::from_f64(2.0) * (t8 + t9);
+            let t15 = T::from_f64(2.0) * (t8 - t9);
+            let t16 = T::from_f64(2.0) * (t10 + t11);
+            let t17 = T::from_f64(2.0) * (t10 - t11);
+            let t18 = T::from_f64(2.0) * t12;
+            let t19 = T::from_f64(0.9154481881754609) * t12;
+            let t20 = T::from_f64(2.0) * t13;
+            let t21 = T::from_f64(0.9442622950819672) * t13;
+            let t22 = t6.mul_add(qdy_a, t18.mul_add(qdx_a, qdz_a.mul_add(t14, qdy_b)));
+            let t23 = qdy_a.mul_add(t15, qdx_a.mul_add(t16, qdz_a.mul_add(t7, qdz_b)));
+            let t24 = t20.mul_add(qdy_a, t5.mul_add(qdx_a, qdz_a.mul_add(t17, qdx_b)));
+            let t25 = T::from_f64(0.5) * qdx_a.mul_add(qdx_a, qdy_a * qdy_a);
+            let t26 = qdx_a * qdz_a;
+            let t27 = qdz_a * qdy_a;
+            let t28 = T::from_f64(0.4721311475409836) * t5;
+            let t29 = T::from_f64(0.45772409408773046) * t6;
+            let t30 = T::from_f64(0.5) * t26;
+            let t31 = T::from_f64(0.5) * t27;
+            let t32 = t5.mul_add(t28, t18 * t19);
+            let t33 = t20.mul_add(t21, t6 * t29);
+            let t34 = t22 * t23;
+            let t35 = t23 * t24;
+            let t36 = t6.mul_neg_add(t31, t18.mul_neg_add(t30, t14 * t25));
+            let t37 = t20.mul_neg_add(t31, t5.mul_neg_add(t30, t17 * t25));
+            let t38 = T::from_f64(0.03048).mul_neg_add(t34, T::from_f64(0.00098) * t34);
+            let t39 = T::from_f64(0.45772409408773046)
                 .mul_add(
-                    t70,
-                    T::from_f64(0.12).mul_add(t54, T::from_f64(3.814367450731087) * t55),
+                    t36,
+                    T::from_f64(0.12).mul_add(t34, T::from_f64(3.814367450731087) * t38),
                 );
-            let t73 = T::from_f64(3.9344262295081966)
+            let t40 = T::from_f64(2e-5).mul_neg_add(t35, T::from_f64(0.03048) * t35);
+            let t41 = T::from_f64(3.9344262295081966)
                 .mul_neg_add(
-                    t59,
-                    T::from_f64(0.4721311475409836).mul_add(t71, T::from_f64(0.12) * t58),
+                    t40,
+                    T::from_f64(0.4721311475409836).mul_add(t37, T::from_f64(0.12) * t35),
                 );
-            let t74 = T::from_f64(0.5)
+            let t42 = T::from_f64(0.25)
+                .mul_neg_add(t32, T::from_f64(0.21674666666666667));
+            let t43 = T::from_f64(0.5).mul_sub(t32, T::from_f64(0.5));
+            let t44 = T::from_f64(0.25)
+                .mul_neg_add(t33, T::from_f64(0.21674666666666667));
+            let t45 = t22 * t24;
+            let t46 = T::from_f64(0.00098).mul_neg_add(t45, T::from_f64(2e-5) * t45);
+            let t47 = T::from_f64(0.12) * t24.mul_add(t24, t22 * t22);
+            let t48 = t44 - t42;
+            let t49 = T::from_f64(1.0) / (t44 - t48);
+            let t50 = t38 - t38;
+            let t51 = t40 - t40;
+            let t52 = t46 - t46;
+            let t53 = T::from_f64(0.5)
                 .mul_neg_add(
-                    t24.mul_neg_add(t73, t20.mul_neg_add(t72, t50 * t65)),
+                    t5.mul_neg_add(t41, t18.mul_neg_add(t39, t16 * t47)),
                     T::from_f64(0.21658666666666668)
-                        .mul_add(t64, t46.mul_add(t63, t30.mul_add(t60, t33 * t56))),
+                        .mul_add(t26, t15.mul_add(t52, t6.mul_add(t51, t20 * t50))),
                 );
-            let t75 = T::from_f64(19.62)
+            let t54 = t28.mul_add(t20, t19 * t6);
+            let t55 = T::from_f64(0.5) * t28.mul_add(t17, t19 * t14);
+            let t56 = T::from_f64(19.62)
                 .mul_neg_add(qy_a.mul_add(qy_a, qx_a * qx_a), T::from_f64(9.81));
-            let t76 = t75
+            let t57 = T::from_f64(0.25) * t54;
+            let t58 = T::from_f64(0.5) * t54;
+            let t59 = t57 * t49;
+            let t60 = t56
                 .mul_add(
-                    t42.mul_add(t52, T::from_f64(0.5) * t34.mul_add(t51, t32 * t45)),
-                    t42 * t74,
+                    t59.mul_add(t55, T::from_f64(0.5) * t21.mul_add(t17, t29 * t14)),
+                    t59 * t53,
                 );
-            let t77 = T::from_f64(19.62) * qy_a.mul_neg_add(qw_a, qz_a * qx_a);
-            let t78 = t24
+            let t61 = T::from_f64(19.62) * qy_a.mul_neg_add(qw_a, qz_a * qx_a);
+            let t62 = t5
                 .mul_neg_add(
-                    t56,
+                    t50,
                     T::from_f64(0.21658666666666668)
-                        .mul_add(t68, t77.mul_add(t42.mul_add(t28, t41), t76)),
+                        .mul_add(t27, t61.mul_add(t59.mul_add(t43, t58), t60)),
                 );
-            let t79 = T::from_f64(0.5)
+            let t63 = T::from_f64(0.5)
                 .mul_neg_add(
-                    t33.mul_neg_add(t73, t30.mul_neg_add(t72, t46 * t65)),
-                    t50.mul_neg_add(t63, t20.mul_neg_add(t60, t78)),
+                    t20.mul_neg_add(t41, t6.mul_neg_add(t39, t15 * t47)),
+                    t16.mul_neg_add(t52, t18.mul_neg_add(t51, t62)),
                 );
-            let t80 = t31.mul_add(t63, t45.mul_add(t60, t56 * t51));
-            let t81 = T::from_f64(-6250.0) * t80;
-            let t82 = T::from_f64(6250.0) * t80;
-            let t83 = T::from_f64(19.62) * qx_a.mul_add(qw_a, qy_a * qz_a);
-            let t84 = T::from_f64(1.0) / t40.mul_neg_add(t42, t27 + t37)
-                * t83
+            let t64 = t7.mul_add(t52, t14.mul_add(t51, t50 * t17));
+            let t65 = T::from_f64(-6250.0) * t64;
+            let t66 = T::from_f64(6250.0) * t64;
+            let t67 = T::from_f64(19.62) * qx_a.mul_add(qw_a, qy_a * qz_a);
+            let t68 = T::from_f64(1.0) / t57.mul_neg_add(t59, t42 + t48)
+                * t67
                     .mul_neg_add(
-                        t42
+                        t59
                             .mul_neg_add(
-                                t41,
-                                T::from_f64(0.5).mul_neg_add(t35, T::from_f64(0.5)),
+                                t58,
+                                T::from_f64(0.5).mul_neg_add(t33, T::from_f64(0.5)),
                             ),
-                        t79,
+                        t63,
                     );
-            let t85 = t77
-                .mul_add(t28, t75.mul_add(t52, t83.mul_add(t41, t40.mul_add(t84, t74))));
-            let t86 = t38 * t85;
-            let t87 = t31
+            let t69 = t61
+                .mul_add(t43, t56.mul_add(t55, t67.mul_add(t58, t57.mul_add(t68, t53))));
+            let t70 = t49 * t69;
+            let t71 = t7
                 .mul_neg_add(
-                    t82,
-                    t46
+                    t66,
+                    t15
                         .mul_neg_add(
-                            t86,
-                            t47.mul_neg_add(qdx_b, t50.mul_add(t84, qdy_b * t57)),
+                            t70,
+                            t22.mul_neg_add(qdx_b, t16.mul_add(t68, qdy_b * t24)),
                         ),
                 );
-            let t88 = T::from_f64(-1000.0) * T::from_f64(0.001).mul_add(t87, t62);
-            let t89 = -t86;
-            let t90 = t51
+            let t72 = T::from_f64(-1000.0) * T::from_f64(0.001).mul_add(t71, t46);
+            let t73 = t17
                 .mul_neg_add(
-                    t82,
-                    t33
+                    t66,
+                    t20
                         .mul_neg_add(
-                            t86,
-                            qdy_b.mul_neg_add(t53, t24.mul_add(t84, t47 * qdz_b)),
+                            t70,
+                            qdy_b.mul_neg_add(t23, t5.mul_add(t68, t22 * qdz_b)),
                         ),
                 );
-            let t91 = t45
+            let t74 = t14
                 .mul_neg_add(
-                    t82,
-                    t30
+                    t66,
+                    t6
                         .mul_neg_add(
-                            t86,
-                            qdz_b.mul_neg_add(t57, t20.mul_add(t84, t53 * qdx_b)),
+                            t70,
+                            qdz_b.mul_neg_add(t24, t18.mul_add(t68, t23 * qdx_b)),
                         ),
                 );
-            let t92 = T::from_f64(0.5).mul_add(t86, t77);
-            let t93 = T::from_f64(0.5).mul_add(t84, t83);
-            let t94 = T::from_f64(0.12)
+            let t75 = T::from_f64(0.5).mul_add(t68, t67);
+            let t76 = T::from_f64(0.5).mul_add(t70, t61);
+            let t77 = T::from_f64(0.12)
                 .mul_add(
-                    t30.mul_add(t93, t20.mul_add(t92, t45.mul_add(t75, t70))),
-                    T::from_f64(0.03146).mul_add(t90, t55),
+                    t6.mul_add(t75, t18.mul_add(t76, t14.mul_add(t56, t36))),
+                    T::from_f64(0.03146).mul_add(t73, t38),
                 );
-            let t95 = T::from_f64(0.12)
-                .mul_sub(t33.mul_add(t93, t24.mul_add(t92, t51.mul_add(t75, t71))), t59);
-            let t96 = T::from_f64(32.78688524590164)
-                * T::from_f64(0.0305).mul_neg_add(t91, t95);
-            let t97 = T::from_f64(-31.78639542275906) * t94;
+            let t78 = T::from_f64(0.12)
+                .mul_sub(t20.mul_add(t75, t5.mul_add(t76, t17.mul_add(t56, t37))), t40);
+            let t79 = T::from_f64(32.78688524590164)
+                * T::from_f64(0.0305).mul_neg_add(t74, t78);
+            let t80 = -t70;
+            let t81 = T::from_f64(-31.78639542275906) * t77;
+            let t82 = T::from_f64(0.5) * qx_a;
+            let t83 = T::from_f64(0.5) * qy_a;
+            let t84 = T::from_f64(0.5) * qz_a;
+            let t85 = -qdz_a.mul_add(t84, qdy_a.mul_add(t83, qdx_a * t82));
+            let t86 = T::from_f64(0.5) * qx_b;
+            let t87 = T::from_f64(0.5) * qy_b;
+            let t88 = T::from_f64(0.5) * qz_b;
+            let t89 = -qdz_b.mul_add(t88, qdy_b.mul_add(t87, qdx_b * t86));
+            let t90 = T::from_f64(0.5) * qw_a;
+            let t91 = qdz_a.mul_add(t83, qdy_a.mul_neg_add(t84, qdx_a * t90));
+            let t92 = qdz_a.mul_neg_add(t82, qdy_a.mul_add(t90, qdx_a * t84));
+            let t93 = qdz_a.mul_add(t90, qdx_a.mul_neg_add(t83, qdy_a * t82));
+            let t94 = T::from_f64(0.5) * qw_b;
+            let t95 = qdz_b.mul_add(t87, qdy_b.mul_neg_add(t88, qdx_b * t94));
+            let t96 = qdz_b.mul_neg_add(t86, qdy_b.mul_add(t94, qdx_b * t88));
+            let t97 = qdz_b.mul_add(t94, qdx_b.mul_neg_add(t87, qdy_b * t86));
             ::pendulum_core::nalgebra::SVector::from([
-                t3,
-                t5,
-                t6,
-                t7,
-                t11,
-                t13,
-                t14,
-                t15,
-                t84,
+                t85,
+                t91,
+                t92,
+                t93,
                 t89,
-                t81,
-                t97,
+                t95,
                 t96,
-                t88,
+                t97,
+                t68,
+                t80,
+                t65,
+                t81,
+                t79,
+                t72,
             ])
         }
         #[inline]

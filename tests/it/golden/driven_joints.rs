@@ -604,32 +604,32 @@ k43 = b*w^2*ny^2*(m1 + m2)
             let k30 = self.constants[30];
             let k31 = self.constants[31];
             let k36 = self.constants[36];
-            let t0 = k7 * qd_theta2;
-            let t1 = k4 * t;
-            let [(sin2, _), (_, cos3)] = (k6 * t1).sin_cos_pair(k5 * t1);
+            let t0 = k4 * t;
+            let [(sin1, _), (_, cos2)] = (k6 * t0).sin_cos_pair(k5 * t0);
+            let t3 = k7 * qd_theta2;
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                 .sin_cos_pair(q_theta2);
             let t4 = cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
             let t5 = k19 * t4;
-            let t6 = k36 * sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
-            let t7 = qd_theta1
+            let t6 = qd_theta1
                 .mul_add(
                     qd_theta1.mul_neg_add(t5, k23),
-                    sin_theta2.mul_add(k30.mul_neg_add(sin2, k22), t0),
+                    sin_theta2.mul_add(k30.mul_neg_add(sin1, k22), t3),
                 );
-            let t8 = (k31 * cos_theta2).mul_neg_add(cos3, t7);
+            let t7 = (k31 * cos_theta2).mul_neg_add(cos2, t6);
+            let t8 = k36 * sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
             let t9 = sin_theta1
                 .mul_add(
-                    k14.mul_neg_add(sin2, k21),
-                    t6.mul_add(t8, (qd_theta2 * qd_theta2).mul_add(t5, k24 * qd_theta1)),
+                    k14.mul_neg_add(sin1, k21),
+                    t8.mul_add(t7, (qd_theta2 * qd_theta2).mul_add(t5, k24 * qd_theta1)),
                 );
             let t10 = k20 / (k18 * t4).mul_add(t4, k28)
-                * (k15 * cos_theta1).mul_neg_add(cos3, t9 - t0);
+                * (k15 * cos_theta1).mul_neg_add(cos2, t9 - t3);
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta1,
                 qd_theta2,
                 -t10,
-                t6.mul_neg_add(t10, k29 * t8),
+                t8.mul_neg_add(t10, k29 * t7),
             ])
         }
         #[inline]
@@ -678,66 +678,66 @@ k43 = b*w^2*ny^2*(m1 + m2)
             let k31 = self.constants[31];
             let k36 = self.constants[36];
             let k37 = self.constants[37];
-            let t0 = k19 * qd_theta2 * qd_theta2;
-            let t1 = k7 * qd_theta2;
-            let t2 = k4 * t;
-            let [(sin3, _), (_, cos4)] = (k6 * t2).sin_cos_pair(k5 * t2);
-            let t5 = k30.mul_neg_add(sin3, k22);
-            let t6 = k19 * qd_theta1 * qd_theta1;
-            let t7 = k31 * cos4;
-            let t8 = k14.mul_neg_add(sin3, k21);
-            let t9 = k15 * cos4;
+            let t0 = k4 * t;
+            let [(sin1, _), (_, cos2)] = (k6 * t0).sin_cos_pair(k5 * t0);
+            let t3 = k30.mul_neg_add(sin1, k22);
+            let t4 = k19 * qd_theta1 * qd_theta1;
+            let t5 = k7 * qd_theta2;
+            let t6 = k31 * cos2;
+            let t7 = k19 * qd_theta2 * qd_theta2;
+            let t8 = k14.mul_neg_add(sin1, k21);
+            let t9 = k15 * cos2;
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                 .sin_cos_pair(q_theta2);
             let t10 = cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
-            let t11 = k20 / (k18 * t10).mul_add(t10, k28);
-            let t12 = sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
-            let t13 = k36 * t12;
-            let t14 = cos_theta2
+            let t11 = cos_theta2
                 .mul_neg_add(
-                    t7,
+                    t6,
                     t10
                         .mul_neg_add(
-                            t6,
-                            k7.mul_neg_add(qd_theta1, sin_theta2.mul_add(t5, t1)),
+                            t4,
+                            k7.mul_neg_add(qd_theta1, sin_theta2.mul_add(t3, t5)),
                         ),
                 );
+            let t12 = sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
+            let t13 = k20 / (k18 * t10).mul_add(t10, k28);
+            let t14 = k36 * t12;
             let t15 = sin_theta1
-                .mul_add(t8, t13.mul_add(t14, t10.mul_add(t0, k24 * qd_theta1))) - t1;
-            let t16 = t11 * cos_theta1.mul_neg_add(t9, t15);
-            let t17 = -t16;
-            let t18 = t13.mul_neg_add(t16, k29 * t14);
+                .mul_add(t8, t14.mul_add(t11, t10.mul_add(t7, k24 * qd_theta1))) - t5;
+            let t16 = t13 * cos_theta1.mul_neg_add(t9, t15);
+            let t17 = t14.mul_neg_add(t16, k29 * t11);
+            let t18 = -t16;
             let t19 = k19 * t10;
-            let t20 = t18.mul_neg_add(t19, t0 * t12);
-            let t21 = t16.mul_neg_add(t19, t12 * t6);
-            let t22 = t11
-                * t13.mul_neg_add(t21, cos_theta1.mul_add(t8, sin_theta1 * t9) + t20);
-            let t23 = cos_theta2.mul_add(t5, sin_theta2.mul_add(t7, t21));
-            let t24 = -t13.mul_add(t22, k29 * t21);
+            let t20 = t17.mul_neg_add(t19, t7 * t12);
+            let t21 = t16.mul_neg_add(t19, t12 * t4);
+            let t22 = t13
+                * t14.mul_neg_add(t21, cos_theta1.mul_add(t8, sin_theta1 * t9) + t20);
+            let t23 = cos_theta2.mul_add(t3, sin_theta2.mul_add(t6, t21));
+            let t24 = -t14.mul_add(t22, k29 * t21);
             let t25 = -t22;
-            let t26 = t11 * t13.mul_sub(t23, t20);
-            let t27 = t13.mul_neg_add(t26, k29 * t23);
-            let t28 = -t26;
-            let t29 = k13 * t10;
-            let t30 = qd_theta1.mul_add(t29, k7);
-            let t31 = t11 * (k7.mul_add(t13, qd_theta2 * t29) - k7);
-            let t32 = t11 * t13.mul_neg_add(t30, k24);
-            let t33 = -t13.mul_add(t32, k29 * t30);
-            let t34 = -t32;
-            let t35 = t13.mul_neg_add(t31, k37);
+            let t26 = k13 * t10;
+            let t27 = t13 * t14.mul_sub(t23, t20);
+            let t28 = t14.mul_neg_add(t27, k29 * t23);
+            let t29 = -t27;
+            let t30 = qd_theta1.mul_add(t26, k7);
+            let t31 = t13 * (k7.mul_add(t14, qd_theta2 * t26) - k7);
+            let t32 = t13 * t14.mul_neg_add(t30, k24);
+            let t33 = -t14.mul_add(t32, k29 * t30);
+            let t34 = t14.mul_neg_add(t31, k37);
+            let t35 = -t32;
             let t36 = -t31;
             (
                 ::pendulum_core::nalgebra::SVector::from([
                     qd_theta1,
                     qd_theta2,
-                    t17,
                     t18,
+                    t17,
                 ]),
                 ::pendulum_core::nalgebra::SMatrix::from([
                     [T::from_f64(0.0), T::from_f64(0.0), t25, t24],
-                    [T::from_f64(0.0), T::from_f64(0.0), t28, t27],
-                    [T::from_f64(1.0), T::from_f64(0.0), t34, t33],
-                    [T::from_f64(0.0), T::from_f64(1.0), t36, t35],
+                    [T::from_f64(0.0), T::from_f64(0.0), t29, t28],
+                    [T::from_f64(1.0), T::from_f64(0.0), t35, t33],
+                    [T::from_f64(0.0), T::from_f64(1.0), t36, t34],
                 ]),
             )
         }

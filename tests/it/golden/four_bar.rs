@@ -830,146 +830,146 @@ k36 = -1
             let t4 = k0 * sin_theta;
             let t5 = t4.mul_add(t4, t3 * t3);
             let t6 = T::from_f64(1.0) / t5;
-            let t7 = k7.mul_add(t6, T::from_f64(0.5));
-            let t8 = t7.mul_neg_add(t7, k5 * t6).sqrt();
-            let t9 = t4 * t8;
-            let t10 = t3.mul_add(t7, t9);
-            let t11 = k27 * t10;
-            let t12 = t4 * t7;
-            let t13 = t3.mul_neg_add(t8, t12);
-            let t14 = k27 * t13;
-            let t15 = cos_theta.mul_add(t14, sin_theta * t11);
-            let t16 = t5 * t8;
-            let t17 = T::from_f64(1.0) / t16;
-            let t18 = t3 - t10;
-            let t19 = t4 - t13;
-            let t20 = t2.mul_add(t19, t4 * t18);
-            let t21 = t17 * t20;
-            let t22 = qd_theta * t21;
-            let t23 = t22 * t22;
-            let t24 = T::from_f64(2.0) * t22;
-            let t25 = t4 * t0;
-            let t26 = t2.mul_add(t13, t4 * t10);
-            let t27 = t17 * t26;
-            let t28 = qd_theta * t27;
-            let t29 = t28 * t28;
-            let t30 = t19.mul_neg_add(t29, t13.mul_neg_add(t23, t25));
-            let t31 = t2 * t0;
-            let t32 = t18.mul_add(t29, t10.mul_add(t23, t31));
-            let t33 = t18.mul_neg_add(t32, t19 * t30);
-            let t34 = t17 * t33;
-            let t35 = sin_theta.mul_neg_add(t14, cos_theta * t11);
-            let t36 = k20
-                .mul_add(
-                    t34.mul_add(t35, t15 * t23),
-                    k19.mul_add(t35.mul_neg_add(t23, t15 * t34), k26 * cos_theta),
-                );
-            let t37 = t10.mul_neg_add(t32, t13 * t30);
-            let t38 = k18 * t17;
-            let t39 = k30.mul_neg_add(t18, t37.mul_neg_add(t38, k4 * t28));
-            let t40 = T::from_f64(2.0) * t28;
-            let t41 = qd_theta * k20.mul_neg_add(t15, k19 * t35);
-            let t42 = qd_theta
-                .mul_add(
-                    t41,
-                    k21.mul_add(t11, T::from_f64(0.8829).mul_add(t14, k16 * t34)),
-                );
-            let t43 = k18 * t27;
-            let t44 = k16.mul_neg_add(t21, k15.mul_add(t15, k14 * t35));
-            let t45 = T::from_f64(-1.0) / t21.mul_neg_add(t44, t27.mul_add(t43, k17));
-            let t46 = t21.mul_neg_add(t42, t27.mul_add(t39, t36)) * t45;
-            let t47 = t4 * (T::from_f64(2.0) * (t2 + t3));
-            let t48 = t47 * (T::from_f64(1.0) / (t5 * t5));
-            let t49 = k7 * t48;
-            let t50 = T::from_f64(0.5) * (T::from_f64(1.0) / t8)
-                * k5.mul_neg_add(t48, T::from_f64(2.0) * t7 * t49);
-            let t51 = t5.mul_add(t50, t8 * t47) * (T::from_f64(1.0) / (t16 * t16));
-            let t52 = t4.mul_neg_add(t49, t2 * t7) - t3.mul_add(t50, t9);
-            let t53 = t3.mul_neg_add(t49, t4.mul_add(t50, t2.mul_add(t8, t12)));
-            let t54 = t26
-                .mul_neg_add(t51, t17 * t4.mul_add(t53 - t13, t2 * (t10 + t52)));
-            let t55 = t2 - t52;
-            let t56 = t4 - t53;
-            let t57 = t17
-                .mul_neg_add(t4.mul_add(t56 - t19, t2 * (t18 + t55)), t20 * t51);
-            let t58 = T::from_f64(1.0) + t21;
-            let t59 = t35 * t58;
-            let t60 = t15 * t58;
-            let t61 = t21
+            let t7 = t4 * (T::from_f64(2.0) * (t2 + t3));
+            let t8 = k7.mul_add(t6, T::from_f64(0.5));
+            let t9 = t8.mul_neg_add(t8, k5 * t6).sqrt();
+            let t10 = t7 * (T::from_f64(1.0) / (t5 * t5));
+            let t11 = k7 * t10;
+            let t12 = T::from_f64(0.5) * (T::from_f64(1.0) / t9)
+                * k5.mul_neg_add(t10, T::from_f64(2.0) * t8 * t11);
+            let t13 = t5 * t9;
+            let t14 = t5.mul_add(t12, t9 * t7) * (T::from_f64(1.0) / (t13 * t13));
+            let t15 = T::from_f64(1.0) / t13;
+            let t16 = t4 * t9;
+            let t17 = t4 * t8;
+            let t18 = t3.mul_add(t8, t16);
+            let t19 = t4.mul_neg_add(t11, t2 * t8) - t3.mul_add(t12, t16);
+            let t20 = t3.mul_neg_add(t11, t4.mul_add(t12, t2.mul_add(t9, t17)));
+            let t21 = t3.mul_neg_add(t9, t17);
+            let t22 = t3 - t18;
+            let t23 = t4 - t21;
+            let t24 = t2.mul_add(t23, t4 * t22);
+            let t25 = t2.mul_add(t21, t4 * t18);
+            let t26 = t2 - t19;
+            let t27 = t4 - t20;
+            let t28 = t15
+                .mul_neg_add(t4.mul_add(t27 - t23, t2 * (t22 + t26)), t24 * t14);
+            let t29 = t15 * t24;
+            let t30 = t25
+                .mul_neg_add(t14, t15 * t4.mul_add(t20 - t21, t2 * (t18 + t19)));
+            let t31 = t15 * t25;
+            let t32 = qd_theta * t29;
+            let t33 = qd_theta * t31;
+            let t34 = T::from_f64(2.0) * t32;
+            let t35 = t32 * t32;
+            let t36 = qd_theta * t28 * t34;
+            let t37 = t29 * t34;
+            let t38 = qd_theta * t30;
+            let t39 = T::from_f64(2.0) * t33;
+            let t40 = t4 * t0;
+            let t41 = t33 * t33;
+            let t42 = t2 * t0;
+            let t43 = t38 * t39;
+            let t44 = t31 * t39;
+            let t45 = t23.mul_neg_add(t44, t21.mul_neg_add(t37, t4 * t1));
+            let t46 = t22.mul_add(t44, t18.mul_add(t37, t2 * t1));
+            let t47 = t23
                 .mul_neg_add(
-                    k14.mul_neg_add(t60, k15.mul_add(t59, k16 * t57)),
-                    t54.mul_add(t43 + t43, t44 * t57),
+                    t43,
+                    t26.mul_neg_add(t41, t19.mul_neg_add(t35, t21.mul_add(t36, t42))),
                 );
-            let t62 = qd_theta * t57 * t24;
-            let t63 = t21 * t24;
-            let t64 = qd_theta * t54;
-            let t65 = t64 * t40;
-            let t66 = t19
-                .mul_neg_add(
-                    t65,
-                    t55.mul_neg_add(t29, t52.mul_neg_add(t23, t13.mul_add(t62, t31))),
-                );
-            let t67 = t10
-                .mul_neg_add(t62, t18.mul_add(t65, t56.mul_add(t29, t53 * t23)) - t25);
-            let t68 = t17
+            let t48 = t18
+                .mul_neg_add(t36, t22.mul_add(t43, t27.mul_add(t41, t20 * t35)) - t40);
+            let t49 = t23.mul_neg_add(t41, t21.mul_neg_add(t35, t40));
+            let t50 = t22.mul_add(t41, t18.mul_add(t35, t42));
+            let t51 = t15
+                * t22
+                    .mul_neg_add(t48, t50.mul_neg_add(t27, t23.mul_add(t47, t49 * t26)));
+            let t52 = t15
                 * t18
-                    .mul_neg_add(t67, t32.mul_neg_add(t56, t19.mul_add(t66, t30 * t55)));
-            let t69 = t17
-                * t10
-                    .mul_neg_add(t67, t32.mul_neg_add(t53, t13.mul_add(t66, t30 * t52)));
-            let t70 = (k30 * t19)
-                .mul_neg_add(t27, k18.mul_add(t37.mul_sub(t51, t69), k4 * t64));
-            let t71 = t33.mul_neg_add(t51, t68);
-            let t72 = k20
-                .mul_add(t59, k19 * t60)
+                    .mul_neg_add(t48, t50.mul_neg_add(t20, t21.mul_add(t47, t49 * t19)));
+            let t53 = k27 * t18;
+            let t54 = k27 * t21;
+            let t55 = cos_theta.mul_add(t54, sin_theta * t53);
+            let t56 = sin_theta.mul_neg_add(t54, cos_theta * t53);
+            let t57 = t22.mul_neg_add(t50, t23 * t49);
+            let t58 = t18.mul_neg_add(t50, t21 * t49);
+            let t59 = (k30 * t23)
+                .mul_neg_add(t31, k18.mul_add(t58.mul_sub(t14, t52), k4 * t38));
+            let t60 = t57.mul_neg_add(t14, t51);
+            let t61 = t15 * t22.mul_neg_add(t46, t23 * t45);
+            let t62 = k19
+                .mul_add(
+                    t56.mul_neg_add(t37, t55 * t61),
+                    k20 * t56.mul_add(t61, t55 * t37),
+                );
+            let t63 = t15 * t57;
+            let t64 = k18 * t15;
+            let t65 = t31
+                .mul_add(
+                    t18.mul_neg_add(t46, t21 * t45).mul_neg_add(t64, k4 * t31),
+                    t62,
+                );
+            let t66 = k30.mul_neg_add(t22, t58.mul_neg_add(t64, k4 * t33));
+            let t67 = k16.mul_neg_add(t29, k15.mul_add(t55, k14 * t56));
+            let t68 = qd_theta * k20.mul_neg_add(t55, k19 * t56);
+            let t69 = qd_theta
+                .mul_add(
+                    t68,
+                    k21.mul_add(t53, T::from_f64(0.8829).mul_add(t54, k16 * t63)),
+                );
+            let t70 = k18 * t31;
+            let t71 = T::from_f64(1.0) + t29;
+            let t72 = T::from_f64(-1.0) / t29.mul_neg_add(t67, t31.mul_add(t70, k17));
+            let t73 = t56 * t71;
+            let t74 = t55 * t71;
+            let t75 = k20
+                .mul_add(t73, k19 * t74)
                 .mul_neg_add(
                     t0,
-                    t21
+                    t29
                         .mul_add(
-                            k21.mul_neg_add(t14, T::from_f64(0.8829) * t11),
-                            k16 * t71,
+                            k21.mul_neg_add(t54, T::from_f64(0.8829) * t53),
+                            k16 * t60,
                         ),
                 );
-            let t73 = t27 * t40;
-            let t74 = t19.mul_neg_add(t73, t13.mul_neg_add(t63, t4 * t1));
-            let t75 = t18.mul_add(t73, t10.mul_add(t63, t2 * t1));
-            let t76 = t17 * t18.mul_neg_add(t75, t19 * t74);
-            let t77 = k19
-                .mul_add(
-                    t35.mul_neg_add(t63, t15 * t76),
-                    k20 * t35.mul_add(t76, t15 * t63),
+            let t76 = t29
+                .mul_neg_add(
+                    k14.mul_neg_add(t74, k15.mul_add(t73, k16 * t28)),
+                    t30.mul_add(t70 + t70, t67 * t28),
                 );
-            let t78 = t27
+            let t77 = k20
+                * t63
+                    .mul_neg_add(t74, t55.mul_neg_add(t36, t56.mul_add(t60, t73 * t35)));
+            let t78 = k19
+                * t74.mul_add(t35, t56.mul_add(t36, t63.mul_add(t73, t55 * t60)));
+            let t79 = t31
                 .mul_add(
-                    t10.mul_neg_add(t75, t13 * t74).mul_neg_add(t38, k4 * t27),
-                    t77,
-                );
-            let t79 = k20
-                * t34
-                    .mul_neg_add(t60, t15.mul_neg_add(t62, t35.mul_add(t71, t59 * t23)));
-            let t80 = k19
-                * t60.mul_add(t23, t35.mul_add(t62, t34.mul_add(t59, t15 * t71)));
-            let t81 = t27
-                .mul_add(
-                    t70,
-                    t39
+                    t59,
+                    t66
                         .mul_add(
-                            t54,
-                            t42.mul_add(t57, t79) + k26.mul_neg_add(sin_theta, t80),
+                            t30,
+                            t69.mul_add(t28, t77) + k26.mul_neg_add(sin_theta, t78),
                         ),
                 );
+            let t80 = k20
+                .mul_add(
+                    t63.mul_add(t56, t55 * t35),
+                    k19.mul_add(t56.mul_neg_add(t35, t55 * t63), k26 * cos_theta),
+                );
+            let t81 = t29.mul_neg_add(t69, t31.mul_add(t66, t80)) * t72;
             (
-                ::pendulum_core::nalgebra::SVector::from([qd_theta, t46]),
+                ::pendulum_core::nalgebra::SVector::from([qd_theta, t81]),
                 ::pendulum_core::nalgebra::SMatrix::from([
                     [
                         T::from_f64(0.0),
-                        t45 * t21.mul_neg_add(t72, t46.mul_add(t61, t81)),
+                        t72 * t29.mul_neg_add(t75, t81.mul_add(t76, t79)),
                     ],
                     [
                         T::from_f64(1.0),
-                        t45
-                            * t21
-                                .mul_neg_add(T::from_f64(2.0).mul_add(t41, k16 * t76), t78),
+                        t72
+                            * t29
+                                .mul_neg_add(T::from_f64(2.0).mul_add(t68, k16 * t61), t65),
                     ],
                 ]),
             )
@@ -1662,57 +1662,57 @@ k36 = -1
             let t2 = k3 - t0;
             let t3 = t1.mul_add(t1, t2 * t2);
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = k7.mul_add(t4, T::from_f64(0.5));
-            let t6 = t5.mul_neg_add(t5, k5 * t4).sqrt();
-            let t7 = k9 * t1;
+            let t5 = t1 * (T::from_f64(2.0) * (t0 + t2));
+            let t6 = k7.mul_add(t4, T::from_f64(0.5));
+            let t7 = t6.mul_neg_add(t6, k5 * t4).sqrt();
             let t8 = k9.mul_neg_add(t0, k11);
-            let t9 = k9.mul_add(k10 + q_theta, k12)
-                + t1.mul_neg_add(t8, t2 * t7).atan2(t1.mul_add(t7, t2 * t8));
-            let t10 = t6.atan2(t5) + t9 - q_theta - k13;
-            let t11 = k33 + t9 + (-t6).atan2(T::from_f64(1.0) - t5);
-            let t12 = t1 * t6;
-            let t13 = t2.mul_add(t5, t12);
-            let t14 = k1 * (k27 * t13);
-            let t15 = t2 - t13;
-            let t16 = k2 * (k29 * t15);
-            let t17 = t14 + t16 - t2;
-            let t18 = t1 * t5;
-            let t19 = t2.mul_sub(t6, t18);
-            let t20 = k1 * (k27 * t19);
-            let t21 = t1 + t19;
-            let t22 = k2 * (k29 * t21);
-            let t23 = t1 + t20 - t22;
-            let t24 = t3 * t6;
-            let t25 = T::from_f64(1.0) / t24;
-            let t26 = t25 * t0.mul_add(t21, t1 * t15);
-            let t27 = T::from_f64(-1.0) - t26;
-            let t28 = t0.mul_neg_add(t19, t1 * t13);
-            let t29 = t25 * t28;
-            let t30 = t22.mul_sub(t29, t20.mul_neg_add(t26, t1));
-            let t31 = t14.mul_neg_add(t26, t16.mul_add(t29, t0));
-            let t32 = qd_theta * t29;
-            let t33 = t1 * (T::from_f64(2.0) * (t0 + t2));
-            let t34 = T::from_f64(1.0) / (t3 * t3) * t33;
-            let t35 = k7 * t34;
-            let t36 = T::from_f64(0.5) * (T::from_f64(1.0) / t6)
-                * k5.mul_neg_add(t34, T::from_f64(2.0) * t5 * t35);
-            let t37 = t0
-                * (t13 + t2.mul_neg_add(t36, t1.mul_neg_add(t35, t0.mul_sub(t5, t12))));
-            let t38 = t1
-                * (t19 + t2.mul_neg_add(t35, t1.mul_add(t36, t0.mul_add(t6, t18))));
-            let t39 = (t28 * t3.mul_add(t36, t6 * t33))
-                .mul_neg_add(T::from_f64(1.0) / (t24 * t24), t25 * (t37 + t38));
-            let t40 = qd_theta * t39;
+            let t9 = k9 * t1;
+            let t10 = k9.mul_add(k10 + q_theta, k12)
+                + t1.mul_neg_add(t8, t2 * t9).atan2(t1.mul_add(t9, t2 * t8));
+            let t11 = t7.atan2(t6) + t10 - q_theta - k13;
+            let t12 = k33 + t10 + (-t7).atan2(T::from_f64(1.0) - t6);
+            let t13 = T::from_f64(1.0) / (t3 * t3) * t5;
+            let t14 = k7 * t13;
+            let t15 = T::from_f64(0.5) * (T::from_f64(1.0) / t7)
+                * k5.mul_neg_add(t13, T::from_f64(2.0) * t6 * t14);
+            let t16 = t1 * t7;
+            let t17 = t1 * t6;
+            let t18 = t2.mul_add(t6, t16);
+            let t19 = t0
+                * (t18 + t2.mul_neg_add(t15, t1.mul_neg_add(t14, t0.mul_sub(t6, t16))));
+            let t20 = t2.mul_sub(t7, t17);
+            let t21 = t1
+                * (t20 + t2.mul_neg_add(t14, t1.mul_add(t15, t0.mul_add(t7, t17))));
+            let t22 = t3 * t7;
+            let t23 = T::from_f64(1.0) / t22;
+            let t24 = t0.mul_neg_add(t20, t1 * t18);
+            let t25 = (t24 * t3.mul_add(t15, t7 * t5))
+                .mul_neg_add(T::from_f64(1.0) / (t22 * t22), t23 * (t19 + t21));
+            let t26 = qd_theta * t25;
+            let t27 = t23 * t24;
+            let t28 = qd_theta * t27;
+            let t29 = t2 - t18;
+            let t30 = k1 * (k27 * t18);
+            let t31 = t1 + t20;
+            let t32 = t23 * t0.mul_add(t31, t1 * t29);
+            let t33 = k2 * (k29 * t29);
+            let t34 = t30.mul_neg_add(t32, t33.mul_add(t27, t0));
+            let t35 = t30 + t33 - t2;
+            let t36 = k1 * (k27 * t20);
+            let t37 = k2 * (k29 * t31);
+            let t38 = t37.mul_sub(t27, t36.mul_neg_add(t32, t1));
+            let t39 = t1 + t36 - t37;
+            let t40 = T::from_f64(-1.0) - t32;
             (
-                ::pendulum_core::nalgebra::SVector::from([t10, t11, t17, t23, t32]),
+                ::pendulum_core::nalgebra::SVector::from([t11, t12, t35, t39, t28]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [t27, t29, t30, t31, t40],
+                    [t40, t27, t38, t34, t26],
                     [
                         T::from_f64(0.0),
                         T::from_f64(0.0),
                         T::from_f64(0.0),
                         T::from_f64(0.0),
-                        t29,
+                        t27,
                     ],
                 ]),
             )

@@ -568,71 +568,68 @@ k57 = 77343750000000/1998607065841*l^2*k
             let t1 = qd_theta1 * qd_theta1;
             let t2 = qd_theta1 + qd_theta2;
             let [(sin_theta1, cos_theta1), (sin3, cos3)] = q_theta1.sin_cos_pair(t0);
-            let t4 = k8 * cos_theta1 * cos_theta1;
-            let t5 = k7 * cos3 * cos3;
-            let t6 = t5 + (k7 - t5);
-            let t7 = k1 * sin_theta1;
-            let t8 = k6 * sin3;
-            let t9 = k1 * cos_theta1;
-            let t10 = k6 * cos3;
-            let t11 = t9.mul_add(t10, t7 * t8);
-            let t12 = T::from_f64(2.0).mul_add(t11, k8 + t4 + t6) - t4;
-            let t13 = t6 + t11;
-            let t14 = T::from_f64(-1.0) / t13.mul_neg_add(t13, t12 * t6);
-            let t15 = t7 * t10;
-            let t16 = t15.mul_neg_add(t1, t8 * t9.mul_add(t1, T::from_f64(9.81)));
-            let t17 = T::from_f64(-0.15) - t7;
-            let t18 = t9 - T::from_f64(0.66);
-            let t19 = t18 * t18;
-            let t20 = T::from_f64(2.0) * t7 * t18;
-            let t21 = t17.mul_add(t17, t19);
-            let t22 = T::from_f64(2.0) * t9;
-            let t23 = T::from_f64(1.0) / (t21 * t21 * t21)
-                * (t17.mul_add(t22, t20) * t21.sqrt());
-            let t24 = T::from_f64(0.2) - t7;
-            let t25 = t24.mul_add(t24, t19);
-            let t26 = T::from_f64(1.0) / (t25 * t25 * t25)
-                * (t24.mul_add(t22, t20) * t25.sqrt());
-            let t27 = k1 * cos3;
-            let t28 = t9 + t27;
-            let t29 = k1 * sin3;
-            let t30 = t7 + t29;
-            let t31 = T::from_f64(-0.15) - t30;
-            let t32 = T::from_f64(2.0) * t31;
-            let t33 = t28 - T::from_f64(0.66);
-            let t34 = T::from_f64(2.0) * t33;
-            let t35 = t33 * t33;
-            let t36 = t31.mul_add(t31, t35);
-            let t37 = T::from_f64(1.5) * t36.sqrt()
-                * (T::from_f64(1.0) / (t36 * t36 * t36));
-            let t38 = t29 * t34;
-            let t39 = t30 * t34;
-            let t40 = T::from_f64(0.2) - t30;
-            let t41 = t40.mul_add(t40, t35);
-            let t42 = T::from_f64(2.0) * t40;
-            let t43 = T::from_f64(1.5) * t41.sqrt()
-                * (T::from_f64(1.0) / (t41 * t41 * t41));
-            let t44 = t28
-                .mul_add(t42, t39)
+            let t4 = k1 * cos_theta1;
+            let t5 = k1 * cos3;
+            let t6 = k1 * sin_theta1;
+            let t7 = t4 + t5;
+            let t8 = k1 * sin3;
+            let t9 = t4 - T::from_f64(0.66);
+            let t10 = t6 + t8;
+            let t11 = t7 - T::from_f64(0.66);
+            let t12 = T::from_f64(-0.15) - t6;
+            let t13 = t9 * t9;
+            let t14 = T::from_f64(2.0) * t6 * t9;
+            let t15 = T::from_f64(0.2) - t6;
+            let t16 = T::from_f64(-0.15) - t10;
+            let t17 = t11 * t11;
+            let t18 = T::from_f64(2.0) * t11;
+            let t19 = t8 * t18;
+            let t20 = t10 * t18;
+            let t21 = T::from_f64(0.2) - t10;
+            let t22 = t12.mul_add(t12, t13);
+            let t23 = t15.mul_add(t15, t13);
+            let t24 = t16.mul_add(t16, t17);
+            let t25 = t21.mul_add(t21, t17);
+            let t26 = T::from_f64(1.5) * t24.sqrt()
+                * (T::from_f64(1.0) / (t24 * t24 * t24));
+            let t27 = T::from_f64(1.5) * t25.sqrt()
+                * (T::from_f64(1.0) / (t25 * t25 * t25));
+            let t28 = T::from_f64(2.0) * t16;
+            let t29 = T::from_f64(2.0) * t21;
+            let t30 = k2 * t5.mul_add(t29, t19).mul_add(t27, t5.mul_add(t28, t19) * t26);
+            let t31 = T::from_f64(2.0) * t4;
+            let t32 = T::from_f64(1.0) / (t22 * t22 * t22)
+                * (t12.mul_add(t31, t14) * t22.sqrt());
+            let t33 = T::from_f64(1.0) / (t23 * t23 * t23)
+                * (t15.mul_add(t31, t14) * t23.sqrt());
+            let t34 = t7
+                .mul_add(t29, t20)
                 .mul_neg_add(
-                    t43,
-                    t28
-                        .mul_add(t32, t39)
-                        .mul_neg_add(t37, T::from_f64(1.5) * (t23 + t26)),
+                    t27,
+                    t7.mul_add(t28, t20).mul_neg_add(t26, T::from_f64(1.5) * (t32 + t33)),
                 );
-            let t45 = t2
+            let t35 = k7 * cos3 * cos3;
+            let t36 = t35 + (k7 - t35);
+            let t37 = k6 * sin3;
+            let t38 = k6 * cos3;
+            let t39 = k8 * cos_theta1 * cos_theta1;
+            let t40 = t4.mul_add(t38, t6 * t37);
+            let t41 = t6 * t38;
+            let t42 = T::from_f64(2.0).mul_add(t40, k8 + t39 + t36) - t39;
+            let t43 = t41.mul_neg_add(t1, t37 * t4.mul_add(t1, T::from_f64(9.81)));
+            let t44 = t2
                 .mul_add(
-                    t2 * t8.mul_neg_add(t9, t15),
-                    k39.mul_add(sin_theta1, k2.mul_add(t44, k3 * qd_theta1)) + t16,
+                    t2 * t37.mul_neg_add(t4, t41),
+                    k39.mul_add(sin_theta1, k2.mul_add(t34, k3 * qd_theta1)) + t43,
                 );
-            let t46 = k2
-                * t27.mul_add(t42, t38).mul_add(t43, t27.mul_add(t32, t38) * t37);
-            let t47 = k3.mul_add(qd_theta2, t16) - t46;
+            let t45 = k3.mul_add(qd_theta2, t43) - t30;
+            let t46 = t36 + t40;
+            let t47 = T::from_f64(-1.0) / t46.mul_neg_add(t46, t42 * t36);
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta1,
                 qd_theta2,
-                t14 * t13.mul_neg_add(t47, t6 * t45),
-                t14 * t13.mul_neg_add(t45, t12 * t47),
+                t47 * t46.mul_neg_add(t45, t36 * t44),
+                t47 * t46.mul_neg_add(t44, t42 * t45),
             ])
         }
         #[inline]
@@ -714,194 +711,134 @@ k57 = 77343750000000/1998607065841*l^2*k
             let t0 = qd_theta1 * qd_theta1;
             let [(sin_theta2, cos_theta2), (sin_theta1, cos_theta1)] = q_theta2
                 .sin_cos_pair(q_theta1);
-            let t1 = k24 / (k28 * sin_theta2).mul_add(sin_theta2, k27);
-            let t2 = k9 * sin_theta2;
-            let t3 = qd_theta2.mul_neg_add(t2, k3);
-            let t4 = sin_theta2.mul_add(cos_theta1, sin_theta1 * cos_theta2);
-            let t5 = k26 * t4;
-            let t6 = k13
+            let t1 = sin_theta2.mul_add(cos_theta1, sin_theta1 * cos_theta2);
+            let t2 = k13
                 .mul_neg_add(cos_theta1, k12.mul_add(sin_theta1, T::from_f64(1.0)));
-            let t7 = sin_theta1 * t4;
-            let t8 = sin_theta2.mul_neg_add(sin_theta1, cos_theta2 * cos_theta1);
-            let t9 = cos_theta1 * t8;
-            let t10 = k13
+            let t3 = sin_theta2.mul_neg_add(sin_theta1, cos_theta2 * cos_theta1);
+            let t4 = k17
+                .mul_neg_add(cos_theta1, k16.mul_neg_add(sin_theta1, T::from_f64(1.0)));
+            let t5 = sin_theta1 * t1;
+            let t6 = cos_theta1 * t3;
+            let t7 = k13
                 .mul_neg_add(
-                    t8,
-                    k20.mul_add(t9, k20.mul_add(t7, k12.mul_add(t4, k20 + t6))),
+                    t3,
+                    k20.mul_add(t6, k20.mul_add(t5, k12.mul_add(t1, k20 + t2))),
+                );
+            let t8 = T::from_f64(1.0) / t7;
+            let t9 = T::from_f64(1.0) / (k14 + t2);
+            let t10 = k17
+                .mul_neg_add(
+                    t3,
+                    k16.mul_neg_add(t1, k21.mul_add(t6, k21.mul_add(t5, k21 + t4))),
                 );
             let t11 = T::from_f64(1.0) / t10;
-            let t12 = T::from_f64(1.0) / (k14 + t6);
-            let t13 = k11 * cos_theta1;
-            let t14 = k10.mul_add(sin_theta1, T::from_f64(0.4581)) - t13;
-            let t15 = k15.mul_neg_add(sin_theta1, T::from_f64(0.4756) - t13);
-            let t16 = k11.mul_neg_add(t8, k19) + k19.mul_add(t9, k19 * t7);
-            let t17 = t11 * t11;
-            let t18 = (k10.mul_add(t4, t14) + t16).sqrt() * t17;
+            let t12 = k11.mul_neg_add(t3, k19) + k19.mul_add(t6, k19 * t5);
+            let t13 = T::from_f64(1.0) / (k18 + t4);
+            let t14 = k11 * cos_theta1;
+            let t15 = k10.mul_add(sin_theta1, T::from_f64(0.4581)) - t14;
+            let t16 = k15.mul_neg_add(sin_theta1, T::from_f64(0.4756) - t14);
+            let t17 = t8 * t8;
+            let t18 = (k10.mul_add(t1, t15) + t12).sqrt() * t17;
             let t19 = t17 * t18;
-            let t20 = t11 * t18;
-            let t21 = k17
-                .mul_neg_add(cos_theta1, k16.mul_neg_add(sin_theta1, T::from_f64(1.0)));
-            let t22 = k17
-                .mul_neg_add(
-                    t8,
-                    k16.mul_neg_add(t4, k21.mul_add(t9, k21.mul_add(t7, k21 + t21))),
-                );
-            let t23 = T::from_f64(1.0) / t22;
-            let t24 = T::from_f64(1.0) / (k18 + t21);
-            let t25 = t23 * t23;
-            let t26 = k15.mul_neg_add(t4, t15 + t16).sqrt() * t25;
-            let t27 = t25 * t26;
-            let t28 = t23 * t26;
+            let t20 = t8 * t18;
+            let t21 = t11 * t11;
+            let t22 = k15.mul_neg_add(t1, t16 + t12).sqrt() * t21;
+            let t23 = t21 * t22;
+            let t24 = t11 * t22;
+            let t25 = t13 * t13;
+            let t26 = (k5 + t16).sqrt() * t25;
+            let t27 = t9 * t9;
+            let t28 = (k5 + t15).sqrt() * t27;
             let t29 = T::from_f64(18.40516233966243)
-                .mul_add(t28, T::from_f64(20.596067900816703) * t20);
+                .mul_add(t24, T::from_f64(20.596067900816703) * t20);
             let t30 = T::from_f64(5.577321921109827)
-                .mul_neg_add(t28, T::from_f64(4.680924522912886) * t20);
-            let t31 = t8.mul_add(t30, t4 * t29);
-            let t32 = t24 * t24;
-            let t33 = (k5 + t15).sqrt() * t32;
-            let t34 = t24 * t33;
-            let t35 = t24.mul_neg_add(t34, t23 * t28);
-            let t36 = t34 - t28;
-            let t37 = t12 * t12;
-            let t38 = (k5 + t14).sqrt() * t37;
-            let t39 = t12 * t38;
-            let t40 = t11.mul_neg_add(t20, t12 * t39);
-            let t41 = sin_theta1
+                .mul_neg_add(t24, T::from_f64(4.680924522912886) * t20);
+            let t31 = t13 * t26;
+            let t32 = t13.mul_neg_add(t31, t11 * t24);
+            let t33 = t31 - t24;
+            let t34 = t9 * t28;
+            let t35 = t8.mul_neg_add(t20, t9 * t34);
+            let t36 = sin_theta1
                 .mul_add(
                     T::from_f64(115.97921320390283)
-                        .mul_neg_add(t35, T::from_f64(140.703625148462) * t40),
+                        .mul_neg_add(t32, T::from_f64(140.703625148462) * t35),
                     cos_theta1
                         * T::from_f64(67.43964604065718)
-                            .mul_add(t40, T::from_f64(77.39765491868137) * t35),
+                            .mul_add(t35, T::from_f64(77.39765491868137) * t32),
                 );
-            let t42 = t20 - t39;
+            let t37 = t20 - t34;
+            let t38 = k9 * sin_theta2;
+            let t39 = k26 * t1;
+            let t40 = k24 / (k28 * sin_theta2).mul_add(sin_theta2, k27);
+            let t41 = qd_theta2.mul_neg_add(t38, k3);
+            let t42 = t3.mul_add(t30, t1 * t29);
             let t43 = T::from_f64(4.680924522912886)
-                .mul_add(t42, T::from_f64(5.577321921109827) * t36);
+                .mul_add(t37, T::from_f64(5.577321921109827) * t33);
             let t44 = T::from_f64(18.40516233966243)
-                .mul_neg_add(t36, T::from_f64(20.596067900816703) * t42);
+                .mul_neg_add(t33, T::from_f64(20.596067900816703) * t37);
             let t45 = k22
                 * sin_theta1
                     .mul_neg_add(
                         t43,
-                        t4.mul_neg_add(t30, t8.mul_add(t29, cos_theta1 * t44)),
+                        t1.mul_neg_add(t30, t3.mul_add(t29, cos_theta1 * t44)),
                     );
             let t46 = k22
                 .mul_add(
-                    sin_theta1.mul_add(t44, cos_theta1.mul_add(t43, t31)),
-                    qd_theta1.mul_add(t3, k29.mul_add(sin_theta1, t5)),
+                    sin_theta1.mul_add(t44, cos_theta1.mul_add(t43, t42)),
+                    qd_theta1.mul_add(t41, k29.mul_add(sin_theta1, t39)),
                 );
             let t47 = sin_theta2
                 .mul_add(
-                    k25.mul_sub(t0, k35.mul_add(t28, k34 * t20)),
-                    k3.mul_add(qd_theta2, t5),
+                    k25.mul_sub(t0, k35.mul_add(t24, k34 * t20)),
+                    k3.mul_add(qd_theta2, t39),
                 );
-            let t48 = k22.mul_add(t31, t47);
-            let t49 = k38.mul_add(cos_theta2, k37);
-            let t50 = t1
-                * (k25 * sin_theta2 * qd_theta2)
-                    .mul_neg_add(qd_theta2, t49.mul_add(t48, t46));
-            let t51 = -t50;
-            let t52 = t49.mul_neg_add(t50, k36 * t48);
-            let t53 = sin_theta2
-                .mul_add(
-                    T::from_f64(0.5).mul_sub(t52, t50),
-                    qd_theta2 * cos_theta2
-                        * T::from_f64(0.5).mul_add(qd_theta2, qd_theta1),
-                );
-            let t54 = k26 * t8;
-            let t55 = cos_theta1.mul_add(t4, sin_theta1 * t8);
-            let t56 = T::from_f64(115.97921320390283)
-                .mul_neg_add(t4, T::from_f64(77.39765491868137) * t8);
-            let t57 = (T::from_f64(23.453834823842836)
-                .mul_neg_add(t9, t4.mul_add(t56, T::from_f64(77.39765491868137) * t55))
+            let t48 = k22.mul_add(t42, t47);
+            let t49 = cos_theta1.mul_add(t1, sin_theta1 * t3);
+            let t50 = T::from_f64(115.97921320390283)
+                .mul_neg_add(t1, T::from_f64(77.39765491868137) * t3);
+            let t51 = (T::from_f64(23.453834823842836)
+                .mul_neg_add(t6, t1.mul_add(t50, T::from_f64(77.39765491868137) * t49))
                 - T::from_f64(23.453834823842836))
                 .mul_add(
-                    t27,
-                    (T::from_f64(11.726917411921418) * t32)
-                        .mul_add(t33, T::from_f64(7.6635961409837705) * t37 * t38),
+                    t23,
+                    (T::from_f64(11.726917411921418) * t25)
+                        .mul_add(t26, T::from_f64(7.6635961409837705) * t27 * t28),
                 );
-            let t58 = T::from_f64(140.703625148462)
-                .mul_add(t4, T::from_f64(67.43964604065718) * t8);
-            let t59 = t4
+            let t52 = T::from_f64(140.703625148462)
+                .mul_add(t1, T::from_f64(67.43964604065718) * t3);
+            let t53 = t1
                 .mul_add(
-                    t58,
+                    t52,
                     T::from_f64(67.43964604065718)
                         .mul_add(
-                            t55,
+                            t49,
                             T::from_f64(15.327192281967541)
-                                .mul_add(t9, T::from_f64(15.327192281967541)),
+                                .mul_add(t6, T::from_f64(15.327192281967541)),
                         ),
                 )
                 .mul_neg_add(
                     t19,
                     sin_theta1
                         .mul_add(
-                            t4
+                            t1
                                 .mul_neg_add(
                                     T::from_f64(255.4122612316485)
-                                        .mul_add(t27, T::from_f64(296.73444257889156) * t19),
-                                    t41,
+                                        .mul_add(t23, T::from_f64(296.73444257889156) * t19),
+                                    t36,
                                 ),
-                            t57,
+                            t51,
                         ),
                 );
-            let t60 = k31 * t8;
-            let t61 = T::from_f64(193.4941372967034) * sin_theta2;
-            let t62 = T::from_f64(58.63458705960709)
+            let t54 = T::from_f64(58.63458705960709)
                 .mul_add(cos_theta2, T::from_f64(58.63458705960709));
-            let t63 = t23
-                .mul_add(
-                    k23
-                        .mul_add(
-                            T::from_f64(127.70613061582425).mul_neg_add(sin_theta1, t56),
-                            k40 * (t61 - t62),
-                        ),
-                    k33,
-                );
-            let t64 = k40 * sin_theta1;
-            let t65 = t23
-                * (t61 + t62).mul_add(t64, k54.mul_neg_add(t9, k57 * t55) - k54);
-            let t66 = k30 * t8;
-            let t67 = T::from_f64(224.79882013552393) * sin_theta2;
-            let t68 = T::from_f64(51.0906409398918)
+            let t55 = T::from_f64(51.0906409398918)
                 .mul_add(cos_theta2, T::from_f64(51.0906409398918));
-            let t69 = t11
-                * (t67 - t68).mul_sub(t64, k56.mul_add(t55, k52.mul_add(t9, k52)));
-            let t70 = t11
-                .mul_sub(
-                    k23
-                        .mul_neg_add(
-                            T::from_f64(148.36722128944578).mul_add(sin_theta1, t58),
-                            k40 * (t67 + t68),
-                        ),
-                    k32,
-                );
-            let t71 = (t60 + t65).mul_add(t28, t54)
-                + t4.mul_add(t70.mul_add(t20, t63 * t28), (t66 + t69) * t20);
-            let t72 = t1
-                * t49.mul_add(t71, k23.mul_add(t59, k29.mul_add(cos_theta1, t54) + t45));
-            let t73 = -t72;
-            let t74 = t49.mul_neg_add(t72, k36 * t71);
-            let t75 = t11
+            let t56 = k50
                 .mul_neg_add(
-                    sin_theta1.mul_add(k51.mul_add(sin_theta1, k42), k52),
-                    k34.mul_neg_add(cos_theta2, t66),
-                );
-            let t76 = k35
-                .mul_neg_add(
-                    cos_theta2,
-                    t23
-                        .mul_add(
-                            sin_theta1.mul_sub(k53.mul_neg_add(sin_theta1, k47), k54),
-                            t60,
-                        ),
-                );
-            let t77 = k50
-                .mul_neg_add(
-                    t4,
+                    t1,
                     k48
                         .mul_add(
-                            t8,
+                            t3,
                             k49
                                 .mul_add(
                                     sin_theta2,
@@ -909,12 +846,12 @@ k57 = 77343750000000/1998607065841*l^2*k
                                 ),
                         ),
                 );
-            let t78 = k45
+            let t57 = k45
                 .mul_neg_add(
-                    t4,
+                    t1,
                     k43
                         .mul_neg_add(
-                            t8,
+                            t3,
                             k44
                                 .mul_add(
                                     sin_theta2,
@@ -922,35 +859,95 @@ k57 = 77343750000000/1998607065841*l^2*k
                                 ),
                         ),
                 );
-            let t79 = t4
-                * t11.mul_sub(t78, k32).mul_add(t20, t23.mul_add(t77, k33) * t28);
-            let t80 = k25
+            let t58 = t1
+                * t8.mul_sub(t57, k32).mul_add(t20, t11.mul_add(t56, k33) * t24);
+            let t59 = T::from_f64(193.4941372967034) * sin_theta2;
+            let t60 = t11
                 .mul_add(
-                    sin_theta2.mul_add(t50, cos_theta2 * t0),
-                    t76.mul_add(t28, t75.mul_add(t20, t54 + t79)),
+                    k23
+                        .mul_add(
+                            T::from_f64(127.70613061582425).mul_neg_add(sin_theta1, t50),
+                            k40 * (t59 - t54),
+                        ),
+                    k33,
                 );
-            let t81 = t1 * k9.mul_neg_add(t53, t49.mul_add(t80, t71));
-            let t82 = t49.mul_neg_add(t81, k36 * t80);
-            let t83 = -t81;
-            let t84 = qd_theta1 * t2;
-            let t85 = t1 * t49.mul_add(t84, t3);
-            let t86 = t49.mul_neg_add(t85, k36 * t84);
-            let t87 = -t85;
-            let t88 = t1 * (qd_theta1 + qd_theta2).mul_neg_add(t2, k3 * t49);
-            let t89 = t49.mul_neg_add(t88, k55);
-            let t90 = -t88;
+            let t61 = T::from_f64(224.79882013552393) * sin_theta2;
+            let t62 = t8
+                .mul_sub(
+                    k23
+                        .mul_neg_add(
+                            T::from_f64(148.36722128944578).mul_add(sin_theta1, t52),
+                            k40 * (t61 + t55),
+                        ),
+                    k32,
+                );
+            let t63 = k38.mul_add(cos_theta2, k37);
+            let t64 = t40
+                * (k25 * sin_theta2 * qd_theta2)
+                    .mul_neg_add(qd_theta2, t63.mul_add(t48, t46));
+            let t65 = t63.mul_neg_add(t64, k36 * t48);
+            let t66 = sin_theta2
+                .mul_add(
+                    T::from_f64(0.5).mul_sub(t65, t64),
+                    qd_theta2 * cos_theta2
+                        * T::from_f64(0.5).mul_add(qd_theta2, qd_theta1),
+                );
+            let t67 = -t64;
+            let t68 = k40 * sin_theta1;
+            let t69 = t11
+                * (t59 + t54).mul_add(t68, k54.mul_neg_add(t6, k57 * t49) - k54);
+            let t70 = t8
+                * (t61 - t55).mul_sub(t68, k56.mul_add(t49, k52.mul_add(t6, k52)));
+            let t71 = k31 * t3;
+            let t72 = k35
+                .mul_neg_add(
+                    cos_theta2,
+                    t11
+                        .mul_add(
+                            sin_theta1.mul_sub(k53.mul_neg_add(sin_theta1, k47), k54),
+                            t71,
+                        ),
+                );
+            let t73 = k30 * t3;
+            let t74 = t8
+                .mul_neg_add(
+                    sin_theta1.mul_add(k51.mul_add(sin_theta1, k42), k52),
+                    k34.mul_neg_add(cos_theta2, t73),
+                );
+            let t75 = k26 * t3;
+            let t76 = (t71 + t69).mul_add(t24, t75)
+                + t1.mul_add(t62.mul_add(t20, t60 * t24), (t73 + t70) * t20);
+            let t77 = k25
+                .mul_add(
+                    sin_theta2.mul_add(t64, cos_theta2 * t0),
+                    t72.mul_add(t24, t74.mul_add(t20, t75 + t58)),
+                );
+            let t78 = t40
+                * t63.mul_add(t76, k23.mul_add(t53, k29.mul_add(cos_theta1, t75) + t45));
+            let t79 = t40 * k9.mul_neg_add(t66, t63.mul_add(t77, t76));
+            let t80 = t63.mul_neg_add(t78, k36 * t76);
+            let t81 = t63.mul_neg_add(t79, k36 * t77);
+            let t82 = -t78;
+            let t83 = -t79;
+            let t84 = qd_theta1 * t38;
+            let t85 = t40 * (qd_theta1 + qd_theta2).mul_neg_add(t38, k3 * t63);
+            let t86 = t40 * t63.mul_add(t84, t41);
+            let t87 = t63.mul_neg_add(t86, k36 * t84);
+            let t88 = t63.mul_neg_add(t85, k55);
+            let t89 = -t86;
+            let t90 = -t85;
             (
                 ::pendulum_core::nalgebra::SVector::from([
                     qd_theta1,
                     qd_theta2,
-                    t51,
-                    t52,
+                    t67,
+                    t65,
                 ]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [T::from_f64(0.0), T::from_f64(0.0), t73, t74],
-                    [T::from_f64(0.0), T::from_f64(0.0), t83, t82],
-                    [T::from_f64(1.0), T::from_f64(0.0), t87, t86],
-                    [T::from_f64(0.0), T::from_f64(1.0), t90, t89],
+                    [T::from_f64(0.0), T::from_f64(0.0), t82, t80],
+                    [T::from_f64(0.0), T::from_f64(0.0), t83, t81],
+                    [T::from_f64(1.0), T::from_f64(0.0), t89, t87],
+                    [T::from_f64(0.0), T::from_f64(1.0), t90, t88],
                 ]),
             )
         }
@@ -997,25 +994,25 @@ k57 = 77343750000000/1998607065841*l^2*k
             let k6 = self.constants[6];
             let t0 = q_theta1 + q_theta2;
             let [(sin_theta1, cos_theta1), (sin1, cos1)] = q_theta1.sin_cos_pair(t0);
-            let t2 = k1 * sin_theta1;
-            let t3 = T::from_f64(-0.15) - t2;
-            let t4 = k1 * cos_theta1;
-            let t5 = T::from_f64(-0.66) + t4;
-            let t6 = t5 * t5;
-            let t7 = T::from_f64(-0.66) + k1.mul_add(cos1, t4);
-            let t8 = k1.mul_add(sin1, t2);
-            let t9 = T::from_f64(0.2) - t2;
-            let t10 = T::from_f64(1.0) / t3.mul_add(t3, t6).powf(T::from_f64(1.5))
-                + T::from_f64(1.0) / t9.mul_add(t9, t6).powf(T::from_f64(1.5));
-            let t11 = t7 * t7;
-            let t12 = T::from_f64(-0.15) - t8;
-            let t13 = T::from_f64(0.2) - t8;
-            let t14 = T::from_f64(1.0) / t12.mul_add(t12, t11).powf(T::from_f64(1.5))
-                + T::from_f64(1.0) / t13.mul_add(t13, t11).powf(T::from_f64(1.5));
+            let t2 = k1 * cos_theta1;
+            let t3 = k1 * sin_theta1;
+            let t4 = T::from_f64(-0.66) + k1.mul_add(cos1, t2);
+            let t5 = k1.mul_add(sin1, t3);
+            let t6 = T::from_f64(-0.66) + t2;
+            let t7 = t6 * t6;
+            let t8 = t4 * t4;
+            let t9 = T::from_f64(-0.15) - t3;
+            let t10 = T::from_f64(0.2) - t3;
+            let t11 = T::from_f64(1.0) / t9.mul_add(t9, t7).powf(T::from_f64(1.5))
+                + T::from_f64(1.0) / t10.mul_add(t10, t7).powf(T::from_f64(1.5));
+            let t12 = T::from_f64(-0.15) - t5;
+            let t13 = T::from_f64(0.2) - t5;
+            let t14 = T::from_f64(1.0) / t12.mul_add(t12, t8).powf(T::from_f64(1.5))
+                + T::from_f64(1.0) / t13.mul_add(t13, t8).powf(T::from_f64(1.5));
             T::from_f64(9.81)
                 .mul_neg_add(
-                    k6.mul_add(cos_theta1, k0.mul_add(t4, k6 * cos1)),
-                    k2 * (t10 - t14),
+                    k6.mul_add(cos_theta1, k0.mul_add(t2, k6 * cos1)),
+                    k2 * (t11 - t14),
                 )
         }
     }

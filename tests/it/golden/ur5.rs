@@ -467,262 +467,258 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let t0 = q_q2 + q_q3;
             let t1 = t0 + q_q4;
             let (sin2, cos2) = t1.sin_cos();
-            let t3 = T::from_f64(0.10510116377025) * cos2;
-            let t4 = T::from_f64(0.017784735) * sin2;
-            let t5 = T::from_f64(0.017784735) * cos2;
-            let t6 = cos2.mul_neg_add(qd_q1, qd_q5);
+            let t3 = qd_q1 * qd_q2;
+            let t4 = qd_q1.mul_add(qd_q3, t3);
+            let t5 = T::from_f64(2.0) * t3;
+            let t6 = qd_q2 + qd_q3;
             let t7 = sin2 * qd_q1;
-            let t8 = qd_q2 + qd_q3;
-            let t9 = qd_q4 + t8;
-            let t10 = qd_q1 * qd_q2;
-            let t11 = qd_q1.mul_add(qd_q3, t10);
-            let t12 = T::from_f64(2.0) * t10;
-            let t13 = qd_q1.mul_add(qd_q4, t11);
-            let t14 = cos2 * t13;
-            let t15 = qd_q1 * qd_q1;
-            let t16 = qd_q2 * qd_q2;
-            let t17 = t15 + t16;
-            let t18 = T::from_f64(0.13585) * t15;
-            let t19 = T::from_f64(0.001653980355) * sin2;
-            let t20 = t9 * t9;
-            let t21 = t15 + t20;
-            let t22 = t4 * t21;
-            let t23 = t8 * t8;
-            let t24 = qd_q1 * t8;
-            let t25 = t15 + t23;
-            let t26 = t3 * sin2;
-            let t27 = sin2 * t13;
-            let t28 = qd_q1 * t9;
-            let t29 = t5 * t20;
-            let t30 = t11 + t24;
-            let t31 = t13 + t28;
-            let t32 = t5 * t31;
+            let t8 = qd_q4 + t6;
+            let t9 = qd_q1.mul_add(qd_q4, t4);
+            let t10 = cos2.mul_neg_add(qd_q1, qd_q5);
+            let t11 = cos2 * t9;
+            let t12 = sin2 * t9;
+            let t13 = qd_q1 * qd_q1;
+            let t14 = qd_q2 * qd_q2;
+            let t15 = T::from_f64(0.10510116377025) * cos2;
+            let t16 = t13 + t14;
+            let t17 = t8 * t8;
+            let t18 = t6 * t6;
+            let t19 = qd_q1 * t6;
+            let t20 = T::from_f64(0.017784735) * cos2;
+            let t21 = t13 + t17;
+            let t22 = t13 + t18;
+            let t23 = t15 * sin2;
+            let t24 = T::from_f64(0.017784735) * sin2;
+            let t25 = T::from_f64(0.001653980355) * sin2;
+            let t26 = qd_q1 * t8;
+            let t27 = t24 * t21;
+            let t28 = t20 * t17;
+            let t29 = T::from_f64(0.13585) * t13;
+            let t30 = t4 + t19;
+            let t31 = t9 + t26;
+            let t32 = t20 * t31;
             let [(sin33, cos33), (sin_q5, cos_q5)] = t0.sin_cos_pair(q_q5);
-            let t34 = T::from_f64(0.59155695167475) * cos33;
-            let t35 = cos33 * t34;
-            let t36 = t34 * sin33;
-            let t37 = T::from_f64(0.39225) * cos33;
-            let t38 = t37 * t4;
-            let t39 = T::from_f64(1.598759275) * cos33;
-            let t40 = sin2 * sin_q5;
-            let t41 = T::from_f64(0.017136473145) * t40;
-            let t42 = T::from_f64(1.598759275) * sin33;
-            let t43 = t5 + t42;
-            let t44 = T::from_f64(0.39225) * sin33;
-            let t45 = t5 * t44;
-            let t46 = T::from_f64(58.35506475215265) * t41;
-            let t47 = sin_q5.mul_add(t9, cos_q5 * t7);
-            let t48 = sin_q5.mul_neg_add(t7, cos_q5 * t9);
-            let t49 = qd_q5.mul_add(t47, sin_q5 * t14);
-            let t50 = qd_q5.mul_add(t48, cos_q5 * t14);
-            let t51 = t39.mul_neg_add(t25, t22);
-            let t52 = qd_q6 + (t48 + qd_q6);
-            let t53 = t47 * t48;
-            let t54 = T::from_f64(0.051322656825) * cos33;
+            let t34 = sin_q5.mul_add(t8, cos_q5 * t7);
+            let t35 = sin_q5.mul_neg_add(t7, cos_q5 * t8);
+            let t36 = qd_q5.mul_add(t35, cos_q5 * t11);
+            let t37 = qd_q5.mul_add(t34, sin_q5 * t11);
+            let t38 = qd_q6 + (t35 + qd_q6);
+            let t39 = T::from_f64(0.39225) * cos33;
+            let t40 = T::from_f64(0.39225) * sin33;
+            let t41 = T::from_f64(0.59155695167475) * cos33;
+            let t42 = cos33 * t41;
+            let t43 = t41 * sin33;
+            let t44 = t39 * t24;
+            let t45 = t20 * t40;
+            let t46 = t34 * t35;
+            let t47 = T::from_f64(1.598759275) * cos33;
+            let t48 = T::from_f64(1.598759275) * sin33;
+            let t49 = T::from_f64(0.051322656825) * cos33;
+            let t50 = sin2 * sin_q5;
+            let t51 = T::from_f64(0.017136473145) * t50;
+            let t52 = t20 + t48;
+            let t53 = t47.mul_neg_add(t22, t27);
+            let t54 = T::from_f64(58.35506475215265) * t51;
             let [(sin_q6, cos_q6), (sin_q2, cos_q2)] = q_q6.sin_cos_pair(q_q2);
-            let t55 = T::from_f64(0.016685526855) * cos_q6;
-            let t56 = cos_q6 * t55;
-            let t57 = t55 * sin_q6;
-            let t58 = T::from_f64(0.109935473145) + t56;
-            let t59 = T::from_f64(0.016911) - t56;
-            let t60 = T::from_f64(1.75501953841) * cos_q2;
-            let t61 = cos_q2 * t60;
-            let t62 = t60 * sin_q2;
-            let t63 = cos_q5 * (t58 - T::from_f64(0.126621));
-            let t64 = cos_q5 * t63;
-            let t65 = T::from_f64(0.126621) + t64;
-            let t66 = sin2 * (cos_q5 * t57);
-            let t67 = cos2
-                .mul_add(
-                    T::from_f64(2.0).mul_neg_add(t66, cos2 * (t65 - t59)),
-                    cos2 * t3,
-                );
-            let t68 = T::from_f64(0.00460883622975) + t59 + t67;
-            let t69 = T::from_f64(0.10971) + t65 - t67;
-            let t70 = t57 * sin_q5;
-            let t71 = T::from_f64(0.001653980355)
-                .mul_neg_add(cos2, cos2.mul_add(t70, t63 * t40));
-            let t72 = T::from_f64(2.0)
-                .mul_neg_add(t38, T::from_f64(0.0020475) + t35 + t68);
-            let t73 = t68 + t69;
-            let t74 = T::from_f64(2.0).mul_add(t45, T::from_f64(0.59360445167475) + t69)
-                - t35;
-            let t75 = T::from_f64(0.425) * cos_q2;
-            let t76 = t75 * (t39 - t4);
-            let t77 = T::from_f64(2.0).mul_add(t76, T::from_f64(0.0075537) + t61 + t72);
-            let t78 = T::from_f64(0.126621) + t58;
-            let t79 = cos2.mul_neg_add(t78, t66);
-            let t80 = T::from_f64(-1.0) / t78;
-            let t81 = t79 * t80;
-            let t82 = t80 * t70;
-            let t83 = t70
-                .mul_neg_add(t82, T::from_f64(0.017136473145) * cos_q5 * cos_q5);
-            let t84 = t73 + t45 - t38 - t83;
-            let t85 = T::from_f64(-1.0) / (t73 - t83);
-            let t86 = t72 + t74 - t83;
-            let t87 = t79.mul_add(t82, cos_q5 * t41);
-            let t88 = T::from_f64(0.00028722347025).mul_add(cos2, t87) - t71;
-            let t89 = T::from_f64(0.1197)
-                .mul_neg_add(t43, T::from_f64(0.051322656825) * sin33) - t71 + t87;
-            let t90 = t88 * t85;
-            let t91 = t85 * t84;
-            let t92 = t88.mul_add(t91, T::from_f64(0.13585) * t43) + t89;
-            let t93 = T::from_f64(-1.0) / t84.mul_add(t91, t86);
-            let t94 = t92 * t93;
-            let t95 = t92
-                .mul_add(
-                    t94,
-                    t88
-                        .mul_add(
-                            t90,
-                            t79.mul_add(t81, T::from_f64(0.29853861244275) + t58 + t77),
-                        ),
-                );
-            let t96 = T::from_f64(0.425) * sin_q2;
-            let t97 = t4.mul_neg_add(t75, t5.mul_add(t96, t84));
-            let t98 = t85 * t97;
-            let t99 = t43 * t96;
-            let t100 = t91.mul_add(t97, t76 + t99) + t86;
-            let t101 = t93 * t100;
-            let t102 = t100
-                .mul_add(
-                    t101,
-                    t97
-                        .mul_add(
-                            t98,
-                            T::from_f64(2.0)
-                                .mul_add(t99, T::from_f64(1.76257323841) + t77 + t74),
-                        ),
-                );
-            let t103 = t92
-                .mul_add(
-                    t101,
-                    t88
-                        .mul_add(
-                            t98,
-                            T::from_f64(0.13585)
-                                * T::from_f64(4.4329225).mul_add(sin_q2, t43),
-                        ),
-                ) + t89;
-            let t104 = T::from_f64(-1.0) / (t102 - t61 - t83);
-            let t105 = T::from_f64(0.19371331275).mul_neg_add(sin_q2, t103);
-            let t106 = t105 * t104;
-            let t107 = sin_q6.mul_add(t47, cos_q6 * t6);
-            let t108 = sin_q6.mul_neg_add(t6, cos_q6 * t47);
-            let t109 = t107 * t108;
-            let t110 = T::from_f64(0.016911)
-                .mul_neg_add(t109 + t49, T::from_f64(0.000225473145) * (t109 - t49));
-            let t111 = T::from_f64(0.10971).mul_neg_add(t6.mul_add(t47, t49), t110);
-            let t112 = T::from_f64(0.016911)
-                * t108.mul_add(t52, sin_q6.mul_add(t50, cos_q6 * t27));
-            let t113 = T::from_f64(0.000225473145)
-                * cos_q6.mul_neg_add(t50, t107.mul_add(t52, sin_q6 * t27));
-            let t114 = cos_q6
+            let t55 = sin_q6.mul_add(t34, cos_q6 * t10);
+            let t56 = sin_q6.mul_neg_add(t10, cos_q6 * t34);
+            let t57 = T::from_f64(0.016911)
+                * t56.mul_add(t38, sin_q6.mul_add(t36, cos_q6 * t12));
+            let t58 = T::from_f64(0.000225473145)
+                * cos_q6.mul_neg_add(t36, t55.mul_add(t38, sin_q6 * t12));
+            let t59 = cos_q6
                 .mul_neg_add(
-                    t113,
-                    sin_q6.mul_add(t112, T::from_f64(0.126621) * t6.mul_add(t48, t50)),
+                    t58,
+                    sin_q6.mul_add(t57, T::from_f64(0.126621) * t10.mul_add(t35, t36)),
                 );
-            let t115 = T::from_f64(0.126621)
+            let t60 = T::from_f64(0.126621)
                 .mul_neg_add(
-                    t53 - t27,
+                    t46 - t12,
                     sin_q6
                         .mul_add(
-                            t113,
-                            cos_q6.mul_add(t112, T::from_f64(0.10971) * (t27 + t53)),
+                            t58,
+                            cos_q6.mul_add(t57, T::from_f64(0.10971) * (t12 + t46)),
                         ),
                 );
-            let t116 = t96.mul_neg_add(t12, T::from_f64(0.1197).mul_sub(t15, t18));
-            let t117 = t19
+            let t61 = t55 * t56;
+            let t62 = T::from_f64(0.016911)
+                .mul_neg_add(t61 + t37, T::from_f64(0.000225473145) * (t61 - t37));
+            let t63 = T::from_f64(0.10971).mul_neg_add(t10.mul_add(t34, t37), t62);
+            let t64 = T::from_f64(0.016685526855) * cos_q6;
+            let t65 = cos_q6 * t64;
+            let t66 = t64 * sin_q6;
+            let t67 = T::from_f64(0.109935473145) + t65;
+            let t68 = T::from_f64(0.016911) - t65;
+            let t69 = cos_q5 * (t67 - T::from_f64(0.126621));
+            let t70 = cos_q5 * t69;
+            let t71 = sin2 * (cos_q5 * t66);
+            let t72 = t66 * sin_q5;
+            let t73 = T::from_f64(0.001653980355)
+                .mul_neg_add(cos2, cos2.mul_add(t72, t69 * t50));
+            let t74 = T::from_f64(0.126621) + t70;
+            let t75 = cos2
                 .mul_add(
-                    t15 - t21,
-                    t39
-                        .mul_add(
-                            t116,
-                            (T::from_f64(0.19371331275) * cos_q2)
-                                .mul_add(t15 - t17, t46 * t110),
-                        ),
+                    T::from_f64(2.0).mul_neg_add(t71, cos2 * (t74 - t68)),
+                    cos2 * t15,
                 );
-            let t118 = t75 * t17;
-            let t119 = sin_q5
-                .mul_add(t114, t26.mul_add(t21 - t20, t5 * t37.mul_add(t25, t118)));
-            let t120 = t96.mul_neg_add(t16, T::from_f64(-9.81));
-            let t121 = t19
+            let t76 = T::from_f64(0.00460883622975) + t68 + t75;
+            let t77 = T::from_f64(0.10971) + t74 - t75;
+            let t78 = T::from_f64(0.425) * cos_q2;
+            let t79 = T::from_f64(0.126621) + t67;
+            let t80 = cos2.mul_neg_add(t79, t71);
+            let t81 = T::from_f64(-1.0) / t79;
+            let t82 = t78 * t16;
+            let t83 = sin_q5
+                .mul_add(t59, t23.mul_add(t21 - t17, t20 * t39.mul_add(t22, t82)));
+            let t84 = T::from_f64(0.425) * sin_q2;
+            let t85 = t81 * t72;
+            let t86 = t72
+                .mul_neg_add(t85, T::from_f64(0.017136473145) * cos_q5 * cos_q5);
+            let t87 = t84.mul_neg_add(t14, T::from_f64(-9.81));
+            let t88 = t25
                 .mul_neg_add(
-                    t13 - t28,
-                    t4
-                        .mul_neg_add(
-                            t44.mul_neg_add(t23, t120),
-                            cos_q5.mul_add(t111, t119),
+                    t9 - t26,
+                    t24.mul_neg_add(t40.mul_neg_add(t18, t87), cos_q5.mul_add(t63, t83)),
+                );
+            let t89 = t43
+                .mul_add(
+                    t22 - t18,
+                    t49.mul_add(t4 - t19, t48.mul_add(t82, t47.mul_add(t87, t88))),
+                );
+            let t90 = t76 + t77;
+            let t91 = T::from_f64(2.0)
+                .mul_neg_add(t44, T::from_f64(0.0020475) + t42 + t76);
+            let t92 = T::from_f64(2.0).mul_add(t45, T::from_f64(0.59360445167475) + t77)
+                - t42;
+            let t93 = t90 + t45 - t44 - t86;
+            let t94 = T::from_f64(-1.0) / (t90 - t86);
+            let t95 = t24.mul_neg_add(t78, t20.mul_add(t84, t93));
+            let t96 = t91 + t92 - t86;
+            let t97 = t94 * t93;
+            let t98 = T::from_f64(-1.0) / t93.mul_add(t97, t96);
+            let t99 = t85.mul_neg_add(t60, cos_q5 * t62);
+            let t100 = t40.mul_neg_add(t27, t39.mul_neg_add(t28, t89)) - t99;
+            let t101 = t88 - t99;
+            let t102 = t78 * (t47 - t24);
+            let t103 = t80.mul_add(t85, cos_q5 * t51);
+            let t104 = T::from_f64(1.75501953841) * cos_q2;
+            let t105 = t52 * t84;
+            let t106 = t97.mul_add(t95, t102 + t105) + t96;
+            let t107 = cos_q2 * t104;
+            let t108 = T::from_f64(2.0)
+                .mul_add(t102, T::from_f64(0.0075537) + t107 + t91);
+            let t109 = t104 * sin_q2;
+            let t110 = T::from_f64(0.1197)
+                .mul_neg_add(t52, T::from_f64(0.051322656825) * sin33) - t73 + t103;
+            let t111 = T::from_f64(0.00028722347025).mul_add(cos2, t103) - t73;
+            let t112 = t94 * t95;
+            let t113 = t98 * t106;
+            let t114 = t106
+                .mul_add(
+                    t113,
+                    t95
+                        .mul_add(
+                            t112,
+                            T::from_f64(2.0)
+                                .mul_add(t105, T::from_f64(1.76257323841) + t108 + t92),
                         ),
                 );
-            let t122 = t36
-                .mul_add(
-                    t25 - t23,
-                    t54.mul_add(t11 - t24, t42.mul_add(t118, t39.mul_add(t120, t121))),
-                );
-            let t123 = t82.mul_neg_add(t115, cos_q5 * t110);
-            let t124 = t44.mul_neg_add(t22, t37.mul_neg_add(t29, t122)) - t123;
-            let t125 = t121 - t123;
-            let t126 = t91.mul_add(t125, t124);
-            let t127 = T::from_f64(43.486969725)
+            let t115 = T::from_f64(-1.0) / (t114 - t107 - t86);
+            let t116 = t97.mul_add(t101, t100);
+            let t117 = T::from_f64(43.486969725)
                 .mul_neg_add(
                     cos_q2,
-                    t101.mul_add(t126, t98.mul_add(t125, t62 * (t17 - t16))) + t124,
+                    t113.mul_add(t116, t112.mul_add(t101, t109 * (t16 - t14))) + t100,
                 );
-            let t128 = t96
-                .mul_neg_add(t51, t75.mul_neg_add(t42.mul_add(t23, t29), t127));
-            let t129 = T::from_f64(4.4329225) * cos_q2;
-            let t130 = t106
+            let t118 = t84
+                .mul_neg_add(t53, t78.mul_neg_add(t48.mul_add(t18, t28), t117));
+            let t119 = t84.mul_neg_add(t5, T::from_f64(0.1197).mul_sub(t13, t29));
+            let t120 = t25
                 .mul_add(
-                    t128,
-                    t94
+                    t13 - t21,
+                    t47
                         .mul_add(
-                            t126,
-                            t90.mul_add(t125, T::from_f64(0.1197).mul_add(t51, t117)),
+                            t119,
+                            (T::from_f64(0.19371331275) * cos_q2)
+                                .mul_add(t13 - t16, t54 * t62),
                         ),
                 );
-            let t131 = t36
+            let t121 = t111.mul_add(t97, T::from_f64(0.13585) * t52) + t110;
+            let t122 = t121
+                .mul_add(
+                    t113,
+                    t111
+                        .mul_add(
+                            t112,
+                            T::from_f64(0.13585)
+                                * T::from_f64(4.4329225).mul_add(sin_q2, t52),
+                        ),
+                ) + t110;
+            let t123 = T::from_f64(0.19371331275).mul_neg_add(sin_q2, t122);
+            let t124 = T::from_f64(4.4329225) * cos_q2;
+            let t125 = t111 * t94;
+            let t126 = t121 * t98;
+            let t127 = t123 * t115;
+            let t128 = t127
+                .mul_add(
+                    t118,
+                    t126
+                        .mul_add(
+                            t116,
+                            t125.mul_add(t101, T::from_f64(0.1197).mul_add(t53, t120)),
+                        ),
+                );
+            let t129 = t80 * t81;
+            let t130 = t43
                 .mul_neg_add(
                     t30,
-                    t12
+                    t5
                         .mul_neg_add(
-                            t62,
-                            t129.mul_neg_add(t18, t115.mul_add(t81 - cos2, t130)),
+                            t109,
+                            t124.mul_neg_add(t29, t60.mul_add(t129 - cos2, t128)),
                         ),
                 );
-            let t132 = t26
+            let t131 = t23
                 .mul_neg_add(
                     t31,
-                    t4
+                    t24
                         .mul_neg_add(
-                            t44.mul_neg_add(t30, t116),
-                            t54.mul_neg_add(t15 - t25, t131),
+                            t40.mul_neg_add(t30, t119),
+                            t49.mul_neg_add(t13 - t22, t130),
                         ),
                 );
-            let t133 = t75
+            let t132 = t78
                 .mul_neg_add(
-                    t42.mul_add(t30, t32),
-                    t37
+                    t48.mul_add(t30, t32),
+                    t39
                         .mul_neg_add(
                             t32,
-                            sin2
-                                .mul_neg_add(cos_q5.mul_neg_add(t114, sin_q5 * t111), t132),
+                            sin2.mul_neg_add(cos_q5.mul_neg_add(t59, sin_q5 * t63), t131),
+                        ),
+                );
+            let t133 = t121
+                .mul_add(
+                    t126,
+                    t111
+                        .mul_add(
+                            t125,
+                            t80.mul_add(t129, T::from_f64(0.29853861244275) + t67 + t108),
                         ),
                 );
             let t134 = T::from_f64(-1.0)
-                / t41.mul_neg_add(t46, t105.mul_add(t106, t95) - t64)
-                * T::from_f64(0.13585).mul_neg_add(t129.mul_neg_add(t17, t51), t133);
-            let t135 = t106.mul_add(t134, t104 * t128);
-            let t136 = t101.mul_add(t135, t94.mul_add(t134, t93 * t126));
-            let t137 = t91
-                .mul_add(t136, t98.mul_add(t135, t90.mul_add(t134, t85 * t125)));
+                / t51.mul_neg_add(t54, t123.mul_add(t127, t133) - t70)
+                * T::from_f64(0.13585).mul_neg_add(t124.mul_neg_add(t16, t53), t132);
+            let t135 = t127.mul_add(t134, t115 * t118);
+            let t136 = t113.mul_add(t135, t126.mul_add(t134, t98 * t116));
+            let t137 = t97
+                .mul_add(t136, t112.mul_add(t135, t125.mul_add(t134, t94 * t101)));
             let t138 = t137 + (t135 + t136);
             let t139 = cos_q5
                 .mul_neg_add(
                     t138,
-                    T::from_f64(58.35506475215265).mul_neg_add(t110, t46 * t134),
+                    T::from_f64(58.35506475215265).mul_neg_add(t62, t54 * t134),
                 );
-            let t140 = t82.mul_add(t138, t81.mul_add(t134, t80 * t115));
+            let t140 = t85.mul_add(t138, t129.mul_add(t134, t81 * t60));
             ::pendulum_core::nalgebra::SVector::from([
                 qd_q1,
                 qd_q2,
@@ -2785,212 +2781,212 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
             qd_q6] = x.data.0[0];
             let [qdd_q1, qdd_q2, qdd_q3, qdd_q4, qdd_q5, qdd_q6] = qdd.data.0[0];
-            let t0 = qd_q1 * qd_q1;
-            let t1 = qd_q2 * qd_q2;
-            let t2 = t0 + t1;
-            let t3 = q_q2 + q_q3;
-            let t4 = qdd_q2 + qdd_q3;
-            let t5 = T::from_f64(0.13585) * t0;
-            let t6 = qd_q1 * qd_q2;
-            let t7 = T::from_f64(2.0) * t6;
-            let t8 = qd_q1.mul_add(qd_q3, t6);
-            let t9 = t3 + q_q4;
-            let (sin10, cos10) = t9.sin_cos();
-            let t11 = T::from_f64(0.001653980355) * sin10;
-            let t12 = qd_q2 + qd_q3;
-            let t13 = t12 + qd_q4;
-            let t14 = t13 * t13;
-            let t15 = t0 + t14;
-            let t16 = T::from_f64(0.001653980355) * cos10;
-            let t17 = t4 + qdd_q4;
-            let t18 = T::from_f64(0.017784735) * sin10;
-            let t19 = T::from_f64(0.017784735) * cos10;
-            let t20 = t17.mul_neg_add(t19, t18 * t15);
-            let t21 = t12 * t12;
-            let t22 = qd_q1 * t12;
-            let t23 = t0 + t21;
-            let t24 = qd_q1.mul_add(qd_q4, t8);
-            let t25 = qd_q1 * t13;
-            let t26 = t24 + t25;
-            let t27 = qdd_q1.mul_add(t18, t26 * t19);
-            let t28 = t8 + t22;
-            let t29 = T::from_f64(0.10510116377025) * cos10;
-            let t30 = cos10 * t29;
-            let t31 = sin10 * t29;
-            let t32 = T::from_f64(0.00460883622975) + t30;
-            let t33 = qd_q1.mul_neg_add(cos10, qd_q5);
-            let t34 = qd_q1 * sin10;
-            let t35 = qdd_q1.mul_add(sin10, cos10 * t24);
-            let t36 = qdd_q1.mul_neg_add(cos10, sin10.mul_add(t24, qdd_q5));
-            let t37 = T::from_f64(0.13585) * qdd_q1;
-            let t38 = t18.mul_add(t17, t14 * t19);
-            let [(sin39, cos39), (sin_q6, cos_q6)] = t3.sin_cos_pair(q_q6);
-            let t40 = T::from_f64(0.051322656825) * sin39;
-            let t41 = T::from_f64(1.598759275) * cos39;
-            let t42 = T::from_f64(1.598759275) * sin39;
-            let t43 = t4.mul_neg_add(t42, t23.mul_neg_add(t41, t20));
-            let t44 = T::from_f64(0.59155695167475) * cos39;
-            let t45 = cos39 * t44;
-            let t46 = sin39 * t44;
-            let t47 = T::from_f64(0.0020475) + t45;
-            let t48 = T::from_f64(0.051322656825) * cos39;
-            let t49 = T::from_f64(0.39225) * cos39;
-            let t50 = T::from_f64(0.39225) * sin39;
+            let t0 = q_q2 + q_q3;
+            let t1 = t0 + q_q4;
+            let (sin2, cos2) = t1.sin_cos();
+            let t3 = qd_q1 * qd_q2;
+            let t4 = qd_q1.mul_add(qd_q3, t3);
+            let t5 = T::from_f64(2.0) * t3;
+            let t6 = qd_q2 + qd_q3;
+            let t7 = qd_q1.mul_add(qd_q4, t4);
+            let t8 = t6 + qd_q4;
+            let t9 = qd_q1 * sin2;
+            let t10 = qdd_q2 + qdd_q3;
+            let t11 = qdd_q1.mul_add(sin2, cos2 * t7);
+            let t12 = t10 + qdd_q4;
+            let t13 = qd_q1.mul_neg_add(cos2, qd_q5);
+            let t14 = qdd_q1.mul_neg_add(cos2, sin2.mul_add(t7, qdd_q5));
+            let t15 = qd_q1 * qd_q1;
+            let t16 = t8 * t8;
+            let t17 = T::from_f64(0.10510116377025) * cos2;
+            let t18 = t15 + t16;
+            let t19 = T::from_f64(0.001653980355) * cos2;
+            let t20 = sin2 * t17;
+            let t21 = cos2 * t17;
+            let t22 = qd_q2 * qd_q2;
+            let t23 = T::from_f64(0.13585) * t15;
+            let t24 = T::from_f64(0.001653980355) * sin2;
+            let t25 = T::from_f64(0.017784735) * sin2;
+            let t26 = t6 * t6;
+            let t27 = qd_q1 * t6;
+            let t28 = qd_q1 * t8;
+            let t29 = T::from_f64(0.00460883622975) + t21;
+            let t30 = t15 + t22;
+            let t31 = T::from_f64(0.13585) * qdd_q1;
+            let t32 = T::from_f64(0.017784735) * cos2;
+            let t33 = t12.mul_neg_add(t32, t25 * t18);
+            let t34 = t15 + t26;
+            let t35 = t7 + t28;
+            let t36 = qdd_q1.mul_add(t25, t35 * t32);
+            let t37 = t4 + t27;
+            let t38 = t25.mul_add(t12, t16 * t32);
+            let [(sin39, cos39), (sin_q6, cos_q6)] = t0.sin_cos_pair(q_q6);
+            let t40 = T::from_f64(0.39225) * cos39;
+            let t41 = T::from_f64(0.39225) * sin39;
+            let t42 = T::from_f64(0.051322656825) * sin39;
+            let t43 = T::from_f64(1.598759275) * cos39;
+            let t44 = T::from_f64(1.598759275) * sin39;
+            let t45 = T::from_f64(0.59155695167475) * cos39;
+            let t46 = t10.mul_neg_add(t44, t34.mul_neg_add(t43, t33));
+            let t47 = T::from_f64(0.051322656825) * cos39;
+            let t48 = sin39 * t45;
+            let t49 = cos39 * t45;
+            let t50 = T::from_f64(0.0020475) + t49;
             let [(sin_q2, cos_q2), (sin_q5, cos_q5)] = q_q2.sin_cos_pair(q_q5);
-            let t51 = T::from_f64(0.425) * cos_q2;
-            let t52 = T::from_f64(0.425) * sin_q2;
-            let t53 = t7
-                .mul_neg_add(t52, qdd_q1.mul_add(t51, T::from_f64(0.1197) * t0) - t5);
-            let t54 = t11
-                .mul_add(
-                    t0 - t15,
-                    t41
-                        .mul_add(
-                            t53,
-                            t40
-                                .mul_add(
-                                    t4,
-                                    T::from_f64(0.19371331275) * cos_q2 * (t0 - t2),
-                                ),
-                        ),
-                );
-            let t55 = t51
-                .mul_add(
-                    t28.mul_neg_add(t42, qdd_q1.mul_sub(t41, t27)),
-                    T::from_f64(0.1197).mul_add(t43, t16.mul_add(t17, t54)),
-                );
-            let t56 = T::from_f64(1.75501953841) * cos_q2;
-            let t57 = cos_q2 * t56;
-            let t58 = sin_q2 * t56;
-            let t59 = T::from_f64(0.0075537) + t57;
-            let t60 = T::from_f64(4.4329225) * cos_q2;
-            let t61 = T::from_f64(0.19371331275) * sin_q2;
-            let t62 = qdd_q2
+            let t51 = sin_q5.mul_neg_add(t9, t8 * cos_q5);
+            let t52 = t8.mul_add(sin_q5, cos_q5 * t9);
+            let t53 = t12.mul_add(sin_q5, cos_q5.mul_add(t11, qd_q5 * t51));
+            let t54 = qd_q5.mul_neg_add(t52, sin_q5.mul_neg_add(t11, t12 * cos_q5));
+            let t55 = sin_q6.mul_add(t52, cos_q6 * t13);
+            let t56 = t13.mul_neg_add(sin_q6, cos_q6 * t52);
+            let t57 = qd_q6 + (t51 + qd_q6);
+            let t58 = T::from_f64(0.016911)
+                * t56.mul_add(t57, sin_q6.mul_add(t53, cos_q6 * t14));
+            let t59 = T::from_f64(0.000225473145)
+                * cos_q6.mul_neg_add(t53, t55.mul_add(t57, sin_q6 * t14));
+            let t60 = t55 * t56;
+            let t61 = cos_q6
                 .mul_neg_add(
-                    t61,
-                    t60
-                        .mul_neg_add(
-                            t5,
-                            qdd_q1
-                                .mul_add(
-                                    T::from_f64(0.29853861244275) + t59 + t47 + t32,
-                                    t55,
-                                ),
-                        ),
+                    t59,
+                    sin_q6.mul_add(t58, T::from_f64(0.126621) * t13.mul_add(t51, t53)),
                 );
-            let t63 = t18
+            let t62 = t52 * t51;
+            let t63 = T::from_f64(0.126621)
                 .mul_neg_add(
-                    t28.mul_neg_add(t50, qdd_q1.mul_add(t49, t53)),
-                    t46
-                        .mul_neg_add(
-                            t28,
-                            t48.mul_neg_add(t0 - t23, t7.mul_neg_add(t58, t62)),
-                        ),
-                );
-            let t64 = t13.mul_add(sin_q5, cos_q5 * t34);
-            let t65 = sin_q5.mul_neg_add(t34, t13 * cos_q5);
-            let t66 = sin_q6.mul_add(t64, cos_q6 * t33);
-            let t67 = t33.mul_neg_add(sin_q6, cos_q6 * t64);
-            let t68 = t66 * t67;
-            let t69 = qd_q5.mul_neg_add(t64, sin_q5.mul_neg_add(t35, t17 * cos_q5));
-            let t70 = t17.mul_add(sin_q5, cos_q5.mul_add(t35, qd_q5 * t65));
-            let t71 = qdd_q6 + t69;
-            let t72 = T::from_f64(0.016911)
-                .mul_neg_add(t68 - t71, T::from_f64(0.000225473145) * (t68 + t71));
-            let t73 = T::from_f64(0.10971).mul_neg_add(t33.mul_sub(t64, t69), t72);
-            let t74 = t64 * t65;
-            let t75 = qd_q6 + (t65 + qd_q6);
-            let t76 = T::from_f64(0.016911)
-                * t67.mul_add(t75, sin_q6.mul_add(t70, cos_q6 * t36));
-            let t77 = T::from_f64(0.000225473145)
-                * cos_q6.mul_neg_add(t70, t66.mul_add(t75, sin_q6 * t36));
-            let t78 = cos_q6
-                .mul_neg_add(
-                    t77,
-                    sin_q6.mul_add(t76, T::from_f64(0.126621) * t33.mul_add(t65, t70)),
-                );
-            let t79 = T::from_f64(0.126621)
-                .mul_neg_add(
-                    t74 - t36,
+                    t62 - t14,
                     sin_q6
                         .mul_add(
-                            t77,
-                            cos_q6.mul_add(t76, T::from_f64(0.10971) * (t36 + t74)),
+                            t59,
+                            cos_q6.mul_add(t58, T::from_f64(0.10971) * (t14 + t62)),
                         ),
                 );
-            let t80 = cos10
-                .mul_neg_add(
-                    t79,
-                    sin10
-                        .mul_neg_add(
-                            cos_q5.mul_neg_add(t78, sin_q5 * t73),
-                            t31.mul_neg_add(t26, t63),
-                        ),
-                );
-            let t81 = cos_q5
+            let t64 = qdd_q6 + t54;
+            let t65 = T::from_f64(0.016911)
+                .mul_neg_add(t60 - t64, T::from_f64(0.000225473145) * (t60 + t64));
+            let t66 = T::from_f64(0.10971).mul_neg_add(t13.mul_sub(t52, t54), t65);
+            let t67 = cos_q5
                 .mul_add(
-                    t73,
-                    sin_q5.mul_add(t78, qdd_q1.mul_add(t16, t31 * (t15 - t14))),
+                    t66,
+                    sin_q5.mul_add(t61, qdd_q1.mul_add(t19, t20 * (t18 - t16))),
                 );
-            let t82 = T::from_f64(4.4329225) * sin_q2;
-            let t83 = t1.mul_neg_add(t52, qdd_q2 * t51) - T::from_f64(9.81);
-            let t84 = t18
+            let t68 = T::from_f64(0.425) * cos_q2;
+            let t69 = T::from_f64(0.425) * sin_q2;
+            let t70 = t22.mul_neg_add(t69, qdd_q2 * t68) - T::from_f64(9.81);
+            let t71 = t25
                 .mul_neg_add(
-                    t21.mul_neg_add(t50, t4.mul_add(t49, t83)),
-                    t11
+                    t26.mul_neg_add(t41, t10.mul_add(t40, t70)),
+                    t24
                         .mul_neg_add(
-                            t24 - t25,
-                            t17.mul_add(t32 + (T::from_f64(0.10971) - t30), t81),
+                            t7 - t28,
+                            t12.mul_add(t29 + (T::from_f64(0.10971) - t21), t67),
                         ),
                 );
-            let t85 = qdd_q1
-                .mul_add(t40, t48.mul_add(t8 - t22, t46.mul_add(t23 - t21, t41 * t83)));
-            let t86 = qdd_q2
-                .mul_neg_add(
-                    t52,
-                    t2.mul_neg_add(t51, T::from_f64(0.1197).mul_sub(qdd_q1, t37)),
-                );
-            let t87 = t19
-                .mul_neg_add(t4.mul_neg_add(t50, t23.mul_neg_add(t49, t86)), t84);
-            let t88 = t49
-                .mul_neg_add(
-                    t38,
-                    t42
-                        .mul_neg_add(
-                            t86,
-                            t4
+            let t72 = qdd_q1
+                .mul_add(t42, t47.mul_add(t4 - t27, t48.mul_add(t34 - t26, t43 * t70)));
+            let t73 = t5
+                .mul_neg_add(t69, qdd_q1.mul_add(t68, T::from_f64(0.1197) * t15) - t23);
+            let t74 = t24
+                .mul_add(
+                    t15 - t18,
+                    t43
+                        .mul_add(
+                            t73,
+                            t42
                                 .mul_add(
-                                    t47 + (T::from_f64(0.59360445167475) - t45),
-                                    t85 + t87,
+                                    t10,
+                                    T::from_f64(0.19371331275) * cos_q2 * (t15 - t30),
                                 ),
                         ),
                 );
-            let t89 = t50.mul_neg_add(t20, t88);
-            let t90 = t51
+            let t75 = t68
                 .mul_add(
-                    t21.mul_neg_add(t42, t4.mul_sub(t41, t38)),
-                    t58.mul_add(t2 - t1, t82 * t37) + t89,
+                    t37.mul_neg_add(t44, qdd_q1.mul_sub(t43, t36)),
+                    T::from_f64(0.1197).mul_add(t46, t19.mul_add(t12, t74)),
+                );
+            let t76 = qdd_q2
+                .mul_neg_add(
+                    t69,
+                    t30.mul_neg_add(t68, T::from_f64(0.1197).mul_sub(qdd_q1, t31)),
+                );
+            let t77 = t32
+                .mul_neg_add(t10.mul_neg_add(t41, t34.mul_neg_add(t40, t76)), t71);
+            let t78 = t40
+                .mul_neg_add(
+                    t38,
+                    t44
+                        .mul_neg_add(
+                            t76,
+                            t10
+                                .mul_add(
+                                    t50 + (T::from_f64(0.59360445167475) - t49),
+                                    t72 + t77,
+                                ),
+                        ),
+                );
+            let t79 = t41.mul_neg_add(t33, t78);
+            let t80 = T::from_f64(1.75501953841) * cos_q2;
+            let t81 = cos_q2 * t80;
+            let t82 = sin_q2 * t80;
+            let t83 = T::from_f64(0.0075537) + t81;
+            let t84 = T::from_f64(4.4329225) * cos_q2;
+            let t85 = T::from_f64(0.19371331275) * sin_q2;
+            let t86 = qdd_q2
+                .mul_neg_add(
+                    t85,
+                    t84
+                        .mul_neg_add(
+                            t23,
+                            qdd_q1
+                                .mul_add(
+                                    T::from_f64(0.29853861244275) + t83 + t50 + t29,
+                                    t75,
+                                ),
+                        ),
+                );
+            let t87 = t25
+                .mul_neg_add(
+                    t37.mul_neg_add(t41, qdd_q1.mul_add(t40, t73)),
+                    t48
+                        .mul_neg_add(
+                            t37,
+                            t47.mul_neg_add(t15 - t34, t5.mul_neg_add(t82, t86)),
+                        ),
+                );
+            let t88 = cos2
+                .mul_neg_add(
+                    t63,
+                    sin2
+                        .mul_neg_add(
+                            cos_q5.mul_neg_add(t61, sin_q5 * t66),
+                            t20.mul_neg_add(t35, t87),
+                        ),
+                );
+            let t89 = T::from_f64(4.4329225) * sin_q2;
+            let t90 = t68
+                .mul_add(
+                    t26.mul_neg_add(t44, t10.mul_sub(t43, t38)),
+                    t82.mul_add(t30 - t22, t89 * t31) + t79,
                 );
             let t91 = qdd_q1
                 .mul_neg_add(
-                    t61,
+                    t85,
                     T::from_f64(43.486969725)
                         .mul_neg_add(
                             cos_q2,
-                            qdd_q2.mul_add(t59 + (T::from_f64(1.76257323841) - t57), t90),
+                            qdd_q2.mul_add(t83 + (T::from_f64(1.76257323841) - t81), t90),
                         ),
                 );
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.13585)
                     .mul_neg_add(
-                        qdd_q2.mul_neg_add(t82, t60.mul_neg_add(t2, t43)),
-                        t49.mul_neg_add(t27, t80),
+                        qdd_q2.mul_neg_add(t89, t84.mul_neg_add(t30, t46)),
+                        t40.mul_neg_add(t36, t88),
                     ),
-                t52.mul_neg_add(t43, t91),
-                t89,
-                t87,
+                t69.mul_neg_add(t46, t91),
                 t79,
-                t72,
+                t77,
+                t63,
+                t65,
             ])
         }
     }
@@ -3182,65 +3178,65 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                     let t5 = T::from_f64(0.00697606230375) * cos2;
                     let t6 = T::from_f64(0.007558512375) * cos2;
                     let t7 = T::from_f64(0.007558512375) * sin2;
-                    let t8 = T::from_f64(0.017784735) * sin2;
-                    let t9 = T::from_f64(0.10510116377025) * cos2;
-                    let t10 = T::from_f64(0.017784735) * cos2;
-                    let t11 = qd_q1 * qd_q1;
-                    let t12 = T::from_f64(0.602212521625) * t11;
-                    let t13 = qd_q2 + qd_q3;
-                    let t14 = qd_q4 + t13;
-                    let t15 = t14 * t14;
-                    let t16 = T::from_f64(0.017784735) * t15;
-                    let t17 = t11 + t15;
-                    let t18 = T::from_f64(0.017784735) * t17;
-                    let t19 = t8 * t17;
-                    let t20 = T::from_f64(0.39225) * t19;
-                    let t21 = t13 * t13;
-                    let t22 = qd_q1 * t13;
-                    let t23 = T::from_f64(0.39225) * t21;
-                    let t24 = T::from_f64(1.598759275) * t21;
-                    let t25 = t11 + t21;
-                    let t26 = T::from_f64(1.598759275) * t25;
-                    let t27 = T::from_f64(0.39225) * t25;
-                    let t28 = qd_q2 * qd_q2;
-                    let t29 = T::from_f64(0.425) * t28;
-                    let t30 = t11 + t28;
-                    let t31 = T::from_f64(4.4329225) * t30;
-                    let t32 = T::from_f64(0.425) * t30;
-                    let t33 = t11 - t30;
-                    let t34 = T::from_f64(0.19371331275) * t33;
-                    let t35 = T::from_f64(0.13585) * t11;
-                    let t36 = qd_q1 * qd_q2;
-                    let t37 = T::from_f64(0.85) * t36;
-                    let t38 = T::from_f64(2.0) * t36;
-                    let t39 = qd_q1.mul_add(qd_q3, t36);
-                    let t40 = t11 - t17;
-                    let t41 = t17 - t15;
-                    let t42 = t10 * t15;
-                    let t43 = T::from_f64(0.001653980355) * t40;
-                    let t44 = T::from_f64(0.39225) * t42;
+                    let t8 = qd_q1 * qd_q2;
+                    let t9 = T::from_f64(0.85) * t8;
+                    let t10 = qd_q1.mul_add(qd_q3, t8);
+                    let t11 = T::from_f64(2.0) * t8;
+                    let t12 = qd_q2 + qd_q3;
+                    let t13 = qd_q4 + t12;
+                    let t14 = sin2 * qd_q1;
+                    let t15 = qd_q1.mul_add(qd_q4, t10);
+                    let t16 = cos2.mul_neg_add(qd_q1, qd_q5);
+                    let t17 = cos2 * t15;
+                    let t18 = sin2 * t15;
+                    let t19 = T::from_f64(0.10510116377025) * cos2;
+                    let t20 = qd_q1 * qd_q1;
+                    let t21 = T::from_f64(0.602212521625) * t20;
+                    let t22 = qd_q2 * qd_q2;
+                    let t23 = T::from_f64(0.425) * t22;
+                    let t24 = t12 * t12;
+                    let t25 = qd_q1 * t12;
+                    let t26 = T::from_f64(0.39225) * t24;
+                    let t27 = T::from_f64(1.598759275) * t24;
+                    let t28 = t20 + t22;
+                    let t29 = T::from_f64(4.4329225) * t28;
+                    let t30 = T::from_f64(0.425) * t28;
+                    let t31 = t13 * t13;
+                    let t32 = T::from_f64(0.017784735) * t31;
+                    let t33 = t20 + t24;
+                    let t34 = T::from_f64(1.598759275) * t33;
+                    let t35 = T::from_f64(0.39225) * t33;
+                    let t36 = t20 + t31;
+                    let t37 = T::from_f64(0.017784735) * t36;
+                    let t38 = T::from_f64(0.017784735) * sin2;
+                    let t39 = T::from_f64(0.017784735) * cos2;
+                    let t40 = sin2 * t19;
+                    let t41 = t36 - t31;
+                    let t42 = t39 * t31;
+                    let t43 = T::from_f64(0.39225) * t42;
+                    let t44 = qd_q1 * t13;
                     let t45 = T::from_f64(0.001653980355) * sin2;
-                    let t46 = cos2.mul_neg_add(qd_q1, qd_q5);
-                    let t47 = sin2 * qd_q1;
-                    let t48 = qd_q1.mul_add(qd_q4, t39);
-                    let t49 = cos2 * t48;
-                    let t50 = sin2 * t9;
-                    let t51 = sin2 * t48;
-                    let t52 = qd_q1 * t14;
-                    let t53 = t48 - t52;
-                    let t54 = t48 + t52;
-                    let t55 = T::from_f64(0.017784735) * t54;
-                    let t56 = T::from_f64(0.001653980355) * t53;
-                    let t57 = t25 - t21;
-                    let t58 = t39 - t22;
-                    let t59 = t39 + t22;
-                    let t60 = T::from_f64(0.39225) * t59;
-                    let t61 = T::from_f64(1.598759275) * t59;
-                    let t62 = T::from_f64(0.051322656825) * t58;
-                    let t63 = t30 - t28;
-                    let t64 = t10 * t54;
+                    let t46 = t15 - t44;
+                    let t47 = t15 + t44;
+                    let t48 = T::from_f64(0.017784735) * t47;
+                    let t49 = T::from_f64(0.001653980355) * t46;
+                    let t50 = t33 - t24;
+                    let t51 = t10 - t25;
+                    let t52 = t10 + t25;
+                    let t53 = T::from_f64(0.39225) * t52;
+                    let t54 = T::from_f64(1.598759275) * t52;
+                    let t55 = T::from_f64(0.051322656825) * t51;
+                    let t56 = t38 * t36;
+                    let t57 = t20 - t36;
+                    let t58 = T::from_f64(0.001653980355) * t57;
+                    let t59 = T::from_f64(0.39225) * t56;
+                    let t60 = T::from_f64(0.13585) * t20;
+                    let t61 = t28 - t22;
+                    let t62 = t20 - t28;
+                    let t63 = T::from_f64(0.19371331275) * t62;
+                    let t64 = t39 * t47;
                     let t65 = T::from_f64(0.39225) * t64;
-                    let t66 = t11 - t25;
+                    let t66 = t20 - t33;
                     let t67 = T::from_f64(0.051322656825) * t66;
                     let [(sin_q6, cos_q6), (sin68, cos68)] = q_q6.sin_cos_pair(t0);
                     let t69 = T::from_f64(0.59155695167475) * sin68;
@@ -3252,263 +3248,263 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                     let t75 = T::from_f64(0.016911) * cos_q6;
                     let t76 = T::from_f64(0.000225473145) * sin_q6;
                     let t77 = T::from_f64(0.016685526855) * cos_q6;
-                    let t78 = sin_q6 * t77;
-                    let t79 = cos_q6 * t77;
-                    let t80 = T::from_f64(0.109935473145) + t79;
-                    let t81 = T::from_f64(0.016911) - t79;
-                    let t82 = T::from_f64(0.126621) + t80;
-                    let t83 = T::from_f64(-1.0) / t82;
-                    let t84 = T::from_f64(1.598759275) * cos68;
-                    let t85 = t84 - t8;
-                    let t86 = T::from_f64(0.425) * t85;
+                    let t78 = cos_q6 * t77;
+                    let t79 = sin_q6 * t77;
+                    let t80 = T::from_f64(0.109935473145) + t78;
+                    let t81 = T::from_f64(0.016911) - t78;
+                    let t82 = t80 - T::from_f64(0.126621);
+                    let t83 = T::from_f64(0.126621) + t80;
+                    let t84 = T::from_f64(-1.0) / t83;
+                    let t85 = T::from_f64(0.39225) * cos68;
+                    let t86 = T::from_f64(0.39225) * sin68;
                     let t87 = T::from_f64(0.59155695167475) * cos68;
                     let t88 = cos68 * t87;
                     let t89 = t87 * sin68;
-                    let t90 = t80 - T::from_f64(0.126621);
-                    let t91 = T::from_f64(0.39225) * cos68;
-                    let t92 = t8 * t91;
+                    let t90 = t38 * t85;
+                    let t91 = t39 * t86;
+                    let t92 = T::from_f64(1.598759275) * cos68;
                     let t93 = T::from_f64(1.598759275) * sin68;
-                    let t94 = t93 + t10;
-                    let t95 = T::from_f64(0.425) * t94;
-                    let t96 = T::from_f64(0.39225) * sin68;
-                    let t97 = t10 * t96;
-                    let t98 = t84.mul_neg_add(t25, t19);
-                    let t99 = T::from_f64(0.425) * t98;
-                    let t100 = T::from_f64(0.051322656825) * cos68;
-                    let t101 = t93.mul_add(t21, t42);
+                    let t94 = T::from_f64(0.051322656825) * cos68;
+                    let t95 = t92 - t38;
+                    let t96 = T::from_f64(0.425) * t95;
+                    let t97 = t93 + t39;
+                    let t98 = T::from_f64(0.425) * t97;
+                    let t99 = t92.mul_neg_add(t33, t56);
+                    let t100 = T::from_f64(0.425) * t99;
+                    let t101 = t93.mul_add(t24, t42);
                     let t102 = T::from_f64(0.425) * t101;
-                    let t103 = t93.mul_add(t59, t64);
+                    let t103 = t93.mul_add(t52, t64);
                     let t104 = T::from_f64(0.425) * t103;
                     let [(sin_q5, cos_q5), (sin_q2, cos_q2)] = q_q5.sin_cos_pair(q_q2);
-                    let t105 = cos_q5 * t90;
+                    let t105 = cos_q5 * t82;
                     let t106 = T::from_f64(1.75501953841) * sin_q2;
                     let t107 = T::from_f64(0.007558512375) * cos_q2;
                     let t108 = T::from_f64(0.007558512375) * sin_q2;
                     let t109 = T::from_f64(0.602212521625) * cos_q2;
                     let t110 = T::from_f64(0.85) * sin_q2;
-                    let t111 = cos_q5 * t78;
-                    let t112 = t111 * sin2;
-                    let t113 = cos2.mul_neg_add(t82, t112);
-                    let t114 = t78 * sin_q5;
-                    let t115 = t113 * t83;
-                    let t116 = T::from_f64(0.425) * cos_q2;
-                    let t117 = t116 * t85;
-                    let t118 = T::from_f64(1.75501953841) * cos_q2;
-                    let t119 = cos_q2 * t118;
-                    let t120 = t118 * sin_q2;
-                    let t121 = T::from_f64(2.0) * t120;
-                    let t122 = cos_q5 * t105;
-                    let t123 = T::from_f64(0.126621) + t122;
-                    let t124 = t123 - t81;
-                    let t125 = T::from_f64(2.0).mul_neg_add(t112, cos2 * t124);
-                    let t126 = cos2 * (t9 + t125);
-                    let t127 = T::from_f64(0.00460883622975) + t81 + t126;
-                    let t128 = T::from_f64(0.10971) + t123 - t126;
-                    let t129 = T::from_f64(2.0)
-                        .mul_neg_add(t92, T::from_f64(0.0020475) + t88 + t127);
-                    let t130 = t127 + t128;
-                    let t131 = T::from_f64(2.0)
-                        .mul_add(t97, T::from_f64(0.59360445167475) + t128) - t88;
-                    let t132 = T::from_f64(2.0)
-                        .mul_add(t117, T::from_f64(0.0075537) + t119) + t129;
-                    let t133 = sin2 * sin_q5;
-                    let t134 = t105
-                        .mul_neg_add(t133, cos2 * (T::from_f64(0.001653980355) - t114));
-                    let t135 = t83 * t114;
-                    let t136 = (T::from_f64(0.017136473145) * cos_q5)
-                        .mul_neg_add(cos_q5, t114 * t135);
-                    let t137 = t130 + t97 - t92 + t136;
-                    let t138 = T::from_f64(-1.0) / (t130 + t136);
-                    let t139 = t129 + t131 + t136;
-                    let t140 = T::from_f64(0.017136473145) * t133;
-                    let t141 = cos_q5.mul_add(t140, t113 * t135);
-                    let t142 = T::from_f64(0.00028722347025).mul_add(cos2, t134) + t141;
-                    let t143 = T::from_f64(0.1197)
+                    let t111 = cos_q5.mul_add(t14, sin_q5 * t13);
+                    let t112 = sin_q5.mul_neg_add(t14, cos_q5 * t13);
+                    let t113 = sin_q6.mul_add(t111, cos_q6 * t16);
+                    let t114 = sin_q6.mul_neg_add(t16, cos_q6 * t111);
+                    let t115 = qd_q5.mul_add(t112, cos_q5 * t17);
+                    let t116 = qd_q5.mul_add(t111, sin_q5 * t17);
+                    let t117 = qd_q6 + qd_q6 + t112;
+                    let t118 = cos_q5 * t105;
+                    let t119 = T::from_f64(0.016911)
+                        * t117.mul_add(t114, sin_q6.mul_add(t115, cos_q6 * t18));
+                    let t120 = T::from_f64(0.000225473145)
+                        * cos_q6.mul_neg_add(t115, t113.mul_add(t117, sin_q6 * t18));
+                    let t121 = t113 * t114;
+                    let t122 = T::from_f64(0.016911)
                         .mul_neg_add(
-                            t94,
-                            T::from_f64(0.051322656825).mul_add(sin68, t134),
-                        ) + t141;
-                    let t144 = t142 * t138;
-                    let t145 = t138 * t137;
-                    let t146 = t142.mul_add(t145, T::from_f64(0.13585) * t94) + t143;
-                    let t147 = T::from_f64(-1.0) / t137.mul_add(t145, t139);
-                    let t148 = t146 * t147;
-                    let t149 = t146
-                        .mul_add(
-                            t148,
-                            t142
-                                .mul_add(
-                                    t144,
-                                    t113.mul_add(t115, T::from_f64(0.29853861244275) + t80)
-                                        + t132,
-                                ),
+                            t121 + t116,
+                            T::from_f64(0.000225473145) * (t121 - t116),
                         );
-                    let t150 = T::from_f64(0.425) * sin_q2;
-                    let t151 = t116.mul_neg_add(t8, t10.mul_add(t150, t137));
-                    let t152 = t150
-                        .mul_neg_add(t38, T::from_f64(0.1197).mul_sub(t11, t35));
-                    let t153 = t150.mul_neg_add(t28, T::from_f64(-9.81));
-                    let t154 = t96.mul_neg_add(t21, t153);
-                    let t155 = T::from_f64(1.598759275) * t152;
-                    let t156 = T::from_f64(1.598759275) * t153;
-                    let t157 = T::from_f64(0.017784735) * t154;
-                    let t158 = t138 * t151;
-                    let t159 = t94 * t150;
-                    let t160 = t145.mul_add(t151, t117 + t159) + t139;
-                    let t161 = t147 * t160;
-                    let t162 = t160
-                        .mul_add(
-                            t161,
-                            t151
-                                .mul_add(
-                                    t158,
-                                    T::from_f64(2.0)
-                                        .mul_add(t159, T::from_f64(1.76257323841) + t132 + t131),
-                                ),
-                        );
-                    let t163 = t146
-                        .mul_add(
-                            t161,
-                            t142
-                                .mul_add(
-                                    t158,
-                                    T::from_f64(0.13585)
-                                        * T::from_f64(4.4329225).mul_add(sin_q2, t94),
-                                ),
-                        ) + t143;
-                    let t164 = T::from_f64(-1.0) / (t162 + t136 - t119);
-                    let t165 = T::from_f64(0.19371331275).mul_neg_add(sin_q2, t163);
-                    let t166 = t165 * t164;
-                    let t167 = T::from_f64(-1.0)
-                        / t133.mul_neg_add(t140, t165.mul_add(t166, t149) - t122);
-                    let t168 = T::from_f64(0.19371331275) * cos_q2;
-                    let t169 = cos_q5.mul_add(t47, sin_q5 * t14);
-                    let t170 = sin_q5.mul_neg_add(t47, cos_q5 * t14);
-                    let t171 = sin_q6.mul_add(t169, cos_q6 * t46);
-                    let t172 = sin_q6.mul_neg_add(t46, cos_q6 * t169);
-                    let t173 = t171 * t172;
-                    let t174 = qd_q5.mul_add(t169, sin_q5 * t49);
-                    let t175 = T::from_f64(0.016911)
+                    let t123 = cos_q6
                         .mul_neg_add(
-                            t173 + t174,
-                            T::from_f64(0.000225473145) * (t173 - t174),
-                        );
-                    let t176 = t133
-                        .mul_add(
-                            t175,
-                            t40
-                                .mul_add(
-                                    t45,
-                                    t84
-                                        .mul_add(t152, t168.mul_add(t33, T::from_f64(0.1197) * t98)),
-                                ),
-                        );
-                    let t177 = T::from_f64(0.10971)
-                        .mul_neg_add(t46.mul_add(t169, t174), t175);
-                    let t178 = qd_q5.mul_add(t170, cos_q5 * t49);
-                    let t179 = t169 * t170;
-                    let t180 = t96.mul_neg_add(t59, t152);
-                    let t181 = T::from_f64(0.017784735) * t180;
-                    let t182 = t116 * t30;
-                    let t183 = t91.mul_add(t25, t182);
-                    let t184 = T::from_f64(1.598759275) * t182;
-                    let t185 = T::from_f64(0.017784735) * t183;
-                    let t186 = qd_q6 + qd_q6 + t170;
-                    let t187 = T::from_f64(0.016911)
-                        * t186.mul_add(t172, sin_q6.mul_add(t178, cos_q6 * t51));
-                    let t188 = T::from_f64(0.000225473145)
-                        * cos_q6.mul_neg_add(t178, t171.mul_add(t186, sin_q6 * t51));
-                    let t189 = cos_q6
-                        .mul_neg_add(
-                            t188,
+                            t120,
                             sin_q6
                                 .mul_add(
-                                    t187,
-                                    T::from_f64(0.126621) * t46.mul_add(t170, t178),
+                                    t119,
+                                    T::from_f64(0.126621) * t16.mul_add(t112, t115),
                                 ),
                         );
-                    let t190 = T::from_f64(0.126621)
+                    let t124 = T::from_f64(0.10971)
+                        .mul_neg_add(t16.mul_add(t111, t116), t122);
+                    let t125 = t111 * t112;
+                    let t126 = T::from_f64(0.126621)
                         .mul_neg_add(
-                            t179 - t51,
+                            t125 - t18,
                             cos_q6
                                 .mul_add(
-                                    t187,
-                                    T::from_f64(0.10971).mul_add(t51 + t179, sin_q6 * t188),
+                                    t119,
+                                    T::from_f64(0.10971).mul_add(t18 + t125, sin_q6 * t120),
                                 ),
                         );
-                    let t191 = t8
+                    let t127 = cos_q5 * t79;
+                    let t128 = t127 * sin2;
+                    let t129 = t79 * sin_q5;
+                    let t130 = cos2.mul_neg_add(t83, t128);
+                    let t131 = T::from_f64(0.126621) + t118;
+                    let t132 = t131 - t81;
+                    let t133 = T::from_f64(2.0).mul_neg_add(t128, cos2 * t132);
+                    let t134 = cos2 * (t19 + t133);
+                    let t135 = T::from_f64(0.00460883622975) + t81 + t134;
+                    let t136 = T::from_f64(0.10971) + t131 - t134;
+                    let t137 = T::from_f64(0.425) * sin_q2;
+                    let t138 = t137.mul_neg_add(t22, T::from_f64(-9.81));
+                    let t139 = t86.mul_neg_add(t24, t138);
+                    let t140 = t137
+                        .mul_neg_add(t11, T::from_f64(0.1197).mul_sub(t20, t60));
+                    let t141 = T::from_f64(1.598759275) * t140;
+                    let t142 = T::from_f64(1.598759275) * t138;
+                    let t143 = T::from_f64(0.017784735) * t139;
+                    let t144 = T::from_f64(0.425) * cos_q2;
+                    let t145 = t144 * t95;
+                    let t146 = t84 * t129;
+                    let t147 = t144 * t28;
+                    let t148 = t85.mul_add(t33, t147);
+                    let t149 = t38
                         .mul_neg_add(
-                            t154,
+                            t139,
                             sin_q5
                                 .mul_add(
-                                    t189,
-                                    t50.mul_add(t41, t10.mul_add(t183, cos_q5 * t177)),
+                                    t123,
+                                    t40.mul_add(t41, t39.mul_add(t148, cos_q5 * t124)),
                                 ),
                         );
-                    let t192 = t45.mul_neg_add(t53, t191);
-                    let t193 = t100
+                    let t150 = t45.mul_neg_add(t46, t149);
+                    let t151 = t94
                         .mul_add(
-                            t58,
-                            t93.mul_add(t182, t84.mul_add(t153, t89.mul_add(t57, t192))),
+                            t51,
+                            t93.mul_add(t147, t92.mul_add(t138, t89.mul_add(t50, t150))),
                         );
-                    let t194 = cos_q5.mul_neg_add(t189, sin_q5 * t177);
-                    let t195 = t135.mul_neg_add(t190, cos_q5 * t175);
-                    let t196 = t96.mul_neg_add(t19, t91.mul_neg_add(t42, t193)) - t195;
-                    let t197 = t192 - t195;
-                    let t198 = t145.mul_add(t197, t196);
-                    let t199 = T::from_f64(43.486969725)
+                    let t152 = cos_q5.mul_neg_add(t123, sin_q5 * t124);
+                    let t153 = T::from_f64(1.598759275) * t147;
+                    let t154 = T::from_f64(0.017784735) * t148;
+                    let t155 = (T::from_f64(0.017136473145) * cos_q5)
+                        .mul_neg_add(cos_q5, t129 * t146);
+                    let t156 = t135 + t136;
+                    let t157 = T::from_f64(2.0)
+                        .mul_neg_add(t90, T::from_f64(0.0020475) + t88 + t135);
+                    let t158 = T::from_f64(2.0)
+                        .mul_add(t91, T::from_f64(0.59360445167475) + t136) - t88;
+                    let t159 = t156 + t91 - t90 + t155;
+                    let t160 = T::from_f64(-1.0) / (t156 + t155);
+                    let t161 = t144.mul_neg_add(t38, t39.mul_add(t137, t159));
+                    let t162 = t157 + t158 + t155;
+                    let t163 = sin2 * sin_q5;
+                    let t164 = t105
+                        .mul_neg_add(t163, cos2 * (T::from_f64(0.001653980355) - t129));
+                    let t165 = t160 * t159;
+                    let t166 = T::from_f64(-1.0) / t159.mul_add(t165, t162);
+                    let t167 = T::from_f64(0.017136473145) * t163;
+                    let t168 = cos_q5.mul_add(t167, t130 * t146);
+                    let t169 = T::from_f64(0.1197)
+                        .mul_neg_add(
+                            t97,
+                            T::from_f64(0.051322656825).mul_add(sin68, t164),
+                        ) + t168;
+                    let t170 = T::from_f64(0.00028722347025).mul_add(cos2, t164) + t168;
+                    let t171 = T::from_f64(1.75501953841) * cos_q2;
+                    let t172 = t97 * t137;
+                    let t173 = t165.mul_add(t161, t145 + t172) + t162;
+                    let t174 = cos_q2 * t171;
+                    let t175 = T::from_f64(2.0)
+                        .mul_add(t145, T::from_f64(0.0075537) + t174) + t157;
+                    let t176 = t171 * sin_q2;
+                    let t177 = T::from_f64(2.0) * t176;
+                    let t178 = t146.mul_neg_add(t126, cos_q5 * t122);
+                    let t179 = t86.mul_neg_add(t56, t85.mul_neg_add(t42, t151)) - t178;
+                    let t180 = t150 - t178;
+                    let t181 = t86.mul_neg_add(t52, t140);
+                    let t182 = T::from_f64(0.017784735) * t181;
+                    let t183 = t160 * t161;
+                    let t184 = t166 * t173;
+                    let t185 = t173
+                        .mul_add(
+                            t184,
+                            t161
+                                .mul_add(
+                                    t183,
+                                    T::from_f64(2.0)
+                                        .mul_add(t172, T::from_f64(1.76257323841) + t175 + t158),
+                                ),
+                        );
+                    let t186 = T::from_f64(-1.0) / (t185 + t155 - t174);
+                    let t187 = t170.mul_add(t165, T::from_f64(0.13585) * t97) + t169;
+                    let t188 = t187
+                        .mul_add(
+                            t184,
+                            t170
+                                .mul_add(
+                                    t183,
+                                    T::from_f64(0.13585)
+                                        * T::from_f64(4.4329225).mul_add(sin_q2, t97),
+                                ),
+                        ) + t169;
+                    let t189 = T::from_f64(0.19371331275).mul_neg_add(sin_q2, t188);
+                    let t190 = t165.mul_add(t180, t179);
+                    let t191 = T::from_f64(43.486969725)
                         .mul_neg_add(
                             cos_q2,
-                            t161.mul_add(t198, t158.mul_add(t197, t120 * t63)) + t196,
+                            t184.mul_add(t190, t183.mul_add(t180, t176 * t61)) + t179,
                         );
-                    let t200 = t150.mul_neg_add(t98, t116.mul_neg_add(t101, t199));
-                    let t201 = t190
+                    let t192 = t137.mul_neg_add(t99, t144.mul_neg_add(t101, t191));
+                    let t193 = T::from_f64(0.19371331275) * cos_q2;
+                    let t194 = t163
                         .mul_add(
-                            t115 - cos2,
-                            t166
-                                .mul_add(t200, t148.mul_add(t198, t144.mul_add(t197, t176))),
+                            t122,
+                            t57
+                                .mul_add(
+                                    t45,
+                                    t92
+                                        .mul_add(t140, t193.mul_add(t62, T::from_f64(0.1197) * t99)),
+                                ),
+                        );
+                    let t195 = t130 * t84;
+                    let t196 = t170 * t160;
+                    let t197 = t187 * t166;
+                    let t198 = t187
+                        .mul_add(
+                            t197,
+                            t170
+                                .mul_add(
+                                    t196,
+                                    t130.mul_add(t195, T::from_f64(0.29853861244275) + t80)
+                                        + t175,
+                                ),
+                        );
+                    let t199 = t189 * t186;
+                    let t200 = T::from_f64(-1.0)
+                        / t163.mul_neg_add(t167, t189.mul_add(t199, t198) - t118);
+                    let t201 = t126
+                        .mul_add(
+                            t195 - cos2,
+                            t199
+                                .mul_add(t192, t197.mul_add(t190, t196.mul_add(t180, t194))),
                         );
                     let t202 = T::from_f64(4.4329225) * cos_q2;
-                    let t203 = t91
+                    let t203 = t85
                         .mul_neg_add(
                             t64,
-                            t116
+                            t144
                                 .mul_neg_add(
                                     t103,
                                     T::from_f64(0.13585)
-                                        .mul_neg_add(t202.mul_neg_add(t30, t98), t201),
+                                        .mul_neg_add(t202.mul_neg_add(t28, t99), t201),
                                 ),
                         );
-                    let t204 = t59
+                    let t204 = t52
                         .mul_neg_add(
                             t89,
-                            t100
+                            t94
                                 .mul_neg_add(
                                     t66,
-                                    t8.mul_neg_add(t180, t54.mul_neg_add(t50, t203)),
+                                    t38.mul_neg_add(t181, t47.mul_neg_add(t40, t203)),
                                 ),
                         );
-                    let t205 = t167
+                    let t205 = t200
                         * sin2
                             .mul_neg_add(
-                                t194,
-                                t38.mul_neg_add(t120, t202.mul_neg_add(t35, t204)),
+                                t152,
+                                t11.mul_neg_add(t176, t202.mul_neg_add(t60, t204)),
                             );
-                    let t206 = t166.mul_add(t205, t164 * t200);
-                    let t207 = t161.mul_add(t206, t148.mul_add(t205, t147 * t198));
-                    let t208 = t145
+                    let t206 = t199.mul_add(t205, t186 * t192);
+                    let t207 = t184.mul_add(t206, t197.mul_add(t205, t166 * t190));
+                    let t208 = t165
                         .mul_add(
                             t207,
-                            t158.mul_add(t206, t144.mul_add(t205, t138 * t197)),
+                            t183.mul_add(t206, t196.mul_add(t205, t160 * t180)),
                         );
                     let t209 = T::from_f64(0.017136473145) * t206;
                     let t210 = t208 + (t206 + t207);
                     let t211 = cos_q5
                         .mul_neg_add(
                             t210,
-                            T::from_f64(58.35506475215265).mul_neg_add(t175, t133 * t205),
+                            T::from_f64(58.35506475215265).mul_neg_add(t122, t163 * t205),
                         );
-                    let t212 = t135.mul_add(t210, t115.mul_add(t205, t83 * t190));
+                    let t212 = t146.mul_add(t210, t195.mul_add(t205, t84 * t126));
                     let t213 = T::from_f64(0.017136473145) * t211;
                     let t214 = T::from_f64(0.017136473145) * t207;
                     let t215 = T::from_f64(0.017136473145) * t208;
@@ -3540,135 +3536,135 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                         cos_q2,
                         sin68,
                         cos68,
-                        t116,
-                        t150,
-                        t91,
-                        t96,
+                        t144,
+                        t137,
+                        t85,
+                        t86,
                         sin_q5,
                         cos_q5,
                         sin_q6,
                         cos_q6,
-                        t38,
+                        t11,
                         t213,
                         t202,
-                        t168,
-                        t118,
-                        t84,
+                        t193,
+                        t171,
+                        t92,
                         t93,
-                        t100,
+                        t94,
                         t87,
-                        t13,
-                        t59,
+                        t12,
+                        t52,
                         t77,
                         t106,
                         t69,
                         t70,
                         t107,
                         t71,
-                        t90,
+                        t82,
                         t105,
                         cos2,
-                        t9,
-                        t124,
+                        t19,
+                        t132,
                         sin2,
-                        t78,
-                        t111,
-                        t125,
-                        t8,
+                        t79,
+                        t127,
                         t133,
-                        t82,
+                        t38,
+                        t163,
                         t83,
-                        t115,
-                        t114,
-                        t135,
-                        t10,
-                        t46,
-                        t47,
-                        t120,
+                        t84,
+                        t195,
+                        t129,
+                        t146,
+                        t39,
+                        t16,
+                        t14,
+                        t176,
                         t89,
-                        t50,
+                        t40,
                         t45,
-                        t57,
-                        t63,
+                        t50,
+                        t61,
                         t108,
                         t72,
                         t3,
-                        t48,
-                        t14,
-                        t54,
-                        t49,
-                        t51,
+                        t15,
+                        t13,
+                        t47,
+                        t17,
+                        t18,
                         t41,
                         t209,
                         t214,
                         t215,
                         t109,
                         t110,
-                        t37,
-                        t60,
+                        t9,
+                        t53,
                         t73,
                         t74,
                         t75,
                         t76,
-                        t61,
-                        t62,
-                        t169,
-                        t171,
-                        t172,
-                        t177,
-                        t170,
-                        t178,
-                        t186,
-                        t187,
-                        t188,
-                        t189,
-                        t194,
-                        t190,
-                        t138,
-                        t158,
-                        t145,
-                        t147,
-                        t161,
-                        t164,
-                        t18,
-                        t26,
-                        t12,
-                        t121,
-                        t67,
-                        t181,
+                        t54,
                         t55,
+                        t111,
+                        t113,
+                        t114,
+                        t124,
+                        t112,
+                        t115,
+                        t117,
+                        t119,
+                        t120,
+                        t123,
+                        t152,
+                        t126,
+                        t160,
+                        t183,
+                        t165,
+                        t166,
+                        t184,
+                        t186,
+                        t37,
+                        t34,
+                        t21,
+                        t177,
+                        t67,
+                        t182,
+                        t48,
                         t65,
                         t104,
-                        t31,
-                        t34,
-                        t155,
-                        t43,
-                        t4,
-                        t86,
                         t29,
-                        t156,
-                        t32,
-                        t184,
-                        t27,
-                        t185,
+                        t63,
+                        t141,
+                        t58,
+                        t4,
+                        t96,
                         t23,
-                        t157,
-                        t56,
-                        t16,
-                        t44,
-                        t20,
-                        t24,
+                        t142,
+                        t30,
+                        t153,
+                        t35,
+                        t154,
+                        t26,
+                        t143,
+                        t49,
+                        t32,
+                        t43,
+                        t59,
+                        t27,
                         t102,
-                        t99,
+                        t100,
                         t5,
-                        t95,
+                        t98,
                         t6,
                         t7,
                         t216,
-                        t144,
-                        t148,
-                        t166,
-                        t167,
+                        t196,
+                        t197,
+                        t199,
+                        t200,
                     )
                 }
             };
