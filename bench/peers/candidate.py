@@ -4,13 +4,20 @@ import json
 from dataclasses import asdict, dataclass
 from importlib import metadata
 
-# Function over a row of states. Both sides evaluate one state after another, and store each result in memory.
+# Function over a row of states. Both sides evaluate one state after another, and store each result in memory. In
+# sequence each state depends on the previous result, as in `peers/ours/src/loops.rs`.
 LOOP = """
 #ifdef __cplusplus
 extern "C"
 #endif
-__attribute__((visibility("default"))) void {symbol}(const double *x, double *out, long count) {{
-{setup}  for (long n = 0; n < count; ++n, x += {states}) {{
+__attribute__((visibility("default"))) void {symbol}(const double *states, double *out, long count) {{
+{setup}  for (long n = 0; n < count; ++n, states += {length}) {{
+#ifdef IN_SEQUENCE
+    const volatile double *last = out;
+    const double x[] = {{{dependent}}};
+#else
+    const double *x = states;
+#endif
 {body}
     __asm__ volatile("" : : "r"(out) : "memory");
   }}
@@ -78,5 +85,7 @@ class Folder:
         (self.path / "candidates.json").write_text(json.dumps(listed, indent=1))
 
 
-def loop(states, body, setup="", symbol="run"):
-    return LOOP.format(states=states, body=body, setup=setup, symbol=symbol)
+def loop(length, values, body, setup="", symbol="run"):
+    """Each number of a state depends on one of the first `values` numbers of the previous result."""
+    dependent = ", ".join(f"states[{i}] + 1e-200 * last[{i % values}]" for i in range(length))
+    return LOOP.format(length=length, dependent=dependent, body=body, setup=setup, symbol=symbol)

@@ -24,12 +24,13 @@ def robot_forms(robot):
     x = cs.SX.sym("x", 2 * count)
     links = featherstone.links(robot, x[:count])
     rows = featherstone.mass_matrix(links)
-    none = cs.SX.zeros(count)
+    rates = x[count:]
+    applied = -cs.SX(cs.DM([body.damping for body in robot.bodies])) * rates
 
     def torques(qdd):
-        return featherstone.inverse_dynamics(robot, links, x[count:], qdd)
+        return featherstone.inverse_dynamics(robot, links, rates, qdd)
 
-    return forms(x, rows, torques, none, featherstone.articulated(robot, links, x[count:], none))
+    return forms(x, rows, torques, applied, featherstone.articulated(robot, links, rates, applied))
 
 
 def flying_forms(robot):
@@ -145,14 +146,14 @@ def add(folder, model, forms, derived="jacobian"):
         function = cs.Function("f", [x], [cs.densify(cs.cse(outputs))])
         cs.GlobalOptions.setSimplificationOnTheFly(True)
         kind = "rhs" if jacobian is None else derived
-        folder.add(model, kind, "CasADi", form, code(function, x.shape[0]), count(function))
+        folder.add(model, kind, "CasADi", form, code(function, x.shape[0], values.shape[0]), count(function))
 
 
-def code(function, states):
+def code(function, length, values):
     generator = cs.CodeGenerator("f.c", {"with_export": False})
     generator.add(function)
     body = "    const double *arg[1] = {x};\n    double *res[1] = {out};\n    casadi_f0(arg, res, 0, 0, 0);"
-    return generator.dump() + loop(states, body)
+    return generator.dump() + loop(length, values, body)
 
 
 def count(function):

@@ -1,4 +1,4 @@
-"""Writes the code of all peers that are installed: `generate.py ROBOTS PENDULUM FLYING FOLDER`.
+"""Writes the code of all peers that are installed: `generate.py DATA PENDULUM FOLDER`, with the data of the testbed.
 
 The folder then holds C and C++ files and their list, `candidates.json`, with a note for each peer that is missing.
 """
@@ -20,9 +20,12 @@ PEERS = [
 
 
 def main():
-    robots_file, pendulum_file, flying_file, path = (Path(argument) for argument in sys.argv[1:])
-    robots, pendulum = robot.read(robots_file), json.loads(pendulum_file.read_text())
-    flying = robot.flying(flying_file)
+    data, pendulum_file, path = (Path(argument) for argument in sys.argv[1:])
+    robots, pendulum = robot.read(data / "robots.json"), json.loads(pendulum_file.read_text())
+    more = [
+        robot.from_urdf("xarm7", data / "urdf/xarm7.urdf"),
+        robot.from_urdf("solo", data / "urdf/solo12.urdf", flies=True),
+    ]
     folder = Folder(path)
     found = {}
     for module, package, what in PEERS:
@@ -32,7 +35,7 @@ def main():
     if found["casadi"]:
         import casadi_peer
 
-        casadi_peer.write(folder, [*robots, flying], pendulum)
+        casadi_peer.write(folder, [*robots, *more], pendulum)
         folder.version("casadi")
     if found["sympy"]:
         import sympy_peer

@@ -110,13 +110,13 @@ def add(folder, robot, special, read, rhs, jacobian):
     functions = []
     for kind, form, code in [("rhs", "aba", rhs), ("jacobian", "computeABADerivatives", jacobian)]:
         symbol = f"{robot.name}_{kind}"
-        functions.append(loop(2 * len(robot.bodies), read + code, SETUP, symbol))
+        functions.append(loop(2 * len(robot.bodies), len(robot.bodies), read + code, SETUP, symbol))
         folder.candidates.append(Candidate(robot.name, kind, "Pinocchio", form, FILE, symbol, None))
     bodies = [body(n, link) for n, link in enumerate(robot.bodies)]
     if robot.point:
         bodies.append(FRAME.format(joint=len(robot.bodies), at=joined(robot.point)))
         symbol = f"{robot.name}_point"
-        functions.append(loop(2 * len(robot.bodies), POINT, POINT_SETUP, symbol))
+        functions.append(loop(2 * len(robot.bodies), 3, POINT, POINT_SETUP, symbol))
         folder.candidates.append(Candidate(robot.name, "point", "Pinocchio", "computeFrameJacobian", FILE, symbol, None))
     return ROBOT.format(
         name=robot.name,

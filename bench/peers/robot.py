@@ -18,6 +18,7 @@ class Body:
     mass: float
     com: list
     inertia: list  # about the centre of mass
+    damping: float = 0.0
 
 
 @dataclass
@@ -50,42 +51,49 @@ def robot(data):
     return Robot(data["name"], data["gravity"], bodies, POINTS.get(data["name"]))
 
 
-def flying(path):
-    """Reads a robot with floating root from a URDF file; fixed links are merged into their parents."""
+def from_urdf(name, path, flies=False):
+    """Reads a robot from a URDF file, on the ground or with floating root; fixed links are merged into their parents."""
     root = ElementTree.parse(path).getroot()
     links = {link.get("name"): link for link in root.iter("link")}
     joints = list(root.iter("joint"))
-    numbers = lambda element, what, default: [float(x) for x in (element.get(what) if element is not None else default).split()]
     moved = {joint.find("child").get("link") for joint in joints}
-    first = next(name for name in links if name not in moved)
-    bodies, places = [], {first: (0, [0, 0, 0], IDENTITY)}
+    first = next(link for link in links if link not in moved)
+    bodies, places = [], {first: (-1, [0, 0, 0], IDENTITY)}
 
-    def add(name, parent, axis, at, turn):
-        bodies.append(Body(parent, axis, at, turn, 0.0, [0, 0, 0], [[0] * 3 for _ in range(3)]))
+    def add(parent, axis, at, turn, damping=0.0):
+        bodies.append(Body(parent, axis, at, turn, 0.0, [0, 0, 0], [[0] * 3 for _ in range(3)], damping))
+        return len(bodies) - 1, [0, 0, 0], IDENTITY
 
-    add(first, -1, None, [0, 0, 0], IDENTITY)
+    if flies:
+        places[first] = add(-1, None, [0, 0, 0], IDENTITY)
     for joint in joints:
-        parent, name = joint.find("parent").get("link"), joint.find("child").get("link")
-        carrier, place, turned = places[parent]
-        origin = joint.find("origin")
+        carrier, place, turned = places[joint.find("parent").get("link")]
+        origin, dynamics = joint.find("origin"), joint.find("dynamics")
         at = plus(place, times(turned, numbers(origin, "xyz", "0 0 0")))
-        if any(numbers(origin, "rpy", "0 0 0")):
-            raise ValueError(f"{name}: only joints that are not turned are known here")
+        turn = product(turned, matrix([half_turns(angle) for angle in numbers(origin, "rpy", "0 0 0")]))
         if joint.get("type") == "fixed":
-            places[name] = carrier, at, turned
+            fixed = carrier, at, turn
         else:
             axis = [int(x) for x in numbers(joint.find("axis"), "xyz", "1 0 0")]
-            add(name, carrier, axis, at, turned)
-            places[name] = len(bodies) - 1, [0, 0, 0], IDENTITY
-    for name, (carrier, place, _) in places.items():
-        inertial = links[name].find("inertial")
-        if inertial is not None:
-            entries = inertial.find("inertia")
-            xx, xy, xz, yy, yz, zz = (float(entries.get(f"i{what}")) for what in ("xx", "xy", "xz", "yy", "yz", "zz"))
-            com = plus(place, numbers(inertial.find("origin"), "xyz", "0 0 0"))
-            mass = float(inertial.find("mass").get("value"))
-            join(bodies[carrier], mass, com, [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    return Robot(root.get("name"), [0, 0, -9.81], bodies, flies=True)
+            fixed = add(carrier, axis, at, turn, *numbers(dynamics, "damping", "0"))
+        places[joint.find("child").get("link")] = fixed
+    for link, (carrier, place, turned) in places.items():
+        inertial = links[link].find("inertial")
+        if inertial is None or carrier < 0:
+            continue
+        if turned != IDENTITY:
+            raise ValueError(f"{link}: only fixed links that are not turned are known here")
+        entries = inertial.find("inertia")
+        xx, xy, xz, yy, yz, zz = (float(entries.get(f"i{what}")) for what in ("xx", "xy", "xz", "yy", "yz", "zz"))
+        com = plus(place, numbers(inertial.find("origin"), "xyz", "0 0 0"))
+        mass = float(inertial.find("mass").get("value"))
+        join(bodies[carrier], mass, com, [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    return Robot(name, [0, 0, -9.81], bodies, flies=flies)
+
+
+def numbers(element, what, default):
+    """Numbers of an attribute; the element and the attribute may be missing."""
+    return [float(x) for x in (default if element is None else element.get(what, default)).split()]
 
 
 IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
@@ -97,6 +105,10 @@ def plus(a, b):
 
 def times(matrix, v):
     return [sum(x * y for x, y in zip(row, v)) for row in matrix]
+
+
+def product(a, b):
+    return [[sum(x * y for x, y in zip(row, column)) for column in zip(*b)] for row in a]
 
 
 def join(body, mass, com, inertia):
@@ -126,15 +138,15 @@ def double_pendulum(p):
     return Robot("eq22", [0, -p["g"], 0], bodies)
 
 
-def half_turns(text):
-    """Parses an angle such as `-pi/2`, in units of pi."""
-    text = str(text)
-    if "pi" not in text:
-        if float(text) != 0:
-            raise ValueError(f"{text} is not a multiple of pi")
-        return Fraction(0)
-    factor, _, divisor = text.partition("/")
-    return Fraction({"pi": 1, "-pi": -1}[factor], int(divisor or 1))
+def half_turns(angle):
+    """Converts an angle, such as `-pi/2` or a number of radians, to units of pi; decimals are rounded quarter turns."""
+    if "pi" in str(angle):
+        factor, _, divisor = angle.partition("/")
+        return Fraction({"pi": 1, "-pi": -1}[factor], int(divisor or 1))
+    turns = Fraction(round(2 * float(angle) / pi), 2)
+    if abs(float(angle) - pi * float(turns)) > 1e-4:
+        raise ValueError(f"{angle} is not a multiple of pi/2")
+    return turns
 
 
 def exact(function, angle):

@@ -201,7 +201,7 @@ def finish(folder, model, kind, form, x, steps, results):
     lines = [f"    const double {symbol} = x[{n}];" for n, symbol in enumerate(x)]
     lines += [f"    const double {name} = {POWERS.doprint(e)};" for name, e in steps]
     lines += [f"    out[{n}] = {POWERS.doprint(e)};" for n, e in enumerate(results)]
-    source = "#include <math.h>\n" + loop(len(x), "\n".join(lines))
+    source = "#include <math.h>\n" + loop(len(x), len(x) // 2, "\n".join(lines))
     folder.add(model, kind, "SymPy", form, source, count([e for _, e in steps] + results))
 
 

@@ -15,6 +15,8 @@ pub(crate) struct Job {
     pub source: PathBuf,
     pub compiler: String,
     pub flags: Vec<String>,
+    /// Macro to define.
+    pub define: Option<&'static str>,
     /// C code to include before all other code.
     pub before: Option<&'static str>,
 }
@@ -28,7 +30,7 @@ impl Job {
     fn library(&self) -> Result<PathBuf, String> {
         let text = fs::read(&self.source).map_err(|error| format!("{}: {error}", self.source.display()))?;
         let mut hasher = DefaultHasher::new();
-        (text, &self.compiler, &self.flags, self.before).hash(&mut hasher);
+        (text, &self.compiler, &self.flags, self.define, self.before).hash(&mut hasher);
         let target = self.source.with_extension(format!("{:016x}.so", hasher.finish()));
         if target.exists() {
             return Ok(target);
@@ -37,7 +39,8 @@ impl Job {
         let mut command = Command::new(&self.compiler);
         command
             .args(["-shared", "-fPIC", "-fvisibility=hidden", "-w"])
-            .args(&self.flags);
+            .args(&self.flags)
+            .args(self.define.map(|name| format!("-D{name}")));
         if let Some(before) = self.before {
             let header = target.with_extension("h");
             fs::write(&header, before).map_err(|error| error.to_string())?;

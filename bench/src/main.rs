@@ -1,7 +1,6 @@
 //! Measurements of the generated code and of the methods compared with their peers, each written as a table and a chart
 //! into `out/`.
 
-mod cheap;
 mod compile;
 mod generated;
 mod lanes;

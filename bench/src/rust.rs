@@ -69,23 +69,9 @@ impl Rust {
         fs::write(folder.join("Cargo.toml"), manifest)?;
         // same versions as in the measurements
         fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock"))?;
-        let mut command = Command::new("cargo");
-        command
-            .args(["build", "--release", "--message-format=json"])
-            .env("RUSTFLAGS", processors.flags())
-            .env("CARGO_TARGET_DIR", folder.join("target"))
-            .current_dir(&folder);
-        let output = run(&mut command)?;
-        let core = String::from_utf8_lossy(&output.stdout)
-            .lines()
-            .filter_map(|line| serde_json::from_str::<Message>(line).ok())
-            .filter(|message| message.target.name == "pendulum_core")
-            .flat_map(|message| message.filenames)
-            .find(|file| file.extension().is_some_and(|ending| ending == "rlib"))
-            .ok_or("cargo does not say where pendulum_core is")?;
         Ok(Self {
+            core: build_with_cargo(&folder, &folder.join("target"), processors, "pendulum_core", "rlib")?,
             folder,
-            core,
             processors,
         })
     }
@@ -120,6 +106,37 @@ impl Rust {
         run(&mut command)?;
         Ok((library, start.elapsed()))
     }
+}
+
+/// Builds the shared library of the package in `folder`, in release mode.
+pub(crate) fn package(folder: &Path, build: &Path, processors: Processors) -> Result<PathBuf, Box<dyn Error>> {
+    let name = folder.file_name().unwrap_or_default().to_string_lossy();
+    let target = build.join("rust").join(&*name).join(processors.name());
+    build_with_cargo(folder, &target, processors, &name, "so")
+}
+
+/// Builds the package in `folder`; returns the file of the library `name` with the given extension.
+fn build_with_cargo(
+    folder: &Path,
+    target: &Path,
+    processors: Processors,
+    name: &str,
+    extension: &str,
+) -> Result<PathBuf, Box<dyn Error>> {
+    let mut command = Command::new("cargo");
+    command
+        .args(["build", "--release", "--message-format=json"])
+        .env("RUSTFLAGS", processors.flags())
+        .env("CARGO_TARGET_DIR", target)
+        .current_dir(folder);
+    let output = run(&mut command)?;
+    let file = String::from_utf8_lossy(&output.stdout)
+        .lines()
+        .filter_map(|line| serde_json::from_str::<Message>(line).ok())
+        .filter(|message| message.target.name == name)
+        .flat_map(|message| message.filenames)
+        .find(|file| file.extension().is_some_and(|ending| ending == extension));
+    Ok(file.ok_or_else(|| format!("cargo does not say where {name} is"))?)
 }
 
 fn run(command: &mut Command) -> Result<Output, Box<dyn Error>> {

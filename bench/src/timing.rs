@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use serde::{Serialize, Serializer};
+
 /// Number of rounds, clamped to this range: a median of fewer is unreliable, and more do not improve it.
 const ROUNDS: [usize; 2] = [31, 4001];
 
@@ -55,6 +57,18 @@ impl Times {
     /// Median over the rounds of the ratio of this time to the other one.
     pub(crate) fn over(&self, other: &Self) -> f64 {
         median(self.0.iter().zip(&other.0).map(|(a, b)| a / b).collect())
+    }
+
+    /// Ratio of the least time to the other one.
+    pub(crate) fn over_in_least(&self, other: &Self) -> f64 {
+        self.least() / other.least()
+    }
+}
+
+/// To a thousandth of a nanosecond, which is finer than the clock.
+impl Serialize for Times {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.iter().map(|time| (1e3 * time).round() / 1e3))
     }
 }
 

@@ -84,6 +84,7 @@ pub(crate) fn sleef(root: &Path, build: &Path) -> Result<(Vec<Side>, String), St
         source,
         compiler: "g++".to_owned(),
         flags: FLAGS.map(str::to_owned).into(),
+        define: None,
         before: None,
     };
     let missing = |error: Box<dyn Error>| {

@@ -108,6 +108,7 @@ fn load(source: &Source, root: &Path, folder: &Path, model: &Path) -> Result<Vec
         source: path,
         compiler: source.compiler.to_owned(),
         flags: flags.chain([model.display().to_string()]).collect(),
+        define: None,
         before: None,
     };
     let libraries = compile::compile(&[job]).map_err(|error| {

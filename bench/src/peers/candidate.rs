@@ -6,14 +6,18 @@ use serde::{Deserialize, Serialize};
 use crate::compile::Job;
 use crate::library::Program;
 
-/// Name of the generated code among the peers.
+/// Names of the generated code among the peers: compiled for this processor, and as in a plain release build.
 pub(crate) const OURS: &str = "pendulum";
+pub(crate) const PLAIN: &str = "pendulum, plain build";
+/// Name of hand-written code, which is shown but is no generator to compete with.
+pub(crate) const BY_HAND: &str = "by hand";
 
 /// Names of the models: in the files of the peers, and in full.
-pub(crate) const MODELS: [(&str, &str); 4] = [
+pub(crate) const MODELS: [(&str, &str); 5] = [
     ("eq22", "Double pendulum, Eq. 22"),
     ("ur5", "UR5, six joints"),
     ("panda", "Panda, seven joints"),
+    ("xarm7", "xArm 7, seven joints"),
     ("solo", "Solo 12 in flight, twelve joints"),
 ];
 
@@ -38,6 +42,15 @@ impl Function {
         }
     }
 
+    /// Name in symbols of libraries.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Rhs => "rhs",
+            Self::Jacobian => "jacobian",
+            Self::Point => "point",
+        }
+    }
+
     pub(crate) fn title(self) -> &'static str {
         match self {
             Self::Rhs => "right-hand side",
@@ -57,10 +70,32 @@ impl Function {
     }
 }
 
+/// Dependence of the states of a loop.
+#[derive(Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Order {
+    /// No state depends on another, so that evaluations overlap.
+    SideBySide,
+    /// Each state depends on the previous result, as in an integration.
+    InSequence,
+}
+
+impl Order {
+    pub(crate) const ALL: [Self; 2] = [Self::SideBySide, Self::InSequence];
+
+    pub(crate) fn title(self) -> &'static str {
+        match self {
+            Self::SideBySide => "side by side",
+            Self::InSequence => "in sequence",
+        }
+    }
+}
+
 /// An implementation of a function of a model.
 pub(crate) struct Candidate {
     pub model: String,
     pub function: Function,
+    pub order: Order,
     pub peer: String,
     /// Algorithm, and for C the compiler call.
     pub form: String,

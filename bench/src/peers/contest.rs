@@ -4,11 +4,11 @@ use std::error::Error;
 use std::hint::black_box;
 use std::time::Duration;
 
+use ours::Solo;
 use pendulum_core::real::Real;
 
-use super::candidate::{Candidate, Function, OURS};
+use super::candidate::{Candidate, Function, OURS, Order};
 use super::entrants;
-use super::ours::Solo;
 use super::results::Row;
 use crate::library::Program;
 use crate::timing::{Times, in_turns};
@@ -17,10 +17,10 @@ use testbed::random::Random;
 /// Number of states evaluated one after another in each pass. It is small enough that the processor learns the branches
 /// of the platform's sines and cosines, as it does for the states of a motion.
 const STATES: usize = 256;
-/// Time budget for all forms of all peers, for each function of a model.
-const HEATS: Duration = Duration::from_secs(5);
-/// Time budget for the best form of each peer, for each function of a model.
-const FINAL: Duration = Duration::from_secs(20);
+/// Time budget for all forms of all peers, for each function of a model and each order.
+const HEATS: Duration = Duration::from_secs(4);
+/// Time budget for the best form of each peer, for each function of a model and each order.
+const FINAL: Duration = Duration::from_secs(10);
 /// Forms of a peer within this factor of its best time are measured again, since they may only have been disturbed.
 const CLOSE: f64 = 1.3;
 
@@ -41,11 +41,16 @@ pub(crate) fn states(model: &str, count: usize) -> Result<(usize, Vec<f64>), Str
 }
 
 /// Rows of one function of one model: the best form of each peer, in the order of their times, then the slower forms.
-pub(crate) fn hold(candidates: &[Candidate], model: &str, function: Function) -> Result<Vec<Row>, Box<dyn Error>> {
+pub(crate) fn hold(
+    candidates: &[Candidate],
+    model: &str,
+    function: Function,
+    order: Order,
+) -> Result<Vec<Row>, Box<dyn Error>> {
     let (length, states) = states(model, STATES)?;
     let entered: Vec<&Candidate> = candidates
         .iter()
-        .filter(|candidate| candidate.model == model && candidate.function == function)
+        .filter(|candidate| candidate.model == model && candidate.function == function && candidate.order == order)
         .collect();
     let heats = time(
         &entered.iter().map(|candidate| &candidate.program).collect::<Vec<_>>(),
@@ -57,22 +62,22 @@ pub(crate) fn hold(candidates: &[Candidate], model: &str, function: Function) ->
         let same = |k: &usize| entered[*k].peer == entered[n].peer;
         (0..entered.len()).filter(same).all(|k| least[n] <= CLOSE * least[k])
     };
-    let (best, lost): (Vec<usize>, Vec<usize>) = (0..entered.len()).partition(|&n| advances(n));
-    let mut rows = finals(&best.iter().map(|&n| entered[n]).collect::<Vec<_>>(), length, &states)?;
+    let all = entered.iter().zip(heats).enumerate();
+    let (best, lost): (Vec<_>, Vec<_>) = all.partition(|(n, _)| advances(*n));
+    let best: Vec<&Candidate> = best.into_iter().map(|(_, (candidate, _))| *candidate).collect();
+    let mut rows = finals(&best, length, &states)?;
     // Keep one form of each peer.
     for n in 0..rows.len() {
         let rival = |row: &Row| row.peer == rows[n].peer;
-        rows[n].heat = rows.iter().any(|row| rival(row) && row.least < rows[n].least);
+        rows[n].heat = rows
+            .iter()
+            .any(|row| rival(row) && row.times.least() < rows[n].times.least());
     }
-    rows.extend(lost.iter().map(|&n| Row {
+    rows.extend(lost.into_iter().map(|(_, (candidate, times))| Row {
         heat: true,
-        ..Row::new(entered[n], &heats[n])
+        ..Row::new(candidate, times)
     }));
-    rows.sort_by(|a, b| {
-        (a.heat, a.least)
-            .partial_cmp(&(b.heat, b.least))
-            .unwrap_or(std::cmp::Ordering::Equal)
-    });
+    rows.sort_by(|a, b| (a.heat.cmp(&b.heat)).then(a.times.least().total_cmp(&b.times.least())));
     Ok(rows)
 }
 
@@ -94,31 +99,17 @@ fn finals(best: &[&Candidate], length: usize, states: &[f64]) -> Result<Vec<Row>
     // The functions, then their variants without sine and cosine, then the sines and cosines alone.
     let programs: Vec<&Program> = best.iter().map(|candidate| &candidate.program).collect();
     let others: Vec<&Program> = cheap.iter().flatten().copied().chain([&sines]).collect();
-    let times = time(&[programs, others].concat(), states, FINAL);
-    let (times, mut others) = times.split_at(best.len());
-    let mut rows = Vec::new();
-    let mut without = Vec::new();
-    for cheap in &cheap {
-        without.push(match (cheap, others) {
-            (Some(_), [first, rest @ ..]) => {
-                others = rest;
-                Some(first)
-            }
-            _ => None,
-        });
+    let mut times = time(&[programs, others].concat(), states, FINAL).into_iter();
+    let mut rows: Vec<Row> = best
+        .iter()
+        .zip(times.by_ref())
+        .map(|(candidate, times)| Row::new(candidate, times))
+        .collect();
+    for (row, cheap) in rows.iter_mut().zip(cheap) {
+        row.without = cheap.and_then(|_| times.next());
     }
-    let ours = best.iter().position(|candidate| candidate.peer == OURS);
-    for (n, candidate) in best.iter().enumerate() {
-        let mut row = Row::new(candidate, &times[n]);
-        row.least_without = without[n].map(Times::least);
-        if candidate.peer == OURS {
-            row.sines = others.first().map(Times::least);
-        } else if let Some(ours) = ours {
-            row.ratio = Some(times[ours].over(&times[n]));
-            row.ratio_of_least = Some(times[ours].least() / times[n].least());
-            row.ratio_without = without[ours].zip(without[n]).map(|(a, b)| a.least() / b.least());
-        }
-        rows.push(row);
+    if let Some(ours) = rows.iter_mut().find(|row| row.peer == OURS) {
+        ours.sines = times.next();
     }
     Ok(rows)
 }

@@ -3,19 +3,21 @@
 use std::error::Error;
 use std::path::Path;
 
-use super::candidate::{Candidate, Function};
+use ours::cheap;
+
+use super::candidate::{Candidate, Function, Order};
 use super::generate::{Generated, Source};
-use crate::cheap;
 use crate::compile::{self, Job};
 use crate::library::{self, Program};
 use crate::machine;
 
 /// Compiler flags for the C of the peers; the fastest ones depend on the code. The last set has no fused multiply-add,
-/// like the generated code, to show its effect.
+/// like the generated code, to show its effect. Clang computes sine and cosine together only without `errno`, and fuses
+/// the peers' operations, which are statements of their own, only if asked to; gcc does both by itself.
 const FLAGS: [&[&str]; 3] = [
     &["-O2"],
-    &["-O3", "-march=native"],
-    &["-O3", "-march=native", "-ffp-contract=off"],
+    &["-O3", "-march=native", "-fno-math-errno", "-ffp-contract=fast"],
+    &["-O3", "-march=native", "-fno-math-errno", "-ffp-contract=off"],
 ];
 const CPP_FLAGS: [&str; 4] = ["-O3", "-march=native", "-DNDEBUG", "-std=c++17"];
 
@@ -25,7 +27,7 @@ pub(crate) fn compiled(
     folder: &Path,
     header: &mut Vec<String>,
 ) -> Result<Vec<Candidate>, Box<dyn Error>> {
-    let compilers: Vec<&str> = ["gcc", "clang"].into_iter().filter(|name| runs(name)).collect();
+    let (compilers, missing): (Vec<&str>, Vec<&str>) = ["gcc", "clang"].into_iter().partition(|name| runs(name));
     for compiler in &compilers {
         let flags: Vec<String> = FLAGS.iter().map(|flags| format!("`{}`", flags.join(" "))).collect();
         header.push(format!(
@@ -34,10 +36,10 @@ pub(crate) fn compiled(
             flags.join(", ")
         ));
     }
-    if compilers.is_empty() && !generated.candidates.is_empty() {
-        generated
-            .notes
-            .push("all peers: there is no C compiler; `sudo apt-get install gcc g++`".to_owned());
+    for compiler in missing {
+        generated.notes.push(format!(
+            "C of {compiler}: there is no {compiler}; `sudo apt-get install {compiler}`"
+        ));
     }
     let has_cpp = runs("g++");
     if has_cpp {
@@ -51,26 +53,30 @@ pub(crate) fn compiled(
             .notes
             .push("Pinocchio: there is no C++ compiler; `sudo apt-get install g++`".to_owned());
     }
-    let mut variants: Vec<(Source, Job)> = Vec::new();
+    let mut variants: Vec<(Source, Order, Job)> = Vec::new();
     for source in &generated.candidates {
-        if source.file.ends_with("cpp") {
-            if has_cpp {
-                let includes = generated.include.iter().map(|path| format!("-I{path}"));
-                let flags = CPP_FLAGS.iter().map(|&flag| flag.to_owned()).chain(includes).collect();
-                variants.push((source.clone(), job(folder, source, "g++", flags)));
+        let mut add = |compiler: &str, flags: Vec<String>| {
+            for order in Order::ALL {
+                variants.push((source.clone(), order, job(folder, source, compiler, &flags, order)));
             }
-            continue;
-        }
-        for compiler in &compilers {
-            for flags in FLAGS {
-                let flags = flags.iter().map(|&flag| flag.to_owned()).collect();
-                variants.push((source.clone(), job(folder, source, compiler, flags)));
+        };
+        if !source.file.ends_with("cpp") {
+            for compiler in &compilers {
+                for flags in FLAGS {
+                    add(compiler, flags.iter().map(|&flag| flag.to_owned()).collect());
+                }
             }
+        } else if has_cpp {
+            let includes = generated.include.iter().map(|path| format!("-I{path}"));
+            add(
+                "g++",
+                CPP_FLAGS.iter().map(|&flag| flag.to_owned()).chain(includes).collect(),
+            );
         }
     }
     // One library serves several functions.
     let mut jobs: Vec<Job> = Vec::new();
-    for (_, job) in &variants {
+    for (.., job) in &variants {
         if !jobs.contains(job) {
             jobs.push(job.clone());
         }
@@ -78,7 +84,7 @@ pub(crate) fn compiled(
     let libraries = compile::compile(&jobs)?;
     let library = |job: &Job| jobs.iter().position(|known| known == job).map(|n| &libraries[n]);
     let mut candidates = Vec::new();
-    for (source, job) in variants {
+    for (source, order, job) in variants {
         let Some(library) = library(&job) else { continue };
         let program = load(&source, library)?;
         let cpp = source.file.ends_with("cpp");
@@ -90,6 +96,7 @@ pub(crate) fn compiled(
         candidates.push(Candidate {
             model: source.model,
             function: source.function,
+            order,
             peer: source.peer,
             form,
             operations: source.operations.map(Into::into),
@@ -105,11 +112,15 @@ fn runs(program: &str) -> bool {
     !machine::says(program, &["--version"]).starts_with("no ")
 }
 
-fn job(folder: &Path, source: &Source, compiler: &str, flags: Vec<String>) -> Job {
+fn job(folder: &Path, source: &Source, compiler: &str, flags: &[String], order: Order) -> Job {
     Job {
         source: folder.join(&source.file),
         compiler: compiler.to_owned(),
-        flags,
+        flags: flags.to_vec(),
+        define: match order {
+            Order::SideBySide => None,
+            Order::InSequence => Some("IN_SEQUENCE"),
+        },
         before: None,
     }
 }
@@ -124,7 +135,7 @@ pub(crate) fn sizes(model: &str, function: Function) -> Result<(usize, usize), S
     let (dof, more) = match model {
         "eq22" => (2, 0),
         "ur5" => (6, 0),
-        "panda" => (7, 0),
+        "panda" | "xarm7" => (7, 0),
         // a quaternion has one number more than there are rates
         "solo" => (18, 1),
         _ => return Err(format!("the peers have a model that is not known here: {model}")),
@@ -134,12 +145,12 @@ pub(crate) fn sizes(model: &str, function: Function) -> Result<(usize, usize), S
 }
 
 /// The function of a candidate with cheap sines and cosines. Only for C: Pinocchio's headers use these names for other
-/// functions, too.
+/// functions, too. Only side by side: in sequence, nobody reads the result.
 pub(crate) fn cheapened(candidate: &Candidate) -> Result<Option<Program>, Box<dyn Error>> {
     let Some((job, symbol)) = &candidate.job else {
         return Ok(None);
     };
-    if job.source.extension().is_none_or(|ending| ending != "c") {
+    if candidate.order != Order::SideBySide || job.source.extension().is_none_or(|ending| ending != "c") {
         return Ok(None);
     }
     let job = Job {

@@ -60,11 +60,10 @@ impl From<Counted> for Operations {
 
 pub(crate) fn generate(root: &Path, folder: &Path) -> Result<Generated, Box<dyn Error>> {
     let python = python(root);
-    let data = root.join("../testbed/data/robots.json");
     let output = Command::new(&python)
         .arg(root.join("peers/generate.py"))
-        .args([&data, &root.join("peers/double_pendulum.json")])
-        .args([&root.join("../testbed/data/urdf/solo12.urdf"), folder])
+        .args([root.join("../testbed/data"), root.join("peers/double_pendulum.json")])
+        .arg(folder)
         .output();
     let output = match output {
         Ok(output) => output,

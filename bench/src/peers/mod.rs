@@ -1,4 +1,4 @@
-//! Right-hand sides and Jacobians of three mechanisms, and the flange of one, compared with other software.
+//! Right-hand sides and Jacobians of several mechanisms, and the flange of one, compared with other software.
 //!
 //! First all forms of each peer compete with each other; then the best of each competes with the generated code.
 
@@ -14,7 +14,7 @@ mod write;
 use std::error::Error;
 use std::path::Path;
 
-use candidate::{Function, MODELS};
+use candidate::{Function, MODELS, Order};
 use results::Results;
 
 use crate::machine;
@@ -26,7 +26,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     header.iter().for_each(|line| println!("{line}"));
     println!("generating and compiling the peers; the first time takes minutes");
     let mut generated = generate::generate(root, &out.join("build"))?;
-    let mut candidates = ours::candidates()?;
+    let mut candidates = ours::candidates(root, &out.join("build"))?;
     candidates.extend(entrants::compiled(&mut generated, &out.join("build"), &mut header)?);
     header.extend(generated.versions.iter().map(|version| format!("peer: {version}")));
     for note in &generated.notes {
@@ -39,8 +39,10 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     let mut rows = Vec::new();
     for (model, _) in MODELS {
         for &function in Function::of(model) {
-            println!("timing {model}, {}", function.title());
-            rows.extend(contest::hold(&candidates, model, function)?);
+            for order in Order::ALL {
+                println!("timing {model}, {}, {}", function.title(), order.title());
+                rows.extend(contest::hold(&candidates, model, function, order)?);
+            }
         }
     }
     let results = Results {

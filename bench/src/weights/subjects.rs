@@ -118,7 +118,11 @@ fn subject(rust: &Rust, name: String, declaration: &Declaration) -> Result<Subje
         Ok::<Operations, &str>(routine.cost.operations)
     };
     let items = declaration.expand(std::time::Duration::ZERO)?.0;
-    let loops = [include_str!("../cheap.rs"), include_str!("../../weights/loops.rs")].map(without_head);
+    let loops = [
+        include_str!("../../peers/ours/src/cheap.rs"),
+        include_str!("../../weights/loops.rs"),
+    ]
+    .map(without_head);
     let source = declaration.source(&items, &[]) + &format!("mod cheap {{ {} }}\n{}", loops[0], loops[1]);
     let (library, _) = rust.library(&format!("weights_{}", name.to_lowercase()), &source)?;
     let dof = program.layout.dof();

@@ -8,10 +8,10 @@ use pendulum_core::real::Real;
 /// `DIVISIONS`, division multiplies. The results are meaningless.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(transparent)]
-pub(crate) struct Cheap<const SINES: bool = false, const DIVISIONS: bool = true>(pub f64);
+pub struct Cheap<const SINES: bool = false, const DIVISIONS: bool = true>(pub f64);
 
 /// C version of the replacements, for the peers; included before all other code.
-pub(crate) const IN_C: &str = "\
+pub const IN_C: &str = "\
 #include <math.h>
 static inline double cheap_sin(double x) { return 0.5 * x; }
 static inline double cheap_cos(double x) { return x + 0.25; }
