@@ -220,7 +220,7 @@ fn chart(results: &Results, functions: &[Function]) -> Bars {
     let bar = |peer: &str, value: Option<f64>| Bar {
         label: match peer {
             OURS => "mechanism!",
-            PLAIN => "mechanism!, plain build",
+            PLAIN => "plain build",
             peer => peer,
         }
         .to_owned(),

@@ -3,8 +3,6 @@
 //! The measurement compiles this package twice: for the processor of the machine, and as a plain `cargo build
 //! --release` does.
 
-#![allow(clippy::approx_constant, reason = "a limit of a joint in the file of xArm 7")]
-
 pub mod cheap;
 mod loops;
 
