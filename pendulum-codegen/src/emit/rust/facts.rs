@@ -69,9 +69,11 @@ impl Items<'_> {
         let limits = quote! {
             /// The largest force along each joint, from the file of the robot, in the order of `COORDINATES`: in N m
             /// where a joint turns, in N where it slides; infinite where the file gives none.
+            #[allow(clippy::approx_constant)]
             pub const EFFORT_LIMITS: [f64; #dof] = #effort;
             /// The largest rate of each joint, from the file of the robot, in the order of `COORDINATES`: in rad/s
             /// where a joint turns, in m/s where it slides; infinite where the file gives none.
+            #[allow(clippy::approx_constant)]
             pub const VELOCITY_LIMITS: [f64; #dof] = #velocity;
         };
         (!most.is_empty()).then_some(limits)
