@@ -31,6 +31,7 @@ pages! {
     points: "src/recipes/points.md",
     saturation: "src/recipes/saturation.md",
     stiff_friction: "src/recipes/stiff-friction.md",
+    run_time: "src/recipes/run-time.md",
     sweep: "src/recipes/sweep.md",
     swing_up: "src/recipes/swing-up.md",
     throw: "src/recipes/throw.md",

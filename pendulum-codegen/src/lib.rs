@@ -46,5 +46,6 @@ mod urdf;
 mod words;
 
 pub use emit::c::{Sources, c, c_fused, opencl};
+pub use emit::tape::tape;
 pub use error::{Code, Errors};
 pub use files::{expand, expand_in, program, program_in};

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::real::lanes::{Lanes, Pack, Register};
+use crate::real::lanes::{Lanes, Pack, Register, Routine};
 use crate::real::{Float, Real};
 
 /// A value with its derivatives with respect to `N` variables, propagated through every operation by the chain rule.
@@ -149,6 +149,11 @@ impl<T: Real, const N: usize> Neg for Dual<T, N> {
 impl<T: Real, const N: usize> Real for Dual<T, N> {
     const LANES: usize = T::LANES;
     const HAS_SLOPES: bool = true;
+
+    #[inline(always)]
+    fn call<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
+        T::call(routine, changed, read)
+    }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_f64(v: f64) -> Self {

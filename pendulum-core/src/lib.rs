@@ -86,6 +86,8 @@ pub mod solution;
 pub mod stability;
 pub mod system;
 pub mod tableau;
+#[cfg(feature = "std")]
+pub mod tape;
 pub mod taylor;
 
 mod constraint;

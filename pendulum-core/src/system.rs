@@ -138,6 +138,10 @@ pub trait Cast<const N: usize> {
     /// True if the model may be [hybrid](crate::hybrid).
     const HYBRID: bool = false;
 
+    /// True if an operation takes hardly longer in more lanes, so that there should be as many as possible.
+    #[doc(hidden)]
+    const WIDE: bool = false;
+
     /// The model in another number type.
     type In<T: Real>: System<T, N>;
 

@@ -30,6 +30,7 @@ mod sensitivities;
 mod sincos;
 mod states;
 mod stiff;
+mod tapes;
 mod taylor;
 mod taylor_traps;
 mod trajectories;

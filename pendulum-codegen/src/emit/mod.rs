@@ -2,6 +2,7 @@
 
 pub(crate) mod c;
 pub(crate) mod rust;
+pub(crate) mod tape;
 
 /// Number of Newton corrections of the dependent coordinates of closed loops after a step.
 const CORRECTIONS: usize = 3;

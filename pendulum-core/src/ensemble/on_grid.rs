@@ -30,7 +30,7 @@ where
         // and need the registers for themselves.
         if const { !M::HYBRID && V::LANES > 1 && W::WATCHES } {
             self.in_lanes::<V, Never<V>>()
-        } else if const { !M::HYBRID && !F::NARROW && !W::WATCHES } {
+        } else if const { !M::HYBRID && (M::WIDE || !F::NARROW) && !W::WATCHES } {
             self.in_groups::<<V::Double as Lanes>::Double>()
         } else if const { !M::HYBRID && V::LANES > 1 && !W::WATCHES } {
             self.in_groups::<V>()

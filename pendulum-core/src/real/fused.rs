@@ -2,7 +2,7 @@
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::lanes::{Fuse, Lanes, Pack, Pair, Register, Two64};
+use super::lanes::{Fuse, Lanes, Pack, Pair, Register, Routine, Two64};
 use super::sincos::{self, Precision};
 use super::{Float, Real};
 
@@ -67,6 +67,11 @@ impl<T: Neg<Output = T>> Neg for Fused<T> {
 impl<R: Fuse> Register for Fused<R> {
     type Scalar = Fused<f64>;
     const LANES: usize = R::LANES;
+
+    #[inline(always)]
+    fn call<A: ?Sized, B: ?Sized, C: Routine<A, B>>(routine: C, changed: &mut A, read: &B) -> C::Output {
+        R::call(routine, changed, read)
+    }
 
     #[inline(always)]
     fn splat(v: Fused<f64>) -> Self {

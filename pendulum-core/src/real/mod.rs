@@ -168,6 +168,14 @@ pub trait Real:
         }
     }
 
+    /// Runs long code in a function of its own, compiled for the instruction set of the lanes; scalars choose between
+    /// the baseline and AVX2.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn call<A: ?Sized, B: ?Sized, R: lanes::Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
+        lanes::Isa::run_routine(routine, changed, read)
+    }
+
     /// Coefficients of a piecewise function, such as a table: those of the piece in which the number lies. They are
     /// constants, without derivatives.
     ///

@@ -31,11 +31,13 @@ pub trait Kernel<T> {
     fn run<V: Lanes<Scalar = T>>(self) -> Self::Output;
 }
 
-/// Code on scalars that is compiled for the baseline and for AVX2: see [`Isa::run_routine`].
+/// Code that is compiled apart from its callers: see [`Isa::run_routine`] and [`Real::call`](crate::Real::call).
+///
+/// The trait is public because it bounds a public method.
 ///
 /// Separate arguments for the data that it changes and the data that it only reads tell the compiler that these do not
 /// overlap.
-pub(crate) trait Routine<A: ?Sized, B: ?Sized> {
+pub trait Routine<A: ?Sized, B: ?Sized> {
     /// Result type.
     type Output;
 

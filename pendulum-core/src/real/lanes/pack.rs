@@ -3,8 +3,8 @@
 use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::Lanes;
 use super::register::{Pair, Register};
+use super::{Lanes, Routine};
 use crate::real::{Real, sincos};
 
 /// Lanes stored in registers `R`: see [`F64x4`], [`F64x8`], [`F32x8`] and [`F32x16`].
@@ -67,6 +67,11 @@ impl<R: Register> Lanes for Pack<R> {
 
 impl<R: Register> Real for Pack<R> {
     const LANES: usize = R::LANES;
+
+    #[inline(always)]
+    fn call<A: ?Sized, B: ?Sized, C: Routine<A, B>>(routine: C, changed: &mut A, read: &B) -> C::Output {
+        R::call(routine, changed, read)
+    }
 
     #[inline(always)]
     fn from_f64(v: f64) -> Self {

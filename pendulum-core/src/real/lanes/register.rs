@@ -2,6 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use super::Routine;
 use crate::real::Real;
 use crate::real::sincos::Precision;
 
@@ -57,6 +58,15 @@ pub trait Register:
     #[inline(always)]
     fn mul_neg_add(self, a: Self, b: Self) -> Self {
         b - self * a
+    }
+    /// Runs code in a function of its own, compiled for the instructions of the register.
+    #[inline(always)]
+    fn call<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
+        #[inline(never)]
+        fn alone<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
+            routine.run(changed, read)
+        }
+        alone(routine, changed, read)
     }
     /// Square root.
     fn sqrt(self) -> Self;
@@ -199,6 +209,11 @@ impl<R: Register> Neg for Pair<R> {
 impl<R: Register> Register for Pair<R> {
     type Scalar = R::Scalar;
     const LANES: usize = 2 * R::LANES;
+
+    #[inline(always)]
+    fn call<A: ?Sized, B: ?Sized, C: Routine<A, B>>(routine: C, changed: &mut A, read: &B) -> C::Output {
+        R::call(routine, changed, read)
+    }
 
     #[inline(always)]
     fn splat(v: R::Scalar) -> Self {

@@ -6,6 +6,7 @@ use core::arch::x86_64::*;
 use core::mem::transmute;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use super::super::Routine;
 use super::super::register::{Fuse, Register};
 
 macro_rules! binary {
@@ -25,7 +26,7 @@ macro_rules! binary {
 macro_rules! register {
     ($(
         $(#[$doc:meta])*
-        $name:ident = $lanes:literal $scalar:ident in $vector:ident,
+        $name:ident = $lanes:literal $scalar:ident in $vector:ident by $features:literal,
         $splat:ident $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident;
     )*) => { $(
         $(#[$doc])*
@@ -60,6 +61,17 @@ macro_rules! register {
         impl Register for $name {
             type Scalar = $scalar;
             const LANES: usize = $lanes;
+
+            #[inline(always)]
+            fn call<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
+                #[inline(never)]
+                #[target_feature(enable = $features)]
+                fn inside<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
+                    routine.run(changed, read)
+                }
+                // SAFETY: code that can name the type runs only on machines with the instructions.
+                unsafe { inside(routine, changed, read) }
+            }
 
             #[inline(always)]
             fn splat(v: $scalar) -> Self {
@@ -134,22 +146,22 @@ macro_rules! register {
 
 register! {
     /// An `xmm` register of `f64`.
-    Xmm64 = 2 f64 in __m128d,
+    Xmm64 = 2 f64 in __m128d by "sse2",
     _mm_set1_pd _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd;
     /// An `xmm` register of `f32`.
-    Xmm32 = 4 f32 in __m128,
+    Xmm32 = 4 f32 in __m128 by "sse2",
     _mm_set1_ps _mm_add_ps _mm_sub_ps _mm_mul_ps _mm_div_ps _mm_sqrt_ps;
     /// A `ymm` register of `f64`.
-    Ymm64 = 4 f64 in __m256d,
+    Ymm64 = 4 f64 in __m256d by "avx2,fma",
     _mm256_set1_pd _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd;
     /// A `ymm` register of `f32`.
-    Ymm32 = 8 f32 in __m256,
+    Ymm32 = 8 f32 in __m256 by "avx2,fma",
     _mm256_set1_ps _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_sqrt_ps;
     /// A `zmm` register of `f64`.
-    Zmm64 = 8 f64 in __m512d,
+    Zmm64 = 8 f64 in __m512d by "avx512f",
     _mm512_set1_pd _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd _mm512_sqrt_pd;
     /// A `zmm` register of `f32`.
-    Zmm32 = 16 f32 in __m512,
+    Zmm32 = 16 f32 in __m512 by "avx512f",
     _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_sqrt_ps;
 }
 

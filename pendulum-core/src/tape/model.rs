@@ -1,0 +1,401 @@
+//! Models of a tape for given parameters.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+
+use super::code::Code;
+use super::error::ModelError;
+use super::source::{Lists, Source};
+use super::{Condition, Routine, Tape};
+use crate::error::ParameterError;
+use crate::real::Real;
+use crate::real::lanes::Lanes;
+use crate::system::{Cast, CastJacobian, Jacobian};
+
+/// Rounding error of a difference relative to its terms, below which a condition counts as met, as in generated code.
+const ROUNDING: f64 = 1e-12;
+
+/// Model of a [`Tape`] for given parameters, in the number type `T`; `N` is the length of its state.
+///
+/// It is a [`System`](crate::System) like a model that [`mechanism!`](crate::mechanism) generates, so that all methods
+/// integrate it, in lanes as well. `HYBRID` is true if it may have dry friction, stops or walls: see [`HybridModel`].
+#[derive(Clone, Debug)]
+pub struct Model<T, const N: usize, const HYBRID: bool = false> {
+    pub(super) tape: Arc<Tape>,
+    params: Arc<[f64]>,
+    constants: Vec<T>,
+    /// Index of the routine for each role, if the tape has it.
+    places: [Option<usize>; Role::ALL.len()],
+    /// Values of the inputs.
+    inputs: Vec<T>,
+}
+
+/// [`Model`] of a mechanism that may have dry friction, stops or walls.
+pub type HybridModel<T, const N: usize> = Model<T, N, true>;
+
+/// Routines that the traits of a model call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    Rhs,
+    Jacobian,
+    TimeDerivative,
+    Kinetic,
+    Potential,
+    Outputs,
+    LoopMargins,
+    LoopGaps,
+    LoopCorrections,
+    TurnMargins,
+    Measures,
+    MeasureDerivatives,
+    Response,
+    ResponseDerivative,
+    Canonical,
+    CanonicalJacobian,
+}
+
+impl Role {
+    /// All of them, in order, with their names and the words of `generate` that request them.
+    const ALL: [(Self, &'static str, &'static str); 16] = [
+        (Self::Rhs, "rhs", "rhs"),
+        (Self::Jacobian, "jacobian", "jacobian"),
+        (Self::TimeDerivative, "time_derivative", "jacobian"),
+        (Self::Kinetic, "kinetic", "energy"),
+        (Self::Potential, "potential", "energy"),
+        (Self::Outputs, "outputs", "rhs"),
+        (Self::LoopMargins, "loop_margins", "rhs"),
+        (Self::LoopGaps, "loop_gaps", "rhs"),
+        (Self::LoopCorrections, "loop_corrections", "rhs"),
+        (Self::TurnMargins, "turn_margins", "rhs"),
+        (Self::Measures, "measures", "rhs"),
+        (Self::MeasureDerivatives, "measure_derivatives", "jacobian"),
+        (Self::Response, "response", "rhs"),
+        (Self::ResponseDerivative, "response_derivative", "jacobian"),
+        (Self::Canonical, "canonical", "canonical"),
+        (Self::CanonicalJacobian, "canonical_jacobian", "canonical"),
+    ];
+
+    /// Number of results.
+    fn results(self, tape: &Tape) -> usize {
+        let (length, constraints) = (tape.length(), tape.constraints.len());
+        let of_response = (1 + constraints) * length + constraints + constraints * (constraints + 1) / 2;
+        match self {
+            Self::Rhs | Self::TimeDerivative => length,
+            Self::Jacobian => length + length * length,
+            Self::Kinetic | Self::Potential => 1,
+            Self::Outputs => tape.outputs.len(),
+            Self::LoopMargins => 2 * tape.loops.len(),
+            Self::LoopGaps => 3 * tape.open_loops.len(),
+            Self::LoopCorrections => tape.slots.iter().filter(|slot| slot.rates.is_empty()).count(),
+            Self::TurnMargins => 2 * tape.uncounted.len(),
+            Self::Measures => 2 * constraints,
+            Self::MeasureDerivatives => 2 * constraints * (length + 1),
+            Self::Response => of_response,
+            Self::ResponseDerivative => of_response + (length + 1) * (length + constraints),
+            Self::Canonical => 2 * length,
+            Self::CanonicalJacobian => 2 * length * length,
+        }
+    }
+
+    /// True if the routine may have this argument.
+    fn takes(self, argument: Source) -> bool {
+        match argument {
+            Source::Input | Source::Force => !matches!(self, Self::Kinetic | Self::Potential),
+            _ => false,
+        }
+    }
+}
+
+/// Arguments of a routine beside time and state. Those that the routine does not have may stay empty.
+#[derive(Clone, Copy, Debug)]
+pub struct Given<'a, T> {
+    /// Inputs.
+    pub inputs: &'a [T],
+    /// Forces along the constraints, in N or N m.
+    pub forces: &'a [T],
+    /// Accelerations of the coordinates.
+    pub accelerations: &'a [T],
+    /// Weights of the components of the right-hand side.
+    pub weights: &'a [T],
+    /// Direction of the state, followed by one of the inputs.
+    pub direction: &'a [T],
+}
+
+impl<T> Default for Given<'_, T> {
+    fn default() -> Self {
+        Self {
+            inputs: &[],
+            forces: &[],
+            accelerations: &[],
+            weights: &[],
+            direction: &[],
+        }
+    }
+}
+
+impl Tape {
+    /// Builds a model: checks the parameters, and computes the constants that depend on them.
+    ///
+    /// # Errors
+    /// If the length of the state is not `N`, if there are more or fewer parameters, if one of them, or a combination,
+    /// is impossible for a rigid body, if the tape has no right-hand side, or if the mechanism has dry friction, stops or
+    /// walls and no [`HybridModel`] is requested.
+    pub fn model<const N: usize, const HYBRID: bool>(
+        self: &Arc<Self>,
+        params: &[f64],
+    ) -> Result<Model<f64, N, HYBRID>, ModelError> {
+        let length = self.length();
+        if length != N {
+            return Err(ModelError::State { given: N, length });
+        }
+        if !HYBRID && !self.constraints.is_empty() {
+            return Err(ModelError::Hybrid);
+        }
+        Ok(Model {
+            tape: self.clone(),
+            params: params.into(),
+            constants: self.constants(params)?,
+            places: self.places()?,
+            inputs: vec![0.0; self.inputs.len()],
+        })
+    }
+
+    /// Index of the routine for each role.
+    fn places(&self) -> Result<[Option<usize>; Role::ALL.len()], ModelError> {
+        let mut places = [None; Role::ALL.len()];
+        for ((role, name, _), place) in Role::ALL.into_iter().zip(&mut places) {
+            let named = |(_, routine): &(usize, &Routine)| routine.name == name;
+            let Some((n, routine)) = self.routines.iter().enumerate().find(named) else {
+                continue;
+            };
+            let takes_more = routine.arguments.iter().any(|&(argument, _)| !role.takes(argument));
+            if routine.results() != role.results(self) || takes_more {
+                return Err(ModelError::Shape { name: name.to_owned() });
+            }
+            *place = Some(n);
+        }
+        let needed = [Role::Rhs, Role::Measures, Role::Response];
+        let needed = &needed[..if self.constraints.is_empty() { 1 } else { 3 }];
+        match needed.iter().find(|&&role| places[role as usize].is_none()) {
+            Some(&role) => Err(ModelError::Missing {
+                name: Role::ALL[role as usize].1.to_owned(),
+            }),
+            None => Ok(places),
+        }
+    }
+
+    /// Constants of the model, after the checks of its parameters.
+    fn constants(&self, params: &[f64]) -> Result<Vec<f64>, ModelError> {
+        if params.len() != self.parameters.len() {
+            return Err(ModelError::Parameters {
+                given: params.len(),
+                names: self
+                    .parameters
+                    .iter()
+                    .map(|parameter| parameter.name.to_owned())
+                    .collect(),
+            });
+        }
+        let names = self.parameters.iter().map(|parameter| parameter.name);
+        let named: Vec<(&'static str, f64)> = names.zip(params.iter().copied()).collect();
+        let error =
+            |name, value, rule, given: &[_]| Err(ModelError::Parameter(ParameterError::new(name, value, rule, given)));
+        if let Some(&(name, value)) = named.iter().find(|(_, value)| !value.is_finite()) {
+            return error(name, value, "a parameter must be finite", &[]);
+        }
+        let checked = compute(&self.checked, params);
+        for rule in &self.rules {
+            let value = checked[rule.values[0]];
+            let holds = match rule.condition {
+                Condition::Positive => value > 0.0,
+                Condition::NonNegative => value >= 0.0,
+                Condition::NonNegativeWithin => value >= -ROUNDING * checked[rule.values[1]].abs(),
+            };
+            if !holds {
+                let given: Vec<_> = rule.parameters.iter().map(|&n| named[n]).collect();
+                return error(rule.name, value, rule.text, &given);
+            }
+        }
+        let constants = compute(&self.constants, params);
+        let rule = "a constant of the equations is not finite: a coordinate has no inertia, a divisor is zero, or a \
+                    number is too large";
+        match self
+            .constants_text
+            .iter()
+            .zip(&constants)
+            .find(|(_, value)| !value.is_finite())
+        {
+            Some((text, &value)) => error(text, value, rule, &named),
+            None => Ok(constants),
+        }
+    }
+}
+
+/// Results of code that reads parameters only.
+fn compute(code: &Code, params: &[f64]) -> Vec<f64> {
+    let lists = Lists::new().with(Source::Parameter, params);
+    let mut results = vec![0.0; code.results.len()];
+    code.run(&[], &lists, &mut results);
+    results
+}
+
+impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
+    /// The tape.
+    #[must_use]
+    pub fn tape(&self) -> &Tape {
+        &self.tape
+    }
+
+    /// Parameters, in the order of their declaration.
+    #[must_use]
+    pub fn params(&self) -> &[f64] {
+        &self.params
+    }
+
+    /// Values of the inputs, which are zero at first.
+    #[must_use]
+    pub fn inputs(&self) -> &[T] {
+        &self.inputs
+    }
+
+    /// Sets the inputs to values that the equations of motion use from now on.
+    ///
+    /// # Panics
+    /// If there are more or fewer values than inputs.
+    pub fn set_inputs(&mut self, inputs: &[T]) {
+        self.inputs.copy_from_slice(inputs);
+    }
+
+    /// Index of the routine for a role, if the tape has it.
+    #[inline(always)]
+    pub(super) fn place(&self, role: Role) -> Option<usize> {
+        self.places[role as usize]
+    }
+
+    /// Index of the routine for a role that the caller needs.
+    #[inline(always)]
+    pub(super) fn needed(&self, role: Role) -> usize {
+        #[cold]
+        fn missing(tape: &Tape, role: Role) -> ! {
+            let (_, name, word) = Role::ALL[role as usize];
+            panic!(
+                "the tape of `{}` has no routine `{name}`: add `{word}` to its `generate`",
+                tape.name
+            )
+        }
+        self.place(role).unwrap_or_else(|| missing(&self.tape, role))
+    }
+
+    /// Evaluates a routine of the tape, given by its index there, into `results`, which follow one another.
+    ///
+    /// # Panics
+    /// If there is no such routine, or if one of its arguments is too short.
+    pub fn evaluate(&self, routine: usize, t: T, x: &SVector<T, N>, given: &Given<'_, T>, results: &mut [T]) {
+        let code = &self.tape.routines[routine].code;
+        code.run(&self.constants, &lists(&t, x, given), results);
+    }
+
+    /// Like [`evaluate`](Self::evaluate), but passes each result on, with its number.
+    pub(super) fn each(
+        &self,
+        routine: usize,
+        t: T,
+        x: &SVector<T, N>,
+        given: &Given<'_, T>,
+        pass: &mut dyn FnMut(usize, T),
+    ) {
+        let code = &self.tape.routines[routine].code;
+        code.each(&self.constants, &lists(&t, x, given), pass);
+    }
+
+    /// Writes the results of a code to places, one after the other.
+    pub(super) fn write<'r>(&self, code: &Code, lists: &Lists<'_, T>, places: impl Iterator<Item = &'r mut T>)
+    where
+        T: 'r,
+    {
+        let mut places = places;
+        code.each(&self.constants, lists, &mut |_, value| {
+            if let Some(place) = places.next() {
+                *place = value;
+            }
+        });
+    }
+
+    /// Model with these constants and inputs.
+    fn with_numbers<U>(&self, constants: Vec<U>, inputs: Vec<U>) -> Model<U, N, HYBRID> {
+        Model {
+            tape: self.tape.clone(),
+            params: self.params.clone(),
+            constants,
+            places: self.places,
+            inputs,
+        }
+    }
+}
+
+/// Lists that a routine reads.
+pub(super) fn lists<'a, T, const N: usize>(t: &'a T, x: &'a SVector<T, N>, given: &Given<'a, T>) -> Lists<'a, T> {
+    Lists::new()
+        .with(Source::Time, core::slice::from_ref(t))
+        .with(Source::State, x.as_slice())
+        .with(Source::Input, given.inputs)
+        .with(Source::Force, given.forces)
+        .with(Source::Acceleration, given.accelerations)
+        .with(Source::Weight, given.weights)
+        .with(Source::Direction, given.direction)
+}
+
+impl<const N: usize, const HYBRID: bool> Model<f64, N, HYBRID> {
+    /// Returns the model with other parameters.
+    ///
+    /// # Errors
+    /// See [`Tape::model`].
+    pub fn with_params(&self, params: &[f64]) -> Result<Self, ModelError> {
+        self.tape.model(params)
+    }
+}
+
+impl<const N: usize, const HYBRID: bool> Cast<N> for Model<f64, N, HYBRID> {
+    const HYBRID: bool = HYBRID;
+    const WIDE: bool = true;
+
+    type In<T: Real> = Model<T, N, HYBRID>;
+
+    fn cast<T: Real>(&self) -> Model<T, N, HYBRID> {
+        let [constants, inputs] =
+            [&self.constants, &self.inputs].map(|numbers| numbers.iter().map(|&number| T::from_f64(number)).collect());
+        self.with_numbers(constants, inputs)
+    }
+
+    fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Model<V, N, HYBRID>
+    where
+        Self: 'm,
+    {
+        let first = models(0);
+        let gathered = |numbers: fn(&Self) -> &[f64]| {
+            let lanes = |k| V::from_fn(|lane| <V::Scalar as Real>::from_f64(numbers(models(lane))[k]));
+            (0..numbers(first).len()).map(lanes).collect()
+        };
+        first.with_numbers(gathered(|model| &model.constants), gathered(|model| &model.inputs))
+    }
+
+    fn shares_lanes(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.tape, &other.tape)
+    }
+}
+
+impl<const N: usize, const HYBRID: bool> CastJacobian<N> for Model<f64, N, HYBRID> {
+    #[inline]
+    fn with_jacobian<T: Real>(model: &Model<T, N, HYBRID>) -> &impl Jacobian<T, N> {
+        model
+    }
+}
+
+impl Routine {
+    /// Number of results.
+    #[must_use]
+    pub fn results(&self) -> usize {
+        self.code.results.len()
+    }
+}

@@ -1,0 +1,66 @@
+//! Lists of values that code reads.
+
+/// List of values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Source {
+    State,
+    Time,
+    Input,
+    Force,
+    Acceleration,
+    Weight,
+    Direction,
+    Order,
+    OverOrder,
+    TimeCoefficient,
+    StateCoefficient,
+    Sum,
+    Kept,
+    ForceCoefficient,
+    Carried,
+    Parameter,
+    Constant,
+}
+
+impl Source {
+    /// All lists with their names in a tape, in order.
+    pub(super) const ALL: [(&'static str, Self); 17] = [
+        ("state", Self::State),
+        ("time", Self::Time),
+        ("input", Self::Input),
+        ("force", Self::Force),
+        ("acceleration", Self::Acceleration),
+        ("weight", Self::Weight),
+        ("direction", Self::Direction),
+        ("order", Self::Order),
+        ("over_order", Self::OverOrder),
+        ("time_coefficient", Self::TimeCoefficient),
+        ("state_coefficient", Self::StateCoefficient),
+        ("sum", Self::Sum),
+        ("kept", Self::Kept),
+        ("force_coefficient", Self::ForceCoefficient),
+        ("carried", Self::Carried),
+        ("parameter", Self::Parameter),
+        ("constant", Self::Constant),
+    ];
+}
+
+/// Values of all lists; those not given are empty.
+pub(super) struct Lists<'a, T>([&'a [T]; Source::ALL.len()]);
+
+impl<'a, T> Lists<'a, T> {
+    pub(super) fn new() -> Self {
+        Self([&[]; Source::ALL.len()])
+    }
+
+    #[inline(always)]
+    pub(super) fn with(mut self, source: Source, values: &'a [T]) -> Self {
+        self.0[source as usize] = values;
+        self
+    }
+
+    #[inline(always)]
+    pub(super) fn of(&self, source: Source) -> &'a [T] {
+        self.0[source as usize]
+    }
+}

@@ -1,0 +1,396 @@
+//! The traits of models, by the routines of a tape.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::model::{Role, lists};
+use super::source::Lists;
+use super::{Given, Model};
+use crate::constraint::{Constraint, Law, MAX_CONSTRAINTS, MeasureDerivatives, Response, ResponseDerivative};
+use crate::layout::StateLayout;
+use crate::real::Real;
+use crate::real::lanes::Lanes;
+use crate::system::{
+    Canonical, Energy, Hybrid, HybridJacobian, Jacobian, Plant, PlantCanonical, PlantJacobian, System, by_sign,
+};
+
+/// Number of Newton corrections of dependent coordinates after a step, as in generated code.
+const CORRECTIONS: usize = 3;
+/// Maximum length of the last correction.
+const LAST_CORRECTION: f64 = 1e-6;
+/// Number of loops, or angles, whose margins are evaluated at a time.
+const AT_A_TIME: usize = 8;
+
+impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
+    /// Arguments of a routine under forces along the constraints.
+    #[inline(always)]
+    fn under<'a>(&'a self, forces: &'a [T]) -> Given<'a, T> {
+        Given {
+            inputs: self.inputs(),
+            forces,
+            ..Given::default()
+        }
+    }
+
+    /// Forces along the constraints by friction against the signs of their rates.
+    #[inline(always)]
+    pub(super) fn sliding(&self, t: T, x: &SVector<T, N>) -> [T; MAX_CONSTRAINTS] {
+        if HYBRID {
+            by_sign(self, t, x)
+        } else {
+            [T::default(); MAX_CONSTRAINTS]
+        }
+    }
+
+    /// Vector, the results of a routine.
+    #[inline(always)]
+    fn vector(&self, role: Role, t: T, x: &SVector<T, N>, forces: &[T]) -> SVector<T, N> {
+        let mut vector = SVector::from([T::default(); N]);
+        self.evaluate(self.needed(role), t, x, &self.under(forces), vector.as_mut_slice());
+        vector
+    }
+
+    /// Writes the results of a routine to places, one after the other.
+    fn fill<'r>(&self, routine: usize, t: T, x: &SVector<T, N>, forces: &[T], places: impl Iterator<Item = &'r mut T>)
+    where
+        T: 'r,
+    {
+        let code = &self.tape.routines[routine].code;
+        self.write(code, &lists(&t, x, &self.under(forces)), places);
+    }
+
+    /// Reports `P` lists of results, all of the length `count`, entry by entry.
+    fn side_by_side<const P: usize>(
+        &self,
+        routine: usize,
+        t: T,
+        x: &SVector<T, N>,
+        count: usize,
+        tell: &mut dyn FnMut(usize, [T; P]),
+    ) {
+        for first in (0..count).step_by(AT_A_TIME) {
+            let mut entries = [[T::default(); P]; AT_A_TIME];
+            self.each(routine, t, x, &self.under(&[]), &mut |n, value| {
+                let (list, entry) = (n / count, n % count);
+                let entry = entry.checked_sub(first).and_then(|entry| entries.get_mut(entry));
+                if let Some(place) = entry.and_then(|entry| entry.get_mut(list)) {
+                    *place = value;
+                }
+            });
+            for (n, entry) in (first..count).zip(entries) {
+                tell(n, entry);
+            }
+        }
+    }
+}
+
+impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, HYBRID> {
+    #[inline(always)]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        if HYBRID {
+            return self.eval(t, x, &by_sign(self, t, x));
+        }
+        self.vector(Role::Rhs, t, x, &[])
+    }
+
+    fn layout(&self) -> Option<StateLayout<'_>> {
+        Some(self.tape.layout())
+    }
+
+    #[inline]
+    fn project(&self, t: T, x: &mut SVector<T, N>) {
+        for places in self.tape.layout().quaternions() {
+            let mut squares = places.clone().map(|place| x[place] * x[place]);
+            let first = squares.next().unwrap_or_default();
+            let norm = squares.fold(first, |sum, square| sum + square).sqrt();
+            places.for_each(|place| x[place] /= norm);
+        }
+        let Some(routine) = self.place(Role::LoopCorrections) else {
+            return;
+        };
+        let mut corrections = [T::default(); N];
+        let count = self.tape.routines[routine].results();
+        for _ in 0..CORRECTIONS {
+            self.evaluate(routine, t, x, &self.under(&[]), &mut corrections[..count]);
+            let dependents = self.tape.slots.iter().filter(|slot| slot.rates.is_empty());
+            for (slot, &correction) in dependents.zip(&corrections) {
+                x[slot.positions.start] += correction;
+            }
+        }
+        // not a number if a correction is too long
+        let longest = T::from_f64(LAST_CORRECTION * LAST_CORRECTION);
+        for &correction in &corrections[..count] {
+            x[0] += T::from_f64(0.0) * (longest - correction * correction).sqrt();
+        }
+    }
+
+    #[inline(always)]
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 2])) {
+        if let Some(routine) = self.place(Role::LoopMargins) {
+            let loops = &self.tape.loops;
+            self.side_by_side(routine, t, x, loops.len(), &mut |n, margin| tell(loops[n], margin));
+        }
+        if let Some(routine) = self.place(Role::TurnMargins) {
+            let angles = &self.tape.uncounted;
+            self.side_by_side(routine, t, x, angles.len(), &mut |n, margin| {
+                tell([angles[n], ""], margin)
+            });
+        }
+    }
+
+    #[inline]
+    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3])) {
+        if let Some(routine) = self.place(Role::LoopGaps) {
+            let (loops, open) = (&self.tape.loops, &self.tape.open_loops);
+            self.side_by_side(routine, t, x, open.len(), &mut |n, gap| tell(loops[open[n]], gap));
+        }
+    }
+
+    #[inline]
+    fn each_output(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut(&str, T)) {
+        if let Some(routine) = self.place(Role::Outputs) {
+            let names = &self.tape.outputs;
+            self.each(routine, t, x, &self.under(&[]), &mut |n, output| tell(names[n], output));
+        }
+    }
+
+    #[inline]
+    fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
+        (HYBRID && !self.tape.constraints.is_empty()).then_some(self)
+    }
+}
+
+impl<T: Real, const N: usize, const HYBRID: bool> Jacobian<T, N> for Model<T, N, HYBRID> {
+    #[inline]
+    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        self.rhs_and_jacobian(t, x).1
+    }
+
+    #[inline(always)]
+    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        self.eval_with_jacobian(t, x, &self.sliding(t, x))
+    }
+
+    #[inline(always)]
+    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Lanes,
+    {
+        self.eval_time_derivative(t, x, &self.sliding(t, x))
+    }
+
+    #[inline]
+    fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
+        (HYBRID && !self.tape.constraints.is_empty()).then_some(self)
+    }
+}
+
+impl<T: Real, const N: usize, const HYBRID: bool> Energy<T, N> for Model<T, N, HYBRID> {
+    fn kinetic(&self, t: T, x: &SVector<T, N>) -> T {
+        let mut kinetic = [T::default()];
+        self.evaluate(self.needed(Role::Kinetic), t, x, &self.under(&[]), &mut kinetic);
+        kinetic[0]
+    }
+
+    fn potential(&self, t: T, x: &SVector<T, N>) -> T {
+        let mut potential = [T::default()];
+        self.evaluate(self.needed(Role::Potential), t, x, &self.under(&[]), &mut potential);
+        potential[0]
+    }
+}
+
+impl<T: Real, const N: usize, const HYBRID: bool> Plant<T, N> for Model<T, N, HYBRID> {
+    type Given = [T; MAX_CONSTRAINTS];
+
+    #[inline(always)]
+    fn eval(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> SVector<T, N> {
+        self.vector(Role::Rhs, t, x, forces)
+    }
+
+    #[inline]
+    fn dof(&self) -> usize {
+        self.tape.layout().rates()
+    }
+
+    #[inline]
+    fn constraints(&self) -> &[Constraint<'_>] {
+        &self.tape.constraints
+    }
+
+    fn laws(&self) -> [Law<T>; MAX_CONSTRAINTS] {
+        let mut laws = [Law::default(); MAX_CONSTRAINTS];
+        let numbers = laws.iter_mut().zip(&self.tape.limits).flat_map(|(law, &[low, high])| {
+            law.low = low.then(T::default);
+            law.high = high.then(T::default);
+            let always = [
+                &mut law.slipping,
+                &mut law.sticking,
+                &mut law.restitution,
+                &mut law.slow,
+            ];
+            always.into_iter().chain(&mut law.low).chain(&mut law.high)
+        });
+        self.write(&self.tape.laws, &Lists::new(), numbers);
+        laws
+    }
+
+    fn measures(&self, t: T, x: &SVector<T, N>) -> [[T; 2]; MAX_CONSTRAINTS] {
+        let mut measures = [[T::default(); 2]; MAX_CONSTRAINTS];
+        if let Some(routine) = self.place(Role::Measures) {
+            let count = self.tape.constraints.len();
+            self.side_by_side(routine, t, x, count, &mut |n, measure| measures[n] = measure);
+        }
+        measures
+    }
+
+    fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> Response<T, N> {
+        let Some(routine) = self.place(Role::Response) else {
+            return Response::new(self.eval(t, x, forces));
+        };
+        let mut response = Response::new(SVector::from([T::default(); N]));
+        let places = places(&mut response, self.tape.constraints.len());
+        self.fill(routine, t, x, forces, places);
+        symmetric(&mut response);
+        response
+    }
+}
+
+/// Places of the results of a response; of its symmetric matrix, the upper triangle.
+fn places<T, const N: usize>(response: &mut Response<T, N>, constraints: usize) -> impl Iterator<Item = &mut T> {
+    let columns = response.columns[..constraints]
+        .iter_mut()
+        .flat_map(SVector::as_mut_slice);
+    let rows = response.matrix[..constraints].iter_mut().enumerate();
+    let triangle = rows.flat_map(move |(i, row)| &mut row[i..constraints]);
+    response
+        .rates
+        .iter_mut()
+        .chain(&mut response.accelerations[..constraints])
+        .chain(columns)
+        .chain(triangle)
+}
+
+/// Sets the lower triangle of the matrix of a response to its upper one.
+fn symmetric<T: Real, const N: usize>(response: &mut Response<T, N>) {
+    for i in 0..MAX_CONSTRAINTS {
+        for j in 0..i {
+            response.matrix[i][j] = response.matrix[j][i];
+        }
+    }
+}
+
+impl<T: Real, const N: usize, const HYBRID: bool> PlantJacobian<T, N> for Model<T, N, HYBRID> {
+    #[inline(always)]
+    fn eval_with_jacobian(
+        &self,
+        t: T,
+        x: &SVector<T, N>,
+        forces: &[T; MAX_CONSTRAINTS],
+    ) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        let (mut rhs, mut jacobian) = (
+            SVector::from([T::default(); N]),
+            SMatrix::<T, N, N>::from([[T::default(); N]; N]),
+        );
+        let places = rhs.iter_mut().chain(jacobian.iter_mut());
+        self.fill(self.needed(Role::Jacobian), t, x, forces, places);
+        (rhs, jacobian)
+    }
+
+    #[inline]
+    fn eval_time_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> SVector<T, N>
+    where
+        T: Lanes,
+    {
+        match self.place(Role::TimeDerivative) {
+            Some(_) => self.vector(Role::TimeDerivative, t, x, forces),
+            // time does not occur
+            None => SVector::from([T::default(); N]),
+        }
+    }
+
+    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> ResponseDerivative<T, N>
+    where
+        T: Lanes,
+    {
+        let (count, zero) = (self.tape.constraints.len(), T::default());
+        let mut derivative = ResponseDerivative {
+            response: Response::new(SVector::from([zero; N])),
+            rates: SMatrix::from([[zero; N]; N]),
+            accelerations: [SVector::from([zero; N]); MAX_CONSTRAINTS],
+            rates_by_time: SVector::from([zero; N]),
+            accelerations_by_time: [zero; MAX_CONSTRAINTS],
+        };
+        let places = places(&mut derivative.response, count)
+            .chain(derivative.rates.iter_mut())
+            .chain(
+                derivative.accelerations[..count]
+                    .iter_mut()
+                    .flat_map(SVector::as_mut_slice),
+            )
+            .chain(derivative.rates_by_time.iter_mut())
+            .chain(&mut derivative.accelerations_by_time[..count]);
+        self.fill(self.needed(Role::ResponseDerivative), t, x, forces, places);
+        symmetric(&mut derivative.response);
+        derivative
+    }
+
+    fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
+        let (count, zero) = (self.tape.constraints.len(), T::default());
+        let (mut by_state, mut by_time) = (
+            [[SVector::from([zero; N]); MAX_CONSTRAINTS]; 2],
+            [[zero; MAX_CONSTRAINTS]; 2],
+        );
+        let of_state = by_state
+            .iter_mut()
+            .flat_map(|rows| rows[..count].iter_mut().flat_map(SVector::as_mut_slice));
+        let of_time = by_time.iter_mut().flat_map(|rows| &mut rows[..count]);
+        self.fill(
+            self.needed(Role::MeasureDerivatives),
+            t,
+            x,
+            &[],
+            of_state.chain(of_time),
+        );
+        MeasureDerivatives {
+            by_state: core::array::from_fn(|n| [by_state[0][n], by_state[1][n]]),
+            by_time: core::array::from_fn(|n| [by_time[0][n], by_time[1][n]]),
+        }
+    }
+}
+
+impl<T: Real, const N: usize, const HYBRID: bool> Canonical<T, N> for Model<T, N, HYBRID> {
+    #[inline]
+    fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
+        self.eval_canonical(t, x, &self.sliding(t, x))
+    }
+
+    #[inline]
+    fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
+        self.eval_canonical_jacobian(t, x, &self.sliding(t, x))
+    }
+
+    #[inline]
+    fn hybrid_canonical(&self) -> Option<&dyn PlantCanonical<T, N, Given = [T; MAX_CONSTRAINTS]>> {
+        (HYBRID && !self.tape.constraints.is_empty()).then_some(self)
+    }
+}
+
+impl<T: Real, const N: usize, const HYBRID: bool> PlantCanonical<T, N> for Model<T, N, HYBRID> {
+    fn eval_canonical(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> (SVector<T, N>, SVector<T, N>) {
+        let [mut y, mut rates] = [SVector::from([T::default(); N]); 2];
+        let places = y.iter_mut().chain(rates.iter_mut());
+        self.fill(self.needed(Role::Canonical), t, x, forces, places);
+        (y, rates)
+    }
+
+    fn eval_canonical_jacobian(
+        &self,
+        t: T,
+        x: &SVector<T, N>,
+        forces: &[T; MAX_CONSTRAINTS],
+    ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
+        let [mut of_y, mut of_rates] = [SMatrix::<T, N, N>::from([[T::default(); N]; N]); 2];
+        let places = of_y.iter_mut().chain(of_rates.iter_mut());
+        self.fill(self.needed(Role::CanonicalJacobian), t, x, forces, places);
+        (of_y, of_rates)
+    }
+}

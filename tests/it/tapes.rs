@@ -1,0 +1,299 @@
+//! Tapes against compiled code, bit for bit, and tapes that are none.
+//!
+//! The tests of the package `gallery` compare every system there.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+use pendulum_core::hybrid::{Hold, MAX_CONSTRAINTS};
+use pendulum_core::prelude::*;
+use pendulum_core::tape::{Given, HybridModel, Model, ModelError, Tape};
+use pendulum_core::{Canonical, Plant, TaylorSeries};
+use testbed::random::Random;
+use testbed::scenes::{DoublePendulum, DoublePendulumParams};
+use testbed::source::{SCENES, declaration};
+
+mechanism! {
+    /// A rod with dry friction and a stop on a cart, and a moving wall.
+    pub Constrained {
+        params { mu: N m = 0.3 }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, canonical, taylor],
+        point tip on rod at [0, -1, 0],
+        output height: tip.y,
+        wall side { gap: 2 - tip.x + 0.125 m/s^2*t^2, restitution: 0.5 }
+        body cart on ground { mass: 2, joint: prismatic(x), coordinate: s }
+        body rod on cart {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: turn, dry_friction: mu, stop: [-1, 1],
+        }
+    }
+}
+
+mechanism! {
+    /// Two inputs, a first-order state, and every function.
+    pub Driven {
+        units: none,
+        params { l: m = 0.4, tau: s = 0.2 }
+        input force: N,
+        input moment: N m,
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, parameter_jacobian, adjoint, hessian_product, inverse_dynamics],
+        state lag { unit: N, rate: (force - lag)/tau }
+        body cart on ground {
+            mass: 2,
+            joint: prismatic(x),
+            coordinate: s,
+            torque: lag - 0.1 * tanh(5*qd) * abs(qd)^(1/3) * exp(-q^2) + tan(q/4) * ln(2 + q^2),
+        }
+        body rod on cart {
+            solids: [rod(l, [0, 0, 0], [0, -0.7, 0])],
+            joint: revolute(z),
+            coordinate: turn,
+            torque: moment + clamp(moment * qd, -l, l) - 0.02 * dot(s) * atan2(sin(q), 2 + cos(q)) * sqrt(1 + qd^2),
+        }
+    }
+}
+
+/// Text of the tape of a declaration in a source.
+fn text(source: &str, name: &str) -> String {
+    let program = pendulum_codegen::program(declaration(source, name).parse().expect("tokens"));
+    pendulum_codegen::tape(&program.expect(name))
+}
+
+fn tape(source: &str, name: &str) -> Arc<Tape> {
+    Arc::new(text(source, name).parse().expect(name))
+}
+
+fn states<const N: usize>(count: usize) -> impl Iterator<Item = SVector<f64, N>> {
+    let mut random = Random::new(5);
+    (0..count).map(move |_| SVector::from_fn(|_, _| random.between(-1.5, 1.5)))
+}
+
+#[test]
+fn integrations_end_in_the_same_states() {
+    let params = DoublePendulumParams::default();
+    let compiled = DoublePendulum::new(params).expect("valid");
+    let own: Model<f64, 4> = tape(SCENES, "DoublePendulum").model(&params.to_array()).expect("valid");
+    assert_eq!(System::<f64, 4>::layout(&own), System::<f64, 4>::layout(&compiled));
+    let start = [1.0, 0.5, 0.0, 0.2];
+    fn ends(system: &impl Jacobian<f64, 4>, start: [f64; 4]) -> [SVector<f64, 4>; 2] {
+        let explicit = Vern9::new().solve(system, 0.0, 5.0, start).expect("regular");
+        let implicit = Radau5::new().solve(system, 0.0, 5.0, start).expect("regular");
+        [explicit.end(), implicit.end()]
+    }
+    assert_eq!(ends(&compiled, start), ends(&own, start));
+    // in lanes, some of them not full, and each with parameters of its own
+    let starts: Vec<SVector<f64, 4>> = states(21).collect();
+    let lengths = (0..starts.len()).map(|n| 1.0 + 0.01 * n as f64);
+    let with = |d| DoublePendulumParams { d, ..params };
+    let compiled: Vec<_> = lengths
+        .clone()
+        .map(|d| compiled.with_params(with(d)).expect("valid"))
+        .collect();
+    let own: Vec<_> = lengths
+        .map(|d| own.with_params(&with(d).to_array()).expect("valid"))
+        .collect();
+    let fixed = Rk4::new(0.01);
+    assert_eq!(
+        fixed.ensemble(&compiled, 0.0, 1.0, &starts).expect("regular"),
+        fixed.ensemble(&own, 0.0, 1.0, &starts).expect("regular")
+    );
+    let adaptive = Rk45::new();
+    assert_eq!(
+        adaptive.ensemble(&compiled, 0.0, 1.0, &starts).expect("regular"),
+        adaptive.ensemble(&own, 0.0, 1.0, &starts).expect("regular")
+    );
+}
+
+#[test]
+fn hybrid_systems_switch_modes_alike() {
+    let compiled = Constrained::new(ConstrainedParams::default()).expect("valid");
+    let tape = tape(include_str!("tapes.rs"), "Constrained");
+    assert_eq!(tape.model::<4, false>(&[0.3]).map(|_| ()), Err(ModelError::Hybrid));
+    let own: HybridModel<f64, 4> = tape.model(&[0.3]).expect("valid");
+    let start = [1.5, 0.4, 0.8, 1.0];
+    macro_rules! same {
+        ($($method:expr),*) => {$({
+            let of_compiled = $method.solve(&compiled, 0.0, 3.0, start).expect("regular");
+            let of_tape = $method.solve(&own, 0.0, 3.0, start).expect("regular");
+            assert!(!of_compiled.impacts().is_empty() || of_compiled.last().0 == 3.0);
+            assert_eq!(of_compiled.last(), of_tape.last());
+            assert_eq!(of_compiled.statistics(), of_tape.statistics());
+        })*};
+    }
+    same!(Vern9::new(), Rodas5P::new(), Gauss4::new(0.01), Taylor::new());
+}
+
+#[test]
+fn series_and_canonical_equations_have_the_same_bits() {
+    let compiled = Constrained::new(ConstrainedParams::default()).expect("valid");
+    let own: HybridModel<f64, 4> = tape(include_str!("tapes.rs"), "Constrained")
+        .model(&[0.3])
+        .expect("valid");
+    for x in states(200) {
+        assert_eq!(compiled.canonical(0.7, &x), own.canonical(0.7, &x));
+        assert_eq!(compiled.canonical_jacobian(0.7, &x), own.canonical_jacobian(0.7, &x));
+        let hold = Hold {
+            forces: [0.3, -0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            held: 1,
+            solved: 1,
+        };
+        let [mut series, mut of_tape] = [[x; 13]; 2];
+        compiled.eval_series(&hold, 0.7, &mut series, &mut compiled.workspace());
+        own.eval_series(&hold, 0.7, &mut of_tape, &mut own.workspace());
+        assert_eq!(series, of_tape);
+    }
+}
+
+#[test]
+fn inputs_and_arguments_have_their_places() {
+    let compiled = Driven::new(DrivenParams::default()).expect("valid");
+    let params = DrivenParams::default().to_array();
+    let mut own: Model<f64, 5> = tape(include_str!("tapes.rs"), "Driven").model(&params).expect("valid");
+    let results = |model: &Model<f64, 5>, name: &str, x: &SVector<f64, 5>, given: &Given<'_, f64>| {
+        let routines = model.tape().routines();
+        let index = routines.iter().position(|routine| routine.name() == name).expect(name);
+        let mut results = vec![0.0; routines[index].results()];
+        model.evaluate(index, 0.0, x, given, &mut results);
+        results
+    };
+    for x in states(200) {
+        let inputs = [0.3 + x[0], x[1]];
+        own.set_inputs(&inputs);
+        let named = DrivenInputs::from(inputs);
+        assert_eq!(compiled.eval(0.0, &x, &named), own.rhs(0.0, &x));
+        assert_eq!(
+            compiled.eval_with_jacobian(0.0, &x, &named),
+            own.rhs_and_jacobian(0.0, &x)
+        );
+        let given = Given {
+            inputs: &inputs,
+            ..Given::default()
+        };
+        let by_inputs = compiled.input_jacobian(0.0, &x, &named);
+        assert!(by_inputs.iter().eq(&results(&own, "input_jacobian", &x, &given)));
+        let by_parameters = compiled.parameter_jacobian(0.0, &x, &named);
+        assert!(
+            by_parameters
+                .iter()
+                .eq(&results(&own, "parameter_jacobian", &x, &given))
+        );
+        let weights = SVector::from([0.1, -0.4, 0.3, 0.7, 0.2]);
+        let given = Given {
+            weights: weights.as_slice(),
+            ..given
+        };
+        let (by_state, by_parameters, by_inputs) = compiled.adjoint(0.0, &x, &named, &weights);
+        let all = by_state.iter().chain(by_parameters.iter()).chain(by_inputs.iter());
+        assert!(all.eq(&results(&own, "adjoint", &x, &given)));
+    }
+    // zero inputs at first
+    let idle: Model<f64, 5> = own.with_params(&params).expect("valid");
+    let x = SVector::from([0.1, 0.2, 0.3, 0.4, 0.5]);
+    assert_eq!(idle.rhs(0.0, &x), compiled.eval(0.0, &x, &DrivenInputs::from([0.0; 2])));
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    let text = text(SCENES, "DoublePendulum");
+    let line = |keyword: &str| {
+        let lines = text.lines().position(|line| line.split('\t').next() == Some(keyword));
+        lines.expect(keyword) + 1
+    };
+    let cases = [
+        (
+            "pendulum tape\t1",
+            "pendulum tape\t2",
+            1,
+            "the version is `2`, and this program reads 1",
+        ),
+        ("pendulum tape\t1", "tape\t1", 1, "`pendulum tape` is expected here"),
+        (
+            "slot\ttheta1\tangle",
+            "slot\ttheta1\tangel",
+            line("slot"),
+            "`angel` is no kind of a coordinate",
+        ),
+        (
+            "parameter\tm\tkg\t1.0",
+            "parameter\tm\tkg\t1,0",
+            line("parameter"),
+            "`1,0` is not a number that can stand here",
+        ),
+        (
+            "parameter\tm\tkg\t1.0",
+            "parameter\tm\tkg",
+            line("parameter"),
+            "`parameter` has 3 fields, not 2",
+        ),
+        (
+            "routine\trhs\t",
+            "routine\trhs\tforce",
+            line("routine"),
+            "`force` is no argument of a routine",
+        ),
+    ];
+    for (from, to, line, fact) in cases {
+        assert!(text.contains(from), "{from}");
+        let error = text.replacen(from, to, 1).parse::<Tape>().expect_err(to);
+        assert_eq!(error.to_string(), format!("line {line} of the tape: {fact}"));
+    }
+    let tape: Arc<Tape> = Arc::new(text.parse().expect("a tape"));
+    let message = |error: ModelError| error.to_string();
+    let wrong_length = tape.model::<6, false>(&[1.0; 7]).map(|_| ()).map_err(message);
+    assert_eq!(wrong_length, Err("the state has 4 components, not 6".to_owned()));
+    let too_few = tape.model::<4, false>(&[1.0; 2]).map(|_| ()).map_err(message);
+    let names = "the model has the parameters m, inertia, c, d, g, gamma1, gamma2, which are 7, not 2";
+    assert_eq!(too_few, Err(names.to_owned()));
+    let massless = tape
+        .model::<4, false>(&[-1.0, 1.0, 1.0, 1.0, 9.8, 0.1, 0.1])
+        .map(|_| ());
+    let params = DoublePendulumParams {
+        m: -1.0,
+        ..Default::default()
+    };
+    let of_compiled = DoublePendulum::new(params).map(|_| ()).expect_err("a negative mass");
+    assert_eq!(massless, Err(ModelError::Parameter(of_compiled)));
+}
+
+/// Lines of a tape are dropped, doubled, swapped and changed at random: the text is refused, or evaluates without a
+/// panic.
+#[test]
+fn damaged_tapes_do_not_panic() {
+    let texts = [
+        text(SCENES, "DoublePendulum"),
+        text(include_str!("tapes.rs"), "Constrained"),
+    ];
+    let mut random = Random::new(11);
+    let mut refused = 0;
+    for n in 0..2000 {
+        let mut lines: Vec<String> = texts[n % 2].lines().map(str::to_owned).collect();
+        let (line, other) = (random.below(lines.len()), random.below(lines.len()));
+        match random.below(4) {
+            0 => _ = lines.remove(line),
+            1 => lines.insert(other, lines[line].clone()),
+            2 => lines.swap(line, other),
+            _ => {
+                let characters: Vec<char> = lines[line].chars().collect();
+                let place = random.below(characters.len().max(1));
+                let new = *random.of(&['0', '9', '-', '\t', ' ', 'x', '.']);
+                lines[line] = characters
+                    .iter()
+                    .enumerate()
+                    .map(|(n, &c)| if n == place { new } else { c })
+                    .collect();
+            }
+        }
+        let Ok(tape) = lines.join("\n").parse::<Tape>().map(Arc::new) else {
+            refused += 1;
+            continue;
+        };
+        let params: Vec<f64> = tape.parameters().iter().map(|own| own.default.unwrap_or(1.0)).collect();
+        let Ok(model) = tape.model::<4, true>(&params) else {
+            continue;
+        };
+        let (x, forces) = (SVector::from([0.1, 0.2, 0.3, 0.4]), [0.1; MAX_CONSTRAINTS]);
+        std::hint::black_box((model.rhs(0.0, &x), model.response(0.0, &x, &forces), model.laws()));
+    }
+    assert!((1000..2000).contains(&refused), "{refused}");
+}
