@@ -30,7 +30,6 @@ mod sensitivities;
 mod sincos;
 mod states;
 mod stiff;
-mod tapes;
 mod taylor;
 mod taylor_traps;
 mod trajectories;

@@ -1,5 +1,5 @@
 //! Tests that take long to build or to run: every method in lanes, the promised operations of steps for all sizes, and
-//! many random scenes.
+//! many random scenes; tapes, which build slowly as well.
 //!
 //! `cargo test -p tests --features thorough --test thorough`
 #![forbid(unsafe_code)]
@@ -11,3 +11,4 @@ mod lanes;
 mod long;
 mod rough;
 mod step_limits;
+mod tapes;

@@ -27,6 +27,10 @@ impl Bits {
         self.0[side].extend(bits);
     }
 
+    fn name(&mut self, side: usize, name: &str) {
+        self.0[side].extend(name.bytes().map(u64::from));
+    }
+
     fn assert_same(&self, name: &str) {
         let [compiled, tape] = &self.0;
         assert!(
@@ -77,9 +81,18 @@ fn motion<T: Float, const N: usize>(name: &str, compiled: &impl System<T, N>, ta
             let mut projected = x;
             system.project(t, &mut projected);
             bits.add(side, projected.data.0[0]);
-            system.margins(t, &x, &mut |_, margin| bits.add(side, margin));
-            system.gaps(t, &x, &mut |_, gap| bits.add(side, gap));
-            system.each_output(t, &x, &mut |_, output| bits.add(side, [output]));
+            system.margins(t, &x, &mut |names, margin| {
+                bits.name(side, &names.concat());
+                bits.add(side, margin);
+            });
+            system.gaps(t, &x, &mut |names, gap| {
+                bits.name(side, &names.concat());
+                bits.add(side, gap);
+            });
+            system.each_output(t, &x, &mut |name, output| {
+                bits.name(side, name);
+                bits.add(side, [output]);
+            });
             if let Some(system) = system.hybrid() {
                 of_modes(&mut bits, side, system, t, &x);
             }
@@ -98,7 +111,7 @@ fn of_modes<T: Float, const N: usize>(
 ) {
     let forces = [0.3, -0.2, 0.7, 0.1, -0.5, 0.4, 0.9, -0.8].map(T::from_f64);
     for constraint in system.constraints() {
-        bits.add(side, constraint.name.bytes().map(f64::from));
+        bits.name(side, constraint.name);
         bits.add(
             side,
             constraint
@@ -192,6 +205,12 @@ macro_rules! check {
 fn entries<const R: usize, const C: usize>(of: &SMatrix<f64, R, C>) -> Vec<f64> {
     let triangle = |i: usize| if C == 1 { 0..1 } else { i..C };
     (0..R).flat_map(|i| triangle(i).map(move |j| of[(i, j)])).collect()
+}
+
+#[test]
+fn no_system_is_left_out() {
+    let declarations = SYSTEMS.iter().map(|system| system.declarations().len());
+    assert_eq!(declarations.sum::<usize>(), 30);
 }
 
 #[test]

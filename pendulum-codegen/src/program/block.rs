@@ -236,7 +236,7 @@ impl Term {
     }
 
     /// Calls `see` for every number, local and variable.
-    pub(crate) fn leaves(&self, see: &mut impl FnMut(&Self)) {
+    fn leaves(&self, see: &mut impl FnMut(&Self)) {
         match self {
             Self::Number(_) | Self::Local(_) | Self::Read(_) => see(self),
             Self::Unary(_, a) | Self::Sqrt(a) | Self::Power(a, _) => a.leaves(see),

@@ -4,8 +4,10 @@ use super::source::{Lists, Source};
 use crate::real::Real;
 use crate::real::lanes::Routine;
 
-/// Maximum number of registers of a code.
-pub(super) const MOST_REGISTERS: usize = 1024;
+/// Maximum number of registers of a code: those that a [`Register`] can number.
+pub(super) const MOST_REGISTERS: usize = 1 << 16;
+/// Maximum number of bytes of registers on the stack.
+const MOST_ON_STACK: usize = 1 << 17;
 
 /// Number of a register.
 pub(super) type Register = u16;
@@ -113,12 +115,22 @@ impl Code {
         self.on_registers(constants, lists, pass);
     }
 
-    /// Runs the code on as few registers as suffice.
+    /// Runs the code on as few registers as suffice: on the stack, or on the heap if they are too many for it.
     #[inline(always)]
     fn on_registers<T: Real, A: ?Sized>(&self, constants: &[T], lists: &Lists<'_, T>, into: &mut A)
     where
         for<'r> Run<'r, T>: Routine<A, Self>,
     {
+        if self.registers > 1024 || self.registers * size_of::<T>() > MOST_ON_STACK {
+            let registers = &mut vec![T::default(); self.registers];
+            let run = Run {
+                registers,
+                constants,
+                lists,
+            };
+            T::call(run, into, self);
+            return;
+        }
         let on = match self.registers {
             0..=16 => on::<T, A, 16>,
             17..=24 => on::<T, A, 24>,
@@ -130,14 +142,14 @@ impl Code {
             129..=192 => on::<T, A, 192>,
             193..=256 => on::<T, A, 256>,
             257..=512 => on::<T, A, 512>,
-            _ => on::<T, A, MOST_REGISTERS>,
+            _ => on::<T, A, 1024>,
         };
         on(self, constants, lists, into);
     }
 }
 
-/// Runs a code on `R` registers, in memory of their own: a single function for all lengths would touch the memory of the
-/// longest at each call.
+/// Runs a code on `R` registers, in memory of their own: a single function for all lengths would touch the memory of
+/// the longest at each call.
 #[inline(never)]
 fn on<T: Real, A: ?Sized, const R: usize>(code: &Code, constants: &[T], lists: &Lists<'_, T>, into: &mut A)
 where

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-/// A text is no tape, or no tape of this version.
+/// A text is not a tape, or not one of this version.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TapeError {
     /// Line of the text, from 1.
@@ -45,7 +45,7 @@ pub enum ModelError {
         /// Name of the routine.
         name: String,
     },
-    /// The tape has not the routine of this name, without which there is no motion.
+    /// The tape lacks the routine of this name, without which there is no motion.
     Missing {
         /// Name of the routine.
         name: String,

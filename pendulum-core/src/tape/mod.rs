@@ -1,8 +1,8 @@
 //! Models without a compiler: programs as lists of operations, and the loop that runs them.
 //!
 //! The function `tape` of the crate [`pendulum-codegen`](https://docs.rs/pendulum-codegen) prints a declaration as a
-//! tape, which is text. A [`Tape`] is parsed from it, and makes a [`Model`] for given parameters. Results have the bits of
-//! the code that [`mechanism!`](crate::mechanism) generates; an evaluation takes some four times as long.
+//! tape, which is text. A [`Tape`] is parsed from it, and makes a [`Model`] for given parameters. Results have the bits
+//! of the code that [`mechanism!`](crate::mechanism) generates; an evaluation takes some four times as long.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -65,6 +65,8 @@ use code::Code;
 use source::Source;
 
 /// Program of a mechanism, parsed from its text.
+///
+/// The names in it stay in memory until the end of the program, once for all tapes that share them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tape {
     name: String,
@@ -199,6 +201,12 @@ impl Tape {
     #[must_use]
     pub fn outputs(&self) -> &[&'static str] {
         &self.outputs
+    }
+
+    /// True if the tape has power series of the motion.
+    #[must_use]
+    pub fn has_series(&self) -> bool {
+        self.series.is_some()
     }
 
     /// Names of the events, each of which is zero where the routine of its name is, and whether the motion has a kink

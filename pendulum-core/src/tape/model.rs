@@ -20,6 +20,12 @@ const ROUNDING: f64 = 1e-12;
 ///
 /// It is a [`System`](crate::System) like a model that [`mechanism!`](crate::mechanism) generates, so that all methods
 /// integrate it, in lanes as well. `HYBRID` is true if it may have dry friction, stops or walls: see [`HybridModel`].
+/// Sensitivities and fits need a generated model, since `Model` is not [`Parametric`](crate::Parametric).
+///
+/// # Panics
+/// The functions of [`Jacobian`], [`Energy`](crate::Energy), [`Canonical`](crate::Canonical) and
+/// [`TaylorSeries`](crate::TaylorSeries) panic if the `generate` of the declaration does not ask for them;
+/// [`Tape::routine`] and [`Tape::has_series`] tell.
 #[derive(Clone, Debug)]
 pub struct Model<T, const N: usize, const HYBRID: bool = false> {
     pub(super) tape: Arc<Tape>,
@@ -101,7 +107,17 @@ impl Role {
     /// True if the routine may have this argument.
     fn takes(self, argument: Source) -> bool {
         match argument {
-            Source::Input | Source::Force => !matches!(self, Self::Kinetic | Self::Potential),
+            Source::Input => true,
+            Source::Force => matches!(
+                self,
+                Self::Rhs
+                    | Self::Jacobian
+                    | Self::TimeDerivative
+                    | Self::Response
+                    | Self::ResponseDerivative
+                    | Self::Canonical
+                    | Self::CanonicalJacobian
+            ),
             _ => false,
         }
     }
@@ -139,8 +155,9 @@ impl Tape {
     ///
     /// # Errors
     /// If the length of the state is not `N`, if there are more or fewer parameters, if one of them, or a combination,
-    /// is impossible for a rigid body, if the tape has no right-hand side, or if the mechanism has dry friction, stops or
-    /// walls and no [`HybridModel`] is requested.
+    /// is impossible for a rigid body, if routines that the motion takes are missing or have other arguments or results
+    /// than their names demand, or if the mechanism has dry friction, stops or walls and no [`HybridModel`] is
+    /// requested.
     pub fn model<const N: usize, const HYBRID: bool>(
         self: &Arc<Self>,
         params: &[f64],
@@ -347,12 +364,15 @@ pub(super) fn lists<'a, T, const N: usize>(t: &'a T, x: &'a SVector<T, N>, given
 }
 
 impl<const N: usize, const HYBRID: bool> Model<f64, N, HYBRID> {
-    /// Returns the model with other parameters.
+    /// Returns the model with other parameters, and the same inputs.
     ///
     /// # Errors
     /// See [`Tape::model`].
     pub fn with_params(&self, params: &[f64]) -> Result<Self, ModelError> {
-        self.tape.model(params)
+        Ok(Self {
+            inputs: self.inputs.clone(),
+            ..self.tape.model(params)?
+        })
     }
 }
 

@@ -1,6 +1,7 @@
 //! Tapes from their text.
 
 use std::iter::{Enumerate, Peekable};
+use std::ops::Range;
 use std::str::{FromStr, Lines};
 
 use super::code::{Code, MOST_REGISTERS, Register, Row};
@@ -13,13 +14,12 @@ use crate::layout::{Slot, SlotKind, StateVariable};
 /// Version of the format.
 const VERSION: &str = "1";
 
-/// Keyword and fields of a line.
-type Fields<'t> = Vec<&'t str>;
-
 /// Lines of a tape, and the place of the last one.
 struct Reader<'t> {
     lines: Peekable<Enumerate<Lines<'t>>>,
     line: usize,
+    /// True if names are not stored: the text may still be wrong.
+    is_draft: bool,
 }
 
 impl<'t> Reader<'t> {
@@ -37,7 +37,7 @@ impl<'t> Reader<'t> {
             return Ok(None);
         };
         self.line = n + 1;
-        let fields: Fields<'_> = line.split('\t').skip(1).collect();
+        let fields: Vec<&str> = line.split('\t').skip(1).collect();
         match fields.try_into() {
             Ok(fields) => Ok(Some(fields)),
             Err(fields) => self.error(format!("`{keyword}` has {K} fields, not {}", fields.len())),
@@ -105,34 +105,46 @@ impl FromStr for Tape {
     type Err = TapeError;
 
     fn from_str(text: &str) -> Result<Self, TapeError> {
-        let mut reader = Reader {
-            lines: text.lines().enumerate().peekable(),
-            line: 0,
-        };
-        let [version] = reader.next("pendulum tape")?;
-        if version != VERSION {
-            return reader.error(format!("the version is `{version}`, and this program reads {VERSION}"));
-        }
-        let tape = reader.tape()?;
-        match reader.lines.next() {
-            None => Ok(tape),
-            Some((n, line)) => {
-                reader.line = n + 1;
-                let keyword = line.split('\t').next().unwrap_or_default();
-                reader.error(format!("`{keyword}` is not expected here"))
-            }
+        read(text, true)?;
+        read(text, false)
+    }
+}
+
+/// Tape with this text; a draft has no names.
+fn read(text: &str, is_draft: bool) -> Result<Tape, TapeError> {
+    let mut reader = Reader {
+        lines: text.lines().enumerate().peekable(),
+        line: 0,
+        is_draft,
+    };
+    let [version] = reader.next("pendulum tape")?;
+    if version != VERSION {
+        return reader.error(format!("the version is `{version}`, and this program reads {VERSION}"));
+    }
+    let tape = reader.tape()?;
+    match reader.lines.next() {
+        None => Ok(tape),
+        Some((n, line)) => {
+            reader.line = n + 1;
+            let keyword = line.split('\t').next().unwrap_or_default();
+            reader.error(format!("`{keyword}` is not expected here"))
         }
     }
 }
 
 impl Reader<'_> {
+    /// Stored copy of a name.
+    fn name(&self, name: &str) -> &'static str {
+        if self.is_draft { "" } else { intern::name(name) }
+    }
+
     fn tape(&mut self) -> Result<Tape, TapeError> {
         let [name] = self.next("name")?;
         let name = name.to_owned();
         let quantity = |reader: &Self, [name, unit, default]: [&str; 3]| {
             let default = (!default.is_empty()).then(|| reader.number(default)).transpose()?;
             Ok(Quantity {
-                name: intern::name(name),
+                name: reader.name(name),
                 unit: unit.to_owned(),
                 default,
             })
@@ -141,22 +153,26 @@ impl Reader<'_> {
         let slots = self.all("slot", Self::slot)?;
         let [positions, rates] = self.places(&slots)?;
         let mut next = positions + rates;
-        let states = self.all("state", |_, [name, unit]| {
+        let states = self.all("state", |reader, [name, unit]| {
             next += 1;
-            Ok(StateVariable::new(intern::name(name), intern::name(unit), next - 1))
+            Ok(StateVariable::new(reader.name(name), reader.name(unit), next - 1))
         })?;
         let length = positions + rates + states.len();
         let autonomous = self.next_if::<0>("autonomous")?.is_some();
-        let text = |_: &Self, [name]: [&str; 1]| Ok(intern::name(name));
-        let loops = self.all("loop", |_, names: [&str; 2]| Ok(names.map(intern::name)))?;
+        let text = |reader: &Self, [name]: [&str; 1]| Ok(reader.name(name));
+        let loops = self.all("loop", |reader, names: [&str; 2]| {
+            Ok(names.map(|name| reader.name(name)))
+        })?;
         let [open] = self.next("open_loops")?;
         let open_loops = self.numbers_below(open, loops.len(), "loop")?;
         let (uncounted, outputs) = (self.all("uncounted", text)?, self.all("output", text)?);
         let events = self.all("event", |reader, [name, kind]| match kind {
-            "kink" | "smooth" => Ok((intern::name(name), kind == "kink")),
+            "kink" | "smooth" => Ok((reader.name(name), kind == "kink")),
             _ => reader.error(format!("`{kind}` is no kind of an event")),
         })?;
-        let constraints = self.all("constraint", |reader, fields| reader.constraint(fields, length))?;
+        let constraints = self.all("constraint", |reader, fields| {
+            reader.constraint(fields, positions..positions + rates)
+        })?;
         if constraints.len() > MAX_CONSTRAINTS {
             return self.error(format!("a model has at most {MAX_CONSTRAINTS} constraints"));
         }
@@ -186,6 +202,9 @@ impl Reader<'_> {
         ];
         let mut routines = Vec::new();
         while let Some([name, arguments, shapes]) = self.next_if("routine")? {
+            if routines.iter().any(|routine: &Routine| routine.name == name) {
+                return self.error(format!("there are two routines `{name}`"));
+            }
             let arguments = arguments.split_whitespace().map(|name| {
                 let known = counts.iter().find(|(known, ..)| *known == name);
                 match known {
@@ -254,7 +273,7 @@ impl Reader<'_> {
         if [positions.len(), rates.len()] != counts {
             return self.error(format!("`{name}` has other numbers of positions and rates"));
         }
-        let mut slot = Slot::new(intern::name(name), kind, positions, rates);
+        let mut slot = Slot::new(self.name(name), kind, positions, rates);
         for symmetry in symmetries.split_whitespace() {
             slot = match symmetry {
                 "periodic" => slot.periodic(),
@@ -272,7 +291,7 @@ impl Reader<'_> {
         for slot in slots {
             for (range, next) in [&slot.positions, &slot.rates].into_iter().zip(&mut next) {
                 if !range.is_empty() && range.start != *next {
-                    return self.error(format!("the places of `{}` in the state do not fit", slot.name));
+                    return self.error("the places of the coordinates in the state do not fit");
                 }
                 *next += range.len();
             }
@@ -283,22 +302,22 @@ impl Reader<'_> {
     fn constraint(
         &self,
         [name, rate, limits]: [&str; 3],
-        length: usize,
+        rates: Range<usize>,
     ) -> Result<(Constraint<'static>, [bool; 2]), TapeError> {
         let numbers: Vec<i64> = self.numbers(rate)?;
         let mut components = Vec::new();
         for pair in numbers.chunks(2) {
             match (pair, usize::try_from(pair[0])) {
-                (&[_, sign @ (1 | -1)], Ok(component)) if component < length => {
+                (&[_, sign @ (1 | -1)], Ok(component)) if rates.contains(&component) => {
                     components.push((component, if sign > 0 { 1 } else { -1 }));
                 }
-                _ => return self.error(format!("`{rate}` are no components of the state with signs")),
+                _ => return self.error(format!("`{rate}` are not rates in the state with signs")),
             }
         }
         let has = |limit| limits.split_whitespace().any(|name| name == limit);
         let constraint = Constraint {
-            name: intern::name(name),
-            rate: intern::rate(&components),
+            name: self.name(name),
+            rate: if self.is_draft { &[] } else { intern::rate(&components) },
         };
         Ok((constraint, [has("low"), has("high")]))
     }
@@ -308,7 +327,10 @@ impl Reader<'_> {
         [condition, values, name, text, given]: [&str; 5],
         parameters: &[Quantity],
     ) -> Result<Rule, TapeError> {
-        let values = self.numbers_below(values, usize::from(Register::MAX), "value")?;
+        let values: Vec<usize> = self.numbers(values)?;
+        if values.iter().any(|&value| value > MOST_REGISTERS) {
+            return self.error("the checked values are too many");
+        }
         let condition = match (condition, values.len()) {
             ("positive", 1) => Condition::Positive,
             ("non_negative", 1) => Condition::NonNegative,
@@ -318,8 +340,8 @@ impl Reader<'_> {
         Ok(Rule {
             condition,
             values,
-            name: intern::name(name),
-            text: intern::name(text),
+            name: self.name(name),
+            text: self.name(text),
             parameters: self.numbers_below(given, parameters.len(), "parameter")?,
         })
     }

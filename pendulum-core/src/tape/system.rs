@@ -58,7 +58,8 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         self.write(code, &lists(&t, x, &self.under(forces)), places);
     }
 
-    /// Reports `P` lists of results, all of the length `count`, entry by entry.
+    /// Reports `P` lists of results, all of the length `count`, entry by entry. There may be any number of entries, and
+    /// no heap: the routine runs again for every eight of them.
     fn side_by_side<const P: usize>(
         &self,
         routine: usize,

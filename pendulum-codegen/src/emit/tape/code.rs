@@ -6,8 +6,8 @@ use super::{line, list};
 use crate::expr::{Binary, Unary};
 use crate::program::{Block, Coefficient, Let, Local, Signs, SinCos, Term, Variable};
 
-/// Number of registers that the interpreter has for a code.
-const MOST_REGISTERS: usize = 1024;
+/// Number of registers up to which operations are in rows. Beyond it, registers leave the cache of the processor.
+const MOST_IN_ROWS: usize = 1024;
 
 /// Block as operations on registers. The first registers hold what the block reads. Others are reused as soon as their
 /// values are no longer needed, except for those of numbers.
@@ -34,7 +34,7 @@ impl Code {
     pub(super) fn after(block: &Block, carried: &[Term]) -> Self {
         let flat = Flat::new(block, carried);
         let (mut registers, mut operations) = flat.in_order(order(&flat.operations));
-        if registers.count > MOST_REGISTERS {
+        if registers.count > MOST_IN_ROWS {
             // rows take more registers than the order of the block
             (registers, operations) = flat.in_order((0..flat.operations.len()).collect());
         }
