@@ -3,6 +3,7 @@
 mod blank;
 mod block;
 mod build;
+pub(crate) mod dependence;
 mod drawing;
 pub(crate) mod equations;
 pub(crate) mod layout;

@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 use super::block::{Let, Term};
+use super::dependence::Dependence;
 use crate::expr::CostKind;
 use crate::pass::cost::{waiting, work};
 
@@ -75,24 +76,14 @@ impl Time {
 /// several it is the first in the given order, unless the longest chain takes more time than all work side by side,
 /// and the work is more than the processor sees at once: then the one with the longest chain to the end goes first.
 pub(super) fn schedule(steps: &[Step]) -> Vec<usize> {
-    let mut users = vec![Vec::new(); steps.len()];
-    for (n, step) in steps.iter().enumerate() {
-        for &need in &step.needs {
-            users[need].push(n);
-        }
-    }
-    // longest chain from each step to the end
-    let mut chains = vec![0; steps.len()];
-    for (n, step) in steps.iter().enumerate().rev() {
-        chains[n] = step.time.chain + users[n].iter().map(|&user| chains[user]).max().unwrap_or(0);
-    }
+    let mut dependence = Dependence::new(steps.iter().map(|step| &step.needs));
+    let mut chains = dependence.chains(|n| steps[n].time.chain);
     let all_work: usize = steps.iter().map(|step| step.time.work).sum();
     if all_work <= LOOK_AHEAD || chains.iter().all(|&chain| chain <= all_work) {
         chains.fill(0);
     }
-    let mut waiting_users: Vec<usize> = users.iter().map(Vec::len).collect();
-    let mut unmet: Vec<usize> = steps.iter().map(|step| step.needs.len()).collect();
-    let mut ready: BTreeSet<usize> = (0..steps.len()).filter(|&n| unmet[n] == 0).collect();
+    let mut waiting_users: Vec<usize> = (0..steps.len()).map(|n| dependence.users(n).len()).collect();
+    let mut ready: BTreeSet<usize> = dependence.ready().collect();
     let mut order = Vec::with_capacity(steps.len());
     while let Some(next) = ready.iter().copied().min_by_key(|&n| {
         let (step, count) = (&steps[n], |n: usize| steps[n].defines as isize);
@@ -110,12 +101,7 @@ pub(super) fn schedule(steps: &[Step]) -> Vec<usize> {
         for &need in &steps[next].needs {
             waiting_users[need] -= 1;
         }
-        for &user in &users[next] {
-            unmet[user] -= 1;
-            if unmet[user] == 0 {
-                ready.insert(user);
-            }
-        }
+        ready.extend(dependence.finish(next));
     }
     order
 }

@@ -12,13 +12,15 @@ const MOST_ON_STACK: usize = 1 << 17;
 /// Number of a register.
 pub(super) type Register = u16;
 
-macro_rules! rows {
-    ($($kind:ident $name:literal $registers:literal,)*) => {
+/// Defines all kinds of operations: name in a tape, registers of the results and of the operands, and the results as a
+/// function of the operands in the number type `T`.
+macro_rules! operations {
+    ($T:ident: $($kind:ident $name:literal $($result:ident)+ = $value:expr, $($operand:ident)+;)*) => {
         /// Operations of one kind, one after the other: for each, the registers of its results, then those of its
         /// operands.
         #[derive(Clone, Debug, PartialEq, Eq)]
         pub(super) enum Row {
-            $($kind(Vec<[Register; $registers]>),)*
+            $($kind(Vec<[Register; [$(stringify!($result),)+ $(stringify!($operand)),+].len()]>),)*
         }
 
         impl Row {
@@ -45,32 +47,48 @@ macro_rules! rows {
                     $(Self::$kind(row) => row.len(),)*
                 }
             }
+
+            /// Runs the operations.
+            #[inline(always)]
+            fn run<$T: Real>(&self, registers: &mut [$T]) {
+                match self {
+                    $(Self::$kind(row) => {
+                        for &[$($result,)+ $($operand),+] in row {
+                            $(let $operand = registers[usize::from($operand)];)+
+                            [$(registers[usize::from($result)]),+] = $value;
+                        }
+                    })*
+                }
+            }
         }
     };
 }
 
-rows! {
-    Add "add" 3,
-    Sub "sub" 3,
-    Mul "mul" 3,
-    Div "div" 3,
-    Neg "neg" 2,
-    MulAdd "mul_add" 4,
-    MulSub "mul_sub" 4,
-    MulNegAdd "mul_neg_add" 4,
-    SinCos "sin_cos" 3,
-    SinCosPair "sin_cos_pair" 6,
-    Tan "tan" 2,
-    Exp "exp" 2,
-    Ln "ln" 2,
-    Sqrt "sqrt" 2,
-    Tanh "tanh" 2,
-    Abs "abs" 2,
-    Signum "signum" 2,
-    AtLeast "at_least" 3,
-    AtMost "at_most" 3,
-    Atan2 "atan2" 3,
-    Powf "powf" 3,
+operations! { T:
+    Add "add" to = [a + b], a b;
+    Sub "sub" to = [a - b], a b;
+    Mul "mul" to = [a * b], a b;
+    Div "div" to = [a / b], a b;
+    Neg "neg" to = [-a], a;
+    MulAdd "mul_add" to = [T::mul_add(a, b, c)], a b c;
+    MulSub "mul_sub" to = [T::mul_sub(a, b, c)], a b c;
+    MulNegAdd "mul_neg_add" to = [T::mul_neg_add(a, b, c)], a b c;
+    SinCos "sin_cos" sine cosine = <[T; 2]>::from(T::sin_cos(angle)), angle;
+    SinCosPair "sin_cos_pair" sine cosine other_sine other_cosine = {
+        let [(sine, cosine), (other_sine, other_cosine)] = T::sin_cos_pair(angle, other);
+        [sine, cosine, other_sine, other_cosine]
+    }, angle other;
+    Tan "tan" to = [T::tan(a)], a;
+    Exp "exp" to = [T::exp(a)], a;
+    Ln "ln" to = [T::ln(a)], a;
+    Sqrt "sqrt" to = [T::sqrt(a)], a;
+    Tanh "tanh" to = [T::tanh(a)], a;
+    Abs "abs" to = [T::abs(a)], a;
+    Signum "signum" to = [T::signum(a)], a;
+    AtLeast "at_least" to = [T::at_least(a, b)], a b;
+    AtMost "at_most" to = [T::at_most(a, b)], a b;
+    Atan2 "atan2" to = [T::atan2(a, b)], a b;
+    Powf "powf" to = [T::powf(a, b)], a b;
 }
 
 /// Straight-line code: reads variables into registers, runs operations, returns registers.
@@ -103,9 +121,10 @@ impl Code {
         self.rows.iter().map(Row::len).sum()
     }
 
-    /// Runs the code on the constants of the model and the values of variables. `results` may be fewer than there are.
+    /// Runs the code on the constants of the model and the values of variables, and fills one slice after the other with
+    /// its results; there may be room for fewer.
     #[inline(always)]
-    pub(super) fn run<T: Real>(&self, constants: &[T], lists: &Lists<'_, T>, results: &mut [T]) {
+    pub(super) fn run<T: Real>(&self, constants: &[T], lists: &Lists<'_, T>, results: &mut [&mut [T]]) {
         self.on_registers(constants, lists, results);
     }
 
@@ -123,13 +142,7 @@ impl Code {
     {
         if self.registers > 1024 || self.registers * size_of::<T>() > MOST_ON_STACK {
             let registers = &mut vec![T::default(); self.registers];
-            let run = Run {
-                registers,
-                constants,
-                lists,
-            };
-            T::call(run, into, self);
-            return;
+            return self.interpret(registers, constants, lists, into);
         }
         let on = match self.registers {
             0..=16 => on::<T, A, 16>,
@@ -146,6 +159,20 @@ impl Code {
         };
         on(self, constants, lists, into);
     }
+
+    /// Runs the code on these registers.
+    #[inline(always)]
+    fn interpret<T: Real, A: ?Sized>(&self, registers: &mut [T], constants: &[T], lists: &Lists<'_, T>, into: &mut A)
+    where
+        for<'r> Run<'r, T>: Routine<A, Self>,
+    {
+        let run = Run {
+            registers,
+            constants,
+            lists,
+        };
+        T::call(run, into, self);
+    }
 }
 
 /// Runs a code on `R` registers, in memory of their own: a single function for all lengths would touch the memory of
@@ -155,30 +182,27 @@ fn on<T: Real, A: ?Sized, const R: usize>(code: &Code, constants: &[T], lists: &
 where
     for<'r> Run<'r, T>: Routine<A, Code>,
 {
-    let registers = &mut [T::default(); R];
-    let run = Run {
-        registers,
-        constants,
-        lists,
-    };
-    T::call(run, into, code);
+    code.interpret(&mut [T::default(); R], constants, lists, into);
 }
 
-/// What a code runs on.
+/// Registers, constants and values of variables on which a code runs.
 struct Run<'a, T> {
     registers: &'a mut [T],
     constants: &'a [T],
     lists: &'a Lists<'a, T>,
 }
 
-impl<T: Real> Routine<[T], Code> for Run<'_, T> {
+impl<'s, T: Real> Routine<[&'s mut [T]], Code> for Run<'_, T> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self, results: &mut [T], code: &Code) {
+    fn run(self, results: &mut [&'s mut [T]], code: &Code) {
         let registers = self.run(code);
-        for (result, &place) in results.iter_mut().zip(&code.results) {
-            *result = registers[usize::from(place)];
+        let mut places = code.results.iter();
+        for results in results {
+            for (result, &place) in results.iter_mut().zip(&mut places) {
+                *result = registers[usize::from(place)];
+            }
         }
     }
 }
@@ -209,127 +233,9 @@ impl<'a, T: Real> Run<'a, T> {
         for &(register, source, index) in &code.reads {
             registers[usize::from(register)] = self.lists.of(source)[index];
         }
-        run(&code.rows, registers);
-        registers
-    }
-}
-
-/// Runs operations, one after the other.
-#[inline(always)]
-fn run<T: Real>(rows: &[Row], registers: &mut [T]) {
-    macro_rules! at {
-        ($register:expr) => {
-            registers[usize::from($register)]
-        };
-    }
-    for row in rows {
-        match row {
-            Row::Add(row) => {
-                for &[to, a, b] in row {
-                    at!(to) = at!(a) + at!(b)
-                }
-            }
-            Row::Sub(row) => {
-                for &[to, a, b] in row {
-                    at!(to) = at!(a) - at!(b)
-                }
-            }
-            Row::Mul(row) => {
-                for &[to, a, b] in row {
-                    at!(to) = at!(a) * at!(b)
-                }
-            }
-            Row::Div(row) => {
-                for &[to, a, b] in row {
-                    at!(to) = at!(a) / at!(b)
-                }
-            }
-            Row::Neg(row) => {
-                for &[to, a] in row {
-                    at!(to) = -at!(a)
-                }
-            }
-            Row::MulAdd(row) => {
-                for &[to, a, b, c] in row {
-                    at!(to) = T::mul_add(at!(a), at!(b), at!(c))
-                }
-            }
-            Row::MulSub(row) => {
-                for &[to, a, b, c] in row {
-                    at!(to) = T::mul_sub(at!(a), at!(b), at!(c))
-                }
-            }
-            Row::MulNegAdd(row) => {
-                for &[to, a, b, c] in row {
-                    at!(to) = T::mul_neg_add(at!(a), at!(b), at!(c))
-                }
-            }
-            Row::SinCos(row) => {
-                for &[sine, cosine, angle] in row {
-                    (at!(sine), at!(cosine)) = T::sin_cos(at!(angle))
-                }
-            }
-            Row::SinCosPair(row) => {
-                for &[sine, cosine, other_sine, other_cosine, angle, other] in row {
-                    [(at!(sine), at!(cosine)), (at!(other_sine), at!(other_cosine))] =
-                        T::sin_cos_pair(at!(angle), at!(other));
-                }
-            }
-            Row::Tan(row) => {
-                for &[to, a] in row {
-                    at!(to) = T::tan(at!(a))
-                }
-            }
-            Row::Exp(row) => {
-                for &[to, a] in row {
-                    at!(to) = T::exp(at!(a))
-                }
-            }
-            Row::Ln(row) => {
-                for &[to, a] in row {
-                    at!(to) = T::ln(at!(a))
-                }
-            }
-            Row::Sqrt(row) => {
-                for &[to, a] in row {
-                    at!(to) = T::sqrt(at!(a))
-                }
-            }
-            Row::Tanh(row) => {
-                for &[to, a] in row {
-                    at!(to) = T::tanh(at!(a))
-                }
-            }
-            Row::Abs(row) => {
-                for &[to, a] in row {
-                    at!(to) = T::abs(at!(a))
-                }
-            }
-            Row::Signum(row) => {
-                for &[to, a] in row {
-                    at!(to) = T::signum(at!(a))
-                }
-            }
-            Row::AtLeast(row) => {
-                for &[to, a, b] in row {
-                    at!(to) = T::at_least(at!(a), at!(b))
-                }
-            }
-            Row::AtMost(row) => {
-                for &[to, a, b] in row {
-                    at!(to) = T::at_most(at!(a), at!(b))
-                }
-            }
-            Row::Atan2(row) => {
-                for &[to, a, b] in row {
-                    at!(to) = T::atan2(at!(a), at!(b))
-                }
-            }
-            Row::Powf(row) => {
-                for &[to, a, b] in row {
-                    at!(to) = T::powf(at!(a), at!(b))
-                }
-            }
+        for row in &code.rows {
+            row.run(registers);
         }
+        registers
     }
 }

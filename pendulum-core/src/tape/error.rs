@@ -8,7 +8,7 @@ use std::fmt;
 pub struct TapeError {
     /// Line of the text, from 1.
     pub line: usize,
-    /// What is wrong there.
+    /// The mistake there.
     pub fact: String,
 }
 

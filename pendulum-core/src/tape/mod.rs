@@ -131,8 +131,8 @@ enum Condition {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Routine {
     name: String,
-    /// Arguments beside time and state, with their lengths.
-    arguments: Vec<(Source, usize)>,
+    /// Arguments beside time and state.
+    arguments: Vec<Source>,
     shapes: Vec<Shape>,
     code: Code,
 }
@@ -195,6 +195,12 @@ impl Tape {
     pub fn layout(&self) -> StateLayout<'_> {
         let layout = StateLayout::new(&self.slots).with_states(&self.states);
         if self.autonomous { layout.autonomous() } else { layout }
+    }
+
+    /// Indices of the dependent coordinates in the state, which have no rates there.
+    fn dependents(&self) -> impl Iterator<Item = usize> {
+        let slots = self.slots.iter().filter(|slot| slot.rates.is_empty());
+        slots.map(|slot| slot.positions.start)
     }
 
     /// Names of the components of all outputs.

@@ -93,7 +93,7 @@ impl Role {
             Self::Outputs => tape.outputs.len(),
             Self::LoopMargins => 2 * tape.loops.len(),
             Self::LoopGaps => 3 * tape.open_loops.len(),
-            Self::LoopCorrections => tape.slots.iter().filter(|slot| slot.rates.is_empty()).count(),
+            Self::LoopCorrections => tape.dependents().count(),
             Self::TurnMargins => 2 * tape.uncounted.len(),
             Self::Measures => 2 * constraints,
             Self::MeasureDerivatives => 2 * constraints * (length + 1),
@@ -186,7 +186,7 @@ impl Tape {
             let Some((n, routine)) = self.routines.iter().enumerate().find(named) else {
                 continue;
             };
-            let takes_more = routine.arguments.iter().any(|&(argument, _)| !role.takes(argument));
+            let takes_more = routine.arguments.iter().any(|&argument| !role.takes(argument));
             if routine.results() != role.results(self) || takes_more {
                 return Err(ModelError::Shape { name: name.to_owned() });
             }
@@ -253,7 +253,7 @@ impl Tape {
 fn compute(code: &Code, params: &[f64]) -> Vec<f64> {
     let lists = Lists::new().with(Source::Parameter, params);
     let mut results = vec![0.0; code.results.len()];
-    code.run(&[], &lists, &mut results);
+    code.run(&[], &lists, &mut [&mut results]);
     results
 }
 
@@ -309,6 +309,19 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     /// # Panics
     /// If there is no such routine, or if one of its arguments is too short.
     pub fn evaluate(&self, routine: usize, t: T, x: &SVector<T, N>, given: &Given<'_, T>, results: &mut [T]) {
+        self.evaluate_into(routine, t, x, given, &mut [results]);
+    }
+
+    /// Like [`evaluate`](Self::evaluate), but fills one slice after the other with the results.
+    #[inline]
+    pub(super) fn evaluate_into(
+        &self,
+        routine: usize,
+        t: T,
+        x: &SVector<T, N>,
+        given: &Given<'_, T>,
+        results: &mut [&mut [T]],
+    ) {
         let code = &self.tape.routines[routine].code;
         code.run(&self.constants, &lists(&t, x, given), results);
     }

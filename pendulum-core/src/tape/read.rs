@@ -193,43 +193,22 @@ impl Reader<'_> {
         let given = [(Source::Constant, constants_text.len())];
         let laws = self.named_code("laws", &lengths(&given), 4 * constraints.len() + limits)?;
         let state = [(Source::State, length), (Source::Time, 1)];
-        let counts = [
+        let arguments = [
             ("inputs", Source::Input, inputs.len()),
             ("forces", Source::Force, constraints.len()),
             ("accelerations", Source::Acceleration, rates),
             ("weights", Source::Weight, length),
             ("direction", Source::Direction, length + inputs.len()),
         ];
-        let mut routines = Vec::new();
-        while let Some([name, arguments, shapes]) = self.next_if("routine")? {
-            if routines.iter().any(|routine: &Routine| routine.name == name) {
-                return self.error(format!("there are two routines `{name}`"));
+        let of_routines = [&given[..], &state].concat();
+        let mut routines: Vec<Routine> = Vec::new();
+        while let Some(routine) = self.routine(&of_routines, &arguments)? {
+            if routines.iter().any(|known| known.name == routine.name) {
+                return self.error(format!("there are two routines `{}`", routine.name));
             }
-            let arguments = arguments.split_whitespace().map(|name| {
-                let known = counts.iter().find(|(known, ..)| *known == name);
-                match known {
-                    Some(&(_, source, count)) => Ok((source, count)),
-                    None => self.error(format!("`{name}` is no argument of a routine")),
-                }
-            });
-            let arguments: Vec<(Source, usize)> = arguments.collect::<Result<_, _>>()?;
-            let shapes = shapes.split(", ").filter(|shape| !shape.is_empty());
-            let shapes: Vec<Shape> = shapes.map(|shape| self.shape(shape)).collect::<Result<_, _>>()?;
-            let results = shapes
-                .iter()
-                .try_fold(0_usize, |sum, shape| sum.checked_add(shape.len()?));
-            let Some(results) = results else {
-                return self.error("the results are too many");
-            };
-            let lengths = lengths(&[&given[..], &state, &arguments].concat());
-            routines.push(Routine {
-                name: name.to_owned(),
-                code: self.code(&lengths, Some(results))?,
-                arguments,
-                shapes,
-            });
+            routines.push(routine);
         }
-        let series = self.series(&[&given[..], &state].concat(), length, constraints.len())?;
+        let series = self.series(&of_routines, length, constraints.len())?;
         Ok(Tape {
             name,
             parameters,
@@ -252,6 +231,39 @@ impl Reader<'_> {
             routines,
             series,
         })
+    }
+
+    /// Routine that reads `given` and its own ones of the `arguments`, which have names and lengths.
+    fn routine(
+        &mut self,
+        given: &[(Source, usize)],
+        arguments: &[(&str, Source, usize)],
+    ) -> Result<Option<Routine>, TapeError> {
+        let Some([name, own, shapes]) = self.next_if("routine")? else {
+            return Ok(None);
+        };
+        let own = own.split_whitespace().map(|name| {
+            let known = arguments.iter().find(|(known, ..)| *known == name);
+            match known {
+                Some(&(_, source, length)) => Ok((source, length)),
+                None => self.error(format!("`{name}` is no argument of a routine")),
+            }
+        });
+        let own: Vec<(Source, usize)> = own.collect::<Result<_, _>>()?;
+        let shapes = shapes.split(", ").filter(|shape| !shape.is_empty());
+        let shapes: Vec<Shape> = shapes.map(|shape| self.shape(shape)).collect::<Result<_, _>>()?;
+        let results = shapes
+            .iter()
+            .try_fold(0_usize, |sum, shape| sum.checked_add(shape.len()?));
+        let Some(results) = results else {
+            return self.error("the results are too many");
+        };
+        Ok(Some(Routine {
+            name: name.to_owned(),
+            code: self.code(&lengths(&[given, &own].concat()), Some(results))?,
+            arguments: own.into_iter().map(|(source, _)| source).collect(),
+            shapes,
+        }))
     }
 
     fn slot(&self, [name, kind, positions, rates, symmetries]: [&str; 5]) -> Result<Slot<'static>, TapeError> {

@@ -70,7 +70,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> TaylorSeries<T, N> for Model<T
 
     #[inline]
     fn hybrid_series(&self) -> Option<&dyn HybridSeries<T, N, Workspace = Workspace<T>>> {
-        (HYBRID && !self.tape.constraints.is_empty()).then_some(self)
+        self.is_hybrid().then_some(self)
     }
 }
 
@@ -85,12 +85,12 @@ impl<T: Real, const N: usize, const HYBRID: bool> HybridSeries<T, N> for Model<T
         let (series, constraints) = (self.tape.needed_series(), self.tape.constraints.len());
         let held = HeldSeries::new(self, hold, t, &x[0]);
         let start = x[0];
-        let lists = Lists::new()
+        let of_start = Lists::new()
             .with(Source::Time, core::slice::from_ref(&t))
             .with(Source::State, start.as_slice())
             .with(Source::Force, &held.forces);
         let mut rates = start;
-        self.write(&series.start, &lists, rates.iter_mut().chain(&mut work.kept));
+        self.write(&series.start, &of_start, rates.iter_mut().chain(&mut work.kept));
         x[1] = rates;
         held.pin(self, &mut x[1]);
         work.products.iter_mut().for_each(|(_, newest)| *newest = Newest::new());
@@ -104,10 +104,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> HybridSeries<T, N> for Model<T
                 *sums = newest.add(products.sums(k));
             }
             let state = x[k];
-            let lists = Lists::new()
-                .with(Source::Time, core::slice::from_ref(&t))
-                .with(Source::State, start.as_slice())
-                .with(Source::Force, &held.forces)
+            let lists = of_start
                 .with(Source::Order, core::slice::from_ref(&order))
                 .with(Source::OverOrder, core::slice::from_ref(&over_order))
                 .with(Source::TimeCoefficient, core::slice::from_ref(&time))

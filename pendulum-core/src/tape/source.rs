@@ -46,6 +46,7 @@ impl Source {
 }
 
 /// Values of all lists; those not given are empty.
+#[derive(Clone, Copy)]
 pub(super) struct Lists<'a, T>([&'a [T]; Source::ALL.len()]);
 
 impl<'a, T> Lists<'a, T> {

@@ -41,6 +41,19 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         }
     }
 
+    /// True if the model has constraints.
+    #[inline]
+    pub(super) fn is_hybrid(&self) -> bool {
+        HYBRID && !self.tape.constraints.is_empty()
+    }
+
+    /// Number, the result of a routine.
+    fn number(&self, role: Role, t: T, x: &SVector<T, N>) -> T {
+        let mut number = [T::default()];
+        self.evaluate(self.needed(role), t, x, &self.under(&[]), &mut number);
+        number[0]
+    }
+
     /// Vector, the results of a routine.
     #[inline(always)]
     fn vector(&self, role: Role, t: T, x: &SVector<T, N>, forces: &[T]) -> SVector<T, N> {
@@ -109,17 +122,16 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
             return;
         };
         let mut corrections = [T::default(); N];
-        let count = self.tape.routines[routine].results();
+        let corrections = &mut corrections[..self.tape.dependents().count()];
         for _ in 0..CORRECTIONS {
-            self.evaluate(routine, t, x, &self.under(&[]), &mut corrections[..count]);
-            let dependents = self.tape.slots.iter().filter(|slot| slot.rates.is_empty());
-            for (slot, &correction) in dependents.zip(&corrections) {
-                x[slot.positions.start] += correction;
+            self.evaluate(routine, t, x, &self.under(&[]), corrections);
+            for (place, &mut correction) in self.tape.dependents().zip(&mut *corrections) {
+                x[place] += correction;
             }
         }
         // not a number if a correction is too long
         let longest = T::from_f64(LAST_CORRECTION * LAST_CORRECTION);
-        for &correction in &corrections[..count] {
+        for &mut correction in corrections {
             x[0] += T::from_f64(0.0) * (longest - correction * correction).sqrt();
         }
     }
@@ -156,7 +168,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
 
     #[inline]
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
-        (HYBRID && !self.tape.constraints.is_empty()).then_some(self)
+        self.is_hybrid().then_some(self)
     }
 }
 
@@ -181,21 +193,17 @@ impl<T: Real, const N: usize, const HYBRID: bool> Jacobian<T, N> for Model<T, N,
 
     #[inline]
     fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
-        (HYBRID && !self.tape.constraints.is_empty()).then_some(self)
+        self.is_hybrid().then_some(self)
     }
 }
 
 impl<T: Real, const N: usize, const HYBRID: bool> Energy<T, N> for Model<T, N, HYBRID> {
     fn kinetic(&self, t: T, x: &SVector<T, N>) -> T {
-        let mut kinetic = [T::default()];
-        self.evaluate(self.needed(Role::Kinetic), t, x, &self.under(&[]), &mut kinetic);
-        kinetic[0]
+        self.number(Role::Kinetic, t, x)
     }
 
     fn potential(&self, t: T, x: &SVector<T, N>) -> T {
-        let mut potential = [T::default()];
-        self.evaluate(self.needed(Role::Potential), t, x, &self.under(&[]), &mut potential);
-        potential[0]
+        self.number(Role::Potential, t, x)
     }
 }
 
@@ -291,8 +299,8 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantJacobian<T, N> for Model<
             SVector::from([T::default(); N]),
             SMatrix::<T, N, N>::from([[T::default(); N]; N]),
         );
-        let places = rhs.iter_mut().chain(jacobian.iter_mut());
-        self.fill(self.needed(Role::Jacobian), t, x, forces, places);
+        let results = &mut [rhs.as_mut_slice(), jacobian.as_mut_slice()];
+        self.evaluate_into(self.needed(Role::Jacobian), t, x, &self.under(forces), results);
         (rhs, jacobian)
     }
 
@@ -371,15 +379,15 @@ impl<T: Real, const N: usize, const HYBRID: bool> Canonical<T, N> for Model<T, N
 
     #[inline]
     fn hybrid_canonical(&self) -> Option<&dyn PlantCanonical<T, N, Given = [T; MAX_CONSTRAINTS]>> {
-        (HYBRID && !self.tape.constraints.is_empty()).then_some(self)
+        self.is_hybrid().then_some(self)
     }
 }
 
 impl<T: Real, const N: usize, const HYBRID: bool> PlantCanonical<T, N> for Model<T, N, HYBRID> {
     fn eval_canonical(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> (SVector<T, N>, SVector<T, N>) {
         let [mut y, mut rates] = [SVector::from([T::default(); N]); 2];
-        let places = y.iter_mut().chain(rates.iter_mut());
-        self.fill(self.needed(Role::Canonical), t, x, forces, places);
+        let results = &mut [y.as_mut_slice(), rates.as_mut_slice()];
+        self.evaluate_into(self.needed(Role::Canonical), t, x, &self.under(forces), results);
         (y, rates)
     }
 
@@ -390,8 +398,8 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantCanonical<T, N> for Model
         forces: &[T; MAX_CONSTRAINTS],
     ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
         let [mut of_y, mut of_rates] = [SMatrix::<T, N, N>::from([[T::default(); N]; N]); 2];
-        let places = of_y.iter_mut().chain(of_rates.iter_mut());
-        self.fill(self.needed(Role::CanonicalJacobian), t, x, forces, places);
+        let results = &mut [of_y.as_mut_slice(), of_rates.as_mut_slice()];
+        self.evaluate_into(self.needed(Role::CanonicalJacobian), t, x, &self.under(forces), results);
         (of_y, of_rates)
     }
 }

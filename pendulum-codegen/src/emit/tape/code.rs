@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use super::{line, list};
 use crate::expr::{Binary, Unary};
+use crate::program::dependence::Dependence;
 use crate::program::{Block, Coefficient, Let, Local, Signs, SinCos, Term, Variable};
 
 /// Number of registers up to which operations are in rows. Beyond it, registers leave the cache of the processor.
@@ -230,31 +231,23 @@ fn order(operations: &[Operation]) -> Vec<usize> {
     for (n, operation) in operations.iter().enumerate() {
         makers.extend(operation.results.iter().map(|&value| (value, n)));
     }
-    let (mut users, mut unmet) = (vec![Vec::new(); operations.len()], Vec::new());
-    for (n, operation) in operations.iter().enumerate() {
+    let needs = operations.iter().map(|operation| {
         let needs = operation.operands.iter().filter_map(|value| makers.get(value));
-        let needs: BTreeSet<usize> = needs.copied().collect();
-        unmet.push(needs.len());
-        needs.into_iter().for_each(|need| users[need].push(n));
-    }
-    let mut chains = vec![0; operations.len()];
-    for n in (0..operations.len()).rev() {
-        chains[n] = 1 + users[n].iter().map(|&user| chains[user]).max().unwrap_or(0);
-    }
+        needs.copied().collect()
+    });
+    let mut dependence = Dependence::new(&needs.collect::<Vec<BTreeSet<usize>>>());
+    let chains = dependence.chains(|_| 1);
     let mut ready: BTreeMap<&str, VecDeque<usize>> = BTreeMap::new();
-    for (n, operation) in operations.iter().enumerate().filter(|(n, _)| unmet[*n] == 0) {
-        ready.entry(operation.name).or_default().push_back(n);
+    for n in dependence.ready() {
+        ready.entry(operations[n].name).or_default().push_back(n);
     }
     let mut order = Vec::with_capacity(operations.len());
     let longest = |row: &VecDeque<usize>| row.iter().map(|&n| chains[n]).max();
     while let Some(kind) = ready.iter().max_by_key(|(_, row)| longest(row)).map(|(kind, _)| *kind) {
         while let Some(next) = ready.get_mut(kind).and_then(VecDeque::pop_front) {
             order.push(next);
-            for &user in &users[next] {
-                unmet[user] -= 1;
-                if unmet[user] == 0 {
-                    ready.entry(operations[user].name).or_default().push_back(user);
-                }
+            for n in dependence.finish(next) {
+                ready.entry(operations[n].name).or_default().push_back(n);
             }
         }
         ready.remove(kind);
@@ -265,7 +258,7 @@ fn order(operations: &[Operation]) -> Vec<usize> {
 /// Registers of values, while operations run.
 struct Registers {
     of: BTreeMap<Value, usize>,
-    /// How many times each value will still be read. Results of the block are never released.
+    /// Number of reads of each value that are left. Results of the block are never released.
     uses: Vec<usize>,
     free: Vec<usize>,
     count: usize,
