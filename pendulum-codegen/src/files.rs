@@ -43,6 +43,15 @@ pub fn program_in(folder: &Path, tokens: TokenStream) -> Result<Program, Errors>
     pipeline::program(tokens, &|name| text_of(folder, name))
 }
 
+/// Like [`program()`], but reads the file of a robot by the function `files`, which returns the text of a file by its
+/// name, or why it cannot be read and a help text.
+pub fn program_with(
+    tokens: TokenStream,
+    files: &dyn Fn(&str) -> Result<String, (String, &'static str)>,
+) -> Result<Program, Errors> {
+    pipeline::program(tokens, files)
+}
+
 const MANIFEST: &str = "CARGO_MANIFEST_DIR";
 
 fn manifest_folder() -> PathBuf {

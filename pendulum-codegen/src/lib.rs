@@ -48,4 +48,4 @@ mod words;
 pub use emit::c::{Sources, c, c_fused, opencl};
 pub use emit::tape::tape;
 pub use error::{Code, Errors};
-pub use files::{expand, expand_in, program, program_in};
+pub use files::{expand, expand_in, program, program_in, program_with};

@@ -259,6 +259,8 @@ pub enum Reason {
         /// Size of the jump, in the unit of the component.
         by: f64,
     },
+    /// The [observer](crate::Observer::is_cancelled) ended the integration.
+    Cancelled,
     /// The end was not reached within the maximum number of steps, including rejected ones.
     TooManySteps {
         /// Maximum number of steps.
@@ -370,6 +372,7 @@ impl fmt::Display for Reason {
                  if it is sampled or noisy, solve from one sample to the next with constant inputs; for dry \
                  friction, declare `dry_friction`"
             ),
+            Self::Cancelled => f.write_str("the integration was cancelled"),
             Self::TooManySteps { max_steps } => write!(
                 f,
                 "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance, or, \

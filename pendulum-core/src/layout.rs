@@ -83,6 +83,12 @@ impl<'a> StateLayout<'a> {
         self.slots.iter().map(|slot| slot.rates.len()).sum()
     }
 
+    /// Number of all components: positions, rates and first-order states.
+    #[must_use]
+    pub fn length(self) -> usize {
+        self.positions() + self.rates() + self.states.len()
+    }
+
     /// Components of the state that form a quaternion, one range for each.
     pub fn quaternions(self) -> impl Iterator<Item = Range<usize>> {
         let slots = self.slots.iter().filter(|slot| slot.kind == SlotKind::Quaternion);

@@ -291,36 +291,36 @@ fn exchange<V: Lanes>(moved: V, numbers: &mut [V], k: usize, i: usize) {
 }
 
 impl<F: Field<Size: Float>, const N: usize> Lu<F, N> {
-    /// Factors a matrix given by its columns.
+    /// Factors the first `active` rows and columns of a matrix given by its columns.
     ///
     /// # Errors
     /// If a pivot is zero, not finite, or so small or large that its reciprocal is out of the range of the type.
     #[inline(always)]
-    pub(crate) fn new(columns: [[F; N]; N]) -> Result<Self, Singular> {
-        Self::of(columns)
+    pub(crate) fn new(columns: [[F; N]; N], active: usize) -> Result<Self, Singular> {
+        Self::of(columns, active)
     }
 }
 
 impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
     /// Factors a matrix like [`new`](Lu::new), or one matrix per lane.
     #[inline(always)]
-    pub(crate) fn of(columns: [[F; N]; N]) -> Result<Self, Singular> {
-        let mut a = columns;
+    pub(crate) fn of(columns: [[F; N]; N], active: usize) -> Result<Self, Singular> {
+        let (mut a, n) = (columns, active.min(N));
         let mut pivots = P::in_order();
-        for k in 0..N {
+        for k in 0..n {
             // Each row is compared and swapped in turn, so that indices are constants in unrolled loops and the factors
             // stay in registers.
-            for i in k + 1..N {
+            for i in k + 1..n {
                 pivots.compare(&mut a, k, i);
             }
             let over_pivot = a[k][k].reciprocal();
             pivots.take(a[k][k], over_pivot);
             a[k][k] = over_pivot;
-            for entry in &mut a[k][k + 1..] {
+            for entry in &mut a[k][k + 1..n] {
                 *entry = *entry * over_pivot;
             }
-            for j in k + 1..N {
-                for i in k + 1..N {
+            for j in k + 1..n {
+                for i in k + 1..n {
                     a[j][i] = a[j][i].minus_product(a[k][i], a[j][k]);
                 }
             }
@@ -339,17 +339,17 @@ impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
         self.pivots.defect()
     }
 
-    /// Solves `A x = b` for `x`.
+    /// Solves `A x = b` for `x`, in the rows that were factored; the others stay those of `b`.
     #[inline(always)]
     #[must_use]
-    pub(crate) fn solve(&self, b: &[F; N]) -> [F; N] {
-        let mut x = self.pivots.sorted(b);
-        for k in 0..N {
-            for i in k + 1..N {
+    pub(crate) fn solve(&self, b: &[F; N], active: usize) -> [F; N] {
+        let (mut x, n) = (self.pivots.sorted(b), active.min(N));
+        for k in 0..n {
+            for i in k + 1..n {
                 x[i] = x[i].minus_product(self.factors[k][i], x[k]);
             }
         }
-        for k in (0..N).rev() {
+        for k in (0..n).rev() {
             x[k] = x[k] * self.factors[k][k];
             for i in 0..k {
                 x[i] = x[i].minus_product(self.factors[k][i], x[k]);
@@ -423,9 +423,9 @@ mod tests {
         for _ in 0..200 {
             let columns: [[F; N]; N] = core::array::from_fn(|_| core::array::from_fn(|_| entry()));
             let x = core::array::from_fn(|_| entry());
-            let lu = Lu::new(columns).expect("regular");
+            let lu = Lu::new(columns, N).expect("regular");
             // The residual is bounded independently of the condition number; the error of x is not.
-            let residual = product(&columns, &lu.solve(&product(&columns, &x)));
+            let residual = product(&columns, &lu.solve(&product(&columns, &x), N));
             let error = |(a, b): (F, F)| (a - b).size().to_f64() / F::Size::EPSILON.to_f64();
             worst = core::iter::zip(residual, product(&columns, &x))
                 .map(error)
@@ -448,20 +448,20 @@ mod tests {
 
     #[test]
     fn a_zero_on_the_diagonal_is_no_obstacle() {
-        let lu = Lu::new([[0.0, 0.0, 2.0], [1.0, 0.0, 0.0], [0.0, 4.0, 0.0]]).expect("a permutation");
-        assert_eq!(lu.solve(&[1.0, 2.0, 3.0]), [1.5, 1.0, 0.5]);
+        let lu = Lu::new([[0.0, 0.0, 2.0], [1.0, 0.0, 0.0], [0.0, 4.0, 0.0]], 3).expect("a permutation");
+        assert_eq!(lu.solve(&[1.0, 2.0, 3.0], 3), [1.5, 1.0, 0.5]);
     }
 
     #[test]
     fn the_largest_pivot_is_taken() {
         // With the small pivot x_0 would be 0 instead of 1: Golub and Van Loan, 3.3.
-        let lu = Lu::new([[1e-20, 1.0], [1.0, 1.0]]).expect("regular");
-        assert_eq!(lu.solve(&[1.0, 2.0]), [1.0, 1.0]);
+        let lu = Lu::new([[1e-20, 1.0], [1.0, 1.0]], 2).expect("regular");
+        assert_eq!(lu.solve(&[1.0, 2.0], 2), [1.0, 1.0]);
         let i = Complex::new(0.0, 1.0);
         let one = Complex::new(1.0, 0.0);
-        let lu = Lu::new([[Complex::new(1e-20, 0.0), i], [one, one]]).expect("regular");
+        let lu = Lu::new([[Complex::new(1e-20, 0.0), i], [one, one]], 2).expect("regular");
         // x = (1, 1) to 20 digits, since b = A (1, 1)
-        assert_eq!(lu.solve(&[one, one + i]), [one, one]);
+        assert_eq!(lu.solve(&[one, one + i], 2), [one, one]);
     }
 
     /// Random matrices whose lanes need different pivots, some of them singular.
@@ -482,15 +482,15 @@ mod tests {
                     core::array::from_fn(|_| core::array::from_fn(|_| V::from_fn(|_| coarse(noise(seed)))))
                 };
                 let (columns, b) = (entries(), entries()[0]);
-                let lu = Lu::<V, N, PerLane<V, N>>::of(columns).expect("in lanes");
-                let x = lu.solve(&b);
+                let lu = Lu::<V, N, PerLane<V, N>>::of(columns, N).expect("in lanes");
+                let x = lu.solve(&b, N);
                 for lane in 0..V::LANES {
                     let own = columns.map(|column| column.map(|entry| entry.lane(lane)));
-                    match Lu::new(own) {
+                    match Lu::new(own, N) {
                         Ok(alone) => {
                             regular += 1;
                             assert!(lu.defect().lane(lane).is_finite(), "{own:?}");
-                            let alone = alone.solve(&b.map(|b| b.lane(lane))).map(|x| x.to_f64().to_bits());
+                            let alone = alone.solve(&b.map(|b| b.lane(lane)), N).map(|x| x.to_f64().to_bits());
                             assert_eq!(x.map(|x| x.lane(lane).to_f64().to_bits()), alone, "{own:?}");
                         }
                         Err(Singular) => {
@@ -529,11 +529,12 @@ mod tests {
             1.0,
         ];
         for pivots in pivots.chunks(4) {
-            let lu = Lu::<F64x4, 1, PerLane<F64x4, 1>>::of([[F64x4::from_fn(|lane| pivots[lane])]]).expect("in lanes");
+            let lu =
+                Lu::<F64x4, 1, PerLane<F64x4, 1>>::of([[F64x4::from_fn(|lane| pivots[lane])]], 1).expect("in lanes");
             for (lane, &pivot) in pivots.iter().enumerate() {
                 assert_eq!(
                     lu.defect().lane(lane).is_finite(),
-                    Lu::new([[pivot]]).is_ok(),
+                    Lu::new([[pivot]], 1).is_ok(),
                     "{pivot}"
                 );
             }
@@ -542,10 +543,10 @@ mod tests {
 
     #[test]
     fn singular_matrices_are_refused() {
-        assert_eq!(Lu::new([[1.0, 2.0], [2.0, 4.0]]).err(), Some(Singular));
-        assert_eq!(Lu::new([[0.0]]).err(), Some(Singular));
+        assert_eq!(Lu::new([[1.0, 2.0], [2.0, 4.0]], 2).err(), Some(Singular));
+        assert_eq!(Lu::new([[0.0]], 1).err(), Some(Singular));
         let (one, i) = (Complex::new(1.0, 0.0), Complex::new(0.0, 1.0));
-        assert_eq!(Lu::new([[one, i], [i, -one]]).err(), Some(Singular));
+        assert_eq!(Lu::new([[one, i], [i, -one]], 2).err(), Some(Singular));
     }
 
     #[test]
@@ -554,7 +555,7 @@ mod tests {
             for place in 0..9 {
                 let mut columns = [[4.0, 1.0, 0.0], [0.0, 3.0, 1.0], [2.0, 0.0, 5.0]];
                 columns[place / 3][place % 3] = bad;
-                assert_eq!(Lu::new(columns).err(), Some(Singular), "{bad} at {place}");
+                assert_eq!(Lu::new(columns, 3).err(), Some(Singular), "{bad} at {place}");
             }
         }
     }

@@ -84,13 +84,33 @@ pub enum ShapeKind {
     Anchor,
 }
 
+impl ShapeKind {
+    /// All kinds.
+    pub const ALL: [Self; 14] = [
+        Self::Mass,
+        Self::Rod,
+        Self::Disk,
+        Self::Plate,
+        Self::Cuboid,
+        Self::Cylinder,
+        Self::Sphere,
+        Self::Pivot,
+        Self::Support,
+        Self::Guide,
+        Self::Spring,
+        Self::Damper,
+        Self::Point,
+        Self::Anchor,
+    ];
+}
+
 // Generated code may be in a `no_std` crate even if this crate has `std`.
 #[doc(hidden)]
 pub use std::vec::Vec;
 
 /// A shape before placement: a row of a generated table.
 #[doc(hidden)]
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outline<'a> {
     pub name: &'a str,
     pub body: &'a str,

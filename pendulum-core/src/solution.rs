@@ -250,6 +250,12 @@ pub trait Observer<T, const N: usize> {
         false
     }
 
+    /// True if the integration shall end, which it does after the current step, with
+    /// [`Reason::Cancelled`](crate::Reason::Cancelled). False by default.
+    fn is_cancelled(&self) -> bool {
+        false
+    }
+
     /// Called before the first step with the tolerance of the step size control; not called for fixed steps.
     fn within(&mut self, _tolerance: Tolerance<T>) {}
 
@@ -278,6 +284,56 @@ pub trait Observer<T, const N: usize> {
 
     /// Called when the last impacts were simultaneous and their unknown order determines the subsequent motion.
     fn ambiguity(&mut self, _ambiguity: Ambiguity<T>) {}
+}
+
+impl<O: Observer<T, N> + ?Sized, T, const N: usize> Observer<T, N> for &mut O {
+    fn looks_into(&self, t0: T, t1: T) -> bool {
+        (**self).looks_into(t0, t1)
+    }
+
+    fn keeps_all(&self) -> bool {
+        (**self).keeps_all()
+    }
+
+    fn is_cancelled(&self) -> bool {
+        (**self).is_cancelled()
+    }
+
+    fn within(&mut self, tolerance: Tolerance<T>) {
+        (**self).within(tolerance);
+    }
+
+    fn step(&mut self, dense: &Dense<'_, T, N>) {
+        (**self).step(dense);
+    }
+
+    fn jump(&mut self, t: T, x: SVector<T, N>) {
+        (**self).jump(t, x);
+    }
+
+    fn event(&mut self, event: Occurrence<T, N>) {
+        (**self).event(event);
+    }
+
+    fn missed(&mut self, missed: Missed<T>) {
+        (**self).missed(missed);
+    }
+
+    fn mode(&mut self, from: T, mode: Mode) {
+        (**self).mode(from, mode);
+    }
+
+    fn finish(&mut self, statistics: Statistics) {
+        (**self).finish(statistics);
+    }
+
+    fn impact(&mut self, impact: Impact<T, N>) {
+        (**self).impact(impact);
+    }
+
+    fn ambiguity(&mut self, ambiguity: Ambiguity<T>) {
+        (**self).ambiguity(ambiguity);
+    }
 }
 
 /// Records everything.

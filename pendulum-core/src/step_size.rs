@@ -21,22 +21,23 @@ impl<T: Real> Tolerance<T> {
     ///
     /// This is the norm of Hairer, Nørsett, Wanner I, II.4, with the mean of both states in place of the larger one,
     /// which also works in lanes. Its square root is not taken, since the controller works on logarithms. If the
-    /// relative tolerance has derivatives, it bounds the errors of derivatives as well.
+    /// relative tolerance has derivatives, it bounds the errors of derivatives as well. `active` is that of the
+    /// [system](System::active).
     #[inline(always)]
     pub(crate) fn mean_square<const N: usize>(
         &self,
         error: &SVector<T, N>,
-        x0: &SVector<T, N>,
-        x1: &SVector<T, N>,
+        [x0, x1]: [&SVector<T, N>; 2],
+        active: usize,
     ) -> T {
         let half = self.rtol * T::from_f64(0.5);
         let mut sum = T::default();
-        for i in 0..N {
+        for i in 0..active.min(N) {
             let size = x0.data.0[0][i].abs() + x1.data.0[0][i].abs();
             let ratio = error.data.0[0][i] / (self.atol + half * size);
             sum += ratio * ratio;
         }
-        let mean = sum * T::from_f64(1.0 / N as f64);
+        let mean = sum * T::from_f64(1.0 / active as f64);
         if const { T::HAS_SLOPES }
             && let Some(ratio) = self.ratio_of_slopes(error, x0, x1)
         {
@@ -52,15 +53,16 @@ impl<T: Real> Tolerance<T> {
         &self,
         v: [&SVector<T, N>; M],
         x: &SVector<T, N>,
+        active: usize,
     ) -> [T; M] {
         let mut sums = [T::default(); M];
-        for i in 0..N {
+        for i in 0..active.min(N) {
             let weight = T::from_f64(1.0) / (self.atol + self.rtol * x.data.0[0][i].abs());
             for (sum, v) in sums.iter_mut().zip(v) {
                 *sum += v.data.0[0][i].abs() * weight;
             }
         }
-        let mut means = sums.map(|sum| sum * T::from_f64(1.0 / N as f64));
+        let mut means = sums.map(|sum| sum * T::from_f64(1.0 / active as f64));
         if const { T::HAS_SLOPES } {
             for (mean, v) in means.iter_mut().zip(v) {
                 if let Some(ratio) = self.ratio_of_slopes(v, x, x) {
@@ -103,13 +105,13 @@ impl<T: Float> Tolerance<T> {
     where
         S: System<T, N> + ?Sized,
     {
-        let d0 = self.mean_square(x0, x0, x0).sqrt().to_f64();
-        let d1 = self.mean_square(f0, x0, x0).sqrt().to_f64();
+        let size = |v| self.mean_square(v, [x0, x0], system.active()).sqrt();
+        let [d0, d1] = [x0, f0].map(|v| size(v).to_f64());
         let trial = if d0 < 1e-5 || d1 < 1e-5 { 1e-6 } else { 0.01 * d0 / d1 };
         let trial = T::from_f64(trial).min(h_max);
         let signed = trial * direction;
         let f1 = system.rhs(t0 + signed, &(x0 + f0 * signed));
-        let d2 = (self.mean_square(&(f1 - f0), x0, x0).sqrt() / trial).to_f64();
+        let d2 = (size(&(f1 - f0)) / trial).to_f64();
         let trial = trial.to_f64();
         let steepest = d1.max(d2);
         let h = if !d2.is_finite() {
@@ -242,7 +244,7 @@ mod tests {
         let (x0, x1) = (SVector::from([1.0, -2.0]), SVector::from([-3.0, 4.0]));
         // 0.01 + 0.1 * 2 and 0.01 + 0.1 * 3
         let expected = ((0.3_f64 / 0.21).powi(2) + (0.4_f64 / 0.31).powi(2)) / 2.0;
-        let found = tolerance.mean_square(&SVector::from([0.3, -0.4]), &x0, &x1);
+        let found = tolerance.mean_square(&SVector::from([0.3, -0.4]), [&x0, &x1], 2);
         assert!((found / expected - 1.0).abs() < 1e-15, "{found} {expected}");
     }
 
@@ -250,7 +252,7 @@ mod tests {
     fn sizes_are_measured_against_the_state() {
         let tolerance = Tolerance { rtol: 0.5, atol: 0.25 };
         let [a, b] = [SVector::from([1.0, -2.0]), SVector::from([-5.0, 0.0])];
-        let found = tolerance.mean_sizes([&a, &b], &SVector::from([-3.0, 4.0]));
+        let found = tolerance.mean_sizes([&a, &b], &SVector::from([-3.0, 4.0]), 2);
         // 0.25 + 0.5 * 3 and 0.25 + 0.5 * 4
         let expected = [(1.0 / 1.75 + 2.0 / 2.25) / 2.0, 5.0 / 1.75 / 2.0];
         for (found, expected) in found.into_iter().zip(expected) {

@@ -45,6 +45,13 @@ pub trait System<T: Real, const N: usize> {
     /// Time derivative of the state; `[qd; qdd]` for a mechanism.
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>;
 
+    /// Number of components that the system has, `N` by default. The others, at the end of the state, are padding: they
+    /// and their derivatives are zero, error norms leave them out, and matrices end before them.
+    #[inline(always)]
+    fn active(&self) -> usize {
+        N
+    }
+
     /// Kinds of the components of the state, and dependence on time; `None` if unknown, which is the default.
     #[inline]
     fn layout(&self) -> Option<StateLayout<'_>> {
@@ -288,6 +295,7 @@ macro_rules! forward_system {
     ($self:ident => $wrapped:expr) => {
         $crate::system::forward! { $self => $wrapped;
             rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
+            active() -> usize;
             layout() -> Option<StateLayout<'_>>;
             is_autonomous() -> Option<bool>;
             project(t: T, x: &mut SVector<T, N>);

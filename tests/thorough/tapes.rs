@@ -7,8 +7,9 @@ use std::sync::Arc;
 use nalgebra::SVector;
 use pendulum_core::hybrid::{Hold, MAX_CONSTRAINTS};
 use pendulum_core::prelude::*;
+use pendulum_core::sensitivity::{self, Variable};
 use pendulum_core::tape::{Given, HybridModel, Model, ModelError, Tape};
-use pendulum_core::{Canonical, Plant, TaylorSeries};
+use pendulum_core::{Canonical, Parametric, Plant, TaylorSeries, stability};
 use testbed::random::Random;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 use testbed::source::{SCENES, declaration};
@@ -62,6 +63,10 @@ fn text(source: &str, name: &str) -> String {
 
 fn tape(source: &str, name: &str) -> Arc<Tape> {
     Arc::new(text(source, name).parse().expect(name))
+}
+
+fn tape_of_double_pendulum() -> Arc<Tape> {
+    tape(SCENES, "DoublePendulum")
 }
 
 fn states<const N: usize>(count: usize) -> impl Iterator<Item = SVector<f64, N>> {
@@ -123,6 +128,107 @@ fn hybrid_systems_switch_modes_alike() {
         })*};
     }
     same!(Vern9::new(), Rodas5P::new(), Gauss4::new(0.01), Taylor::new());
+}
+
+/// First components of a state.
+fn first<const N: usize>(x: SVector<f64, N>) -> SVector<f64, 4> {
+    assert!(x.iter().skip(4).all(|&padding| padding == 0.0), "{x}");
+    SVector::from_fn(|n, _| x[n])
+}
+
+#[test]
+fn padding_changes_no_bit() {
+    let tape = tape(include_str!("tapes.rs"), "Constrained");
+    let exact: HybridModel<f64, 4> = tape.model(&[0.3]).expect("valid");
+    let padded: HybridModel<f64, 9> = tape.padded(&[0.3]).expect("valid");
+    let longer = |start: [f64; 4]| SVector::<f64, 9>::from_fn(|n, _| start.get(n).copied().unwrap_or(0.0));
+    let start = [1.5, 0.4, 0.8, 1.0];
+    macro_rules! same {
+        ($($method:expr),*) => {$({
+            let of_exact = $method.solve(&exact, 0.0, 3.0, start).expect("regular");
+            let of_padded = $method.solve(&padded, 0.0, 3.0, longer(start)).expect("regular");
+            assert!(!of_exact.impacts().is_empty());
+            assert_eq!(of_exact.t(), of_padded.t());
+            assert_eq!(of_exact.end(), first(of_padded.end()));
+            assert_eq!(of_exact.modes(), of_padded.modes());
+            assert_eq!(of_exact.statistics(), of_padded.statistics());
+            let starts: Vec<_> = states(9).map(|x| 0.2 * x).collect();
+            let longer: Vec<_> = starts.iter().map(|start| longer(start.data.0[0])).collect();
+            let of_exact = $method.ensemble(std::slice::from_ref(&exact), 0.0, 2.0, &starts).expect("regular");
+            let of_padded = $method.ensemble(std::slice::from_ref(&padded), 0.0, 2.0, &longer).expect("regular");
+            assert_eq!(of_exact, of_padded.into_iter().map(first).collect::<Vec<_>>());
+        })*};
+    }
+    same!(
+        Rk4::new(0.01),
+        Tsit5::new().atol(1e-12),
+        Vern9::new(),
+        Taylor::new(),
+        Rodas5P::new(),
+        Radau5::new()
+    );
+    same!(Auto::new(), Gauss4::new(0.01));
+    // one mode, whose norms and matrices are those of lanes
+    let exact: Model<f64, 4> = tape_of_double_pendulum()
+        .model(&DoublePendulumParams::default().to_array())
+        .expect("valid");
+    let padded: Model<f64, 9> = tape_of_double_pendulum()
+        .padded(&DoublePendulumParams::default().to_array())
+        .expect("valid");
+    let starts: Vec<SVector<f64, 4>> = states(21).collect();
+    let longer: Vec<_> = starts.iter().map(|start| longer(start.data.0[0])).collect();
+    macro_rules! same_in_lanes {
+        ($($method:expr),*) => {$(
+            let of_exact = $method.ensemble(std::slice::from_ref(&exact), 0.0, 2.0, &starts).expect("regular");
+            let of_padded = $method.ensemble(std::slice::from_ref(&padded), 0.0, 2.0, &longer).expect("regular");
+            assert_eq!(of_exact, of_padded.into_iter().map(first).collect::<Vec<_>>());
+        )*};
+    }
+    same_in_lanes!(Vern7::new().atol(1e-12), Taylor::new(), Rodas4::new(), Auto::new());
+}
+
+#[test]
+fn analyses_leave_padding_out() {
+    let parameters = DoublePendulumParams::default();
+    let compiled = DoublePendulum::new(parameters).expect("valid");
+    let padded: Model<f64, 9> = tape_of_double_pendulum().padded(&parameters.to_array()).expect("valid");
+    let seed = |x: [f64; 2]| SVector::<f64, 9>::from_fn(|n, _| x.get(n).copied().unwrap_or(0.0));
+    let found = stability::equilibria(&padded, [seed([0.1, 0.2])]).expect("autonomous");
+    let of_compiled = stability::equilibria(&compiled, [SVector::from([0.1, 0.2, 0.0, 0.0])]).expect("autonomous");
+    assert_eq!(found.len(), 4);
+    for (own, other) in found.iter().zip(of_compiled.iter()) {
+        assert!((first(own.x) - other.x).norm() < 1e-9);
+        assert_eq!(own.spectrum.modes().len(), 4);
+        assert_eq!(own.stability(), other.stability());
+    }
+    // at rest all exponents are those of the linearisation, and none is the zero of padding
+    let exponents = stability::Lyapunov::new().duration(200.0);
+    let own = exponents.exponents::<4, 9>(&padded, seed([0.0, 0.0])).expect("regular");
+    let other = exponents.exponents::<4, 4>(&compiled, [0.0; 4]).expect("regular");
+    for (own, other) in own.values.iter().zip(other.values) {
+        assert!((own - other).abs() < 1e-3 && *own < -1e-3, "{own} {other}");
+    }
+    assert!(exponents.exponents::<5, 9>(&padded, seed([0.0, 0.0])).is_err());
+}
+
+#[test]
+fn derivatives_by_parameters_have_the_same_bits() {
+    let compiled = Constrained::new(ConstrainedParams::default()).expect("valid");
+    let own: HybridModel<f64, 4> = tape(include_str!("tapes.rs"), "Constrained")
+        .model(&[0.3])
+        .expect("valid");
+    let by = [Variable::Start(1), Variable::Parameter(0)];
+    let start = [1.5, 0.4, 0.8, 1.0];
+    let of_compiled = sensitivity::end::<_, _, 4, 1, 2>(&Vern9::new(), &compiled, 0.0, 2.0, start, by);
+    // three parameters, two of which are padding
+    let of_tape = sensitivity::end::<_, _, 4, 3, 2>(&Vern9::new(), &own, 0.0, 2.0, start, by);
+    assert!(of_compiled.is_ok());
+    assert_eq!(of_compiled, of_tape);
+    let names: [&str; 3] = Parametric::<4, 3>::parameter_names(&own);
+    assert_eq!(names, ["mu", "", ""]);
+    let negative = Parametric::<4, 3>::check_parameters(&own, &[-0.1, 0.0, 0.0]);
+    assert_eq!(negative, Parametric::<4, 1>::check_parameters(&compiled, &[-0.1]));
+    assert!(negative.is_err());
 }
 
 #[test]

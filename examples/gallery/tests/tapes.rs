@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use pendulum_core::hybrid::{Hybrid, Response};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Fused;
+use pendulum_core::shapes::Shapes;
 use pendulum_core::tape::{Given, HybridModel, Tape};
 use pendulum_core::{Cast, Float, Parametric};
 use testbed::random::Random;
@@ -166,6 +167,15 @@ fn energy<T: Float, const N: usize>(name: &str, compiled: &impl Energy<T, N>, ta
     bits.assert_same(name);
 }
 
+fn shapes<const N: usize>(name: &str, compiled: &impl Shapes<N>, tape: &HybridModel<f64, N>) {
+    assert!(!compiled.shapes(0.0, &SVector::zeros()).is_empty(), "{name}");
+    for (t, x) in states::<N>() {
+        // those that are not numbers are unequal to themselves
+        let text = |shapes: Vec<_>| format!("{shapes:?}");
+        assert_eq!(text(compiled.shapes(t, &x)), text(tape.shapes(t, &x)), "{name}");
+    }
+}
+
 /// Compares a routine that is no function of a trait.
 fn routine<I: IntoIterator<Item = f64>, const N: usize>(
     name: &str,
@@ -186,13 +196,14 @@ fn routine<I: IntoIterator<Item = f64>, const N: usize>(
 
 /// Compares the motion of systems of the gallery in two number types, and what else they have; lists their names.
 macro_rules! check {
-    ($($module:ident::$name:ident ($($function:ident)*) [$($routine:ident)*],)*) => {[$({
+    ($($module:ident::$name:ident ($($function:ident)*) [$($routine:ident)*] $($shapes:ident)?,)*) => {[$({
         let name = stringify!($name);
         let compiled = gallery::$module::$name::new(Default::default()).expect(name);
         let tape = tape(name, &compiled);
         let in_fused = (compiled.cast::<Fused<f64>>(), tape.cast::<Fused<f64>>());
         motion(name, &compiled, &tape);
         motion(name, &in_fused.0, &in_fused.1);
+        $($shapes(name, &compiled, &tape);)?
         $(
             $function(name, &compiled, &tape);
             $function(name, &in_fused.0, &in_fused.1);
@@ -211,36 +222,36 @@ fn entries<const R: usize, const C: usize>(of: &SMatrix<f64, R, C>) -> Vec<f64> 
 #[test]
 fn every_system_has_the_bits_of_its_tape() {
     let checked = check! {
-        arm::Arm (energy) [mass_matrix bias],
-        asymmetric::Asymmetric (jacobian energy) [],
-        ball_pendulum::BallPendulum (jacobian energy) [momentum],
+        arm::Arm (energy) [mass_matrix bias] shapes,
+        asymmetric::Asymmetric (jacobian energy) [] shapes,
+        ball_pendulum::BallPendulum (jacobian energy) [momentum] shapes,
         bars_and_squares::DoubleBar (jacobian) [mass_matrix],
-        bars_and_squares::DoubleSquare (jacobian energy) [mass_matrix],
-        bennett::Bennett (jacobian energy) [],
-        bouncing_ball::BouncingBall (energy) [],
-        cart_pole::CartPole (energy) [mass_matrix],
-        coupled_pendulums::Coupled (jacobian energy) [],
-        cubic::Cubic (energy) [],
-        double_four_bar::DoubleFourBar (jacobian energy) [],
-        driven_pivot::DrivenPivot (jacobian energy) [drive_forces],
-        five_bar::FiveBar (jacobian energy) [],
-        four_bar::FourBar (jacobian energy) [],
-        furuta::Furuta (energy) [],
-        kapitza::Kapitza (jacobian energy) [drive_forces],
-        leg::Leg (energy) [drive_forces],
-        magnets::Magnets (jacobian energy) [],
-        motor::Motor (jacobian energy) [],
-        point_masses::PointMasses (jacobian energy) [],
-        quadruped::Quadruped (energy) [],
-        rocking_block::RockingBlock (energy) [],
-        rods_and_wall::RodsAndWall (energy) [],
-        slider_crank::SliderCrank (jacobian energy) [],
-        spring_suspended::SpringSuspended (jacobian energy) [],
-        squeezer::Squeezer (jacobian energy) [],
-        stick_slip::StickSlip (energy) [drive_forces],
-        triple::Triple (energy) [],
-        tumbling_body::TumblingBody (jacobian energy) [],
-        two_bodies::TwoBodies (energy) [],
+        bars_and_squares::DoubleSquare (jacobian energy) [mass_matrix] shapes,
+        bennett::Bennett (jacobian energy) [] shapes,
+        bouncing_ball::BouncingBall (energy) [] shapes,
+        cart_pole::CartPole (energy) [mass_matrix] shapes,
+        coupled_pendulums::Coupled (jacobian energy) [] shapes,
+        cubic::Cubic (energy) [] shapes,
+        double_four_bar::DoubleFourBar (jacobian energy) [] shapes,
+        driven_pivot::DrivenPivot (jacobian energy) [drive_forces] shapes,
+        five_bar::FiveBar (jacobian energy) [] shapes,
+        four_bar::FourBar (jacobian energy) [] shapes,
+        furuta::Furuta (energy) [] shapes,
+        kapitza::Kapitza (jacobian energy) [drive_forces] shapes,
+        leg::Leg (energy) [drive_forces] shapes,
+        magnets::Magnets (jacobian energy) [] shapes,
+        motor::Motor (jacobian energy) [] shapes,
+        point_masses::PointMasses (jacobian energy) [] shapes,
+        quadruped::Quadruped (energy) [] shapes,
+        rocking_block::RockingBlock (energy) [] shapes,
+        rods_and_wall::RodsAndWall (energy) [] shapes,
+        slider_crank::SliderCrank (jacobian energy) [] shapes,
+        spring_suspended::SpringSuspended (jacobian energy) [] shapes,
+        squeezer::Squeezer (jacobian energy) [] shapes,
+        stick_slip::StickSlip (energy) [drive_forces] shapes,
+        triple::Triple (energy) [] shapes,
+        tumbling_body::TumblingBody (jacobian energy) [] shapes,
+        two_bodies::TwoBodies (energy) [] shapes,
     };
     let declarations = SYSTEMS.iter().map(|system| system.declarations().len());
     assert_eq!(checked.len(), declarations.sum::<usize>(), "{checked:?}");

@@ -103,6 +103,11 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
         self.0.rhs(t, x)
     }
 
+    #[inline(always)]
+    fn active(&self) -> usize {
+        self.0.active()
+    }
+
     fn layout(&self) -> Option<StateLayout<'_>> {
         self.0.layout()
     }

@@ -204,7 +204,7 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
 
     fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Early<T, N>> {
         let observer = &mut self.observers[index];
-        match &mut self.searches[index] {
+        let seen = match &mut self.searches[index] {
             Some(search) if !self.events[index].is_empty() => {
                 // Trajectories with resets are integrated alone, so the state is kept here.
                 Ok(see(search, dense, observer, |_, x| Ok(*x))?.map(|stop| stop.x))
@@ -213,7 +213,12 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
                 observer.step(dense);
                 Ok(None)
             }
+        };
+        if observer.is_cancelled() {
+            let step = dense.step();
+            return Err(Early::at((step.t1, step.x1))(Reason::Cancelled));
         }
+        seen
     }
 
     fn work(&mut self, index: usize, work: &Statistics) {

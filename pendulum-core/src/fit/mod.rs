@@ -81,7 +81,7 @@ pub use table::{Table, TableError};
 
 use crate::dual::Dual;
 use crate::method::Method;
-use crate::system::{IntoState, Parametric};
+use crate::system::{IntoState, Parametric, System};
 use search::{End, Joints, Point, Search};
 use shooting::{PART, Trajectories, sources};
 
@@ -275,10 +275,11 @@ impl<X> Fit<X> {
             sources::<M, N, P>(experiment.model, experiment.measurement)
         });
         let sources = sources.collect::<Result<_, _>>()?;
-        let names = first.model.parameter_names();
+        let (names, model) = (first.model.parameter_names(), first.model.cast::<f64>());
+        let active = model.active();
         let (free, bounds) = self.parameters(first.model)?;
         self.check_settings()?;
-        let windows = windows::divide(experiments, self.division)?;
+        let windows = windows::divide(experiments, self.division, active)?;
         let trajectories = Trajectories::<X, M, N, P> {
             method: &self.method,
             experiments,
@@ -298,8 +299,8 @@ impl<X> Fit<X> {
             free,
             bounds,
             loss: self.loss,
-            n: N,
-            hybrid: M::HYBRID,
+            n: active,
+            hybrid: model.hybrid().is_some(),
             joints: None,
             max_iterations: self.max_iterations,
             iterations: 0,

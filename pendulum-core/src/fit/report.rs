@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::FitError;
@@ -12,7 +12,7 @@ use super::likelihood::Likelihood;
 use super::loss::Loss;
 use super::measurement::Measurement;
 use super::search::{End, Point, Search};
-use super::shooting::Shot;
+use super::shooting::{Shot, padded};
 
 /// Singular values below this part of the largest are rounding errors.
 const SINGULAR: f64 = 1e-10;
@@ -261,8 +261,8 @@ pub(super) fn fitted<const N: usize, const P: usize>(
         experiment: window.experiment,
         t0: window.span[0],
         t1: window.span[1],
-        start: SVector::from_column_slice(&point.starts[w]),
-        end: SVector::from_column_slice(&point.shots[w].end),
+        start: padded(&point.starts[w]),
+        end: padded(&point.shots[w].end),
     });
     // without the bias of the estimate that maximises the likelihood
     let spared = (values as f64 / left).sqrt();

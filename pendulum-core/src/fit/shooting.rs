@@ -102,12 +102,13 @@ where
         let times = &experiment.measurement.times[window.samples.clone()];
         let [t0, t1] = window.span.map(Dual::constant);
         let rows = times.len() * sources.len();
-        let variables = N + by.len();
+        let n = start.len();
+        let variables = n + by.len();
         let mut shot = Shot {
             outputs: vec![0.0; rows],
             by: DMatrix::zeros(rows, variables),
-            end: vec![0.0; N],
-            end_by: DMatrix::zeros(N, variables),
+            end: vec![0.0; n],
+            end_by: DMatrix::zeros(n, variables),
         };
         // without variables, once for the outputs
         for first in (0..variables.max(1)).step_by(PART) {
@@ -121,11 +122,14 @@ where
             let values = own(experiment.model, parameters, &self.free);
             let model = experiment
                 .model
-                .with_parameters::<Dual<f64, PART>>(std::array::from_fn(|n| {
-                    let place = by.iter().position(|&by| by == n);
-                    seed(values[n], place.map(|place| N + place))
+                .with_parameters::<Dual<f64, PART>>(std::array::from_fn(|p| {
+                    let place = by.iter().position(|&by| by == p);
+                    seed(values[p], place.map(|place| n + place))
                 }));
-            let x0 = SVector::<_, N>::from_fn(|n, _| seed(start[n], (!window.known).then_some(n)));
+            let mut x0 = padded::<N>(start).map(Dual::constant);
+            if !window.known {
+                (0..n).for_each(|i| x0[i] = seed(start[i], Some(i)));
+            }
             let mut sampler = Sampler {
                 model: &model,
                 sources,
@@ -137,7 +141,9 @@ where
                 sampler.sample(t0, &x0);
                 x0
             } else {
-                self.method.follow(&model, t0, t1, x0, &[], &mut sampler)?
+                // any observer, so that other users of these derivatives share the code
+                let mut observer: &mut dyn Observer<_, N> = &mut sampler;
+                self.method.follow(&model, t0, t1, x0, &[], &mut observer)?
             };
             for (row, output) in sampler.outputs.iter().enumerate() {
                 shot.outputs[row] = output.value;
@@ -145,7 +151,7 @@ where
                     shot.by[(row, column)] = output.slopes[column - first];
                 }
             }
-            for (row, component) in end.iter().enumerate() {
+            for (row, component) in end.iter().take(n).enumerate() {
                 shot.end[row] = component.value;
                 for column in first..variables.min(first + PART) {
                     shot.end_by[(row, column)] = component.slopes[column - first];
@@ -158,7 +164,7 @@ where
     fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64]) {
         let model = self.experiments[window.experiment].model;
         let model = model.with_parameters(own(model, parameters, &self.free));
-        let mut x = SVector::from_column_slice(start);
+        let mut x = padded::<N>(start);
         model.project(window.span[0], &mut x);
         if let Some(hybrid) = model.hybrid() {
             let (laws, measures) = (hybrid.laws(), hybrid.measures(window.span[0], &x));
@@ -174,7 +180,7 @@ where
             }
         }
         if x.iter().all(|x| x.is_finite()) {
-            start.copy_from_slice(x.as_slice());
+            start.copy_from_slice(&x.as_slice()[..start.len()]);
         }
     }
 
@@ -192,6 +198,11 @@ where
     let mut own = model.parameters();
     free.iter().for_each(|&n| own[n] = parameters[n]);
     own
+}
+
+/// State with these components, and zero in those that are padding.
+pub(super) fn padded<const N: usize>(x: &[f64]) -> SVector<f64, N> {
+    SVector::from_fn(|n, _| x.get(n).copied().unwrap_or_default())
 }
 
 /// Component of the position whose rate is the component `rate`, if it is a single one.

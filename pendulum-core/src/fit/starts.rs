@@ -38,17 +38,17 @@ where
             before = None;
         }
         let start = match (experiment.known.filter(|_| window.known), experiment.guess, &before) {
-            (Some((_, known)), _, _) => known.as_slice().to_vec(),
+            (Some((_, known)), _, _) => known.as_slice()[..search.n].to_vec(),
             (None, _, Some(before)) => before.clone(),
-            (None, Some(guess), None) => guess.as_slice().to_vec(),
+            (None, Some(guess), None) => guess.as_slice()[..search.n].to_vec(),
             (None, None, None) => {
-                let mut origin = vec![0.0; N];
+                let mut origin = vec![0.0; search.n];
                 let quaternions = layout.into_iter().flat_map(|layout| layout.quaternions());
                 quaternions.for_each(|places| origin[places.start] = 1.0);
                 origin
             }
         };
-        let (mut start, mut measured) = (start, [false; N]);
+        let (mut start, mut measured) = (start, vec![false; search.n]);
         let guessed = window.samples.start == 0 && experiment.guess.is_some();
         if !window.known && !guessed {
             let columns = &experiment.measurement.columns;
@@ -63,7 +63,7 @@ where
                     continue;
                 };
                 (start[n], measured[n]) = (value, true);
-                let rate_of = (0..N).find(|&rate| position_of(layout, rate) == Some(n));
+                let rate_of = (0..search.n).find(|&rate| position_of(layout, rate) == Some(n));
                 rates.extend(rate_of.zip(rate));
             }
             for (n, rate) in rates {
@@ -76,7 +76,7 @@ where
         let complete = window.known || measured.iter().all(|&measured| measured);
         before = None;
         if !complete {
-            let beginning = window.beginning(experiment.measurement, SAMPLES_OF_A_START * N);
+            let beginning = window.beginning(experiment.measurement, SAMPLES_OF_A_START * search.n);
             start = search
                 .start_alone(&beginning, start, parameters, &search.given)?
                 .starts

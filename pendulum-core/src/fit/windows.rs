@@ -42,10 +42,12 @@ fn values(measurement: &Measurement, sample: usize) -> usize {
     columns.filter(|column| !column.values[sample].is_nan()).count()
 }
 
-/// Splits experiments into windows. A window ends at the sample with which the next one starts.
+/// Splits experiments into windows. A window ends at the sample with which the next one starts. `n` is the length of a
+/// state without padding.
 pub(super) fn divide<M, const N: usize>(
     experiments: &[Experiment<'_, M, N>],
     division: Division,
+    n: usize,
 ) -> Result<Vec<Window>, FitError> {
     let (length, joined) = match division {
         Division::Whole => (f64::INFINITY, false),
@@ -53,14 +55,14 @@ pub(super) fn divide<M, const N: usize>(
         Division::Separate(length) => (length, false),
     };
     let mut windows = Vec::new();
-    for (n, experiment) in experiments.iter().enumerate() {
+    for (number, experiment) in experiments.iter().enumerate() {
         let times = &experiment.measurement.times;
         let [Some(&first), Some(&last)] = [times.first(), times.last()] else {
-            return Err(FitError::TooFewValues { values: 0, unknowns: N });
+            return Err(FitError::TooFewValues { values: 0, unknowns: n });
         };
         let begins = match experiment.known {
             Some((t, _)) if t > first || t.is_nan() => {
-                let experiment = n;
+                let experiment = number;
                 return Err(FitError::StartsLate { experiment, t, first });
             }
             Some((t, _)) => t,
@@ -68,7 +70,7 @@ pub(super) fn divide<M, const N: usize>(
         };
         let count = ((last - begins) / length).ceil().clamp(1.0, times.len() as f64);
         let width = (last - begins) / count;
-        let least = VALUES_OF_A_WINDOW * N;
+        let least = VALUES_OF_A_WINDOW * n;
         // first sample of the window, its number of values, and its end as a multiple of the width
         let (mut from, mut inside, mut edge) = (0, 0, 1.0);
         for to in 1..=times.len() {
@@ -85,7 +87,7 @@ pub(super) fn divide<M, const N: usize>(
                 edge = ((t - begins) / width + 1e-9).floor() + 1.0;
             }
             windows.push(Window {
-                experiment: n,
+                experiment: number,
                 samples: from..to,
                 span: [if from == 0 { begins } else { times[from] }, next.unwrap_or(last)],
                 joined: joined && from > 0,

@@ -79,6 +79,11 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
     }
 
     #[inline(always)]
+    fn active(&self) -> usize {
+        self.system.active()
+    }
+
+    #[inline(always)]
     fn layout(&self) -> Option<StateLayout<'_>> {
         self.system.layout()
     }

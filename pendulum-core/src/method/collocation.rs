@@ -13,19 +13,20 @@ use crate::tableau::{Eigenpair, Eigenpairs};
 /// Differential Equations II", IV.8).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pencil<T, const STAGES: usize, const N: usize> {
+    active: usize,
     real: Option<(Eigenpair<f64, STAGES>, Lu<T, N>)>,
     pair: (Eigenpair<nalgebra::Complex<f64>, STAGES>, Lu<Complex<T>, N>),
 }
 
 impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
     /// Factors the matrix for a step of length `h`; `g` and `f` are the derivatives of the variables and of their rates
-    /// by the state.
+    /// by the state, of which the first `active` components count.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new(
         modes: &Eigenpairs<STAGES>,
         h: T,
-        g: &SMatrix<T, N, N>,
-        f: &SMatrix<T, N, N>,
+        [g, f]: [&SMatrix<T, N, N>; 2],
+        active: usize,
     ) -> Result<Self, Singular> {
         let (g, f) = (&g.data.0, &f.data.0);
         let real = match modes.real {
@@ -33,7 +34,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
             Some(mode) => {
                 let factor = h * T::from_f64(mode.value);
                 let entry = |j: usize, i: usize| g[j][i] - factor * f[j][i];
-                Some((mode, Lu::new(columns(entry))?))
+                Some((mode, Lu::new(columns(entry), active)?))
             }
         };
         let (re, im) = (
@@ -43,7 +44,8 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
         let entry = |j: usize, i: usize| Complex::new(g[j][i] - re * f[j][i], -(im * f[j][i]));
         Ok(Self {
             real,
-            pair: (modes.pair, Lu::new(columns(entry))?),
+            active,
+            pair: (modes.pair, Lu::new(columns(entry), active)?),
         })
     }
 
@@ -51,7 +53,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn solve_real(&self, r: &SVector<T, N>) -> Option<SVector<T, N>> {
         let (_, lu) = self.real.as_ref()?;
-        Some(SVector::from(lu.solve(&r.data.0[0])))
+        Some(SVector::from(lu.solve(&r.data.0[0], self.active)))
     }
 
     /// Number of factored matrices.
@@ -73,7 +75,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
                 sum + Complex::new(l.re * r[k], l.im * r[k])
             })
         });
-        let along = lu.solve(&along);
+        let along = lu.solve(&along, self.active);
         let mut changes = right.map(|r| SVector::from_fn(|k, _| r.re * along[k].re - r.im * along[k].im));
         if let Some((mode, lu)) = &self.real {
             let left = mode.left.map(T::from_f64);
@@ -83,7 +85,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
                     .zip(left)
                     .fold(T::default(), |sum, (r, l)| sum + l * r[k])
             });
-            let along = SVector::from(lu.solve(&along));
+            let along = SVector::from(lu.solve(&along, self.active));
             for (change, right) in changes.iter_mut().zip(mode.right) {
                 *change += along * T::from_f64(right);
             }

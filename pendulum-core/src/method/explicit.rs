@@ -229,7 +229,7 @@ where
                 }
                 let weights = const { &B::TABLEAU.error_weights() };
                 let error = weighted_sum((t_new - t).abs(), weights, STAGES, &self.stages);
-                tolerance.mean_square(&error, x, x_new)
+                tolerance.mean_square(&error, [x, x_new], system.active())
             }
         }
     }

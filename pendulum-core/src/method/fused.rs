@@ -198,6 +198,10 @@ fn fused_events<'e, const N: usize>(events: &'e [Event<'_, f64, N>]) -> Vec<Even
 struct Plain<'o, O>(&'o mut O);
 
 impl<O: Observer<f64, N>, const N: usize> Observer<Fused<f64>, N> for Plain<'_, O> {
+    fn is_cancelled(&self) -> bool {
+        self.0.is_cancelled()
+    }
+
     fn looks_into(&self, t0: Fused<f64>, t1: Fused<f64>) -> bool {
         self.0.looks_into(t0.0, t1.0)
     }

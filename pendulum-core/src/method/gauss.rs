@@ -207,7 +207,7 @@ where
             .fold(SVector::from_element(zero), |sum, stage| sum + stage)
             * T::from_f64(1.0 / STAGES as f64);
         let (of_variables, of_rates) = Called(system).canonical_jacobian(t + h * one_half, &middle);
-        let pencil = Pencil::new(modes, h, &of_variables, &of_rates).map_err(|_| Stalled)?;
+        let pencil = Pencil::new(modes, h, [&of_variables, &of_rates], system.active()).map_err(|_| Stalled)?;
         work.jacobians += 1;
         work.factorizations += pencil.factorizations();
         let (mut before, mut rises) = (T::from_f64(f64::INFINITY), 0);
@@ -291,9 +291,9 @@ where
         });
         let (of_variables, _) = Called(system).canonical_jacobian(t_new, &nearby);
         let missing = y - Called(system).canonical(t_new, &nearby).0;
-        let change = Lu::new(of_variables.data.0)
+        let change = Lu::new(of_variables.data.0, system.active())
             .map_err(|_| Stalled)?
-            .solve(&missing.data.0[0]);
+            .solve(&missing.data.0[0], system.active());
         work.evaluations += 1;
         work.jacobians += 1;
         work.factorizations += 1;

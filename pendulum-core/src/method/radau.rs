@@ -201,7 +201,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
             let mut sum = T::default();
             for (rise, change) in self.rises.iter_mut().zip(&changes) {
                 *rise -= change;
-                sum += tolerance.mean_square(change, x, x);
+                sum += tolerance.mean_square(change, [x, x], system.active());
             }
             let norm = (sum / T::from_f64(STAGES as f64)).sqrt();
             if !norm.is_finite() {
@@ -256,7 +256,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
             return T::default();
         };
         let error = self.error(&self.start.0, h, pencil);
-        let mean_square = tolerance.mean_square(&error, x, x_new);
+        let mean_square = tolerance.mean_square(&error, [x, x_new], system.active());
         if mean_square <= T::from_f64(1.0) || !self.is_doubtful {
             return mean_square;
         }
@@ -264,7 +264,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         // 8.20
         work.evaluations += 1;
         let error = self.error(&system.rhs(t, &(x + error)), h, pencil);
-        tolerance.mean_square(&error, x, x_new)
+        tolerance.mean_square(&error, [x, x_new], system.active())
     }
 }
 
@@ -297,7 +297,7 @@ where
     ) -> Result<T, Stalled> {
         let h = t_new - t;
         let identity = SMatrix::from_fn(|i, j| T::from_f64(if i == j { 1.0 } else { 0.0 }));
-        let pencil = Pencil::new(&MODES, h, &identity, &self.start.1).map_err(|Singular| Stalled)?;
+        let pencil = Pencil::new(&MODES, h, [&identity, &self.start.1], system.active()).map_err(|Singular| Stalled)?;
         work.factorizations += pencil.factorizations();
         self.predict(h);
         let solved = if const { N <= SHORT } {

@@ -188,9 +188,9 @@ where
         S: System<T, N> + ?Sized,
     {
         const { assert!(STAGES >= 1 && STAGES <= MAX_STAGES && B::TABLEAU.dense.len() <= MAX_DEGREE) };
-        let (one, h) = (T::from_f64(1.0), t_new - t);
+        let (one, h, active) = (T::from_f64(1.0), t_new - t, system.active());
         let h_gamma = h * T::from_f64(const { B::TABLEAU.gamma });
-        let lu = Lu::<T, N, P>::of(identity_minus(h_gamma, &self.start().jacobian))?;
+        let lu = Lu::<T, N, P>::of(identity_minus(h_gamma, &self.start().jacobian), active)?;
         macro_rules! stages {
             ($($i:literal)*) => { $(
                 if $i < STAGES {
@@ -213,7 +213,7 @@ where
                         *right = h_gamma.mul_add(slope, *right);
                     }
                     let right = &right.data.0[0];
-                    self.stages[$i] = SVector::from(lu.solve(right));
+                    self.stages[$i] = SVector::from(lu.solve(right, active));
                 }
             )* };
         }
@@ -265,7 +265,7 @@ where
             Some(tolerance) => {
                 let weights = const { &difference(B::TABLEAU.b, B::TABLEAU.b_hat) };
                 let error = weighted_sum(T::from_f64(1.0), weights, STAGES, &self.stages);
-                tolerance.mean_square(&error, x, x_new)
+                tolerance.mean_square(&error, [x, x_new], system.active())
             }
         };
         if const { T::LANES > 1 } && !defect.all_finite() {

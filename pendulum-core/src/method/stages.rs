@@ -18,6 +18,11 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for Called<
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
         Isa::run_routine(Evaluation { t, x }, &mut (), self.0)
     }
+
+    #[inline(always)]
+    fn active(&self) -> usize {
+        self.0.active()
+    }
 }
 
 impl<S: Canonical<T, N> + ?Sized, T: Real, const N: usize> Canonical<T, N> for Called<'_, S> {

@@ -210,6 +210,11 @@ where
         self.next.set(next + 1);
         rate
     }
+
+    #[inline(always)]
+    fn active(&self) -> usize {
+        self.system.active()
+    }
 }
 
 /// The larger of two numbers; the first if the second is NaN.

@@ -14,6 +14,7 @@ use crate::real::lanes::{Isa, Lanes, Routine};
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
 use crate::step_size::{Estimates, Tolerance, exp2, log2};
+use crate::system::System;
 use crate::taylor::{MAX_ORDER, TaylorSeries};
 
 /// The Taylor method, with an order determined by the tolerance; see [`Adaptive`] for its settings.
@@ -273,9 +274,9 @@ where
     }
 
     #[inline(always)]
-    fn prepare(&mut self, _system: &InMode<'_, S, T>, _t: T, x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
+    fn prepare(&mut self, system: &InMode<'_, S, T>, _t: T, x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
         let (tolerance, bits) = self.tolerance.as_ref()?;
-        let sizes = tolerance.mean_sizes(last_terms(self.series(self.current)), x);
+        let sizes = tolerance.mean_sizes(last_terms(self.series(self.current)), x, system.active());
         Some(T::from_fn(|lane| {
             length(self.order, *bits, sizes.map(|size| size.lane(lane)))
         }))
@@ -297,7 +298,7 @@ where
         Ok(match &self.tolerance {
             Some((tolerance, _)) => {
                 let error = defect(self.series(self.current), h, &self.x[other][1]);
-                tolerance.mean_square(&error, x, x_new)
+                tolerance.mean_square(&error, [x, x_new], system.active())
             }
             None => T::default(),
         })

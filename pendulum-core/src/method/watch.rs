@@ -120,6 +120,9 @@ where
     let mut reached = Reached::start(stepper, from(stepper, x0), observer);
     let mut crowded = 0;
     loop {
+        if observer.is_cancelled() {
+            return Err(here(stepper)(Reason::Cancelled));
+        }
         let stepped = stepper.step();
         let Some(step) = stepped.map_err(here(stepper))? else {
             return Ok(stepper.x());

@@ -106,6 +106,10 @@ impl<const N: usize> System<f64, N> for Frictionless<'_, N> {
             .fold(rates, |rates, (_, apart, column)| rates - column * apart)
     }
 
+    fn active(&self) -> usize {
+        self.layout.map_or(N, StateLayout::length)
+    }
+
     fn layout(&self) -> Option<StateLayout<'_>> {
         self.layout
     }

@@ -113,9 +113,9 @@ fn implicit<const STAGES: usize>(a: &[[f64; STAGES]; STAGES], b: &[f64; STAGES],
         let identity = if i == j { 1.0 } else { 0.0 };
         linear::Complex::new(identity - z.re * a[i][j], -z.im * a[i][j])
     };
-    match Lu::new(std::array::from_fn(|j| std::array::from_fn(|i| entry(i, j)))) {
+    match Lu::new(std::array::from_fn(|j| std::array::from_fn(|i| entry(i, j))), STAGES) {
         Ok(lu) => {
-            let stages = lu.solve(&[linear::Complex::new(1.0, 0.0); STAGES]);
+            let stages = lu.solve(&[linear::Complex::new(1.0, 0.0); STAGES], STAGES);
             ONE + z * combined(b, &stages.map(|stage| Complex::new(stage.re, stage.im)))
         }
         Err(linear::Singular) => Complex::new(f64::INFINITY, 0.0),
@@ -125,8 +125,8 @@ fn implicit<const STAGES: usize>(a: &[[f64; STAGES]; STAGES], b: &[f64; STAGES],
 /// `|1 - b A^-1 1|`.
 fn implicit_at_infinity<const STAGES: usize>(a: &[[f64; STAGES]; STAGES], b: &[f64; STAGES]) -> f64 {
     let columns = std::array::from_fn(|j| std::array::from_fn(|i| a[i][j]));
-    Lu::new(columns).map_or(f64::INFINITY, |lu| {
-        let stages = lu.solve(&[1.0; STAGES]);
+    Lu::new(columns, STAGES).map_or(f64::INFINITY, |lu| {
+        let stages = lu.solve(&[1.0; STAGES], STAGES);
         b.iter().zip(stages).fold(1.0, |sum, (b, stage)| sum - b * stage).abs()
     })
 }

@@ -144,11 +144,11 @@ impl Lyapunov {
         let (t, x) = (stepper.t(), stepper.x());
         stepper.restart(t, x)?;
         keep_to_directions(system, (t, &x), &mut stepper.scheme_mut().tangents);
-        orthonormalize(&mut stepper.scheme_mut().tangents);
+        orthonormalize(&mut stepper.scheme_mut().tangents, system.active());
         let mut growth = TangentGrowth::new(self.transient, self.end());
         while let Some(step) = stepper.step()? {
             keep_to_directions(system, (step.t1, &step.x1), &mut stepper.scheme_mut().tangents);
-            let lengths = orthonormalize(&mut stepper.scheme_mut().tangents);
+            let lengths = orthonormalize(&mut stepper.scheme_mut().tangents, system.active());
             growth.count((step.t0, step.h), lengths);
         }
         Ok(growth.exponents(stepper.t(), stepper.x()))
@@ -289,7 +289,7 @@ impl<const K: usize> TangentGrowth<K> {
 fn oblique<const K: usize, const N: usize>() -> [SVector<f64, N>; K] {
     let mut vectors =
         std::array::from_fn(|k| SVector::from_fn(|i, _| libm::sin(1.0 + ((i + 1) * (i + 2 * k + 3)) as f64)));
-    orthonormalize(&mut vectors);
+    orthonormalize(&mut vectors, N);
     vectors
 }
 
@@ -314,7 +314,7 @@ fn keep_to_directions<const K: usize, const N: usize>(
 /// Orthonormalises vectors by the modified Gram-Schmidt method. Returns the lengths of the remainders, or 0 for those
 /// of the size of rounding errors. The latter vectors are replaced by arbitrary orthogonal ones: the next step removes
 /// them again if there are too few growing directions, and otherwise they represent a new one.
-fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>; K]) -> [f64; K] {
+fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>; K], active: usize) -> [f64; K] {
     let longest = vectors.iter().map(|vector| vector.norm()).fold(1.0, f64::max);
     let mut lengths = [0.0; K];
     for (k, length) in lengths.iter_mut().enumerate() {
@@ -328,7 +328,7 @@ fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>
             rest[0] /= left;
             *length = left;
         } else {
-            rest[0] = left_over(done);
+            rest[0] = left_over(done, active);
         }
     }
     lengths
@@ -337,8 +337,8 @@ fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>
 /// Length relative to the longest vector below which a vector counts as rounding error.
 const LEAST: f64 = 1e-12;
 
-/// A unit vector orthogonal to the others.
-fn left_over<const N: usize>(done: &[SVector<f64, N>]) -> SVector<f64, N> {
+/// A unit vector orthogonal to the others, without a component beyond the active ones.
+fn left_over<const N: usize>(done: &[SVector<f64, N>], active: usize) -> SVector<f64, N> {
     let without = |axis: usize| {
         let mut rest = SVector::from_fn(|i, _| f64::from(u8::from(i == axis)));
         for _ in 0..2 {
@@ -349,7 +349,7 @@ fn left_over<const N: usize>(done: &[SVector<f64, N>]) -> SVector<f64, N> {
         }
         rest
     };
-    let longest = (0..N).map(without).max_by(|a, b| a.norm().total_cmp(&b.norm()));
+    let longest = (0..active).map(without).max_by(|a, b| a.norm().total_cmp(&b.norm()));
     longest.map_or(SVector::zeros(), |longest| longest.normalize())
 }
 

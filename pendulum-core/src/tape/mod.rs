@@ -61,6 +61,7 @@ pub use series::Workspace;
 
 use crate::constraint::Constraint;
 use crate::layout::{Slot, StateLayout, StateVariable};
+use crate::shapes::Outline;
 use code::Code;
 use source::Source;
 
@@ -93,6 +94,9 @@ pub struct Tape {
     laws: Code,
     routines: Vec<Routine>,
     series: Option<Series>,
+    outlines: Vec<Outline<'static>>,
+    /// Points and radii of the outlines; `None` if the declaration asks for no shapes.
+    drawing: Option<Code>,
 }
 
 /// Parameter or input.
@@ -186,8 +190,7 @@ impl Tape {
     /// Length of the state.
     #[must_use]
     pub fn length(&self) -> usize {
-        let layout = self.layout();
-        layout.positions() + layout.rates() + layout.states.len()
+        self.layout().length()
     }
 
     /// Layout of the state.
@@ -215,11 +218,23 @@ impl Tape {
         self.series.is_some()
     }
 
+    /// True if the tape has shapes of the mechanism.
+    #[must_use]
+    pub fn has_shapes(&self) -> bool {
+        self.drawing.is_some()
+    }
+
     /// Names of the events, each of which is zero where the routine of its name is, and whether the motion has a kink
     /// there.
     #[must_use]
     pub fn events(&self) -> &[(&'static str, bool)] {
         &self.events
+    }
+
+    /// Constraints: dry friction and stops of joints, and walls.
+    #[must_use]
+    pub fn constraints(&self) -> &[Constraint<'static>] {
+        &self.constraints
     }
 
     /// Routines, each a function of time, state and arguments.

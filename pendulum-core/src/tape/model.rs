@@ -11,7 +11,7 @@ use super::{Condition, Routine, Tape};
 use crate::error::ParameterError;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
-use crate::system::{Cast, CastJacobian, Jacobian};
+use crate::system::{Cast, CastJacobian, Jacobian, Parametric};
 
 /// Rounding error of a difference relative to its terms, below which a condition counts as met, as in generated code.
 const ROUNDING: f64 = 1e-12;
@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-12;
 ///
 /// It is a [`System`](crate::System) like a model that [`mechanism!`](crate::mechanism) generates, so that all methods
 /// integrate it, in lanes as well. `HYBRID` is true if it may have dry friction, stops or walls: see [`HybridModel`].
-/// Sensitivities and fits need a generated model, since `Model` is not [`Parametric`](crate::Parametric).
+/// It is [`Parametric`] in any number of parameters, from its own on: the others are zero and have no names.
 ///
 /// # Panics
 /// The functions of [`Jacobian`], [`Energy`](crate::Energy), [`Canonical`](crate::Canonical) and
@@ -35,6 +35,8 @@ pub struct Model<T, const N: usize, const HYBRID: bool = false> {
     places: [Option<usize>; Role::ALL.len()],
     /// Values of the inputs.
     inputs: Vec<T>,
+    /// Length of the state without padding.
+    pub(super) active: usize,
 }
 
 /// [`Model`] of a mechanism that may have dry friction, stops or walls.
@@ -162,8 +164,23 @@ impl Tape {
         self: &Arc<Self>,
         params: &[f64],
     ) -> Result<Model<f64, N, HYBRID>, ModelError> {
+        match self.length() {
+            length if length != N => Err(ModelError::State { given: N, length }),
+            _ => self.padded(params),
+        }
+    }
+
+    /// Builds a model whose state may have more components than the mechanism: those at the end are padding, so that
+    /// few lengths `N` serve all mechanisms. See [`System::active`](crate::System::active).
+    ///
+    /// # Errors
+    /// Those of [`model`](Self::model); the state may be longer than the mechanism needs, not shorter.
+    pub fn padded<const N: usize, const HYBRID: bool>(
+        self: &Arc<Self>,
+        params: &[f64],
+    ) -> Result<Model<f64, N, HYBRID>, ModelError> {
         let length = self.length();
-        if length != N {
+        if length > N {
             return Err(ModelError::State { given: N, length });
         }
         if !HYBRID && !self.constraints.is_empty() {
@@ -172,9 +189,10 @@ impl Tape {
         Ok(Model {
             tape: self.clone(),
             params: params.into(),
-            constants: self.constants(params)?,
+            constants: self.checked_constants(params)?,
             places: self.places()?,
             inputs: vec![0.0; self.inputs.len()],
+            active: length,
         })
     }
 
@@ -203,7 +221,7 @@ impl Tape {
     }
 
     /// Constants of the model, after the checks of its parameters.
-    fn constants(&self, params: &[f64]) -> Result<Vec<f64>, ModelError> {
+    fn checked_constants(&self, params: &[f64]) -> Result<Vec<f64>, ModelError> {
         if params.len() != self.parameters.len() {
             return Err(ModelError::Parameters {
                 given: params.len(),
@@ -250,9 +268,9 @@ impl Tape {
 }
 
 /// Results of code that reads parameters only.
-fn compute(code: &Code, params: &[f64]) -> Vec<f64> {
+fn compute<T: Real>(code: &Code, params: &[T]) -> Vec<T> {
     let lists = Lists::new().with(Source::Parameter, params);
-    let mut results = vec![0.0; code.results.len()];
+    let mut results = vec![T::default(); code.results.len()];
     code.run(&[], &lists, &mut [&mut results]);
     results
 }
@@ -352,6 +370,20 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         });
     }
 
+    /// The model as one without mode switches, whose ensembles are faster; `None` if it has dry friction, stops or walls.
+    #[must_use]
+    pub fn smooth(&self) -> Option<Model<T, N>> {
+        let is_smooth = self.tape.constraints.is_empty();
+        is_smooth.then(|| Model {
+            tape: self.tape.clone(),
+            params: self.params.clone(),
+            constants: self.constants.clone(),
+            places: self.places,
+            inputs: self.inputs.clone(),
+            active: self.active,
+        })
+    }
+
     /// Model with these constants and inputs.
     fn with_numbers<U>(&self, constants: Vec<U>, inputs: Vec<U>) -> Model<U, N, HYBRID> {
         Model {
@@ -360,6 +392,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
             constants,
             places: self.places,
             inputs,
+            active: self.active,
         }
     }
 }
@@ -384,7 +417,7 @@ impl<const N: usize, const HYBRID: bool> Model<f64, N, HYBRID> {
     pub fn with_params(&self, params: &[f64]) -> Result<Self, ModelError> {
         Ok(Self {
             inputs: self.inputs.clone(),
-            ..self.tape.model(params)?
+            ..self.tape.padded(params)?
         })
     }
 }
@@ -415,6 +448,37 @@ impl<const N: usize, const HYBRID: bool> Cast<N> for Model<f64, N, HYBRID> {
 
     fn shares_lanes(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.tape, &other.tape)
+    }
+}
+
+/// # Panics
+/// If there are more parameters than `P`.
+impl<const N: usize, const P: usize, const HYBRID: bool> Parametric<N, P> for Model<f64, N, HYBRID> {
+    fn parameters(&self) -> [f64; P] {
+        let mut parameters = [0.0; P];
+        parameters[..self.params.len()].copy_from_slice(&self.params);
+        parameters
+    }
+
+    fn parameter_names(&self) -> [&str; P] {
+        let mut names = [""; P];
+        for (name, parameter) in names[..self.params.len()].iter_mut().zip(&self.tape.parameters) {
+            *name = parameter.name;
+        }
+        names
+    }
+
+    fn check_parameters(&self, parameters: &[f64; P]) -> Result<(), ParameterError> {
+        match self.tape.checked_constants(&parameters[..self.params.len()]) {
+            Err(ModelError::Parameter(error)) => Err(error),
+            _ => Ok(()),
+        }
+    }
+
+    fn with_parameters<T: Real>(&self, parameters: [T; P]) -> Model<T, N, HYBRID> {
+        let constants = compute(&self.tape.constants, &parameters[..self.params.len()]);
+        let inputs = self.inputs.iter().map(|&input| T::from_f64(input)).collect();
+        self.with_numbers(constants, inputs)
     }
 }
 

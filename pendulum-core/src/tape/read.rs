@@ -10,6 +10,7 @@ use super::source::Source;
 use super::{Condition, Quantity, Routine, Rule, Series, Shape, Tape, intern};
 use crate::constraint::{Constraint, MAX_CONSTRAINTS};
 use crate::layout::{Slot, SlotKind, StateVariable};
+use crate::shapes::{Outline, ShapeKind};
 
 /// Version of the format.
 const VERSION: &str = "1";
@@ -209,6 +210,15 @@ impl Reader<'_> {
             routines.push(routine);
         }
         let series = self.series(&of_routines, length, constraints.len())?;
+        let outlines = self.all("outline", Self::outline)?;
+        let numbers = outlines
+            .iter()
+            .map(|outline| 3 * outline.points + usize::from(outline.radius));
+        let numbers = numbers.sum();
+        let drawing = match self.lines.peek() {
+            Some((_, "code\tdrawing")) => Some(self.named_code("drawing", &lengths(&of_routines), numbers)?),
+            _ => None,
+        };
         Ok(Tape {
             name,
             parameters,
@@ -230,6 +240,21 @@ impl Reader<'_> {
             laws,
             routines,
             series,
+            outlines,
+            drawing,
+        })
+    }
+
+    fn outline(&self, [name, body, kind, points, radius]: [&str; 5]) -> Result<Outline<'static>, TapeError> {
+        let Some(kind) = ShapeKind::ALL.into_iter().find(|own| format!("{own:?}") == kind) else {
+            return self.error(format!("`{kind}` is no kind of a shape"));
+        };
+        Ok(Outline {
+            name: self.name(name),
+            body: self.name(body),
+            kind,
+            points: usize::from(self.number::<u8>(points)?),
+            radius: radius == "radius",
         })
     }
 

@@ -89,8 +89,9 @@ impl<T: Real, const N: usize, const HYBRID: bool> HybridSeries<T, N> for Model<T
             .with(Source::Time, core::slice::from_ref(&t))
             .with(Source::State, start.as_slice())
             .with(Source::Force, &held.forces);
-        let mut rates = start;
-        self.write(&series.start, &of_start, rates.iter_mut().chain(&mut work.kept));
+        let mut rates = SVector::from([T::default(); N]);
+        let places = rates.iter_mut().take(self.active).chain(&mut work.kept);
+        self.write(&series.start, &of_start, places);
         x[1] = rates;
         held.pin(self, &mut x[1]);
         work.products.iter_mut().for_each(|(_, newest)| *newest = Newest::new());
@@ -121,6 +122,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> HybridSeries<T, N> for Model<T
             let [left, right] = &mut work.factors;
             let places = rates
                 .iter_mut()
+                .take(self.active)
                 .chain(&mut left[..series.products])
                 .chain(&mut right[..series.products]);
             self.write(&series.order, &lists, places);

@@ -6,11 +6,14 @@ use super::model::{Role, lists};
 use super::source::Lists;
 use super::{Given, Model};
 use crate::constraint::{Constraint, Law, MAX_CONSTRAINTS, MeasureDerivatives, Response, ResponseDerivative};
+use crate::error::NotAssembled;
 use crate::layout::StateLayout;
-use crate::real::Real;
 use crate::real::lanes::Lanes;
+use crate::real::{Float, Real};
+use crate::shapes::{Shape, Shapes, placed};
 use crate::system::{
-    Canonical, Energy, Hybrid, HybridJacobian, Jacobian, Plant, PlantCanonical, PlantJacobian, System, by_sign,
+    Canonical, Energy, Hybrid, HybridJacobian, Jacobian, Plant, PlantCanonical, PlantJacobian, System, assemble,
+    by_sign,
 };
 
 /// Number of Newton corrections of dependent coordinates after a step, as in generated code.
@@ -45,6 +48,11 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     #[inline]
     pub(super) fn is_hybrid(&self) -> bool {
         HYBRID && !self.tape.constraints.is_empty()
+    }
+
+    /// Lengths of the state without padding, and of the list of constraints.
+    fn sizes(&self) -> [usize; 2] {
+        [self.active, self.tape.constraints.len()]
     }
 
     /// Number, the result of a routine.
@@ -97,6 +105,33 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     }
 }
 
+impl<T: Float, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
+    /// Returns the state near `x` in which the loops are closed: the independent coordinates stay, the dependent ones
+    /// follow. Without loops, `x` itself.
+    ///
+    /// # Errors
+    /// If the loops do not close near `x`.
+    pub fn assemble(&self, t: T, x: &SVector<T, N>) -> Result<SVector<T, N>, NotAssembled> {
+        let Some(routine) = self.place(Role::LoopCorrections) else {
+            return Ok(*x);
+        };
+        let (mut places, count) = ([0; N], self.tape.dependents().count());
+        places
+            .iter_mut()
+            .zip(self.tape.dependents())
+            .for_each(|(to, place)| *to = place);
+        let corrections = |x: &SVector<T, N>| {
+            let mut corrections = SVector::from([T::default(); N]);
+            let results = &mut corrections.as_mut_slice()[..count];
+            self.evaluate(routine, t, x, &self.under(&[]), results);
+            corrections
+        };
+        assemble(*x, self.tape.layout(), places, corrections, |x, tell| {
+            self.gaps(t, x, tell)
+        })
+    }
+}
+
 impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, HYBRID> {
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
@@ -104,6 +139,11 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
             return self.eval(t, x, &by_sign(self, t, x));
         }
         self.vector(Role::Rhs, t, x, &[])
+    }
+
+    #[inline(always)]
+    fn active(&self) -> usize {
+        self.active
     }
 
     fn layout(&self) -> Option<StateLayout<'_>> {
@@ -207,6 +247,20 @@ impl<T: Real, const N: usize, const HYBRID: bool> Energy<T, N> for Model<T, N, H
     }
 }
 
+impl<const N: usize, const HYBRID: bool> Shapes<N> for Model<f64, N, HYBRID> {
+    /// # Panics
+    /// If the declaration does not ask for `shapes`.
+    fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape<'_>> {
+        let name = &self.tape.name;
+        let Some(code) = &self.tape.drawing else {
+            panic!("the tape of `{name}` has no shapes: add `shapes` to its `generate`")
+        };
+        let mut numbers = vec![0.0; code.results.len()];
+        self.write(code, &lists(&t, x, &self.under(&[])), numbers.iter_mut());
+        placed(&self.tape.outlines, &numbers)
+    }
+}
+
 impl<T: Real, const N: usize, const HYBRID: bool> Plant<T, N> for Model<T, N, HYBRID> {
     type Given = [T; MAX_CONSTRAINTS];
 
@@ -256,23 +310,48 @@ impl<T: Real, const N: usize, const HYBRID: bool> Plant<T, N> for Model<T, N, HY
             return Response::new(self.eval(t, x, forces));
         };
         let mut response = Response::new(SVector::from([T::default(); N]));
-        let places = places(&mut response, self.tape.constraints.len());
+        let places = places(&mut response, self.sizes());
         self.fill(routine, t, x, forces, places);
         symmetric(&mut response);
         response
     }
 }
 
+/// Entries of the active rows and columns of a matrix, column by column.
+fn entries<T, const N: usize>(matrix: &mut SMatrix<T, N, N>, active: usize) -> impl Iterator<Item = &mut T> {
+    let columns = matrix.data.0[..active].iter_mut();
+    columns.flat_map(move |column| &mut column[..active])
+}
+
+/// Moves the entries of a matrix of `active` rows and columns, which follow one another, to their places in a larger
+/// one.
+fn spread<T: Real, const N: usize>(matrix: &mut SMatrix<T, N, N>, active: usize) {
+    if active == N {
+        return;
+    }
+    let entries = matrix.as_mut_slice();
+    for column in (1..active).rev() {
+        entries.copy_within(column * active..(column + 1) * active, column * N);
+    }
+    for column in 0..active {
+        entries[column * N + active..(column + 1) * N].fill(T::default());
+    }
+}
+
 /// Places of the results of a response; of its symmetric matrix, the upper triangle.
-fn places<T, const N: usize>(response: &mut Response<T, N>, constraints: usize) -> impl Iterator<Item = &mut T> {
+fn places<T, const N: usize>(
+    response: &mut Response<T, N>,
+    [active, constraints]: [usize; 2],
+) -> impl Iterator<Item = &mut T> {
     let columns = response.columns[..constraints]
         .iter_mut()
-        .flat_map(SVector::as_mut_slice);
+        .flat_map(move |column| &mut column.as_mut_slice()[..active]);
     let rows = response.matrix[..constraints].iter_mut().enumerate();
     let triangle = rows.flat_map(move |(i, row)| &mut row[i..constraints]);
     response
         .rates
         .iter_mut()
+        .take(active)
         .chain(&mut response.accelerations[..constraints])
         .chain(columns)
         .chain(triangle)
@@ -299,8 +378,9 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantJacobian<T, N> for Model<
             SVector::from([T::default(); N]),
             SMatrix::<T, N, N>::from([[T::default(); N]; N]),
         );
-        let results = &mut [rhs.as_mut_slice(), jacobian.as_mut_slice()];
+        let results = &mut [&mut rhs.as_mut_slice()[..self.active], jacobian.as_mut_slice()];
         self.evaluate_into(self.needed(Role::Jacobian), t, x, &self.under(forces), results);
+        spread(&mut jacobian, self.active);
         (rhs, jacobian)
     }
 
@@ -320,7 +400,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantJacobian<T, N> for Model<
     where
         T: Lanes,
     {
-        let (count, zero) = (self.tape.constraints.len(), T::default());
+        let ([active, count], zero) = (self.sizes(), T::default());
         let mut derivative = ResponseDerivative {
             response: Response::new(SVector::from([zero; N])),
             rates: SMatrix::from([[zero; N]; N]),
@@ -328,14 +408,14 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantJacobian<T, N> for Model<
             rates_by_time: SVector::from([zero; N]),
             accelerations_by_time: [zero; MAX_CONSTRAINTS],
         };
-        let places = places(&mut derivative.response, count)
-            .chain(derivative.rates.iter_mut())
+        let places = places(&mut derivative.response, [active, count])
+            .chain(entries(&mut derivative.rates, active))
             .chain(
                 derivative.accelerations[..count]
                     .iter_mut()
-                    .flat_map(SVector::as_mut_slice),
+                    .flat_map(|gradient| &mut gradient.as_mut_slice()[..active]),
             )
-            .chain(derivative.rates_by_time.iter_mut())
+            .chain(derivative.rates_by_time.iter_mut().take(active))
             .chain(&mut derivative.accelerations_by_time[..count]);
         self.fill(self.needed(Role::ResponseDerivative), t, x, forces, places);
         symmetric(&mut derivative.response);
@@ -343,14 +423,15 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantJacobian<T, N> for Model<
     }
 
     fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
-        let (count, zero) = (self.tape.constraints.len(), T::default());
+        let ([active, count], zero) = (self.sizes(), T::default());
         let (mut by_state, mut by_time) = (
             [[SVector::from([zero; N]); MAX_CONSTRAINTS]; 2],
             [[zero; MAX_CONSTRAINTS]; 2],
         );
         let of_state = by_state
             .iter_mut()
-            .flat_map(|rows| rows[..count].iter_mut().flat_map(SVector::as_mut_slice));
+            .flat_map(|rows| &mut rows[..count])
+            .flat_map(|row| &mut row.as_mut_slice()[..active]);
         let of_time = by_time.iter_mut().flat_map(|rows| &mut rows[..count]);
         self.fill(
             self.needed(Role::MeasureDerivatives),
@@ -386,7 +467,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Canonical<T, N> for Model<T, N
 impl<T: Real, const N: usize, const HYBRID: bool> PlantCanonical<T, N> for Model<T, N, HYBRID> {
     fn eval_canonical(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> (SVector<T, N>, SVector<T, N>) {
         let [mut y, mut rates] = [SVector::from([T::default(); N]); 2];
-        let results = &mut [y.as_mut_slice(), rates.as_mut_slice()];
+        let results = &mut [&mut y.as_mut_slice()[..self.active], rates.as_mut_slice()];
         self.evaluate_into(self.needed(Role::Canonical), t, x, &self.under(forces), results);
         (y, rates)
     }
@@ -398,8 +479,11 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantCanonical<T, N> for Model
         forces: &[T; MAX_CONSTRAINTS],
     ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
         let [mut of_y, mut of_rates] = [SMatrix::<T, N, N>::from([[T::default(); N]; N]); 2];
-        let results = &mut [of_y.as_mut_slice(), of_rates.as_mut_slice()];
+        let entries = self.active * self.active;
+        let results = &mut [&mut of_y.as_mut_slice()[..entries], of_rates.as_mut_slice()];
         self.evaluate_into(self.needed(Role::CanonicalJacobian), t, x, &self.under(forces), results);
+        spread(&mut of_y, self.active);
+        spread(&mut of_rates, self.active);
         (of_y, of_rates)
     }
 }

@@ -2583,8 +2583,177 @@ t29 = t27 + t26 - t27
             t: f64,
             x: &::pendulum_core::nalgebra::SVector<f64, 14>,
         ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape<'_>> {
-            use ::pendulum_core::real::Real as _;
-            type T = f64;
+            trait Values<T> {
+                fn values(
+                    &self,
+                    t: T,
+                    x: &::pendulum_core::nalgebra::SVector<T, 14>,
+                ) -> [T; 40];
+            }
+            #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+            impl<T: ::pendulum_core::real::Real> Values<T> for BallPendulum<T> {
+                fn values(
+                    &self,
+                    t: T,
+                    x: &::pendulum_core::nalgebra::SVector<T, 14>,
+                ) -> [T; 40] {
+                    {
+                        let [qw_a, qx_a, qy_a, qz_a, qw_b, qx_b, qy_b, qz_b, _, _, _, _,
+                        _, _] = x.data.0[0];
+                        let t0 = qx_a * qz_a;
+                        let t1 = qy_a * qw_a;
+                        let t2 = t0 + t1;
+                        let t3 = T::from_f64(2.0) * (t0 - t1);
+                        let t4 = -t2;
+                        let t5 = T::from_f64(2.0) * t2;
+                        let t6 = qx_a * qw_a;
+                        let t7 = qz_a * qy_a;
+                        let t8 = t6 - t7;
+                        let t9 = T::from_f64(2.0) * (t6 + t7);
+                        let t10 = T::from_f64(2.0) * t8;
+                        let t11 = qx_a * qx_a;
+                        let t12 = qy_a * qy_a;
+                        let t13 = T::from_f64(2.0)
+                            .mul_neg_add(t11 + t12, T::from_f64(1.0));
+                        let t14 = T::from_f64(-0.5) * t13;
+                        let t15 = qx_b * qz_b;
+                        let t16 = qy_b * qw_b;
+                        let t17 = T::from_f64(0.02) * (t15 - t16);
+                        let t18 = t15 + t16;
+                        let t19 = qz_b * qy_b;
+                        let t20 = qx_b * qw_b;
+                        let t21 = T::from_f64(0.14) * (t19 + t20);
+                        let t22 = t19 - t20;
+                        let t23 = t17 + t21;
+                        let t24 = t17 - t21;
+                        let t25 = qx_b * qx_b;
+                        let t26 = qy_b * qy_b;
+                        let t27 = T::from_f64(2.0)
+                            .mul_neg_add(t25 + t26, T::from_f64(1.0));
+                        let t28 = T::from_f64(0.02).mul_add(t27, T::from_f64(0.5));
+                        let t29 = T::from_f64(0.38).mul_add(t27, T::from_f64(0.5));
+                        let t30 = t23 - t28;
+                        let t31 = qz_a * qz_a;
+                        let t32 = T::from_f64(2.0)
+                            .mul_neg_add(t12 + t31, T::from_f64(1.0));
+                        let t33 = T::from_f64(2.0)
+                            .mul_neg_add(t11 + t31, T::from_f64(1.0));
+                        let t34 = qz_b * qz_b;
+                        let t35 = T::from_f64(0.02)
+                            .mul_neg_add(t26 + t34, T::from_f64(0.01));
+                        let t36 = T::from_f64(0.14)
+                            .mul_neg_add(t25 + t34, T::from_f64(0.07));
+                        let t37 = qx_b * qy_b;
+                        let t38 = qz_b * qw_b;
+                        let t39 = T::from_f64(0.14) * (t37 - t38);
+                        let t40 = T::from_f64(0.02) * (t37 + t38);
+                        let t41 = t35 + t39;
+                        let t42 = t35 - t39;
+                        let t43 = T::from_f64(0.04) * t18;
+                        let t44 = T::from_f64(0.76) * t18;
+                        let t45 = t41 - t43;
+                        let t46 = qx_a * qy_a;
+                        let t47 = qz_a * qw_a;
+                        let t48 = T::from_f64(2.0) * (t46 - t47);
+                        let t49 = T::from_f64(2.0) * (t46 + t47);
+                        let t50 = t40 + t36;
+                        let t51 = t40 - t36;
+                        let t52 = T::from_f64(0.04) * t22;
+                        let t53 = T::from_f64(0.76) * t22;
+                        let t54 = -t48.mul_add(t53, t32.mul_add(t44, t5 * t29));
+                        let t55 = t33.mul_neg_add(t53, t49.mul_neg_add(t44, t10 * t29));
+                        let t56 = -t9.mul_add(t53, t3.mul_add(t44, t13 * t29));
+                        let t57 = t50 - t52;
+                        let t58 = t48.mul_add(t57, t32.mul_add(t45, t5 * t30));
+                        let t59 = t30.mul_neg_add(t10, t57.mul_add(t33, t45 * t49));
+                        let t60 = t57.mul_add(t9, t45.mul_add(t3, t13 * t30));
+                        let t61 = t24 + t28;
+                        let t62 = t43 + t42;
+                        let t63 = t52 + t51;
+                        let t64 = -t48.mul_add(t63, t32.mul_add(t62, t5 * t61));
+                        let t65 = t33.mul_neg_add(t63, t49.mul_neg_add(t62, t10 * t61));
+                        let t66 = -t9.mul_add(t63, t3.mul_add(t62, t13 * t61));
+                        let t67 = t24 - t28;
+                        let t68 = t23 + t28;
+                        let t69 = t42 - t43;
+                        let t70 = t41 + t43;
+                        let t71 = t51 - t52;
+                        let t72 = t48.mul_add(t71, t32.mul_add(t69, t5 * t67));
+                        let t73 = t10.mul_neg_add(t67, t33.mul_add(t71, t49 * t69));
+                        let t74 = t9.mul_add(t71, t3.mul_add(t69, t13 * t67));
+                        let t75 = t50 + t52;
+                        let t76 = -t48.mul_add(t75, t32.mul_add(t70, t5 * t68));
+                        let t77 = t33.mul_neg_add(t75, t49.mul_neg_add(t70, t10 * t68));
+                        let t78 = -t9.mul_add(t75, t3.mul_add(t70, t13 * t68));
+                        let t79 = t23 - t29;
+                        let t80 = t23 + t29;
+                        let t81 = t41 - t44;
+                        let t82 = t41 + t44;
+                        let t83 = t50 - t53;
+                        let t84 = t48.mul_add(t83, t32.mul_add(t81, t5 * t79));
+                        let t85 = t10.mul_neg_add(t79, t33.mul_add(t83, t49 * t81));
+                        let t86 = t9.mul_add(t83, t3.mul_add(t81, t13 * t79));
+                        let t87 = t50 + t53;
+                        let t88 = -t48.mul_add(t87, t32.mul_add(t82, t5 * t80));
+                        let t89 = t33.mul_neg_add(t87, t49.mul_neg_add(t82, t10 * t80));
+                        let t90 = -t9.mul_add(t87, t3.mul_add(t82, t13 * t80));
+                        let t91 = t24 + t29;
+                        let t92 = t24 - t29;
+                        let t93 = t42 + t44;
+                        let t94 = t42 - t44;
+                        let t95 = t51 + t53;
+                        let t96 = t51 - t53;
+                        let t97 = -t48.mul_add(t95, t32.mul_add(t93, t5 * t91));
+                        let t98 = t48.mul_add(t96, t32.mul_add(t94, t5 * t92));
+                        let t99 = t33.mul_neg_add(t95, t49.mul_neg_add(t93, t10 * t91));
+                        let t100 = -t9.mul_add(t95, t3.mul_add(t93, t13 * t91));
+                        let t101 = t10.mul_neg_add(t92, t33.mul_add(t96, t49 * t94));
+                        let t102 = t9.mul_add(t96, t3.mul_add(t94, t13 * t92));
+                        [
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            t4,
+                            t8,
+                            t14,
+                            T::from_f64(0.02),
+                            t58,
+                            t59,
+                            t60,
+                            t64,
+                            t65,
+                            t66,
+                            t72,
+                            t73,
+                            t74,
+                            t76,
+                            t77,
+                            t78,
+                            t84,
+                            t85,
+                            t86,
+                            t97,
+                            t99,
+                            t100,
+                            t98,
+                            t101,
+                            t102,
+                            t88,
+                            t89,
+                            t90,
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            t4,
+                            t8,
+                            t14,
+                            t54,
+                            t55,
+                            t56,
+                        ]
+                    }
+                }
+            }
             ::pendulum_core::shapes::placed(
                 &[
                     ::pendulum_core::shapes::Outline {
@@ -2623,157 +2792,7 @@ t29 = t27 + t26 - t27
                         radius: false,
                     },
                 ],
-                &{
-                    let [qw_a, qx_a, qy_a, qz_a, qw_b, qx_b, qy_b, qz_b, _, _, _, _, _, _,
-                    ] = x.data.0[0];
-                    let t0 = qx_a * qz_a;
-                    let t1 = qy_a * qw_a;
-                    let t2 = t0 + t1;
-                    let t3 = T::from_f64(2.0) * (t0 - t1);
-                    let t4 = -t2;
-                    let t5 = T::from_f64(2.0) * t2;
-                    let t6 = qx_a * qw_a;
-                    let t7 = qz_a * qy_a;
-                    let t8 = t6 - t7;
-                    let t9 = T::from_f64(2.0) * (t6 + t7);
-                    let t10 = T::from_f64(2.0) * t8;
-                    let t11 = qx_a * qx_a;
-                    let t12 = qy_a * qy_a;
-                    let t13 = T::from_f64(2.0).mul_neg_add(t11 + t12, T::from_f64(1.0));
-                    let t14 = T::from_f64(-0.5) * t13;
-                    let t15 = qx_b * qz_b;
-                    let t16 = qy_b * qw_b;
-                    let t17 = T::from_f64(0.02) * (t15 - t16);
-                    let t18 = t15 + t16;
-                    let t19 = qz_b * qy_b;
-                    let t20 = qx_b * qw_b;
-                    let t21 = T::from_f64(0.14) * (t19 + t20);
-                    let t22 = t19 - t20;
-                    let t23 = t17 + t21;
-                    let t24 = t17 - t21;
-                    let t25 = qx_b * qx_b;
-                    let t26 = qy_b * qy_b;
-                    let t27 = T::from_f64(2.0).mul_neg_add(t25 + t26, T::from_f64(1.0));
-                    let t28 = T::from_f64(0.02).mul_add(t27, T::from_f64(0.5));
-                    let t29 = T::from_f64(0.38).mul_add(t27, T::from_f64(0.5));
-                    let t30 = t23 - t28;
-                    let t31 = qz_a * qz_a;
-                    let t32 = T::from_f64(2.0).mul_neg_add(t12 + t31, T::from_f64(1.0));
-                    let t33 = T::from_f64(2.0).mul_neg_add(t11 + t31, T::from_f64(1.0));
-                    let t34 = qz_b * qz_b;
-                    let t35 = T::from_f64(0.02)
-                        .mul_neg_add(t26 + t34, T::from_f64(0.01));
-                    let t36 = T::from_f64(0.14)
-                        .mul_neg_add(t25 + t34, T::from_f64(0.07));
-                    let t37 = qx_b * qy_b;
-                    let t38 = qz_b * qw_b;
-                    let t39 = T::from_f64(0.14) * (t37 - t38);
-                    let t40 = T::from_f64(0.02) * (t37 + t38);
-                    let t41 = t35 + t39;
-                    let t42 = t35 - t39;
-                    let t43 = T::from_f64(0.04) * t18;
-                    let t44 = T::from_f64(0.76) * t18;
-                    let t45 = t41 - t43;
-                    let t46 = qx_a * qy_a;
-                    let t47 = qz_a * qw_a;
-                    let t48 = T::from_f64(2.0) * (t46 - t47);
-                    let t49 = T::from_f64(2.0) * (t46 + t47);
-                    let t50 = t40 + t36;
-                    let t51 = t40 - t36;
-                    let t52 = T::from_f64(0.04) * t22;
-                    let t53 = T::from_f64(0.76) * t22;
-                    let t54 = -t48.mul_add(t53, t32.mul_add(t44, t5 * t29));
-                    let t55 = t33.mul_neg_add(t53, t49.mul_neg_add(t44, t10 * t29));
-                    let t56 = -t9.mul_add(t53, t3.mul_add(t44, t13 * t29));
-                    let t57 = t50 - t52;
-                    let t58 = t48.mul_add(t57, t32.mul_add(t45, t5 * t30));
-                    let t59 = t30.mul_neg_add(t10, t57.mul_add(t33, t45 * t49));
-                    let t60 = t57.mul_add(t9, t45.mul_add(t3, t13 * t30));
-                    let t61 = t24 + t28;
-                    let t62 = t43 + t42;
-                    let t63 = t52 + t51;
-                    let t64 = -t48.mul_add(t63, t32.mul_add(t62, t5 * t61));
-                    let t65 = t33.mul_neg_add(t63, t49.mul_neg_add(t62, t10 * t61));
-                    let t66 = -t9.mul_add(t63, t3.mul_add(t62, t13 * t61));
-                    let t67 = t24 - t28;
-                    let t68 = t23 + t28;
-                    let t69 = t42 - t43;
-                    let t70 = t41 + t43;
-                    let t71 = t51 - t52;
-                    let t72 = t48.mul_add(t71, t32.mul_add(t69, t5 * t67));
-                    let t73 = t10.mul_neg_add(t67, t33.mul_add(t71, t49 * t69));
-                    let t74 = t9.mul_add(t71, t3.mul_add(t69, t13 * t67));
-                    let t75 = t50 + t52;
-                    let t76 = -t48.mul_add(t75, t32.mul_add(t70, t5 * t68));
-                    let t77 = t33.mul_neg_add(t75, t49.mul_neg_add(t70, t10 * t68));
-                    let t78 = -t9.mul_add(t75, t3.mul_add(t70, t13 * t68));
-                    let t79 = t23 - t29;
-                    let t80 = t23 + t29;
-                    let t81 = t41 - t44;
-                    let t82 = t41 + t44;
-                    let t83 = t50 - t53;
-                    let t84 = t48.mul_add(t83, t32.mul_add(t81, t5 * t79));
-                    let t85 = t10.mul_neg_add(t79, t33.mul_add(t83, t49 * t81));
-                    let t86 = t9.mul_add(t83, t3.mul_add(t81, t13 * t79));
-                    let t87 = t50 + t53;
-                    let t88 = -t48.mul_add(t87, t32.mul_add(t82, t5 * t80));
-                    let t89 = t33.mul_neg_add(t87, t49.mul_neg_add(t82, t10 * t80));
-                    let t90 = -t9.mul_add(t87, t3.mul_add(t82, t13 * t80));
-                    let t91 = t24 + t29;
-                    let t92 = t24 - t29;
-                    let t93 = t42 + t44;
-                    let t94 = t42 - t44;
-                    let t95 = t51 + t53;
-                    let t96 = t51 - t53;
-                    let t97 = -t48.mul_add(t95, t32.mul_add(t93, t5 * t91));
-                    let t98 = t48.mul_add(t96, t32.mul_add(t94, t5 * t92));
-                    let t99 = t33.mul_neg_add(t95, t49.mul_neg_add(t93, t10 * t91));
-                    let t100 = -t9.mul_add(t95, t3.mul_add(t93, t13 * t91));
-                    let t101 = t10.mul_neg_add(t92, t33.mul_add(t96, t49 * t94));
-                    let t102 = t9.mul_add(t96, t3.mul_add(t94, t13 * t92));
-                    [
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        t4,
-                        t8,
-                        t14,
-                        T::from_f64(0.02),
-                        t58,
-                        t59,
-                        t60,
-                        t64,
-                        t65,
-                        t66,
-                        t72,
-                        t73,
-                        t74,
-                        t76,
-                        t77,
-                        t78,
-                        t84,
-                        t85,
-                        t86,
-                        t97,
-                        t99,
-                        t100,
-                        t98,
-                        t101,
-                        t102,
-                        t88,
-                        t89,
-                        t90,
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        t4,
-                        t8,
-                        t14,
-                        t54,
-                        t55,
-                        t56,
-                    ]
-                },
+                &self.values(t, x),
             )
         }
     }

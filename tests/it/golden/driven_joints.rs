@@ -922,8 +922,67 @@ k43 = b*w^2*ny^2*(m1 + m2)
             t: f64,
             x: &::pendulum_core::nalgebra::SVector<f64, 4>,
         ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape<'_>> {
-            use ::pendulum_core::real::Real as _;
-            type T = f64;
+            trait Values<T> {
+                fn values(
+                    &self,
+                    t: T,
+                    x: &::pendulum_core::nalgebra::SVector<T, 4>,
+                ) -> [T; 24];
+            }
+            #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+            impl<T: ::pendulum_core::real::Real> Values<T> for DrivenPivot<T> {
+                fn values(
+                    &self,
+                    t: T,
+                    x: &::pendulum_core::nalgebra::SVector<T, 4>,
+                ) -> [T; 24] {
+                    {
+                        let [q_theta1, q_theta2, _, _] = x.data.0[0];
+                        let k0 = self.constants[0];
+                        let k1 = self.constants[1];
+                        let k2 = self.constants[2];
+                        let k3 = self.constants[3];
+                        let k8 = self.constants[8];
+                        let k9 = self.constants[9];
+                        let [(_, cos0), (sin_theta1, cos_theta1)] = (t * k8)
+                            .sin_cos_pair(q_theta1);
+                        let t1 = k2 * cos0;
+                        let t2 = k0.mul_add(sin_theta1, t1);
+                        let [(sin3, _), (sin_theta2, cos_theta2)] = (t * k9)
+                            .sin_cos_pair(q_theta2);
+                        let t4 = k1.mul_add(sin_theta2, t2);
+                        let t5 = k3 * sin3;
+                        let t6 = k0.mul_neg_add(cos_theta1, t5);
+                        let t7 = k1.mul_neg_add(cos_theta2, t6);
+                        [
+                            t1,
+                            t5,
+                            T::from_f64(0.0),
+                            t2,
+                            t6,
+                            T::from_f64(0.0),
+                            t2,
+                            t6,
+                            T::from_f64(0.0),
+                            t4,
+                            t7,
+                            T::from_f64(0.0),
+                            t1,
+                            t5,
+                            T::from_f64(0.0),
+                            t2,
+                            t6,
+                            T::from_f64(0.0),
+                            t1,
+                            t5,
+                            T::from_f64(0.0),
+                            t4,
+                            t7,
+                            T::from_f64(0.0),
+                        ]
+                    }
+                }
+            }
             ::pendulum_core::shapes::placed(
                 &[
                     ::pendulum_core::shapes::Outline {
@@ -969,51 +1028,7 @@ k43 = b*w^2*ny^2*(m1 + m2)
                         radius: false,
                     },
                 ],
-                &{
-                    let [q_theta1, q_theta2, _, _] = x.data.0[0];
-                    let k0 = self.constants[0];
-                    let k1 = self.constants[1];
-                    let k2 = self.constants[2];
-                    let k3 = self.constants[3];
-                    let k8 = self.constants[8];
-                    let k9 = self.constants[9];
-                    let [(_, cos0), (sin_theta1, cos_theta1)] = (t * k8)
-                        .sin_cos_pair(q_theta1);
-                    let t1 = k2 * cos0;
-                    let t2 = k0.mul_add(sin_theta1, t1);
-                    let [(sin3, _), (sin_theta2, cos_theta2)] = (t * k9)
-                        .sin_cos_pair(q_theta2);
-                    let t4 = k1.mul_add(sin_theta2, t2);
-                    let t5 = k3 * sin3;
-                    let t6 = k0.mul_neg_add(cos_theta1, t5);
-                    let t7 = k1.mul_neg_add(cos_theta2, t6);
-                    [
-                        t1,
-                        t5,
-                        T::from_f64(0.0),
-                        t2,
-                        t6,
-                        T::from_f64(0.0),
-                        t2,
-                        t6,
-                        T::from_f64(0.0),
-                        t4,
-                        t7,
-                        T::from_f64(0.0),
-                        t1,
-                        t5,
-                        T::from_f64(0.0),
-                        t2,
-                        t6,
-                        T::from_f64(0.0),
-                        t1,
-                        t5,
-                        T::from_f64(0.0),
-                        t4,
-                        t7,
-                        T::from_f64(0.0),
-                    ]
-                },
+                &self.values(t, x),
             )
         }
     }

@@ -1725,8 +1725,101 @@ k36 = -1
             t: f64,
             x: &::pendulum_core::nalgebra::SVector<f64, 2>,
         ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape<'_>> {
-            use ::pendulum_core::real::Real as _;
-            type T = f64;
+            trait Values<T> {
+                fn values(
+                    &self,
+                    t: T,
+                    x: &::pendulum_core::nalgebra::SVector<T, 2>,
+                ) -> [T; 45];
+            }
+            #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+            impl<T: ::pendulum_core::real::Real> Values<T> for FourBar<T> {
+                fn values(
+                    &self,
+                    t: T,
+                    x: &::pendulum_core::nalgebra::SVector<T, 2>,
+                ) -> [T; 45] {
+                    {
+                        let [q_theta, _] = x.data.0[0];
+                        let k0 = self.constants[0];
+                        let k1 = self.constants[1];
+                        let k3 = self.constants[3];
+                        let k5 = self.constants[5];
+                        let k7 = self.constants[7];
+                        let k27 = self.constants[27];
+                        let k35 = self.constants[35];
+                        let k36 = self.constants[36];
+                        let (sin_theta, cos_theta) = q_theta.sin_cos();
+                        let t0 = k0 * cos_theta;
+                        let t1 = k0 * sin_theta;
+                        let t2 = k3 - t0;
+                        let t3 = T::from_f64(1.0) / t1.mul_add(t1, t2 * t2);
+                        let t4 = k7.mul_add(t3, T::from_f64(0.5));
+                        let t5 = t4.mul_neg_add(t4, k5 * t3).sqrt();
+                        let t6 = t1.mul_add(t5, t2 * t4);
+                        let t7 = t2.mul_neg_add(t5, t1 * t4);
+                        let t8 = k35.mul_neg_add(t2 - t6, k3);
+                        let t9 = k27 * t6;
+                        let t10 = k36 * (t7 - t1);
+                        let t11 = k27 * t7;
+                        let t12 = k1.mul_add(t9, t0);
+                        let t13 = T::from_f64(0.3) * t9;
+                        let t14 = t0 + t13;
+                        let t15 = k1.mul_neg_add(t11, t1);
+                        let t16 = T::from_f64(0.3) * t11;
+                        let t17 = t1 - t16;
+                        let t18 = t14 + t16;
+                        let t19 = t13 + t17;
+                        [
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            t0,
+                            t1,
+                            T::from_f64(0.0),
+                            k3,
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            t8,
+                            t10,
+                            T::from_f64(0.0),
+                            t0,
+                            t1,
+                            T::from_f64(0.0),
+                            t12,
+                            t15,
+                            T::from_f64(0.0),
+                            t14,
+                            t17,
+                            T::from_f64(0.0),
+                            t18,
+                            t19,
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            k3,
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            t0,
+                            t1,
+                            T::from_f64(0.0),
+                            t12,
+                            t15,
+                            T::from_f64(0.0),
+                            t18,
+                            t19,
+                            T::from_f64(0.0),
+                            t12,
+                            t15,
+                            T::from_f64(0.0),
+                            t8,
+                            t10,
+                            T::from_f64(0.0),
+                        ]
+                    }
+                }
+            }
             ::pendulum_core::shapes::placed(
                 &[
                     ::pendulum_core::shapes::Outline {
@@ -1807,85 +1900,7 @@ k36 = -1
                         radius: false,
                     },
                 ],
-                &{
-                    let [q_theta, _] = x.data.0[0];
-                    let k0 = self.constants[0];
-                    let k1 = self.constants[1];
-                    let k3 = self.constants[3];
-                    let k5 = self.constants[5];
-                    let k7 = self.constants[7];
-                    let k27 = self.constants[27];
-                    let k35 = self.constants[35];
-                    let k36 = self.constants[36];
-                    let (sin_theta, cos_theta) = q_theta.sin_cos();
-                    let t0 = k0 * cos_theta;
-                    let t1 = k0 * sin_theta;
-                    let t2 = k3 - t0;
-                    let t3 = T::from_f64(1.0) / t1.mul_add(t1, t2 * t2);
-                    let t4 = k7.mul_add(t3, T::from_f64(0.5));
-                    let t5 = t4.mul_neg_add(t4, k5 * t3).sqrt();
-                    let t6 = t1.mul_add(t5, t2 * t4);
-                    let t7 = t2.mul_neg_add(t5, t1 * t4);
-                    let t8 = k35.mul_neg_add(t2 - t6, k3);
-                    let t9 = k27 * t6;
-                    let t10 = k36 * (t7 - t1);
-                    let t11 = k27 * t7;
-                    let t12 = k1.mul_add(t9, t0);
-                    let t13 = T::from_f64(0.3) * t9;
-                    let t14 = t0 + t13;
-                    let t15 = k1.mul_neg_add(t11, t1);
-                    let t16 = T::from_f64(0.3) * t11;
-                    let t17 = t1 - t16;
-                    let t18 = t14 + t16;
-                    let t19 = t13 + t17;
-                    [
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        t0,
-                        t1,
-                        T::from_f64(0.0),
-                        k3,
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        t8,
-                        t10,
-                        T::from_f64(0.0),
-                        t0,
-                        t1,
-                        T::from_f64(0.0),
-                        t12,
-                        t15,
-                        T::from_f64(0.0),
-                        t14,
-                        t17,
-                        T::from_f64(0.0),
-                        t18,
-                        t19,
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        k3,
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        t0,
-                        t1,
-                        T::from_f64(0.0),
-                        t12,
-                        t15,
-                        T::from_f64(0.0),
-                        t18,
-                        t19,
-                        T::from_f64(0.0),
-                        t12,
-                        t15,
-                        T::from_f64(0.0),
-                        t8,
-                        t10,
-                        T::from_f64(0.0),
-                    ]
-                },
+                &self.values(t, x),
             )
         }
     }

@@ -1023,8 +1023,66 @@ k57 = 77343750000000/1998607065841*l^2*k
             t: f64,
             x: &::pendulum_core::nalgebra::SVector<f64, 4>,
         ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape<'_>> {
-            use ::pendulum_core::real::Real as _;
-            type T = f64;
+            trait Values<T> {
+                fn values(
+                    &self,
+                    t: T,
+                    x: &::pendulum_core::nalgebra::SVector<T, 4>,
+                ) -> [T; 30];
+            }
+            #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+            impl<T: ::pendulum_core::real::Real> Values<T> for Magnets<T> {
+                fn values(
+                    &self,
+                    t: T,
+                    x: &::pendulum_core::nalgebra::SVector<T, 4>,
+                ) -> [T; 30] {
+                    {
+                        let [q_theta1, q_theta2, _, _] = x.data.0[0];
+                        let k1 = self.constants[1];
+                        let k4 = self.constants[4];
+                        let t0 = q_theta1 + q_theta2;
+                        let [(sin_theta1, cos_theta1), (sin1, cos1)] = q_theta1
+                            .sin_cos_pair(t0);
+                        let t2 = k1 * sin_theta1;
+                        let t3 = k4 * cos_theta1;
+                        let t4 = k1 * (sin_theta1 + sin1);
+                        let t5 = k4 * (cos_theta1 + cos1);
+                        [
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            t2,
+                            t3,
+                            T::from_f64(0.0),
+                            t2,
+                            t3,
+                            T::from_f64(0.0),
+                            t4,
+                            t5,
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            T::from_f64(0.0),
+                            t2,
+                            t3,
+                            T::from_f64(0.0),
+                            t2,
+                            t3,
+                            T::from_f64(0.0),
+                            t4,
+                            t5,
+                            T::from_f64(0.0),
+                            T::from_f64(-0.15),
+                            T::from_f64(-0.66),
+                            T::from_f64(0.0),
+                            T::from_f64(0.2),
+                            T::from_f64(-0.66),
+                            T::from_f64(0.0),
+                        ]
+                    }
+                }
+            }
             ::pendulum_core::shapes::placed(
                 &[
                     ::pendulum_core::shapes::Outline {
@@ -1084,50 +1142,7 @@ k57 = 77343750000000/1998607065841*l^2*k
                         radius: false,
                     },
                 ],
-                &{
-                    let [q_theta1, q_theta2, _, _] = x.data.0[0];
-                    let k1 = self.constants[1];
-                    let k4 = self.constants[4];
-                    let t0 = q_theta1 + q_theta2;
-                    let [(sin_theta1, cos_theta1), (sin1, cos1)] = q_theta1
-                        .sin_cos_pair(t0);
-                    let t2 = k1 * sin_theta1;
-                    let t3 = k4 * cos_theta1;
-                    let t4 = k1 * (sin_theta1 + sin1);
-                    let t5 = k4 * (cos_theta1 + cos1);
-                    [
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        t2,
-                        t3,
-                        T::from_f64(0.0),
-                        t2,
-                        t3,
-                        T::from_f64(0.0),
-                        t4,
-                        t5,
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        t2,
-                        t3,
-                        T::from_f64(0.0),
-                        t2,
-                        t3,
-                        T::from_f64(0.0),
-                        t4,
-                        t5,
-                        T::from_f64(0.0),
-                        T::from_f64(-0.15),
-                        T::from_f64(-0.66),
-                        T::from_f64(0.0),
-                        T::from_f64(0.2),
-                        T::from_f64(-0.66),
-                        T::from_f64(0.0),
-                    ]
-                },
+                &self.values(t, x),
             )
         }
     }

@@ -21,6 +21,14 @@ impl Items<'_> {
             quote!(#core::Outline { name: #name, body: #body, kind: #kind, points: #points, radius: #radius })
         });
         let block = self.block(&drawing.block, |values| quote!([#(#values),*]));
+        let numbers = count(drawing.block.results.len());
+        // of a generic type, since `f64` has functions of the platform by the same names
+        let values = self.implement(
+            Some(quote!(Values<T>)),
+            &quote! {
+                fn values(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, #length>) -> [T; #numbers] { #block }
+            },
+        );
         Some(quote! {
             ::pendulum_core::with_std! {
                 #allowed
@@ -30,9 +38,15 @@ impl Items<'_> {
                         t: f64,
                         x: &::pendulum_core::nalgebra::SVector<f64, #length>
                     ) -> #core::Vec<#core::Shape<'_>> {
-                        use ::pendulum_core::real::Real as _;
-                        type T = f64;
-                        #core::placed(&[#(#outlines),*], &#block)
+                        trait Values<T> {
+                            fn values(
+                                &self,
+                                t: T,
+                                x: &::pendulum_core::nalgebra::SVector<T, #length>
+                            ) -> [T; #numbers];
+                        }
+                        #values
+                        #core::placed(&[#(#outlines),*], &self.values(t, x))
                     }
                 }
             }

@@ -30,7 +30,7 @@ pub fn tape(program: &Program) -> String {
     let texts = |keyword, names: &[String]| -> String { names.iter().map(|name| line(&[keyword, name])).collect() };
     let events = program.events.iter();
     let events = events.map(|event| line(&["event", &event.name, if event.is_kink { "kink" } else { "smooth" }]));
-    let parts: [String; 15] = [
+    let parts: [String; 16] = [
         head.concat(),
         program
             .parameters
@@ -50,6 +50,7 @@ pub fn tape(program: &Program) -> String {
         code("checked", &program.checked) + &code("constants", &program.constants) + &code("laws", &program.laws),
         routines.collect(),
         series(program),
+        drawing(program),
     ];
     parts.concat()
 }
@@ -141,6 +142,20 @@ fn routine(routine: &Routine) -> String {
     });
     let (arguments, shapes) = (arguments.collect::<Vec<_>>(), shapes.collect::<Vec<_>>());
     line(&["routine", &routine.name, &arguments.join(" "), &shapes.join(", ")]) + &Code::new(&routine.block).lines()
+}
+
+/// Outlines, and the code of their points and radii.
+fn drawing(program: &Program) -> String {
+    let Some(drawing) = &program.drawing else {
+        return String::new();
+    };
+    let outlines = drawing.outlines.iter().map(|outline| {
+        let kind = format!("{:?}", outline.kind);
+        let radius = if outline.radius { "radius" } else { "" };
+        let points = outline.points.to_string();
+        line(&["outline", &outline.name, &outline.body, &kind, &points, radius])
+    });
+    outlines.collect::<String>() + &code("drawing", &drawing.block)
 }
 
 fn series(program: &Program) -> String {

@@ -114,12 +114,12 @@ impl<const K: usize, const N: usize> Carry<f64, K, N> for Growing<'_, K> {
     fn start(self) -> [SVector<f64, N>; K] {
         let mut tangents = oblique();
         // as for constraints held from the start
-        orthonormalize(&mut tangents);
+        orthonormalize(&mut tangents, N);
         tangents
     }
 
     fn step(self, index: usize, step: (f64, f64), tangents: &mut [SVector<f64, N>; K]) {
-        let lengths = orthonormalize(tangents);
+        let lengths = orthonormalize(tangents, N);
         self.0.borrow_mut()[index].count(step, lengths);
     }
 }
