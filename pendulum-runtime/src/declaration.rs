@@ -1,0 +1,201 @@
+//! From text to a program, or to its errors.
+
+use std::error;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use pendulum_codegen::program::Program;
+use proc_macro2::{Span, TokenStream};
+
+use crate::worker;
+
+/// Errors in a declaration, in the order of the text: those that `mechanism!` reports.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DeclarationError {
+    /// Errors; at least one.
+    pub problems: Vec<Problem>,
+}
+
+/// An error in a declaration.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Problem {
+    /// Line in the text, from 1 on.
+    pub line: usize,
+    /// Column in the line, in characters from 1 on.
+    pub column: usize,
+    /// Number of characters at fault in this line, at least 1.
+    pub width: usize,
+    /// Text of the line.
+    pub source: String,
+    /// Code, such as `M002`, with a page in the documentation.
+    pub code: String,
+    /// What is wrong.
+    pub message: String,
+    /// What to do.
+    pub help: String,
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = self.line.to_string();
+        let margin = " ".repeat(number.len());
+        writeln!(f, "error[{}]: {}", self.code, self.message)?;
+        writeln!(f, "{margin}--> line {}, column {}", self.line, self.column)?;
+        writeln!(f, "{margin} |")?;
+        writeln!(f, "{number} | {}", self.source)?;
+        let before = " ".repeat(self.column.saturating_sub(1));
+        writeln!(f, "{margin} | {before}{}", "^".repeat(self.width))?;
+        write!(f, "{margin} = help: {}", self.help)
+    }
+}
+
+impl fmt::Display for DeclarationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (n, problem) in self.problems.iter().enumerate() {
+            if n > 0 {
+                f.write_str("\n\n")?;
+            }
+            problem.fmt(f)?;
+        }
+        Ok(())
+    }
+}
+
+impl error::Error for DeclarationError {}
+
+/// Compiles a declaration. Files of robots are relative to a folder.
+pub(crate) fn program(text: &str, folder: &Path) -> Result<Program, DeclarationError> {
+    worker::alone(|| {
+        let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| {
+            let help = "close each bracket and quotation mark";
+            problem(
+                text,
+                error.span(),
+                "the text has brackets or quotation marks that do not match [M001]",
+                help,
+            )
+        })?;
+        pendulum_codegen::program_with(tokens, &|name| file(folder, name)).map_err(|errors| DeclarationError {
+            problems: errors
+                .iter()
+                .map(|error| {
+                    let message = error.to_string();
+                    let (fact, help) = message.split_once("\nhelp: ").unwrap_or((&message, ""));
+                    problem(text, error.span(), fact, help)
+                })
+                .collect(),
+        })
+    })
+}
+
+impl From<Problem> for DeclarationError {
+    fn from(problem: Problem) -> Self {
+        Self {
+            problems: vec![problem],
+        }
+    }
+}
+
+/// An error at a span of the text; the fact ends with its code in brackets.
+fn problem(text: &str, span: Span, fact: &str, help: &str) -> Problem {
+    let (start, end) = (span.start(), span.end());
+    let source = text.lines().nth(start.line.saturating_sub(1)).unwrap_or_default();
+    let rest = source.chars().count().saturating_sub(start.column).max(1);
+    let width = match end.line == start.line {
+        true => end.column.saturating_sub(start.column).clamp(1, rest),
+        false => rest,
+    };
+    let (message, code) = match fact.rsplit_once(" [") {
+        Some((message, code)) => (message, code.trim_end_matches(']')),
+        None => (fact, ""),
+    };
+    Problem {
+        line: start.line,
+        column: start.column + 1,
+        width,
+        source: source.to_owned(),
+        code: code.to_owned(),
+        message: message.to_owned(),
+        help: help.to_owned(),
+    }
+}
+
+/// Text of a file, or why it cannot be read and a help text.
+fn file(folder: &Path, name: &str) -> Result<String, (String, &'static str)> {
+    let path = folder.join(name);
+    if path.is_dir() {
+        return Err((format!("`{name}` is a folder"), "write the path of a URDF file in it"));
+    }
+    std::fs::read_to_string(&path).map_err(|error| {
+        let help = "a relative path begins at the folder given with the declaration, or at the working directory";
+        (format!("`{}` cannot be read: {error}", path.display()), help)
+    })
+}
+
+/// A robot from a URDF file, with gravity and without further bodies; write a declaration for more.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Robot {
+    path: PathBuf,
+    gravity: [f64; 3],
+    limits: bool,
+    repair: bool,
+    generate: Vec<String>,
+}
+
+impl Robot {
+    /// The robot of a file, with gravity of 9.81 m/s^2 against z, and without stops.
+    pub fn new(path: impl AsRef<Path>) -> Self {
+        Self {
+            path: path.as_ref().to_owned(),
+            gravity: [0.0, 0.0, -9.81],
+            limits: false,
+            repair: false,
+            generate: ["rhs", "jacobian", "energy", "inverse_dynamics", "shapes"]
+                .map(str::to_owned)
+                .into(),
+        }
+    }
+
+    /// Sets the gravity, in m/s^2.
+    #[must_use]
+    pub fn gravity(mut self, gravity: [f64; 3]) -> Self {
+        self.gravity = gravity;
+        self
+    }
+
+    /// Turns the limits of the joints into stops.
+    #[must_use]
+    pub fn limits(mut self, limits: bool) -> Self {
+        self.limits = limits;
+        self
+    }
+
+    /// Replaces inertias that no body can have by the nearest possible ones.
+    #[must_use]
+    pub fn repair(mut self, repair: bool) -> Self {
+        self.repair = repair;
+        self
+    }
+
+    /// Sets the functions to generate: the words of `generate` in a declaration. Default: `rhs`, `jacobian`, `energy`,
+    /// `inverse_dynamics` and `shapes`.
+    #[must_use]
+    pub fn generate<'w>(mut self, words: impl IntoIterator<Item = &'w str>) -> Self {
+        self.generate = words.into_iter().map(str::to_owned).collect();
+        self
+    }
+
+    /// Declaration of the robot, to be extended or printed.
+    #[must_use]
+    pub fn declaration(&self) -> String {
+        let words = [(self.limits, ", limits"), (self.repair, ", repair")];
+        let words: String = words.iter().filter(|(has, _)| *has).map(|(_, word)| *word).collect();
+        let [x, y, z] = self.gravity;
+        format!(
+            "pub Robot {{\n    robot: urdf({:?}{words}),\n    gravity: [{x:?}, {y:?}, {z:?}],\n    generate: [{}],\n}}\n",
+            self.path.display().to_string(),
+            self.generate.join(", "),
+        )
+    }
+}

@@ -1,0 +1,160 @@
+//! Fits of parameters to measurements.
+
+use pendulum_core::dual::Dual;
+use pendulum_core::fit::{self, Estimate, Loss, Measurement};
+
+use crate::error::Error;
+use crate::method::{Method, TaskWithDerivatives};
+use crate::padded::{Padded, padded};
+use crate::sensitivity::{MOST_PARAMETERS, PART, check_parameters};
+
+/// A measured motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Experiment {
+    /// Measured outputs.
+    pub measurement: Measurement,
+    /// First guess of the state at the first sample.
+    pub guess: Option<Vec<f64>>,
+    /// Known state, and its time, from which the motion begins.
+    pub known: Option<(f64, Vec<f64>)>,
+}
+
+/// A fit: the method of integration, and settings.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// Method.
+    pub method: Method,
+    /// Names of the free parameters; `None` for all.
+    pub free: Option<Vec<String>>,
+    /// Bounds of parameters.
+    pub bounds: Vec<(String, [f64; 2])>,
+    /// Loss of the residuals.
+    pub loss: Loss,
+    /// Length of windows that are joined in the end, in s.
+    pub windows: Option<f64>,
+    /// Length of windows with starts of their own, in s.
+    pub separate_windows: Option<f64>,
+    /// Maximum number of steps of the search.
+    pub max_iterations: usize,
+}
+
+impl Fit {
+    /// A fit of all parameters by squares of residuals, over whole motions.
+    #[must_use]
+    pub fn new(method: Method) -> Self {
+        Self {
+            method,
+            free: None,
+            bounds: Vec::new(),
+            loss: Loss::Squares,
+            windows: None,
+            separate_windows: None,
+            max_iterations: 200,
+        }
+    }
+}
+
+/// Result of a fit.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Fitted {
+    /// All parameters, in the order of their declaration.
+    pub parameters: Vec<f64>,
+    /// Estimates of the free ones.
+    pub estimates: Vec<Estimate>,
+    /// Covariance of the estimates, row by row.
+    pub covariance: Vec<Vec<f64>>,
+    /// States at the start of each window.
+    pub starts: Vec<Vec<f64>>,
+    /// Output, measured minus computed values, for each column of each experiment.
+    pub residuals: Vec<(String, Vec<f64>)>,
+    /// Standard deviation of the noise of each output.
+    pub noise: Vec<(String, f64)>,
+    /// Reasons to doubt the result.
+    pub warnings: Vec<String>,
+    /// True if the search converged.
+    pub converged: bool,
+    /// Number of steps of the search.
+    pub iterations: usize,
+    /// Table of the estimates, with warnings.
+    pub summary: String,
+}
+
+struct Run<'a, const N: usize> {
+    model: &'a Padded<f64, N>,
+    fit: &'a Fit,
+    experiments: &'a [Experiment],
+}
+
+impl<const N: usize> TaskWithDerivatives<N> for Run<'_, N> {
+    type Output = Result<Fitted, Error>;
+
+    fn by(
+        self,
+        method: impl pendulum_core::Method<Padded<Dual<f64, PART>, N>, Dual<f64, PART>, N> + Sync,
+    ) -> Self::Output {
+        let own = self.fit;
+        let names = || self.model.tape().parameters().iter().map(|parameter| parameter.name);
+        let mut fit = fit::Fit::new(method).loss(own.loss).max_iterations(own.max_iterations);
+        fit = match &own.free {
+            Some(free) => fit.free(free.iter().map(String::as_str)),
+            None => fit.free(names()),
+        };
+        for (name, [low, high]) in &own.bounds {
+            fit = fit.bounds(name, *low, *high);
+        }
+        if let Some(length) = own.windows {
+            fit = fit.windows(length);
+        }
+        if let Some(length) = own.separate_windows {
+            fit = fit.separate_windows(length);
+        }
+        let experiments = self.experiments.iter().map(|experiment| {
+            let mut of = fit::Experiment::new(self.model, &experiment.measurement);
+            if let Some(guess) = &experiment.guess {
+                of = of.from_guess(padded::<N>(guess));
+            }
+            if let Some((t0, known)) = &experiment.known {
+                of = of.from_known(*t0, padded::<N>(known));
+            }
+            of
+        });
+        let experiments: Vec<_> = experiments.collect();
+        let fitted = fit.run::<_, N, MOST_PARAMETERS>(&experiments)?;
+        let length = self.model.tape().length();
+        let covariance = fitted.covariance.row_iter().map(|row| row.iter().copied().collect());
+        Ok(Fitted {
+            summary: fitted.to_string(),
+            parameters: fitted.parameters[..self.model.params().len()].to_vec(),
+            covariance: covariance.collect(),
+            starts: fitted
+                .windows
+                .iter()
+                .map(|window| window.start.as_slice()[..length].to_vec())
+                .collect(),
+            residuals: fitted
+                .residuals
+                .into_iter()
+                .map(|residuals| (residuals.output, residuals.values))
+                .collect(),
+            noise: fitted.noise,
+            warnings: fitted.warnings.iter().map(ToString::to_string).collect(),
+            converged: fitted.status == fit::Status::Converged,
+            iterations: fitted.iterations,
+            estimates: fitted.estimates,
+        })
+    }
+}
+
+pub(crate) fn fit<const N: usize>(
+    model: &Padded<f64, N>,
+    fit: &Fit,
+    experiments: &[Experiment],
+) -> Result<Fitted, Error> {
+    check_parameters(model)?;
+    fit.method.run_with_derivatives(Run {
+        model,
+        fit,
+        experiments,
+    })?
+}

@@ -1,0 +1,54 @@
+//! Mechanisms that are declared at run time.
+//!
+//! [`Model::parse`] takes the text of a declaration, in the language of `mechanism!`, and [`Model::urdf`] the file of a
+//! robot. No compiler is needed, and results have the bits of the code that `mechanism!` generates.
+//!
+//! ```
+//! use pendulum_runtime::{Method, Model};
+//!
+//! let model = Model::parse("pub Pendulum {
+//!     params { l: m = 0.5 }
+//!     gravity: [0, -9.81, 0],
+//!     body bob on ground { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: theta }
+//! }")?;
+//! let start = model.state(&[("theta", 0.4)])?;
+//! let motion = model.solve(&Method::new("Vern9")?.rtol(1e-10), [0.0, 10.0], &start)?;
+//! assert_eq!(motion.t().last(), Some(&10.0));
+//!
+//! let longer = model.with(&[("l", 2.0)])?;
+//! assert!(longer.rhs(0.0, &start)?[1].abs() < model.rhs(0.0, &start)?[1].abs());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! States are slices, with the components of [`Model::components`]. Inside they are padded to 4, 8, 16, 32 or 64
+//! components, so that each method exists for five lengths; longer states are refused.
+
+#![forbid(unsafe_code)]
+
+mod declaration;
+mod ensemble;
+mod error;
+mod fit;
+mod method;
+mod model;
+mod padded;
+mod sensitivity;
+mod solve;
+mod stability;
+mod worker;
+
+pub use declaration::{DeclarationError, Problem, Robot};
+pub use ensemble::{Ensemble, Members};
+pub use error::Error;
+pub use fit::{Experiment, Fit, Fitted};
+pub use method::Method;
+pub use model::{Component, Function, Model, Quantity};
+pub use sensitivity::Sensitivity;
+pub use solve::{Event, Impact, Motion, Occurrence, Options, Stopped};
+pub use stability::{Equilibrium, Exponents, Resting};
+
+pub use nalgebra;
+pub use pendulum_core::fit::{Estimate, Loss, Measurement};
+pub use pendulum_core::shapes::{Shape, ShapeKind};
+pub use pendulum_core::stability::Stability;
+pub use pendulum_core::{SampleError, Statistics};

@@ -1,0 +1,632 @@
+//! Models.
+
+use std::fmt;
+use std::path::Path;
+use std::sync::Arc;
+
+use nalgebra::DMatrix;
+use pendulum_codegen::program::{self, Program};
+use pendulum_core::SlotKind;
+use pendulum_core::sensitivity::Variable;
+use pendulum_core::shapes::Shape;
+use pendulum_core::tape::{Given, Tape};
+
+use crate::declaration::{self, Robot};
+use crate::ensemble::{Ensemble, Members};
+use crate::error::Error;
+use crate::fit::{Experiment, Fit, Fitted};
+use crate::method::Method;
+use crate::padded::{self, Engine};
+use crate::sensitivity::Sensitivity;
+use crate::solve::{Motion, Options, Stopped};
+use crate::stability::{Equilibrium, Exponents, Resting};
+use crate::worker;
+
+/// A mechanism with values of its parameters and inputs. Clones share everything.
+#[derive(Clone)]
+pub struct Model {
+    about: Arc<About>,
+    engine: Arc<dyn Engine>,
+}
+
+/// What does not depend on the values of parameters.
+struct About {
+    tape: Arc<Tape>,
+    docs: String,
+    parameters: Vec<Quantity>,
+    inputs: Vec<Quantity>,
+    components: Vec<Component>,
+    functions: Vec<Function>,
+    equations: String,
+    latex: String,
+    /// Repairs of the file of a robot.
+    repaired: Vec<String>,
+}
+
+/// A parameter or an input.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Quantity {
+    /// Name.
+    pub name: String,
+    /// Unit, as in the declaration.
+    pub unit: String,
+    /// Default value of a parameter.
+    pub default: Option<f64>,
+    /// Comment in the declaration.
+    pub docs: String,
+}
+
+/// A component of the state.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Component {
+    /// Name, such as `theta` or `dot(theta)`.
+    pub name: String,
+    /// Unit.
+    pub unit: String,
+    /// True if it is an angle with the period 2 pi.
+    pub periodic: bool,
+}
+
+/// A function that the declaration asks for.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Function {
+    /// Name.
+    pub name: String,
+    /// What it computes.
+    pub docs: String,
+    /// Lists that it takes beside the time and the state: `accelerations`, `weights`, `direction` or `forces`.
+    pub arguments: Vec<&'static str>,
+    /// Rows and columns of each result; a vector has one column, a number is alone.
+    pub shapes: Vec<[usize; 2]>,
+    /// Form of the code, such as `recursion, L^T D L`.
+    pub form: String,
+    /// Numbers of additions, multiplications, divisions, sines with cosines, and other functions.
+    pub operations: [usize; 5],
+}
+
+impl Model {
+    /// Compiles a declaration all of whose parameters have defaults. Files of robots are relative to the working
+    /// directory.
+    ///
+    /// # Errors
+    /// Those that `mechanism!` reports, with line, column and help; and [`Error::NoValue`].
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        Self::parse_with(text, &[])
+    }
+
+    /// Compiles a declaration, with values of some parameters.
+    ///
+    /// # Errors
+    /// See [`parse`](Self::parse).
+    pub fn parse_with(text: &str, values: &[(&str, f64)]) -> Result<Self, Error> {
+        Self::parse_in(Path::new(""), text, values)
+    }
+
+    /// Compiles a declaration whose files of robots are relative to a folder.
+    ///
+    /// # Errors
+    /// See [`parse`](Self::parse).
+    pub fn parse_in(folder: &Path, text: &str, values: &[(&str, f64)]) -> Result<Self, Error> {
+        Self::of(&declaration::program(text, folder)?, values)
+    }
+
+    /// Compiles the robot of a URDF file, with gravity against z: see [`Robot`] for more.
+    ///
+    /// # Errors
+    /// See [`parse`](Self::parse).
+    pub fn urdf(path: impl AsRef<Path>) -> Result<Self, Error> {
+        Self::robot(&Robot::new(path))
+    }
+
+    /// Compiles a robot.
+    ///
+    /// # Errors
+    /// See [`parse`](Self::parse).
+    pub fn robot(robot: &Robot) -> Result<Self, Error> {
+        Self::parse(&robot.declaration())
+    }
+
+    fn of(program: &Program, values: &[(&str, f64)]) -> Result<Self, Error> {
+        let text = pendulum_codegen::tape(program);
+        let tape: Arc<Tape> = Arc::new(text.parse().expect("what is printed can be read"));
+        let about = Arc::new(About::new(program, tape.clone()));
+        let values = about.values(values, about.parameters.iter().map(|own| own.default).collect())?;
+        let missing = values
+            .iter()
+            .zip(&about.parameters)
+            .filter(|(value, _)| value.is_none());
+        let missing: Vec<String> = missing.map(|(_, own)| own.name.clone()).collect();
+        if !missing.is_empty() {
+            return Err(Error::NoValue { parameters: missing });
+        }
+        let values: Vec<f64> = values.into_iter().flatten().collect();
+        let engine = padded::build(&tape, &values)?;
+        Ok(Self { about, engine })
+    }
+
+    /// Returns the model with other values of some parameters, in microseconds.
+    ///
+    /// # Errors
+    /// If there is no such parameter, or if the values are impossible.
+    pub fn with(&self, values: &[(&str, f64)]) -> Result<Self, Error> {
+        let own = self.values().iter().map(|&value| Some(value)).collect();
+        let values = self.about.values(values, own)?;
+        self.with_values(&values.into_iter().flatten().collect::<Vec<_>>())
+    }
+
+    /// Returns the model with other values of all parameters, in the order of their declaration.
+    ///
+    /// # Errors
+    /// See [`with`](Self::with).
+    pub fn with_values(&self, values: &[f64]) -> Result<Self, Error> {
+        self.changed(values, self.inputs_now())
+    }
+
+    /// Returns the model with other values of some inputs, which are zero at first and constant in time.
+    ///
+    /// # Errors
+    /// If there is no such input.
+    pub fn with_inputs(&self, values: &[(&str, f64)]) -> Result<Self, Error> {
+        let mut inputs = self.inputs_now().to_vec();
+        for &(name, value) in values {
+            let names = || self.about.inputs.iter().map(|own| own.name.as_str());
+            let n = names().position(|own| own == name);
+            inputs[n.ok_or_else(|| Error::unknown("input", name, names()))?] = value;
+        }
+        self.changed(self.values(), &inputs)
+    }
+
+    fn changed(&self, values: &[f64], inputs: &[f64]) -> Result<Self, Error> {
+        Ok(Self {
+            about: self.about.clone(),
+            engine: self.engine.with(values, inputs)?,
+        })
+    }
+
+    /// Name of the mechanism.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.about.tape.name()
+    }
+
+    /// Comment above the declaration.
+    #[must_use]
+    pub fn docs(&self) -> &str {
+        &self.about.docs
+    }
+
+    /// Parameters, in the order of their declaration.
+    #[must_use]
+    pub fn parameters(&self) -> &[Quantity] {
+        &self.about.parameters
+    }
+
+    /// Values of the parameters.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        self.engine.params()
+    }
+
+    /// Inputs, in the order of their declaration.
+    #[must_use]
+    pub fn inputs(&self) -> &[Quantity] {
+        &self.about.inputs
+    }
+
+    /// Values of the inputs.
+    #[must_use]
+    pub fn inputs_now(&self) -> &[f64] {
+        self.engine.inputs()
+    }
+
+    /// Components of the state: coordinates, then their rates, then first-order states.
+    #[must_use]
+    pub fn components(&self) -> &[Component] {
+        &self.about.components
+    }
+
+    /// Names of the components of all outputs.
+    #[must_use]
+    pub fn outputs(&self) -> &[&'static str] {
+        self.about.tape.outputs()
+    }
+
+    /// Names of the events in the declaration.
+    pub fn events(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.about.tape.events().iter().map(|(name, _)| *name)
+    }
+
+    /// Names of the constraints: joints with dry friction or stops, and walls.
+    pub fn constraints(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.about.tape.constraints().iter().map(|constraint| constraint.name)
+    }
+
+    /// Functions that the declaration asks for.
+    #[must_use]
+    pub fn functions(&self) -> &[Function] {
+        &self.about.functions
+    }
+
+    /// Repairs that `repair` made to the file of a robot.
+    #[must_use]
+    pub fn repaired(&self) -> &[String] {
+        &self.about.repaired
+    }
+
+    /// Equations of motion as text, in the language of declarations.
+    #[must_use]
+    pub fn equations(&self) -> &str {
+        &self.about.equations
+    }
+
+    /// Equations of motion in LaTeX, for display.
+    #[must_use]
+    pub fn latex(&self) -> &str {
+        &self.about.latex
+    }
+
+    /// State with these components and zeros elsewhere; orientations without components are those of the declaration.
+    ///
+    /// # Errors
+    /// If there is no such component.
+    pub fn state(&self, values: &[(&str, f64)]) -> Result<Vec<f64>, Error> {
+        let components = &self.about.components;
+        let mut x = vec![0.0; components.len()];
+        let layout = self.about.tape.layout();
+        layout.quaternions().for_each(|places| x[places.start] = 1.0);
+        for &(name, value) in values {
+            let names = || components.iter().map(|own| own.name.as_str());
+            let n = names().position(|own| own == name);
+            x[n.ok_or_else(|| Error::unknown("component", name, names()))?] = value;
+        }
+        Ok(x)
+    }
+
+    /// Derivative of the state.
+    ///
+    /// # Errors
+    /// If the state has another length.
+    pub fn rhs(&self, t: f64, x: &[f64]) -> Result<Vec<f64>, Error> {
+        self.check_state(x)?;
+        Ok(self.engine.rhs(t, x))
+    }
+
+    /// Derivative of the right-hand side by the state: a row for each rate, a column for each component.
+    ///
+    /// # Errors
+    /// If the state has another length, or if `generate` does not have `jacobian`.
+    pub fn jacobian(&self, t: f64, x: &[f64]) -> Result<DMatrix<f64>, Error> {
+        self.check_state(x)?;
+        self.needs("the Jacobian", "jacobian", "jacobian")?;
+        Ok(self.engine.jacobian(t, x))
+    }
+
+    /// Kinetic and potential energy, in J.
+    ///
+    /// # Errors
+    /// If the state has another length, or if `generate` does not have `energy`.
+    pub fn energy(&self, t: f64, x: &[f64]) -> Result<[f64; 2], Error> {
+        self.check_state(x)?;
+        self.needs("the energy", "kinetic", "energy")?;
+        Ok(self.engine.energy(t, x))
+    }
+
+    /// Components of all outputs, in the order of [`outputs`](Self::outputs).
+    ///
+    /// # Errors
+    /// If the state has another length.
+    pub fn outputs_at(&self, t: f64, x: &[f64]) -> Result<Vec<f64>, Error> {
+        self.check_state(x)?;
+        Ok(self.engine.outputs(t, x))
+    }
+
+    /// Evaluates a function, such as `mass_matrix`, with the lists that it takes beside the time and the state. Returns
+    /// its results, each with its entries in column-major order.
+    ///
+    /// # Errors
+    /// If there is no such function, or if a list has another length.
+    pub fn evaluate(&self, name: &str, t: f64, x: &[f64], lists: &[&[f64]]) -> Result<Vec<DMatrix<f64>>, Error> {
+        self.check_state(x)?;
+        let names = || self.about.functions.iter().map(|function| function.name.as_str());
+        let n = names().position(|own| own == name);
+        let n = n.ok_or_else(|| Error::unknown("function", name, names()))?;
+        let function = &self.about.functions[n];
+        Error::check_length(
+            &format!("the list of arguments of `{name}`"),
+            lists.len(),
+            function.arguments.len(),
+        )?;
+        let rates = self.about.tape.layout().rates();
+        let mut given = Given {
+            inputs: self.engine.inputs(),
+            ..Given::default()
+        };
+        for (&what, &list) in function.arguments.iter().zip(lists) {
+            let (place, needed) = match what {
+                "accelerations" => (&mut given.accelerations, rates),
+                "weights" => (&mut given.weights, x.len()),
+                "direction" => (&mut given.direction, x.len() + self.about.inputs.len()),
+                _ => (&mut given.forces, self.about.tape.constraints().len()),
+            };
+            Error::check_length(&format!("`{what}`"), list.len(), needed)?;
+            *place = list;
+        }
+        let results = self.engine.evaluate(n, t, x, &given);
+        let shapes = self.about.tape.routines()[n].shapes();
+        let (mut rest, mut matrices) = (&results[..], Vec::new());
+        for (&[rows, columns], shape) in function.shapes.iter().zip(shapes) {
+            let matrix = match shape {
+                pendulum_core::tape::Shape::Symmetric(_) => {
+                    let place = |i: usize, j: usize| i * (2 * rows - i - 1) / 2 + j;
+                    DMatrix::from_fn(rows, rows, |i, j| rest[place(i.min(j), i.max(j))])
+                }
+                _ => DMatrix::from_column_slice(rows, columns, &rest[..rows * columns]),
+            };
+            let taken = match shape {
+                pendulum_core::tape::Shape::Symmetric(_) => rows * (rows + 1) / 2,
+                _ => rows * columns,
+            };
+            rest = &rest[taken..];
+            matrices.push(matrix);
+        }
+        Ok(matrices)
+    }
+
+    /// Shapes for drawing.
+    ///
+    /// # Errors
+    /// If the state has another length, or if `generate` does not have `shapes`.
+    pub fn shapes(&self, t: f64, x: &[f64]) -> Result<Vec<Shape<'_>>, Error> {
+        self.check_state(x)?;
+        if !self.about.tape.has_shapes() {
+            let what = "a drawing".to_owned();
+            return Err(Error::NotGenerated { what, word: "shapes" });
+        }
+        Ok(self.engine.shapes(t, x))
+    }
+
+    /// Closes the loops of a state in which the dependent coordinates are guesses.
+    ///
+    /// # Errors
+    /// If the state has another length, or if the loops do not close near it.
+    pub fn assemble(&self, t: f64, x: &[f64]) -> Result<Vec<f64>, Error> {
+        self.check_state(x)?;
+        self.engine.assemble(t, x)
+    }
+
+    /// Integrates from the state `x0` over a span, which may run backward.
+    ///
+    /// # Errors
+    /// If a setting or the state is invalid, or if the integration stops early; the error then has the motion so far.
+    pub fn solve(&self, method: &Method, span: [f64; 2], x0: &[f64]) -> Result<Motion, Stopped> {
+        self.solve_with(method, span, x0, &Options::default())
+    }
+
+    /// Integrates like [`solve`](Self::solve), with options.
+    ///
+    /// # Errors
+    /// See [`solve`](Self::solve).
+    pub fn solve_with(
+        &self,
+        method: &Method,
+        span: [f64; 2],
+        x0: &[f64],
+        options: &Options<'_>,
+    ) -> Result<Motion, Stopped> {
+        self.check_state(x0)?;
+        self.check_method(method)?;
+        worker::run(|| self.engine.solve(method, span, x0, options))
+    }
+
+    /// Integrates many trajectories on all processors, in lanes of vector registers. Their states are those of
+    /// [`solve`](Self::solve), bit for bit.
+    ///
+    /// # Errors
+    /// If a setting, a list or parameters are invalid. Trajectories that stop early are listed in the result.
+    pub fn ensemble(&self, method: &Method, span: [f64; 2], members: &Members<'_>) -> Result<Ensemble, Error> {
+        self.check_method(method)?;
+        worker::run(|| self.engine.ensemble(method, span, members))
+    }
+
+    /// Searches equilibria from some states. Also returns the coordinates that were not searched completely.
+    ///
+    /// # Errors
+    /// If a state has another length, if `generate` does not have `jacobian`, or if the mechanism depends on time.
+    pub fn equilibria(&self, seeds: &[Vec<f64>]) -> Result<(Vec<Equilibrium>, Vec<String>), Error> {
+        seeds.iter().try_for_each(|seed| self.check_state(seed))?;
+        self.needs("the search for equilibria", "jacobian", "jacobian")?;
+        worker::run(|| self.engine.equilibria(seeds))
+    }
+
+    /// Finds a state of rest near a state, held by dry friction and contacts.
+    ///
+    /// # Errors
+    /// As for [`equilibria`](Self::equilibria), and if the mechanism has no constraints.
+    pub fn resting(&self, seed: &[f64]) -> Result<Resting, Error> {
+        self.check_state(seed)?;
+        self.needs("the search for a state of rest", "jacobian", "jacobian")?;
+        worker::run(|| self.engine.resting(seed))
+    }
+
+    /// Computes the largest Lyapunov exponents of a trajectory, by the settings given.
+    ///
+    /// # Errors
+    /// If a setting or the state is invalid, if `generate` does not have `jacobian`, or if the trajectory stops early.
+    pub fn lyapunov(&self, x0: &[f64], settings: &Exponents) -> Result<Exponents, Error> {
+        self.check_state(x0)?;
+        self.needs("the computation of exponents", "jacobian", "jacobian")?;
+        if settings.count > self.components().len() {
+            let (count, length) = (settings.count, self.components().len());
+            let what = "count".to_owned();
+            let rule = format!("a state of {length} components has as many exponents, not {count}");
+            return Err(Error::Setting { what, rule });
+        }
+        worker::run(|| self.engine.lyapunov(x0, settings))
+    }
+
+    /// Integrates from the first of the times to the last, with the derivatives of the states by components of the
+    /// initial state and by parameters, given by name.
+    ///
+    /// # Errors
+    /// If a name, a setting or the state is invalid, or if the trajectory stops early.
+    pub fn sensitivity(&self, method: &Method, times: &[f64], x0: &[f64], by: &[&str]) -> Result<Sensitivity, Error> {
+        self.check_state(x0)?;
+        self.check_method(method)?;
+        let components = || self.components().iter().map(|own| own.name.as_str());
+        let parameters = || self.parameters().iter().map(|own| own.name.as_str());
+        let variable = |name: &&str| {
+            let parameter = parameters().position(|own| own == *name).map(Variable::Parameter);
+            let start = || components().position(|own| own == *name).map(Variable::Start);
+            let unknown = || Error::unknown("parameter or component", name, parameters().chain(components()));
+            parameter.or_else(start).ok_or_else(unknown)
+        };
+        let by: Vec<Variable> = by.iter().map(variable).collect::<Result<_, _>>()?;
+        worker::run(|| self.engine.sensitivity(method, times, x0, &by))
+    }
+
+    /// Fits parameters to measurements.
+    ///
+    /// # Errors
+    /// If names, settings or measurements are invalid, or if the model cannot be integrated at its own parameters.
+    pub fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error> {
+        self.check_method(&fit.method)?;
+        for experiment in experiments {
+            let known = experiment.known.as_ref().map(|(_, x)| x);
+            known
+                .into_iter()
+                .chain(&experiment.guess)
+                .try_for_each(|x| self.check_state(x))?;
+        }
+        worker::run(|| self.engine.fit(fit, experiments))
+    }
+
+    fn check_state(&self, x: &[f64]) -> Result<(), Error> {
+        Error::check_length("the state", x.len(), self.about.components.len())
+    }
+
+    /// Checks that the declaration asks for a routine.
+    fn needs(&self, what: &str, routine: &str, word: &'static str) -> Result<(), Error> {
+        let what = what.to_owned();
+        let routine = self.about.tape.routine(routine);
+        routine.map(|_| ()).ok_or(Error::NotGenerated { what, word })
+    }
+
+    fn check_method(&self, method: &Method) -> Result<(), Error> {
+        method.check()?;
+        let what = format!("the method `{}`", method.name());
+        match method.word() {
+            Some("taylor") if !self.about.tape.has_series() => Err(Error::NotGenerated { what, word: "taylor" }),
+            Some(word) if word != "taylor" => self.needs(&what, word, word),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl fmt::Debug for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = self.about.parameters.iter().map(|own| &own.name);
+        f.debug_struct("Model")
+            .field("name", &self.name())
+            .field("parameters", &names.zip(self.values()).collect::<Vec<_>>())
+            .finish_non_exhaustive()
+    }
+}
+
+impl About {
+    fn new(program: &Program, tape: Arc<Tape>) -> Self {
+        let quantity = |own: &program::Quantity| Quantity {
+            name: own.name.clone(),
+            unit: own.unit.clone(),
+            default: own.default,
+            docs: text(&own.docs),
+        };
+        Self {
+            docs: text(&program.docs),
+            parameters: program.parameters.iter().map(quantity).collect(),
+            inputs: program.inputs.iter().map(quantity).collect(),
+            components: components(&tape),
+            functions: program.routines.iter().map(function).collect(),
+            equations: program.equations.to_string(),
+            latex: program.equations.latex(),
+            repaired: program.repaired.clone(),
+            tape,
+        }
+    }
+
+    /// Values of the parameters, some of which are given by name.
+    fn values(&self, given: &[(&str, f64)], own: Vec<Option<f64>>) -> Result<Vec<Option<f64>>, Error> {
+        let mut values = own;
+        for &(name, value) in given {
+            let names = || self.parameters.iter().map(|own| own.name.as_str());
+            let n = names().position(|own| own == name);
+            values[n.ok_or_else(|| Error::unknown("parameter", name, names()))?] = Some(value);
+        }
+        Ok(values)
+    }
+}
+
+/// A comment without the spaces before its lines.
+fn text(docs: &[String]) -> String {
+    let lines: Vec<&str> = docs.iter().map(|line| line.trim()).collect();
+    lines.join("\n")
+}
+
+fn components(tape: &Tape) -> Vec<Component> {
+    let layout = tape.layout();
+    let mut components: Vec<Component> = layout
+        .components()
+        .into_iter()
+        .map(|name| Component {
+            name,
+            unit: String::new(),
+            periodic: false,
+        })
+        .collect();
+    for slot in layout.slots {
+        for n in slot.positions.clone() {
+            components[n].unit = slot.unit().to_owned();
+            components[n].periodic = slot.periodic && slot.kind == SlotKind::Angle;
+        }
+        for n in slot.rates.clone() {
+            components[n].unit = slot.rate_unit().to_owned();
+        }
+    }
+    for state in layout.states {
+        components[state.index].unit = state.unit.to_owned();
+    }
+    components
+}
+
+fn function(routine: &program::Routine) -> Function {
+    let arguments = routine.arguments.iter().filter_map(|argument| match argument {
+        program::Argument::Inputs => None,
+        program::Argument::Accelerations => Some("accelerations"),
+        program::Argument::Forces => Some("forces"),
+        program::Argument::Weights => Some("weights"),
+        program::Argument::Direction => Some("direction"),
+    });
+    let shapes = routine.shapes.iter().map(|shape| match *shape {
+        program::Shape::Scalar => [1, 1],
+        program::Shape::Vector(n) => [n, 1],
+        program::Shape::Matrix(n, m) => [n, m],
+        program::Shape::Symmetric(n) => [n, n],
+    });
+    let operations = &routine.cost.operations;
+    Function {
+        name: routine.name.clone(),
+        docs: routine.doc.clone(),
+        arguments: arguments.collect(),
+        shapes: shapes.collect(),
+        form: routine.cost.form.clone(),
+        operations: [
+            operations.additions,
+            operations.multiplications,
+            operations.divisions,
+            operations.sincos,
+            operations.functions,
+        ],
+    }
+}

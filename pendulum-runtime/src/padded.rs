@@ -1,0 +1,163 @@
+//! Models whose states are padded to one of few lengths, behind one interface.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, SVector};
+use pendulum_core::shapes::{Shape, Shapes};
+use pendulum_core::tape::{self, Given, HybridModel, ModelError, Tape};
+use pendulum_core::{Energy, Jacobian, System};
+
+use crate::ensemble::{self, Ensemble, Members};
+use crate::error::Error;
+use crate::fit::{self, Experiment, Fit, Fitted};
+use crate::method::Method;
+use crate::sensitivity::{self, Sensitivity};
+use crate::solve::{self, Motion, Options, Stopped};
+use crate::stability::{self, Equilibrium, Exponents, Resting};
+
+/// A model with a state of `N` components, the last of which may be padding.
+pub(crate) type Padded<T, const N: usize> = HybridModel<T, N>;
+
+/// A model without dry friction, stops and walls, for ensembles in lanes.
+pub(crate) type Smooth<const N: usize> = tape::Model<f64, N>;
+
+/// Longest state.
+pub(crate) const LONGEST: usize = 64;
+
+/// Builds the model of a tape.
+pub(crate) fn build(tape: &Arc<Tape>, params: &[f64]) -> Result<Arc<dyn Engine>, Error> {
+    macro_rules! first_that_fits {
+        ($($length:literal)*) => { $(
+            if tape.length() <= $length {
+                return Ok(Arc::new(tape.padded::<$length, true>(params)?));
+            }
+        )* };
+    }
+    first_that_fits!(4 8 16 32 64);
+    Err(Error::TooLong {
+        what: "the state",
+        length: tape.length(),
+        most: LONGEST,
+    })
+}
+
+/// State with padding.
+pub(crate) fn padded<const N: usize>(x: &[f64]) -> SVector<f64, N> {
+    SVector::from_fn(|n, _| x.get(n).copied().unwrap_or_default())
+}
+
+/// A padded model of any length.
+pub(crate) trait Engine: Send + Sync {
+    fn params(&self) -> &[f64];
+    fn inputs(&self) -> &[f64];
+    fn with(&self, params: &[f64], inputs: &[f64]) -> Result<Arc<dyn Engine>, ModelError>;
+    fn rhs(&self, t: f64, x: &[f64]) -> Vec<f64>;
+    fn jacobian(&self, t: f64, x: &[f64]) -> DMatrix<f64>;
+    fn energy(&self, t: f64, x: &[f64]) -> [f64; 2];
+    fn outputs(&self, t: f64, x: &[f64]) -> Vec<f64>;
+    fn evaluate(&self, routine: usize, t: f64, x: &[f64], given: &Given<'_, f64>) -> Vec<f64>;
+    fn shapes(&self, t: f64, x: &[f64]) -> Vec<Shape<'_>>;
+    fn assemble(&self, t: f64, x: &[f64]) -> Result<Vec<f64>, Error>;
+    fn solve(&self, method: &Method, span: [f64; 2], x0: &[f64], options: &Options<'_>) -> Result<Motion, Stopped>;
+    fn ensemble(&self, method: &Method, span: [f64; 2], members: &Members<'_>) -> Result<Ensemble, Error>;
+    fn equilibria(&self, seeds: &[Vec<f64>]) -> Result<(Vec<Equilibrium>, Vec<String>), Error>;
+    fn resting(&self, seed: &[f64]) -> Result<Resting, Error>;
+    fn lyapunov(&self, x0: &[f64], exponents: &Exponents) -> Result<Exponents, Error>;
+    fn sensitivity(
+        &self,
+        method: &Method,
+        times: &[f64],
+        x0: &[f64],
+        by: &[pendulum_core::sensitivity::Variable],
+    ) -> Result<Sensitivity, Error>;
+    fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error>;
+}
+
+impl<const N: usize> Engine for Padded<f64, N> {
+    fn params(&self) -> &[f64] {
+        self.params()
+    }
+
+    fn inputs(&self) -> &[f64] {
+        self.inputs()
+    }
+
+    fn with(&self, params: &[f64], inputs: &[f64]) -> Result<Arc<dyn Engine>, ModelError> {
+        let mut model = self.with_params(params)?;
+        model.set_inputs(inputs);
+        Ok(Arc::new(model))
+    }
+
+    fn rhs(&self, t: f64, x: &[f64]) -> Vec<f64> {
+        active(System::rhs(self, t, &padded(x)), x.len())
+    }
+
+    fn jacobian(&self, t: f64, x: &[f64]) -> DMatrix<f64> {
+        let jacobian = Jacobian::jacobian(self, t, &padded(x));
+        DMatrix::from_fn(x.len(), x.len(), |i, j| jacobian[(i, j)])
+    }
+
+    fn energy(&self, t: f64, x: &[f64]) -> [f64; 2] {
+        let x = padded(x);
+        [self.kinetic(t, &x), self.potential(t, &x)]
+    }
+
+    fn outputs(&self, t: f64, x: &[f64]) -> Vec<f64> {
+        let mut outputs = Vec::with_capacity(self.tape().outputs().len());
+        self.each_output(t, &padded(x), &mut |_, output| outputs.push(output));
+        outputs
+    }
+
+    fn evaluate(&self, routine: usize, t: f64, x: &[f64], given: &Given<'_, f64>) -> Vec<f64> {
+        let mut results = vec![0.0; self.tape().routines()[routine].results()];
+        HybridModel::evaluate(self, routine, t, &padded(x), given, &mut results);
+        results
+    }
+
+    fn shapes(&self, t: f64, x: &[f64]) -> Vec<Shape<'_>> {
+        Shapes::shapes(self, t, &padded(x))
+    }
+
+    fn assemble(&self, t: f64, x: &[f64]) -> Result<Vec<f64>, Error> {
+        Ok(active(HybridModel::assemble(self, t, &padded(x))?, x.len()))
+    }
+
+    fn solve(&self, method: &Method, span: [f64; 2], x0: &[f64], options: &Options<'_>) -> Result<Motion, Stopped> {
+        solve::solve(self, method, span, x0, options)
+    }
+
+    fn ensemble(&self, method: &Method, span: [f64; 2], members: &Members<'_>) -> Result<Ensemble, Error> {
+        ensemble::ensemble(self, method, span, members)
+    }
+
+    fn equilibria(&self, seeds: &[Vec<f64>]) -> Result<(Vec<Equilibrium>, Vec<String>), Error> {
+        stability::equilibria(self, seeds)
+    }
+
+    fn resting(&self, seed: &[f64]) -> Result<Resting, Error> {
+        stability::resting(self, seed)
+    }
+
+    fn lyapunov(&self, x0: &[f64], exponents: &Exponents) -> Result<Exponents, Error> {
+        stability::lyapunov(self, x0, exponents)
+    }
+
+    fn sensitivity(
+        &self,
+        method: &Method,
+        times: &[f64],
+        x0: &[f64],
+        by: &[pendulum_core::sensitivity::Variable],
+    ) -> Result<Sensitivity, Error> {
+        sensitivity::sensitivity(self, method, times, x0, by)
+    }
+
+    fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error> {
+        fit::fit(self, fit, experiments)
+    }
+}
+
+/// Components of a state without padding.
+pub(crate) fn active<const N: usize>(x: SVector<f64, N>, length: usize) -> Vec<f64> {
+    x.as_slice()[..length].to_vec()
+}

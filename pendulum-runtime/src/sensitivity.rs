@@ -1,0 +1,121 @@
+//! Derivatives of trajectories.
+
+use nalgebra::{DMatrix, SVector};
+use pendulum_core::dense::Dense;
+use pendulum_core::dual::Dual;
+use pendulum_core::sensitivity::{self, Variable};
+use pendulum_core::{Observer, Reason};
+
+use crate::error::Error;
+use crate::method::{Method, TaskWithDerivatives};
+use crate::padded::{Padded, padded};
+use crate::solve::check_times;
+
+/// Number of derivatives that are carried at once.
+pub(crate) const PART: usize = 8;
+/// Maximum number of parameters of a model whose trajectories are differentiated.
+pub(crate) const MOST_PARAMETERS: usize = 64;
+
+/// States at given times, with their derivatives.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Sensitivity {
+    /// States, one for each time.
+    pub x: Vec<Vec<f64>>,
+    /// Derivatives at each time: a row for each component, a column for each variable.
+    pub derivatives: Vec<DMatrix<f64>>,
+}
+
+/// Checks that there are not too many parameters.
+pub(crate) fn check_parameters<const N: usize>(model: &Padded<f64, N>) -> Result<(), Error> {
+    let length = model.params().len();
+    (length <= MOST_PARAMETERS).then_some(()).ok_or(Error::TooLong {
+        what: "the list of parameters",
+        length,
+        most: MOST_PARAMETERS,
+    })
+}
+
+/// Samples of a trajectory in dual numbers.
+struct Samples<'t, const N: usize> {
+    times: &'t [f64],
+    forward: bool,
+    x: Vec<SVector<Dual<f64, PART>, N>>,
+}
+
+impl<const N: usize> Observer<Dual<f64, PART>, N> for Samples<'_, N> {
+    fn step(&mut self, dense: &Dense<'_, Dual<f64, PART>, N>) {
+        let end = dense.step().t1.value;
+        while let Some(&t) = self.times.get(self.x.len())
+            && (if self.forward { t <= end } else { t >= end })
+        {
+            self.x.push(dense.at(Dual::constant(t)));
+        }
+    }
+}
+
+struct Part<'m, const N: usize> {
+    model: &'m Padded<f64, N>,
+    times: &'m [f64],
+    x0: SVector<f64, N>,
+    by: [Variable; PART],
+}
+
+impl<const N: usize> TaskWithDerivatives<N> for Part<'_, N> {
+    type Output = Result<Vec<SVector<Dual<f64, PART>, N>>, Reason>;
+
+    fn by(self, method: impl pendulum_core::Method<Padded<Dual<f64, PART>, N>, Dual<f64, PART>, N>) -> Self::Output {
+        let (model, x0) = sensitivity::seeded::<_, N, MOST_PARAMETERS, PART>(self.model, self.x0, self.by);
+        let [first, .., last] = self.times else {
+            return Ok(vec![x0]);
+        };
+        let mut samples = Samples {
+            times: self.times,
+            forward: last >= first,
+            x: vec![x0],
+        };
+        let [t0, t1] = [*first, *last].map(Dual::constant);
+        // as in fits, so that they share the code
+        let mut observer: &mut dyn Observer<Dual<f64, PART>, N> = &mut samples;
+        method.follow(&model, t0, t1, x0, &[], &mut observer)?;
+        Ok(samples.x)
+    }
+}
+
+pub(crate) fn sensitivity<const N: usize>(
+    model: &Padded<f64, N>,
+    method: &Method,
+    times: &[f64],
+    x0: &[f64],
+    by: &[Variable],
+) -> Result<Sensitivity, Error> {
+    check_parameters(model)?;
+    let length = x0.len();
+    let [first, .., last] = times else {
+        let what = "times".to_owned();
+        let rule = "give the start and at least one later time".to_owned();
+        return Err(Error::Setting { what, rule });
+    };
+    check_times(times, [*first, *last])?;
+    let mut sensitivity = Sensitivity {
+        x: Vec::new(),
+        derivatives: vec![DMatrix::zeros(length, by.len()); times.len()],
+    };
+    for (n, variables) in by.chunks(PART).enumerate() {
+        // the last part repeats a variable
+        let by = std::array::from_fn(|k| variables.get(k).copied().unwrap_or(variables[0]));
+        let x0 = padded(x0);
+        let states = method.run_with_derivatives(Part { model, times, x0, by })??;
+        for (x, derivatives) in states.iter().zip(&mut sensitivity.derivatives) {
+            for k in 0..variables.len() {
+                let column = x.iter().take(length).map(|component| component.slopes[k]);
+                column
+                    .enumerate()
+                    .for_each(|(row, slope)| derivatives[(row, n * PART + k)] = slope);
+            }
+        }
+        let values = |x: &SVector<Dual<f64, PART>, N>| x.iter().take(length).map(|x| x.value).collect();
+        sensitivity.x = states.iter().map(values).collect();
+    }
+    Ok(sensitivity)
+}

@@ -1,0 +1,10 @@
+//! Models at run time against compiled ones, and what they refuse.
+
+#[path = "it/analyses.rs"]
+mod analyses;
+#[path = "it/compiled.rs"]
+mod compiled;
+#[path = "it/refused.rs"]
+mod refused;
+#[path = "it/robots.rs"]
+mod robots;

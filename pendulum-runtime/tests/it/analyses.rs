@@ -1,0 +1,106 @@
+//! Stability, derivatives and fits.
+
+use pendulum_core::fit::Measurement;
+use pendulum_runtime::{Experiment, Exponents, Fit, Method, Model, Stability};
+
+/// A damped pendulum, whose length and damping are parameters; with a state of two components, it is padded.
+const DAMPED: &str = "pub Damped {
+    params { l: m = 1, gamma: N m s = 0.1 }
+    gravity: [0, -9.81, 0],
+    body bob on ground { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: theta, friction: gamma }
+}";
+
+fn method() -> Method {
+    Method::new("Vern9").expect("known").rtol(1e-11).atol(1e-12)
+}
+
+#[test]
+fn equilibria_hang_and_stand() {
+    let model = Model::parse(DAMPED).expect("valid");
+    let (found, unsearched) = model.equilibria(&[vec![0.1, 0.0]]).expect("autonomous");
+    assert!(unsearched.is_empty());
+    let [hanging, standing] = &found[..] else {
+        panic!("{found:?}")
+    };
+    assert_eq!(hanging.stability, Stability::AsymptoticallyStable);
+    assert_eq!(standing.stability, Stability::Unstable);
+    // lambda^2 + gamma lambda - g = 0
+    let fastest = -0.05 + (9.81_f64 + 0.0025).sqrt();
+    assert_eq!(standing.eigenvalues.len(), 2);
+    assert!((standing.eigenvalues[0].re - fastest).abs() < 1e-12);
+}
+
+#[test]
+fn exponents_are_those_of_the_linearisation() {
+    let model = Model::parse(DAMPED).expect("valid");
+    let settings = Exponents {
+        count: 2,
+        duration: 400.0,
+        ..Exponents::default()
+    };
+    let found = model.lyapunov(&[1e-6, 0.0], &settings).expect("regular");
+    let sum: f64 = found.values.iter().sum();
+    assert!((sum + 0.1).abs() < 1e-6, "the sum is the divergence: {found:?}");
+    assert!(
+        found.values.iter().all(|value| (value + 0.05).abs() < 1e-2),
+        "{found:?}"
+    );
+    let three = Exponents { count: 3, ..settings };
+    assert!(model.lyapunov(&[1e-6, 0.0], &three).is_err());
+}
+
+#[test]
+fn derivatives_agree_with_differences() {
+    let model = Model::parse(DAMPED).expect("valid");
+    let (times, start) = ([0.0, 1.0, 2.5], [0.8, 0.1]);
+    let by = ["theta", "l", "gamma"];
+    let found = model.sensitivity(&method(), &times, &start, &by).expect("regular");
+    let end = |model: &Model, start: &[f64]| {
+        let motion = model.solve(&method(), [0.0, 2.5], start).expect("regular");
+        motion.end().1.to_vec()
+    };
+    let step = 1e-5;
+    let differences = [
+        [-1.0, 1.0].map(|side| end(&model, &[0.8 + side * step, 0.1])),
+        [-1.0, 1.0].map(|side| end(&model.with(&[("l", 1.0 + side * step)]).expect("valid"), &start)),
+        [-1.0, 1.0].map(|side| end(&model.with(&[("gamma", 0.1 + side * step)]).expect("valid"), &start)),
+    ];
+    for (k, [low, high]) in differences.iter().enumerate() {
+        for row in 0..2 {
+            let difference = (high[row] - low[row]) / (2.0 * step);
+            let derivative = found.derivatives[2][(row, k)];
+            assert!(
+                (derivative - difference).abs() < 1e-7,
+                "{} of {row}: {derivative} {difference}",
+                by[k]
+            );
+        }
+    }
+    assert_eq!(found.derivatives[0].column(0).as_slice(), [1.0, 0.0]);
+}
+
+#[test]
+fn a_fit_finds_the_parameters_of_a_motion() {
+    let truth = Model::parse_with(DAMPED, &[("l", 1.3), ("gamma", 0.2)]).expect("valid");
+    let times: Vec<f64> = (0..60).map(|n| 0.05 * f64::from(n)).collect();
+    let motion = truth.solve(&method(), [0.0, 3.0], &[0.9, 0.0]).expect("regular");
+    let measured: Vec<f64> = times
+        .iter()
+        .map(|&t| motion.at(t).expect("inside")[0] + 1e-6 * (1e4 * t).sin())
+        .collect();
+    let experiment = Experiment {
+        measurement: Measurement::new(&times)
+            .and_then(|all| all.output("theta", &measured))
+            .expect("valid"),
+        guess: None,
+        known: None,
+    };
+    let guess = Model::parse(DAMPED).expect("valid");
+    let fitted = guess.fit(&Fit::new(method()), &[experiment]).expect("valid");
+    assert!(fitted.converged, "{}", fitted.summary);
+    assert!(
+        (fitted.parameters[0] - 1.3).abs() < 1e-5 && (fitted.parameters[1] - 0.2).abs() < 1e-5,
+        "{fitted:?}"
+    );
+    assert!((fitted.starts[0][0] - 0.9).abs() < 1e-5);
+}
