@@ -1,0 +1,52 @@
+//! Ensembles.
+
+use std::sync::atomic::AtomicBool;
+
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use pendulum_runtime::{Members, Method, Model};
+use pyo3::prelude::*;
+
+use crate::error::exception;
+use crate::motion::rows;
+use crate::wait::wait;
+
+/// Final states as rows; states by member, time and component; index, time and reason of each member that stopped.
+pub(crate) type Results<'py> = (
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray3<f64>>,
+    Vec<(usize, f64, String)>,
+);
+
+pub(crate) fn ensemble<'py>(
+    py: Python<'py>,
+    model: &Model,
+    method: &Method,
+    span: [f64; 2],
+    starts: PyReadonlyArray2<'py, f64>,
+    parameters: Option<PyReadonlyArray2<'py, f64>>,
+    times: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Results<'py>> {
+    let (count, length) = (starts.shape()[0], model.components().len());
+    let (starts, times) = (starts.as_slice()?.to_vec(), times.as_slice()?.to_vec());
+    let parameters = parameters.map(|own| own.as_slice().map(<[f64]>::to_vec)).transpose()?;
+    let cancel = AtomicBool::new(false);
+    let (found, signal) = wait(py, &cancel, || {
+        let members = Members {
+            starts: &starts,
+            parameters: parameters.as_deref(),
+            times: &times,
+            cancel: Some(&cancel),
+        };
+        model.ensemble(method, span, &members)
+    });
+    let found = found.map_err(|error| exception(py, error))?;
+    let stopped = found.stopped.iter().map(|(n, t, reason)| {
+        let reason = match signal {
+            Some(_) => "interrupted".to_owned(),
+            None => reason.to_string(),
+        };
+        (*n, *t, reason)
+    });
+    let samples = PyArray1::from_vec(py, found.samples).reshape([count, times.len(), length])?;
+    Ok((rows(py, found.ends, length)?, samples, stopped.collect()))
+}

@@ -1,0 +1,451 @@
+//! Models.
+
+use std::path::PathBuf;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pendulum_runtime::{Error, Event, Exponents, Method, Options, Robot, Stability, Stopped};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::exception;
+use crate::motion::{Motion, rows};
+use crate::wait::{wait, wait_to_the_end};
+use crate::{ensemble, fit};
+
+/// A mechanism with values of its parameters and inputs.
+#[pyclass(frozen, module = "pendulum._native")]
+pub(crate) struct Model(pub(crate) pendulum_runtime::Model);
+
+/// Method and settings, by name.
+type Settings = (String, Vec<(String, f64)>);
+
+/// A method with its settings.
+pub(crate) fn method(py: Python<'_>, (name, settings): Settings) -> PyResult<Method> {
+    let mut method = Method::new(&name).map_err(|error| exception(py, error))?;
+    for (name, value) in settings {
+        method = match name.as_str() {
+            "h" => method.h(value),
+            "rtol" => method.rtol(value),
+            "atol" => method.atol(value),
+            "h0" => method.h0(value),
+            "h_min" => method.h_min(value),
+            "h_max" => method.h_max(value),
+            "max_steps" => method.max_steps(value as usize),
+            _ => return Err(PyValueError::new_err(format!("there is no setting `{name}`"))),
+        };
+    }
+    Ok(method)
+}
+
+fn named(values: &[(String, f64)]) -> Vec<(&str, f64)> {
+    values.iter().map(|(name, value)| (name.as_str(), *value)).collect()
+}
+
+/// What an event is: a function, the name of a declared one, or a name with a value.
+#[derive(FromPyObject)]
+enum What {
+    Declared(String),
+    Value(String, f64),
+    Function(Py<PyAny>),
+}
+
+/// Calls functions of the user, and keeps the first exception.
+struct Calls {
+    cancel: AtomicBool,
+    raised: Mutex<Option<PyErr>>,
+}
+
+impl Calls {
+    fn call(&self, function: &Py<PyAny>, t: f64, x: &[f64]) -> f64 {
+        if self.cancel.load(Ordering::Relaxed) {
+            return 1.0;
+        }
+        let value = Python::attach(|py| {
+            let value = function.call1(py, (t, PyArray1::from_slice(py, x)))?;
+            value.extract::<f64>(py)
+        });
+        value.unwrap_or_else(|error| {
+            self.cancel.store(true, Ordering::Relaxed);
+            if let Ok(mut raised) = self.raised.lock() {
+                raised.get_or_insert(error);
+            }
+            1.0
+        })
+    }
+}
+
+#[pymethods]
+impl Model {
+    #[new]
+    fn new(py: Python<'_>, text: &str, folder: PathBuf, values: Vec<(String, f64)>) -> PyResult<Self> {
+        let parse = || pendulum_runtime::Model::parse_in(&folder, text, &named(&values));
+        let model = wait_to_the_end(py, parse);
+        model.map(Self).map_err(|error| exception(py, error))
+    }
+
+    /// The robot of a file.
+    #[staticmethod]
+    fn robot(
+        py: Python<'_>,
+        path: PathBuf,
+        gravity: [f64; 3],
+        limits: bool,
+        repair: bool,
+        generate: Option<Vec<String>>,
+    ) -> PyResult<Self> {
+        let mut robot = Robot::new(path).gravity(gravity).limits(limits).repair(repair);
+        if let Some(words) = &generate {
+            robot = robot.generate(words.iter().map(String::as_str));
+        }
+        let model = wait_to_the_end(py, || pendulum_runtime::Model::robot(&robot));
+        model.map(Self).map_err(|error| exception(py, error))
+    }
+
+    fn with_parameters(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
+        let model = self.0.with(&named(&values));
+        model.map(Self).map_err(|error| exception(py, error))
+    }
+
+    fn with_inputs(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
+        let model = self.0.with_inputs(&named(&values));
+        model.map(Self).map_err(|error| exception(py, error))
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    #[getter]
+    fn docs(&self) -> &str {
+        self.0.docs()
+    }
+
+    /// Name, unit, value and comment of each parameter.
+    fn parameters(&self) -> Vec<(&str, &str, f64, &str)> {
+        let own = self.0.parameters().iter().zip(self.0.values());
+        own.map(|(own, value)| (own.name.as_str(), own.unit.as_str(), *value, own.docs.as_str()))
+            .collect()
+    }
+
+    /// Name, unit, value and comment of each input.
+    fn inputs(&self) -> Vec<(&str, &str, f64, &str)> {
+        let own = self.0.inputs().iter().zip(self.0.inputs_now());
+        own.map(|(own, value)| (own.name.as_str(), own.unit.as_str(), *value, own.docs.as_str()))
+            .collect()
+    }
+
+    /// Name and unit of each component of the state.
+    fn components(&self) -> Vec<(&str, &str)> {
+        let own = self.0.components().iter();
+        own.map(|own| (own.name.as_str(), own.unit.as_str())).collect()
+    }
+
+    fn outputs(&self) -> Vec<&'static str> {
+        self.0.outputs().to_vec()
+    }
+
+    fn events(&self) -> Vec<&str> {
+        self.0.events().collect()
+    }
+
+    fn constraints(&self) -> Vec<&str> {
+        self.0.constraints().collect()
+    }
+
+    fn repaired(&self) -> Vec<String> {
+        self.0.repaired().to_vec()
+    }
+
+    /// Name, comment, arguments, form and operations of each function.
+    #[allow(clippy::type_complexity, reason = "the fields of a function")]
+    fn functions(&self) -> Vec<(&str, &str, Vec<&'static str>, &str, [usize; 5])> {
+        let own = self.0.functions().iter();
+        own.map(|own| {
+            let (name, docs, form) = (own.name.as_str(), own.docs.as_str(), own.form.as_str());
+            (name, docs, own.arguments.clone(), form, own.operations)
+        })
+        .collect()
+    }
+
+    #[getter]
+    fn equations(&self) -> &str {
+        self.0.equations()
+    }
+
+    #[getter]
+    fn latex(&self) -> &str {
+        self.0.latex()
+    }
+
+    fn state<'py>(&self, py: Python<'py>, values: Vec<(String, f64)>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let x = self.0.state(&named(&values)).map_err(|error| exception(py, error))?;
+        Ok(PyArray1::from_vec(py, x))
+    }
+
+    fn rhs<'py>(&self, py: Python<'py>, t: f64, x: PyReadonlyArray1<'py, f64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let rates = self.0.rhs(t, x.as_slice()?).map_err(|error| exception(py, error))?;
+        Ok(PyArray1::from_vec(py, rates))
+    }
+
+    fn jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        x: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let jacobian = self
+            .0
+            .jacobian(t, x.as_slice()?)
+            .map_err(|error| exception(py, error))?;
+        rows(py, jacobian.transpose().as_slice().to_vec(), jacobian.ncols())
+    }
+
+    fn energy(&self, py: Python<'_>, t: f64, x: PyReadonlyArray1<'_, f64>) -> PyResult<[f64; 2]> {
+        self.0.energy(t, x.as_slice()?).map_err(|error| exception(py, error))
+    }
+
+    fn outputs_at<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        x: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let outputs = self
+            .0
+            .outputs_at(t, x.as_slice()?)
+            .map_err(|error| exception(py, error))?;
+        Ok(PyArray1::from_vec(py, outputs))
+    }
+
+    /// Results of a function, each as rows.
+    fn evaluate<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        t: f64,
+        x: PyReadonlyArray1<'py, f64>,
+        lists: Vec<PyReadonlyArray1<'py, f64>>,
+    ) -> PyResult<Vec<Bound<'py, PyArray2<f64>>>> {
+        let lists: Vec<&[f64]> = lists.iter().map(|list| list.as_slice()).collect::<Result<_, _>>()?;
+        let results = self.0.evaluate(name, t, x.as_slice()?, &lists);
+        let results = results.map_err(|error| exception(py, error))?;
+        let arrays = results
+            .iter()
+            .map(|own| rows(py, own.transpose().as_slice().to_vec(), own.ncols()));
+        arrays.collect()
+    }
+
+    /// Name, body, kind, points as rows, and radius of each shape.
+    #[allow(clippy::type_complexity, reason = "the fields of a shape")]
+    fn shapes<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        x: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Vec<(String, String, String, Bound<'py, PyArray2<f64>>, f64)>> {
+        let shapes = self.0.shapes(t, x.as_slice()?).map_err(|error| exception(py, error))?;
+        let shapes = shapes.into_iter().map(|shape| {
+            let points = shape
+                .points
+                .iter()
+                .flat_map(|point| [point.x, point.y, point.z])
+                .collect();
+            let kind = format!("{:?}", shape.kind);
+            Ok((
+                shape.name.to_owned(),
+                shape.body.to_owned(),
+                kind,
+                rows(py, points, 3)?,
+                shape.radius,
+            ))
+        });
+        shapes.collect()
+    }
+
+    fn assemble<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        x: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let x = self
+            .0
+            .assemble(t, x.as_slice()?)
+            .map_err(|error| exception(py, error))?;
+        Ok(PyArray1::from_vec(py, x))
+    }
+
+    /// Integrates. Events are given with their directions, -1, 0 or 1, and whether they are terminal.
+    fn solve(
+        &self,
+        py: Python<'_>,
+        settings: Settings,
+        span: [f64; 2],
+        x0: PyReadonlyArray1<'_, f64>,
+        times: Option<PyReadonlyArray1<'_, f64>>,
+        events: Vec<(What, i8, bool)>,
+    ) -> PyResult<Motion> {
+        let method = method(py, settings)?;
+        let calls = Calls {
+            cancel: AtomicBool::new(false),
+            raised: Mutex::new(None),
+        };
+        let events = events.into_iter().map(|(what, direction, terminal)| {
+            let calls = &calls;
+            let event = match what {
+                What::Declared(name) => Event::declared(&name),
+                What::Value(name, value) => Event::value(&name, value),
+                What::Function(function) => Event::new(move |t, x| calls.call(&function, t, x)),
+            };
+            let event = match direction {
+                1 => event.rising(),
+                -1 => event.falling(),
+                _ => event,
+            };
+            if terminal { event.terminal() } else { event }
+        });
+        let options = Options {
+            events: events.collect(),
+            times: times.map(|times| times.as_slice().map(<[f64]>::to_vec)).transpose()?,
+            cancel: Some(&calls.cancel),
+        };
+        let x0 = x0.as_slice()?.to_vec();
+        let (ended, signal) = wait(py, &calls.cancel, || self.0.solve_with(&method, span, &x0, &options));
+        drop(options);
+        let raised = calls.raised.into_inner().unwrap_or(None);
+        if let Some(error) = raised {
+            return Err(error);
+        }
+        let (motion, status, message) = match ended {
+            Ok(motion) => match motion.ended_by() {
+                Some(event) => (motion, 1, format!("terminal event {event} occurred")),
+                None => (motion, 0, "the end of the span was reached".to_owned()),
+            },
+            Err(Stopped {
+                error,
+                motion: Some(motion),
+                ..
+            }) => {
+                let message = match signal {
+                    Some(_) => "interrupted".to_owned(),
+                    None => error.to_string(),
+                };
+                (*motion, -1, message)
+            }
+            Err(Stopped { error, .. }) => return Err(exception(py, *error)),
+        };
+        Ok(Motion {
+            motion,
+            status,
+            message,
+            length: x0.len(),
+        })
+    }
+
+    fn ensemble<'py>(
+        &self,
+        py: Python<'py>,
+        settings: Settings,
+        span: [f64; 2],
+        starts: PyReadonlyArray2<'py, f64>,
+        parameters: Option<PyReadonlyArray2<'py, f64>>,
+        times: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<ensemble::Results<'py>> {
+        ensemble::ensemble(py, &self.0, &method(py, settings)?, span, starts, parameters, times)
+    }
+
+    /// State, stability and eigenvalues of each equilibrium; and the coordinates that were not searched completely.
+    #[allow(clippy::type_complexity, reason = "the fields of an equilibrium")]
+    fn equilibria<'py>(
+        &self,
+        py: Python<'py>,
+        seeds: Vec<Vec<f64>>,
+    ) -> PyResult<(
+        Vec<(Bound<'py, PyArray1<f64>>, &'static str, Vec<(f64, f64)>)>,
+        Vec<String>,
+    )> {
+        let found = wait_to_the_end(py, || self.0.equilibria(&seeds));
+        let (found, unsearched) = found.map_err(|error| exception(py, error))?;
+        let found = found.into_iter().map(|own| {
+            let stability = match own.stability {
+                Stability::AsymptoticallyStable => "asymptotically stable",
+                Stability::Unstable => "unstable",
+                Stability::Undecided => "undecided",
+            };
+            let eigenvalues = own.eigenvalues.iter().map(|value| (value.re, value.im)).collect();
+            (PyArray1::from_vec(py, own.x), stability, eigenvalues)
+        });
+        Ok((found.collect(), unsearched))
+    }
+
+    /// State of rest, the constraints that hold it, and the reserve of friction.
+    fn resting<'py>(
+        &self,
+        py: Python<'py>,
+        seed: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, String, f64)> {
+        let seed = seed.as_slice()?.to_vec();
+        let found = wait_to_the_end(py, || self.0.resting(&seed)).map_err(|error| exception(py, error))?;
+        Ok((PyArray1::from_vec(py, found.x), found.mode, found.margin))
+    }
+
+    /// Exponents and their standard errors.
+    fn lyapunov(
+        &self,
+        py: Python<'_>,
+        x0: PyReadonlyArray1<'_, f64>,
+        count: usize,
+        duration: f64,
+        transient: f64,
+        tolerance: f64,
+    ) -> PyResult<(Vec<f64>, Vec<f64>)> {
+        let x0 = x0.as_slice()?.to_vec();
+        let settings = Exponents {
+            count,
+            duration,
+            transient,
+            tolerance,
+            ..Exponents::default()
+        };
+        let found = wait_to_the_end(py, || self.0.lyapunov(&x0, &settings));
+        let found = found.map_err(|error: Error| exception(py, error))?;
+        Ok((found.values, found.uncertainty))
+    }
+
+    /// States as rows, and derivatives as a list of matrices.
+    #[allow(clippy::type_complexity, reason = "two arrays")]
+    fn sensitivity<'py>(
+        &self,
+        py: Python<'py>,
+        settings: Settings,
+        times: PyReadonlyArray1<'py, f64>,
+        x0: PyReadonlyArray1<'py, f64>,
+        by: Vec<String>,
+    ) -> PyResult<(Bound<'py, PyArray2<f64>>, Vec<Bound<'py, PyArray2<f64>>>)> {
+        let method = method(py, settings)?;
+        let (times, x0) = (times.as_slice()?.to_vec(), x0.as_slice()?.to_vec());
+        let by: Vec<&str> = by.iter().map(String::as_str).collect();
+        let found = wait_to_the_end(py, || self.0.sensitivity(&method, &times, &x0, &by));
+        let found = found.map_err(|error| exception(py, error))?;
+        let matrices = found.derivatives.iter();
+        let matrices = matrices.map(|own| rows(py, own.transpose().as_slice().to_vec(), own.ncols()));
+        Ok((
+            rows(py, found.x.concat(), x0.len())?,
+            matrices.collect::<PyResult<_>>()?,
+        ))
+    }
+
+    fn fit<'py>(
+        &self,
+        py: Python<'py>,
+        settings: Settings,
+        experiments: Vec<fit::Given<'py>>,
+        options: fit::Options,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        fit::fit(py, &self.0, method(py, settings)?, experiments, options)
+    }
+}
