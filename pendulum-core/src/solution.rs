@@ -250,6 +250,9 @@ pub trait Observer<T, const N: usize> {
         false
     }
 
+    /// Called before the first step with the initial time and state, which is the one on the constraints of the system.
+    fn start(&mut self, _t: T, _x: &SVector<T, N>) {}
+
     /// True if the integration shall end, which it does after the current step, with
     /// [`Reason::Cancelled`](crate::Reason::Cancelled). False by default.
     fn is_cancelled(&self) -> bool {
@@ -287,6 +290,10 @@ pub trait Observer<T, const N: usize> {
 }
 
 impl<O: Observer<T, N> + ?Sized, T, const N: usize> Observer<T, N> for &mut O {
+    fn start(&mut self, t: T, x: &SVector<T, N>) {
+        (**self).start(t, x);
+    }
+
     fn looks_into(&self, t0: T, t1: T) -> bool {
         (**self).looks_into(t0, t1)
     }

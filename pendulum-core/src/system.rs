@@ -46,7 +46,8 @@ pub trait System<T: Real, const N: usize> {
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>;
 
     /// Number of components that the system has, `N` by default. The others, at the end of the state, are padding: they
-    /// and their derivatives are zero, error norms leave them out, and matrices end before them.
+    /// and their derivatives are zero, error norms leave them out, and matrices end before them. Models with inputs,
+    /// periodic orbits and continuation do without padding.
     #[inline(always)]
     fn active(&self) -> usize {
         N

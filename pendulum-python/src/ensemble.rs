@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pendulum_runtime::{Members, Method, Model};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 use crate::error::exception;
@@ -39,6 +40,11 @@ pub(crate) fn ensemble<'py>(
         };
         model.ensemble(method, span, &members)
     });
+    if let Some(error) = &signal
+        && !error.is_instance_of::<PyKeyboardInterrupt>(py)
+    {
+        return Err(error.clone_ref(py));
+    }
     let found = found.map_err(|error| exception(py, error))?;
     let stopped = found.stopped.iter().map(|(n, t, reason)| {
         let reason = match signal {

@@ -1,24 +1,26 @@
 //! Errors as exceptions.
 
-use pendulum_runtime::Error;
+use pendulum_runtime::{Error, StabilityError};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::{create_exception, types::PyList};
 
 create_exception!(
-    pendulum,
+    pendulum_dynamics,
     DeclarationError,
     PyValueError,
     "Errors in a declaration.\n\n`problems` lists them, each a dict with `line`, `column`, `width`, `code`, `message`, \
      `help` and the `source` line; lines and columns begin at 1."
 );
 
-/// An error of the library as an exception: `ValueError` for what the caller can mend, `RuntimeError` for the rest.
+/// An error of the library as an exception: `RuntimeError` where a search finds nothing, otherwise `ValueError`.
 pub(crate) fn exception(py: Python<'_>, error: Error) -> PyErr {
     let message = error.to_string();
     let Error::Declaration(declaration) = error else {
         return match error {
-            Error::NotAssembled(_) | Error::Stability(_) | Error::Fit(_) => PyRuntimeError::new_err(message),
+            Error::NotAssembled(_) | Error::Stability(StabilityError::NoConvergence { .. }) => {
+                PyRuntimeError::new_err(message)
+            }
             _ => PyValueError::new_err(message),
         };
     };

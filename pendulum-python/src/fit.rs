@@ -1,5 +1,8 @@
 //! Fits.
 
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
 use numpy::PyReadonlyArray1;
 use pendulum_runtime::{Experiment, Fit, Loss, Measurement, Method, Model};
 use pyo3::exceptions::PyValueError;
@@ -8,7 +11,7 @@ use pyo3::types::PyDict;
 
 use crate::error::exception;
 use crate::motion::rows;
-use crate::wait::wait_to_the_end;
+use crate::wait::wait;
 
 /// A measured motion: times, then outputs with their values and noise; a first guess of the state, or a known one with
 /// its time.
@@ -77,6 +80,7 @@ pub(crate) fn fit<'py>(
             )));
         }
     };
+    let cancel = Arc::new(AtomicBool::new(false));
     let settings = Fit {
         free: options.free,
         bounds: options
@@ -88,9 +92,14 @@ pub(crate) fn fit<'py>(
         windows: options.windows,
         separate_windows: options.separate_windows,
         max_iterations: options.max_iterations,
+        cancel: Some(cancel.clone()),
         ..Fit::new(method)
     };
-    let fitted = wait_to_the_end(py, || model.fit(&settings, &experiments)).map_err(|error| exception(py, error))?;
+    let (fitted, signal) = wait(py, &cancel, || model.fit(&settings, &experiments));
+    if let Some(error) = signal {
+        return Err(error);
+    }
+    let fitted = fitted.map_err(|error| exception(py, error))?;
     let result = PyDict::new(py);
     result.set_item("parameters", fitted.parameters)?;
     let estimates = fitted.estimates.iter();

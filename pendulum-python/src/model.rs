@@ -5,8 +5,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
-use pendulum_runtime::{Error, Event, Exponents, Method, Options, Robot, Stability, Stopped};
-use pyo3::exceptions::PyValueError;
+use pendulum_runtime::{Event, Lyapunov, Method, Options, ResultShape, Robot, Stability, Stopped};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -16,28 +16,40 @@ use crate::wait::{wait, wait_to_the_end};
 use crate::{ensemble, fit};
 
 /// A mechanism with values of its parameters and inputs.
-#[pyclass(frozen, module = "pendulum._native")]
+#[pyclass(frozen, module = "pendulum_dynamics._native")]
 pub(crate) struct Model(pub(crate) pendulum_runtime::Model);
 
-/// Method and settings, by name.
-type Settings = (String, Vec<(String, f64)>);
+/// A method by name, with the settings that are not its defaults.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Settings {
+    method: String,
+    h: Option<f64>,
+    rtol: Option<f64>,
+    atol: Option<f64>,
+    h0: Option<f64>,
+    h_min: Option<f64>,
+    h_max: Option<f64>,
+    max_steps: Option<usize>,
+}
 
 /// A method with its settings.
-pub(crate) fn method(py: Python<'_>, (name, settings): Settings) -> PyResult<Method> {
-    let mut method = Method::new(&name).map_err(|error| exception(py, error))?;
-    for (name, value) in settings {
-        method = match name.as_str() {
-            "h" => method.h(value),
-            "rtol" => method.rtol(value),
-            "atol" => method.atol(value),
-            "h0" => method.h0(value),
-            "h_min" => method.h_min(value),
-            "h_max" => method.h_max(value),
-            "max_steps" => method.max_steps(value as usize),
-            _ => return Err(PyValueError::new_err(format!("there is no setting `{name}`"))),
-        };
-    }
-    Ok(method)
+pub(crate) fn method(py: Python<'_>, settings: Settings) -> PyResult<Method> {
+    let method = Method::new(&settings.method).map_err(|error| exception(py, error))?;
+    let with = |method, value: Option<f64>, set: fn(Method, f64) -> Method| match value {
+        Some(value) => set(method, value),
+        None => method,
+    };
+    let method = with(method, settings.h, Method::h);
+    let method = with(method, settings.rtol, Method::rtol);
+    let method = with(method, settings.atol, Method::atol);
+    let method = with(method, settings.h0, Method::h0);
+    let method = with(method, settings.h_min, Method::h_min);
+    let method = with(method, settings.h_max, Method::h_max);
+    Ok(match settings.max_steps {
+        Some(max_steps) => method.max_steps(max_steps),
+        None => method,
+    })
 }
 
 fn named(values: &[(String, f64)]) -> Vec<(&str, f64)> {
@@ -61,7 +73,8 @@ struct Calls {
 impl Calls {
     fn call(&self, function: &Py<PyAny>, t: f64, x: &[f64]) -> f64 {
         if self.cancel.load(Ordering::Relaxed) {
-            return 1.0;
+            // neither zero nor a sign
+            return f64::NAN;
         }
         let value = Python::attach(|py| {
             let value = function.call1(py, (t, PyArray1::from_slice(py, x)))?;
@@ -72,7 +85,7 @@ impl Calls {
             if let Ok(mut raised) = self.raised.lock() {
                 raised.get_or_insert(error);
             }
-            1.0
+            f64::NAN
         })
     }
 }
@@ -86,22 +99,14 @@ impl Model {
         model.map(Self).map_err(|error| exception(py, error))
     }
 
-    /// The robot of a file.
+    /// Declaration of the robot of a file.
     #[staticmethod]
-    fn robot(
-        py: Python<'_>,
-        path: PathBuf,
-        gravity: [f64; 3],
-        limits: bool,
-        repair: bool,
-        generate: Option<Vec<String>>,
-    ) -> PyResult<Self> {
+    fn robot(path: PathBuf, gravity: [f64; 3], limits: bool, repair: bool, generate: Option<Vec<String>>) -> String {
         let mut robot = Robot::new(path).gravity(gravity).limits(limits).repair(repair);
         if let Some(words) = &generate {
             robot = robot.generate(words.iter().map(String::as_str));
         }
-        let model = wait_to_the_end(py, || pendulum_runtime::Model::robot(&robot));
-        model.map(Self).map_err(|error| exception(py, error))
+        robot.declaration()
     }
 
     fn with_parameters(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
@@ -221,7 +226,8 @@ impl Model {
         Ok(PyArray1::from_vec(py, outputs))
     }
 
-    /// Results of a function, each as rows.
+    /// Results of a function, each as rows, and its number of dimensions.
+    #[allow(clippy::type_complexity, reason = "a list of pairs")]
     fn evaluate<'py>(
         &self,
         py: Python<'py>,
@@ -229,13 +235,20 @@ impl Model {
         t: f64,
         x: PyReadonlyArray1<'py, f64>,
         lists: Vec<PyReadonlyArray1<'py, f64>>,
-    ) -> PyResult<Vec<Bound<'py, PyArray2<f64>>>> {
+    ) -> PyResult<Vec<(Bound<'py, PyArray2<f64>>, u8)>> {
         let lists: Vec<&[f64]> = lists.iter().map(|list| list.as_slice()).collect::<Result<_, _>>()?;
         let results = self.0.evaluate(name, t, x.as_slice()?, &lists);
         let results = results.map_err(|error| exception(py, error))?;
-        let arrays = results
-            .iter()
-            .map(|own| rows(py, own.transpose().as_slice().to_vec(), own.ncols()));
+        let function = self.0.functions().iter().find(|function| function.name == name);
+        let shapes = function.map_or(&[][..], |function| &function.shapes);
+        let arrays = results.iter().zip(shapes).map(|(own, shape)| {
+            let dimensions = match shape {
+                ResultShape::Scalar => 0,
+                ResultShape::Vector(_) => 1,
+                _ => 2,
+            };
+            Ok((rows(py, own.transpose().as_slice().to_vec(), own.ncols())?, dimensions))
+        });
         arrays.collect()
     }
 
@@ -320,23 +333,32 @@ impl Model {
         if let Some(error) = raised {
             return Err(error);
         }
-        let (motion, status, message) = match ended {
-            Ok(motion) => match motion.ended_by() {
+        let interrupted = match signal {
+            Some(error) if !error.is_instance_of::<PyKeyboardInterrupt>(py) => return Err(error),
+            signal => signal,
+        };
+        let (motion, status, message) = match (ended, interrupted) {
+            (Ok(motion), None) => match motion.ended_by() {
                 Some(event) => (motion, 1, format!("terminal event {event} occurred")),
                 None => (motion, 0, "the end of the span was reached".to_owned()),
             },
-            Err(Stopped {
-                error,
-                motion: Some(motion),
-                ..
-            }) => {
-                let message = match signal {
-                    Some(_) => "interrupted".to_owned(),
-                    None => error.to_string(),
-                };
-                (*motion, -1, message)
-            }
-            Err(Stopped { error, .. }) => return Err(exception(py, *error)),
+            (Ok(motion), Some(_)) => (motion, -1, "interrupted".to_owned()),
+            (
+                Err(Stopped {
+                    motion: Some(motion), ..
+                }),
+                Some(_),
+            ) => (*motion, -1, "interrupted".to_owned()),
+            (Err(Stopped { motion: None, .. }), Some(signal)) => return Err(signal),
+            (
+                Err(Stopped {
+                    error,
+                    motion: Some(motion),
+                    ..
+                }),
+                None,
+            ) => (*motion, -1, error.to_string()),
+            (Err(Stopped { error, .. }), None) => return Err(exception(py, *error)),
         };
         Ok(Motion {
             motion,
@@ -404,15 +426,14 @@ impl Model {
         tolerance: f64,
     ) -> PyResult<(Vec<f64>, Vec<f64>)> {
         let x0 = x0.as_slice()?.to_vec();
-        let settings = Exponents {
+        let settings = Lyapunov {
             count,
             duration,
             transient,
             tolerance,
-            ..Exponents::default()
         };
         let found = wait_to_the_end(py, || self.0.lyapunov(&x0, &settings));
-        let found = found.map_err(|error: Error| exception(py, error))?;
+        let found = found.map_err(|error| exception(py, error))?;
         Ok((found.values, found.uncertainty))
     }
 

@@ -7,7 +7,7 @@ use pyo3::types::PyDict;
 use crate::error::exception;
 
 /// A trajectory, and the way in which it ended.
-#[pyclass(frozen, module = "pendulum._native")]
+#[pyclass(frozen, module = "pendulum_dynamics._native")]
 pub(crate) struct Motion {
     pub(crate) motion: pendulum_runtime::Motion,
     /// -1 if it stopped early, 0 at the end of the span, 1 at a terminal event.

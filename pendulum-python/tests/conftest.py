@@ -1,8 +1,7 @@
 """Declarations for the tests."""
 
+import pendulum_dynamics as pendulum
 import pytest
-
-import pendulum
 
 DOUBLE = """
 /// Two rods with friction in their joints.

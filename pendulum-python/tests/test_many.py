@@ -10,12 +10,12 @@ def test_an_ensemble_has_the_bits_of_single_trajectories(double):
     random = np.random.default_rng(1)
     starts, lengths = random.uniform(-1, 1, (50, 4)), random.uniform(0.5, 2, 50)
     many = double.ensemble((0, 2), starts, parameters={"l": lengths}, t_eval=[0.5, 1.0], rtol=1e-8, atol=1e-8)
-    assert many.x.shape == (50, 2, 4) and many.success.all() and not many.messages
+    assert many.y.shape == (50, 4, 2) and many.success.all() and not many.messages
     for n in (0, 17, 49):
         model = double.with_parameters(l=lengths[n])
         one = model.solve((0, 2), starts[n], t_eval=[0.5, 1.0], rtol=1e-8, atol=1e-8)
-        assert one.end[1].tolist() == many.x_end[n].tolist()
-        assert one.y.T.tolist() == many.x[n].tolist()
+        assert one.end[1].tolist() == many.y_end[n].tolist()
+        assert one.y.tolist() == many.y[n].tolist()
 
 
 def test_members_that_stop(double):
@@ -25,14 +25,22 @@ def test_members_that_stop(double):
 
 
 def test_one_start_with_many_parameters(double):
-    many = double.ensemble((0, 1), START, parameters={"l": [1.0, 2.0]}, method="Rk4", h=0.01)
-    assert many.x_end.shape == (2, 4) and many.x_end[0, 0] != many.x_end[1, 0]
+    many = double.ensemble((0, 1), START, parameters={"l": [1.0, 2.0], "gamma": 0.2}, method="Rk4", h=0.01)
+    assert many.y_end.shape == (2, 4) and many.y_end[0, 0] != many.y_end[1, 0]
+
+
+def test_an_invalid_start_stops_its_member_only(double, ball):
+    for model, method in ((double, "Vern9"), (double, "Radau5"), (ball, "Vern9")):
+        starts = np.zeros((3, len(model.states)))
+        starts[:, 0] = [1.0, np.nan, 2.0]
+        many = model.ensemble((0, 0.1), starts, method=method)
+        assert many.success.tolist() == [True, False, True] and "finite" in many.messages[1]
 
 
 def test_bounces_of_many_balls(ball):
     heights = np.linspace(0.5, 2, 20)
     many = ball.ensemble((0, 1), np.c_[heights, np.zeros(20)])
-    assert many.success.all() and (many.x_end[:, 0] >= -1e-9).all()
+    assert many.success.all() and (many.y_end[:, 0] >= -1e-9).all()
 
 
 def test_equilibria(double):
@@ -56,10 +64,13 @@ def test_chaos(double):
 
 def test_derivatives(double):
     found = double.sensitivity([0, 0.5, 1], START, ["l", "a"], rtol=1e-11, atol=1e-11)
-    assert found.x.shape == (4, 3) and found.derivatives.shape == (3, 4, 2)
+    assert found.y.shape == (4, 3) and found.derivatives.shape == (4, 2, 3)
     step = 1e-5
-    ends = [double.with_parameters(l=l).solve((0, 1), START, rtol=1e-12, atol=1e-12).end[1] for l in (1 - step, 1 + step)]
-    assert np.abs((ends[1] - ends[0]) / (2 * step) - found.derivatives[2, :, 0]).max() < 1e-6
+    ends = [
+        double.with_parameters(l=length).solve((0, 1), START, rtol=1e-12, atol=1e-12).end[1]
+        for length in (1 - step, 1 + step)
+    ]
+    assert np.abs((ends[1] - ends[0]) / (2 * step) - found.derivatives[:, 0, 2]).max() < 1e-6
 
 
 def test_a_fit(double):
@@ -80,6 +91,7 @@ def test_a_fit(double):
 def test_an_animation(double, tmp_path):
     solution = double.solve((0, 1), START)
     page = solution._repr_html_()
+    assert "<canvas" in double.draw(START)._repr_html_()
     assert "<canvas" in page and "NaN" not in page
     solution.animate(speed=0.5).save(tmp_path / "motion.html")
     assert (tmp_path / "motion.html").read_text().startswith("<!doctype html>")

@@ -1,11 +1,12 @@
 """Models: what they are, and what they compute."""
 
+import copy
 import pathlib
+import pickle
 
 import numpy as np
+import pendulum_dynamics as pendulum
 import pytest
-
-import pendulum
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -45,6 +46,30 @@ def test_other_parameters(double):
     assert longer.parameters["l"] == 4.0 and double.parameters["l"] == 1.0
     assert abs(longer.rhs(0, [0.1, 0, 0, 0])[2]) < abs(double.rhs(0, [0.1, 0, 0, 0])[2])
     assert double.state({"dot(b)": 2.0}, a=1.0).tolist() == [1.0, 0.0, 0.0, 2.0]
+
+
+def test_results_keep_their_dimensions():
+    model = pendulum.Model(
+        """pub Single {
+            gravity: [0, -9.81, 0],
+            generate: [rhs, energy, mass_matrix],
+            body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a }
+        }"""
+    )
+    assert model.evaluate("mass_matrix", 0, [0.1, 0]).shape == (1, 1)
+    assert model.evaluate("rhs", 0, [0.1, 0]).shape == (2,)
+    assert isinstance(model.evaluate("kinetic", 0, [0.1, 0]), float)
+
+
+def test_models_can_be_copied_and_sent(double):
+    longer = double.with_parameters(l=3.0)
+    for other in (pickle.loads(pickle.dumps(longer)), copy.copy(longer), copy.deepcopy(longer)):
+        assert other.parameters == longer.parameters
+        assert other.rhs(0, [1, 2, 3, 4]).tolist() == longer.rhs(0, [1, 2, 3, 4]).tolist()
+
+
+def test_methods():
+    assert sorted(pendulum.METHODS) == sorted(pendulum._native.METHODS)
 
 
 def test_inputs():
@@ -102,16 +127,27 @@ def test_errors_have_their_place():
         (lambda m: m.state(c=1), ValueError, "there is no component `c`"),
         (lambda m: m.evaluate("mass", 0, [0, 0, 0, 0]), ValueError, "there is no function `mass`"),
         (lambda m: m.ensemble((0, 1), np.zeros((3, 5))), ValueError, "5 components, and 4"),
-        (lambda m: m.ensemble((0, 1), np.zeros((3, 4)), parameters={"l": [1, 2]}), ValueError, "2 values"),
+        (lambda m: m.ensemble((0, 1), np.zeros((3, 4)), parameters={"l": [1, 2]}), ValueError, "shape"),
         (lambda m: m.ensemble((0, 1), np.zeros((3, 4)), parameters={"k": [1, 2, 3]}), ValueError, "no parameter `k`"),
         (lambda m: m.resting([0, 0, 0, 0]), ValueError, "dry friction"),
         (lambda m: m.lyapunov([0, 0, 0, 0], 5), ValueError, "5"),
         (lambda m: m.sensitivity([0, 1], [0, 0, 0, 0], ["m"]), ValueError, "there is no parameter or component `m`"),
         (lambda m: m.sensitivity([0, 1], [0, 0, 0, 0], ["l"], method="Rk45"), ValueError, "Vern9"),
-        (lambda m: m.fit([0, 1], {"c": [0, 1]}), RuntimeError, "c"),
+        (lambda m: m.fit([0, 1], {"c": [0, 1]}), ValueError, "c"),
+        (lambda m: m.fit([0, 1], {"a": [0, 1]}, free=["zz"]), ValueError, "no parameter `zz`"),
+        (lambda m: m.fit([0, 1], {"a": [0, 1]}, noise={"b": 1}), ValueError, "noise"),
+        (lambda m: m.fit([0, 1], {"a": [0, 1]}, bounds={"l": 1}), ValueError, "bounds of l"),
+        (lambda m: m.fit([0, 1], {"a": [0, 1]}, loss="huber"), ValueError, "threshold"),
+        (lambda m: m.fit([0, 1]), TypeError, "experiments"),
+        (lambda m: m.sensitivity([1, 1], [0, 0, 0, 0], ["l"]), ValueError, "times"),
+        (lambda m: m.sensitivity([0, 1], [0, 0, 0, 0], []), ValueError, "by"),
+        (lambda m: m.lyapunov([0, 0, 0, 0], duration=-1), ValueError, "duration"),
+        (lambda m: m.solve((0, 1), [0, 0, 0, 0], max_steps=-1), ValueError, "max_steps"),
+        (lambda m: m.ensemble((0, 1), np.zeros((2, 4)) * 1j), TypeError, "complex"),
+        (lambda m: pendulum.Model.from_urdf("a.urdf", gravity=[0, 0, np.nan]), ValueError, "gravity"),
         (lambda m: m.fit([0, 1], {"a": [0, 1, 2]}), ValueError, "a"),
-        (lambda m: pendulum.Model.from_urdf("nowhere.urdf"), pendulum.DeclarationError, "nowhere.urdf"),
-        (lambda m: pendulum.Model("pub A { ( }"), pendulum.DeclarationError, "brackets"),
+        (lambda m: pendulum.Model.from_urdf("nowhere.urdf"), FileNotFoundError, "nowhere.urdf"),
+        (lambda m: pendulum.Model("pub A { ( }"), pendulum.DeclarationError, "bracket"),
     ],
 )
 def test_what_is_wrong_is_said(double, call, error, says):

@@ -1,10 +1,12 @@
 """Trajectories, beside SciPy's."""
 
 import _thread
+import os
 import threading
 import time
 
 import numpy as np
+import pendulum_dynamics as pendulum
 import pytest
 from scipy.integrate import solve_ivp
 
@@ -69,6 +71,36 @@ def test_events_are_those_of_scipy(double):
     assert all(abs(double.output(t, x)["tip.x"]) < 1e-9 for t, x in zip(own.t_events[3], own.y_events[3]))
 
 
+def test_an_event_has_a_direction_and_an_end(double):
+    rising = pendulum.Event(("tip.x", 0.0), direction=1)
+    own = double.solve((0, 5), START, events=(rising, pendulum.Event("turns", terminal=True)))
+    assert own.status == 1 and len(own.t_events[1]) == 1 and own.end[0] == own.t_events[1][0]
+    with pytest.raises(ValueError, match="count"):
+        double.solve((0, 5), START, events=pendulum.Event("turns", terminal=3))
+
+
+def test_a_function_may_solve(double):
+    lengths = []
+
+    def event(t, x):
+        lengths.append(len(double.solve((0, 0.01), START).t))
+        return 1.0
+
+    assert double.solve((0, 0.1), START, events=event).success and len(lengths) > 2
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there are no forks")
+def test_a_fork_has_threads_of_its_own(double):
+    double.ensemble((0, 0.1), [START, START])
+    child = os.fork()
+    if child == 0:
+        double.solve((0, 0.1), START)
+        double.ensemble((0, 0.1), [START, START])
+        os._exit(7)
+    _, status = os.waitpid(child, 0)
+    assert os.waitstatus_to_exitcode(status) == 7
+
+
 def test_a_ball_bounces(ball):
     own = ball.solve((0, 2), [1.0, 0.0], rtol=1e-10, atol=1e-10)
     fall = np.sqrt(2 / 9.81)
@@ -93,10 +125,10 @@ def test_an_exception_of_an_event_is_raised(double):
 def test_an_interrupt_returns_what_was_reached(double):
     threading.Timer(0.3, _thread.interrupt_main).start()
     began = time.monotonic()
-    own = double.solve((0, 1e9), START, max_steps=10**9, t_eval=[0.0, 1.0])
+    own = double.solve((0, 1e9), START, max_steps=10**9, t_eval=[0.0, 1.0], events=[lambda t, x: -1.0])
     assert time.monotonic() - began < 2.0
     assert (own.status, own.success, own.message) == (-1, False, "interrupted")
-    assert own.end[0] > 1.0 and own.t.tolist() == [0.0, 1.0]
+    assert own.end[0] > 1.0 and own.t.tolist() == [0.0, 1.0] and len(own.t_events[0]) == 0
 
 
 def test_too_many_steps_return_what_was_reached(double):

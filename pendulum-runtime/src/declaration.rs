@@ -20,9 +20,9 @@ pub struct DeclarationError {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Problem {
-    /// Line in the text, from 1 on.
+    /// Line in the text, starting at 1.
     pub line: usize,
-    /// Column in the line, in characters from 1 on.
+    /// Column in the line, in characters, starting at 1.
     pub column: usize,
     /// Number of characters at fault in this line, at least 1.
     pub width: usize,
@@ -68,11 +68,11 @@ impl error::Error for DeclarationError {}
 pub(crate) fn program(text: &str, folder: &Path) -> Result<Program, DeclarationError> {
     worker::alone(|| {
         let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| {
-            let help = "close each bracket and quotation mark";
+            let help = "close each bracket and quotation mark, and write no characters that Rust does not know";
             problem(
                 text,
                 error.span(),
-                "the text has brackets or quotation marks that do not match [M001]",
+                "the text cannot be split into tokens from here on [M001]",
                 help,
             )
         })?;

@@ -64,12 +64,16 @@ impl Ensemble {
 }
 
 /// Samples of a member.
-struct Samples<'a, const N: usize> {
-    sampler: Sampler<'a, N>,
+struct Samples<'a> {
+    sampler: Sampler<'a>,
     cancel: Option<&'a AtomicBool>,
 }
 
-impl<const N: usize> Observer<f64, N> for Samples<'_, N> {
+impl<const N: usize> Observer<f64, N> for Samples<'_> {
+    fn start(&mut self, t: f64, x: &SVector<f64, N>) {
+        self.sampler.start(t, x);
+    }
+
     fn looks_into(&self, _t0: f64, t1: f64) -> bool {
         self.sampler.has_any_until(t1)
     }
@@ -103,8 +107,8 @@ impl<const N: usize> TaskInLanes<N> for &Batch<'_, N> {
         } = self;
         let length = models[0].tape().length();
         let starts: Vec<SVector<f64, N>> = starts.chunks(length).map(padded).collect();
-        let samples = starts.iter().map(|x0| Samples {
-            sampler: Sampler::new(members.times, span, x0, length),
+        let samples = starts.iter().map(|_| Samples {
+            sampler: Sampler::new(members.times, span, length),
             cancel: members.cancel,
         });
         let mut samples: Vec<_> = samples.collect();
@@ -151,7 +155,13 @@ fn alone<const N: usize>(
                 ensemble.stopped.push((n, motion.end().0, *error));
                 *motion
             }
-            Err(Stopped { error, motion: None }) => return Err(*error),
+            // a start is invalid, unless the settings are
+            Err(Stopped { error, motion: None }) if x0.iter().all(|x| x.is_finite()) => return Err(*error),
+            Err(Stopped { error, motion: None }) => {
+                ensemble.stopped.push((n, span[0], *error));
+                ensemble.push(x0.to_vec(), &[], members.times.len());
+                continue;
+            }
         };
         ensemble.push(motion.end().1.to_vec(), motion.x(), members.times.len());
     }

@@ -104,16 +104,16 @@ impl fmt::Display for Error {
                 write!(f, "there is no {what} `{name}`: the mechanism has none")
             }
             Self::Unknown { what, name, known } => {
-                write!(f, "there is no {what} `{name}`: did you mean `{}`?", known[0])?;
-                match known.len() {
-                    1 => Ok(()),
-                    _ => write!(f, " There are {}", known.join(", ")),
+                write!(f, "there is no {what} `{name}`")?;
+                if strsim::damerau_levenshtein(&name.to_lowercase(), &known[0].to_lowercase()) <= 1 + name.len() / 3 {
+                    write!(f, "; did you mean `{}`?", known[0])?;
                 }
+                write!(f, " [known: {}]", known.join(", "))
             }
             Self::Length { what, given, needed } => write!(f, "{what} has {given} entries, and {needed} are needed"),
             Self::TooLong { what, length, most } => {
                 write!(f, "{what} has {length} entries, and at most {most} are supported; ")?;
-                f.write_str("use `mechanism!`, which has no limit, or declare less")
+                f.write_str("declare less, or compile the declaration as `mechanism!`, which has no limit")
             }
             Self::NoValue { parameters } => {
                 let names = parameters.join("`, `");

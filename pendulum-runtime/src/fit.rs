@@ -1,5 +1,9 @@
 //! Fits of parameters to measurements.
 
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use pendulum_core::dual::Dual;
 use pendulum_core::fit::{self, Estimate, Loss, Measurement};
 
@@ -36,6 +40,8 @@ pub struct Fit {
     pub separate_windows: Option<f64>,
     /// Maximum number of steps of the search.
     pub max_iterations: usize,
+    /// Ends the search with the best parameters so far when it becomes true.
+    pub cancel: Option<Arc<AtomicBool>>,
 }
 
 impl Fit {
@@ -50,6 +56,7 @@ impl Fit {
             windows: None,
             separate_windows: None,
             max_iterations: 200,
+            cancel: None,
         }
     }
 }
@@ -120,7 +127,11 @@ impl<const N: usize> TaskWithDerivatives<N> for Run<'_, N> {
             of
         });
         let experiments: Vec<_> = experiments.collect();
-        let fitted = fit.run::<_, N, MOST_PARAMETERS>(&experiments)?;
+        let cancel = own.cancel.as_deref();
+        let fitted = fit.run_with::<_, N, MOST_PARAMETERS>(&experiments, |_| match cancel {
+            Some(cancel) if cancel.load(Ordering::Relaxed) => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
+        })?;
         let length = self.model.tape().length();
         let covariance = fitted.covariance.row_iter().map(|row| row.iter().copied().collect());
         Ok(Fitted {
@@ -152,6 +163,13 @@ pub(crate) fn fit<const N: usize>(
     experiments: &[Experiment],
 ) -> Result<Fitted, Error> {
     check_parameters(model)?;
+    let known = || model.tape().parameters().iter().map(|parameter| parameter.name);
+    let bounded = fit.bounds.iter().map(|(name, _)| name);
+    for name in fit.free.iter().flatten().chain(bounded) {
+        if !known().any(|own| own == name) {
+            return Err(Error::unknown("parameter", name, known()));
+        }
+    }
     fit.method.run_with_derivatives(Run {
         model,
         fit,

@@ -1,7 +1,7 @@
 //! Mechanisms that are declared at run time.
 //!
 //! [`Model::parse`] takes the text of a declaration, in the language of `mechanism!`, and [`Model::urdf`] the file of a
-//! robot. No compiler is needed, and results have the bits of the code that `mechanism!` generates.
+//! robot. No compiler is needed. Functions, trajectories and ensembles have the bits of the code that `mechanism!` generates.
 //!
 //! ```
 //! use pendulum_runtime::{Method, Model};
@@ -45,10 +45,12 @@ pub use method::Method;
 pub use model::{Component, Function, Model, Quantity};
 pub use sensitivity::Sensitivity;
 pub use solve::{Event, Impact, Motion, Occurrence, Options, Stopped};
-pub use stability::{Equilibrium, Exponents, Resting};
+pub use stability::{Equilibrium, Exponents, Lyapunov, Resting};
+pub use worker::while_waiting;
 
 pub use nalgebra;
 pub use pendulum_core::fit::{Estimate, Loss, Measurement};
 pub use pendulum_core::shapes::{Shape, ShapeKind};
-pub use pendulum_core::stability::Stability;
+pub use pendulum_core::stability::{Stability, StabilityError};
+pub use pendulum_core::tape::Shape as ResultShape;
 pub use pendulum_core::{SampleError, Statistics};

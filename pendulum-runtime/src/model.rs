@@ -9,7 +9,7 @@ use pendulum_codegen::program::{self, Program};
 use pendulum_core::SlotKind;
 use pendulum_core::sensitivity::Variable;
 use pendulum_core::shapes::Shape;
-use pendulum_core::tape::{Given, Tape};
+use pendulum_core::tape::{Given, Shape as ResultShape, Tape};
 
 use crate::declaration::{self, Robot};
 use crate::ensemble::{Ensemble, Members};
@@ -19,7 +19,7 @@ use crate::method::Method;
 use crate::padded::{self, Engine};
 use crate::sensitivity::Sensitivity;
 use crate::solve::{Motion, Options, Stopped};
-use crate::stability::{Equilibrium, Exponents, Resting};
+use crate::stability::{Equilibrium, Exponents, Lyapunov, Resting};
 use crate::worker;
 
 /// A mechanism with values of its parameters and inputs. Clones share everything.
@@ -79,8 +79,8 @@ pub struct Function {
     pub docs: String,
     /// Lists that it takes beside the time and the state: `accelerations`, `weights`, `direction` or `forces`.
     pub arguments: Vec<&'static str>,
-    /// Rows and columns of each result; a vector has one column, a number is alone.
-    pub shapes: Vec<[usize; 2]>,
+    /// Shapes of the results.
+    pub shapes: Vec<ResultShape>,
     /// Form of the code, such as `recursion, L^T D L`.
     pub form: String,
     /// Numbers of additions, multiplications, divisions, sines with cosines, and other functions.
@@ -88,7 +88,7 @@ pub struct Function {
 }
 
 impl Model {
-    /// Compiles a declaration all of whose parameters have defaults. Files of robots are relative to the working
+    /// Compiles a declaration whose parameters all have defaults. Files of robots are relative to the working
     /// directory.
     ///
     /// # Errors
@@ -324,7 +324,7 @@ impl Model {
     }
 
     /// Evaluates a function, such as `mass_matrix`, with the lists that it takes beside the time and the state. Returns
-    /// its results, each with its entries in column-major order.
+    /// its results as matrices; vectors have one column, numbers one entry.
     ///
     /// # Errors
     /// If there is no such function, or if a list has another length.
@@ -355,24 +355,19 @@ impl Model {
             *place = list;
         }
         let results = self.engine.evaluate(n, t, x, &given);
-        let shapes = self.about.tape.routines()[n].shapes();
-        let (mut rest, mut matrices) = (&results[..], Vec::new());
-        for (&[rows, columns], shape) in function.shapes.iter().zip(shapes) {
-            let matrix = match shape {
-                pendulum_core::tape::Shape::Symmetric(_) => {
-                    let place = |i: usize, j: usize| i * (2 * rows - i - 1) / 2 + j;
-                    DMatrix::from_fn(rows, rows, |i, j| rest[place(i.min(j), i.max(j))])
-                }
-                _ => DMatrix::from_column_slice(rows, columns, &rest[..rows * columns]),
-            };
-            let taken = match shape {
-                pendulum_core::tape::Shape::Symmetric(_) => rows * (rows + 1) / 2,
-                _ => rows * columns,
-            };
-            rest = &rest[taken..];
-            matrices.push(matrix);
-        }
-        Ok(matrices)
+        let mut rest = results.into_iter();
+        let mut next = |length| rest.by_ref().take(length).collect::<Vec<f64>>();
+        let matrix = |shape: &ResultShape| match *shape {
+            ResultShape::Scalar => DMatrix::from_vec(1, 1, next(1)),
+            ResultShape::Vector(length) => DMatrix::from_vec(length, 1, next(length)),
+            ResultShape::Matrix(rows, columns) => DMatrix::from_vec(rows, columns, next(rows * columns)),
+            ResultShape::Symmetric(rows) => {
+                let triangle = next(rows * (rows + 1) / 2);
+                let place = |i: usize, j: usize| i * (2 * rows - i - 1) / 2 + j;
+                DMatrix::from_fn(rows, rows, |i, j| triangle[place(i.min(j), i.max(j))])
+            }
+        };
+        Ok(function.shapes.iter().map(matrix).collect())
     }
 
     /// Shapes for drawing.
@@ -428,10 +423,10 @@ impl Model {
     /// If a setting, a list or parameters are invalid. Trajectories that stop early are listed in the result.
     pub fn ensemble(&self, method: &Method, span: [f64; 2], members: &Members<'_>) -> Result<Ensemble, Error> {
         self.check_method(method)?;
-        worker::run(|| self.engine.ensemble(method, span, members))
+        worker::on_all(|| self.engine.ensemble(method, span, members))
     }
 
-    /// Searches equilibria from some states. Also returns the coordinates that were not searched completely.
+    /// Searches for equilibria from some states. Also returns the coordinates that were not searched completely.
     ///
     /// # Errors
     /// If a state has another length, if `generate` does not have `jacobian`, or if the mechanism depends on time.
@@ -455,13 +450,13 @@ impl Model {
     ///
     /// # Errors
     /// If a setting or the state is invalid, if `generate` does not have `jacobian`, or if the trajectory stops early.
-    pub fn lyapunov(&self, x0: &[f64], settings: &Exponents) -> Result<Exponents, Error> {
+    pub fn lyapunov(&self, x0: &[f64], settings: &Lyapunov) -> Result<Exponents, Error> {
         self.check_state(x0)?;
         self.needs("the computation of exponents", "jacobian", "jacobian")?;
         if settings.count > self.components().len() {
             let (count, length) = (settings.count, self.components().len());
             let what = "count".to_owned();
-            let rule = format!("a state of {length} components has as many exponents, not {count}");
+            let rule = format!("there are {count}, and a state of this length has at most {length} exponents");
             return Err(Error::Setting { what, rule });
         }
         worker::run(|| self.engine.lyapunov(x0, settings))
@@ -500,7 +495,7 @@ impl Model {
                 .chain(&experiment.guess)
                 .try_for_each(|x| self.check_state(x))?;
         }
-        worker::run(|| self.engine.fit(fit, experiments))
+        worker::on_all(|| self.engine.fit(fit, experiments))
     }
 
     fn check_state(&self, x: &[f64]) -> Result<(), Error> {
@@ -548,7 +543,7 @@ impl About {
             parameters: program.parameters.iter().map(quantity).collect(),
             inputs: program.inputs.iter().map(quantity).collect(),
             components: components(&tape),
-            functions: program.routines.iter().map(function).collect(),
+            functions: program.routines.iter().zip(tape.routines()).map(function).collect(),
             equations: program.equations.to_string(),
             latex: program.equations.latex(),
             repaired: program.repaired.clone(),
@@ -600,7 +595,7 @@ fn components(tape: &Tape) -> Vec<Component> {
     components
 }
 
-fn function(routine: &program::Routine) -> Function {
+fn function((routine, of_tape): (&program::Routine, &pendulum_core::tape::Routine)) -> Function {
     let arguments = routine.arguments.iter().filter_map(|argument| match argument {
         program::Argument::Inputs => None,
         program::Argument::Accelerations => Some("accelerations"),
@@ -608,18 +603,12 @@ fn function(routine: &program::Routine) -> Function {
         program::Argument::Weights => Some("weights"),
         program::Argument::Direction => Some("direction"),
     });
-    let shapes = routine.shapes.iter().map(|shape| match *shape {
-        program::Shape::Scalar => [1, 1],
-        program::Shape::Vector(n) => [n, 1],
-        program::Shape::Matrix(n, m) => [n, m],
-        program::Shape::Symmetric(n) => [n, n],
-    });
     let operations = &routine.cost.operations;
     Function {
         name: routine.name.clone(),
         docs: routine.doc.clone(),
         arguments: arguments.collect(),
-        shapes: shapes.collect(),
+        shapes: of_tape.shapes().to_vec(),
         form: routine.cost.form.clone(),
         operations: [
             operations.additions,

@@ -13,7 +13,7 @@ use crate::fit::{self, Experiment, Fit, Fitted};
 use crate::method::Method;
 use crate::sensitivity::{self, Sensitivity};
 use crate::solve::{self, Motion, Options, Stopped};
-use crate::stability::{self, Equilibrium, Exponents, Resting};
+use crate::stability::{self, Equilibrium, Exponents, Lyapunov, Resting};
 
 /// A model with a state of `N` components, the last of which may be padding.
 pub(crate) type Padded<T, const N: usize> = HybridModel<T, N>;
@@ -62,7 +62,7 @@ pub(crate) trait Engine: Send + Sync {
     fn ensemble(&self, method: &Method, span: [f64; 2], members: &Members<'_>) -> Result<Ensemble, Error>;
     fn equilibria(&self, seeds: &[Vec<f64>]) -> Result<(Vec<Equilibrium>, Vec<String>), Error>;
     fn resting(&self, seed: &[f64]) -> Result<Resting, Error>;
-    fn lyapunov(&self, x0: &[f64], exponents: &Exponents) -> Result<Exponents, Error>;
+    fn lyapunov(&self, x0: &[f64], settings: &Lyapunov) -> Result<Exponents, Error>;
     fn sensitivity(
         &self,
         method: &Method,
@@ -138,8 +138,8 @@ impl<const N: usize> Engine for Padded<f64, N> {
         stability::resting(self, seed)
     }
 
-    fn lyapunov(&self, x0: &[f64], exponents: &Exponents) -> Result<Exponents, Error> {
-        stability::lyapunov(self, x0, exponents)
+    fn lyapunov(&self, x0: &[f64], settings: &Lyapunov) -> Result<Exponents, Error> {
+        stability::lyapunov(self, x0, settings)
     }
 
     fn sensitivity(

@@ -44,6 +44,11 @@ struct Samples<'t, const N: usize> {
 }
 
 impl<const N: usize> Observer<Dual<f64, PART>, N> for Samples<'_, N> {
+    fn start(&mut self, t: Dual<f64, PART>, x: &SVector<Dual<f64, PART>, N>) {
+        let at_start = self.times.iter().take_while(|own| **own == t.value);
+        self.x.extend(at_start.map(|_| *x));
+    }
+
     fn step(&mut self, dense: &Dense<'_, Dual<f64, PART>, N>) {
         let end = dense.step().t1.value;
         while let Some(&t) = self.times.get(self.x.len())
@@ -66,15 +71,13 @@ impl<const N: usize> TaskWithDerivatives<N> for Part<'_, N> {
 
     fn by(self, method: impl pendulum_core::Method<Padded<Dual<f64, PART>, N>, Dual<f64, PART>, N>) -> Self::Output {
         let (model, x0) = sensitivity::seeded::<_, N, MOST_PARAMETERS, PART>(self.model, self.x0, self.by);
-        let [first, .., last] = self.times else {
-            return Ok(vec![x0]);
-        };
+        let (first, last) = (self.times[0], self.times[self.times.len() - 1]);
         let mut samples = Samples {
             times: self.times,
             forward: last >= first,
-            x: vec![x0],
+            x: Vec::with_capacity(self.times.len()),
         };
-        let [t0, t1] = [*first, *last].map(Dual::constant);
+        let [t0, t1] = [first, last].map(Dual::constant);
         // as in fits, so that they share the code
         let mut observer: &mut dyn Observer<Dual<f64, PART>, N> = &mut samples;
         method.follow(&model, t0, t1, x0, &[], &mut observer)?;
@@ -91,11 +94,17 @@ pub(crate) fn sensitivity<const N: usize>(
 ) -> Result<Sensitivity, Error> {
     check_parameters(model)?;
     let length = x0.len();
-    let [first, .., last] = times else {
-        let what = "times".to_owned();
-        let rule = "give the start and at least one later time".to_owned();
-        return Err(Error::Setting { what, rule });
+    let wrong = |what: &str, rule: &str| {
+        let (what, rule) = (what.to_owned(), rule.to_owned());
+        Err(Error::Setting { what, rule })
     };
+    let (first, last) = match times {
+        [first, .., last] if first != last => (first, last),
+        _ => return wrong("times", "give the start and at least one other time"),
+    };
+    if by.is_empty() {
+        return wrong("by", "name at least one parameter or component");
+    }
     check_times(times, [*first, *last])?;
     let mut sensitivity = Sensitivity {
         x: Vec::new(),

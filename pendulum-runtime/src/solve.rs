@@ -351,7 +351,7 @@ pub(crate) fn check_times(times: &[f64], [t0, t1]: [f64; 2]) -> Result<(), Error
 }
 
 /// Samples of a trajectory at given times.
-pub(crate) struct Sampler<'t, const N: usize> {
+pub(crate) struct Sampler<'t> {
     times: &'t [f64],
     forward: bool,
     pub(crate) taken: usize,
@@ -359,27 +359,29 @@ pub(crate) struct Sampler<'t, const N: usize> {
     pub(crate) x: Vec<f64>,
 }
 
-impl<'t, const N: usize> Sampler<'t, N> {
-    /// Samples from the start on.
-    pub(crate) fn new(times: &'t [f64], [t0, t1]: [f64; 2], x0: &SVector<f64, N>, length: usize) -> Self {
-        let mut sampler = Self {
+impl<'t> Sampler<'t> {
+    pub(crate) fn new(times: &'t [f64], [t0, t1]: [f64; 2], length: usize) -> Self {
+        Self {
             times,
             forward: t1 >= t0,
             taken: 0,
             length,
             x: Vec::with_capacity(times.len() * length),
-        };
-        while sampler.next().is_some_and(|t| t == t0) {
-            sampler.take(x0);
         }
-        sampler
+    }
+
+    /// Takes the samples at the start.
+    pub(crate) fn start<const N: usize>(&mut self, t0: f64, x0: &SVector<f64, N>) {
+        while self.next().is_some_and(|t| t == t0) {
+            self.take(x0);
+        }
     }
 
     fn next(&self) -> Option<f64> {
         self.times.get(self.taken).copied()
     }
 
-    fn take(&mut self, x: &SVector<f64, N>) {
+    fn take<const N: usize>(&mut self, x: &SVector<f64, N>) {
         self.x.extend_from_slice(&x.as_slice()[..self.length]);
         self.taken += 1;
     }
@@ -390,7 +392,7 @@ impl<'t, const N: usize> Sampler<'t, N> {
             .is_some_and(|t| if self.forward { t <= t1 } else { t >= t1 })
     }
 
-    pub(crate) fn step(&mut self, dense: &Dense<'_, f64, N>) {
+    pub(crate) fn step<const N: usize>(&mut self, dense: &Dense<'_, f64, N>) {
         let step = dense.step();
         while self.has_any_until(step.t1) {
             let Some(t) = self.next() else { return };
@@ -403,12 +405,23 @@ impl<'t, const N: usize> Sampler<'t, N> {
 /// Records a trajectory, whole or at given times.
 struct Recorder<'t, const N: usize> {
     solution: Solution<f64, N>,
-    sampler: Option<Sampler<'t, N>>,
+    sampler: Option<Sampler<'t>>,
+    /// Indices of the terminal events, and of the one that occurred.
+    terminal: &'t [bool],
+    ended_by: Option<usize>,
     last: (f64, SVector<f64, N>),
     cancel: Option<&'t AtomicBool>,
 }
 
 impl<const N: usize> Observer<f64, N> for Recorder<'_, N> {
+    fn start(&mut self, t: f64, x: &SVector<f64, N>) {
+        self.solution = Solution::start(t, *x);
+        self.last = (t, *x);
+        if let Some(sampler) = &mut self.sampler {
+            sampler.start(t, x);
+        }
+    }
+
     fn looks_into(&self, _t0: f64, t1: f64) -> bool {
         self.sampler.as_ref().is_none_or(|sampler| sampler.has_any_until(t1))
     }
@@ -441,6 +454,9 @@ impl<const N: usize> Observer<f64, N> for Recorder<'_, N> {
     }
 
     fn event(&mut self, event: CoreOccurrence<f64, N>) {
+        if self.terminal[event.index] {
+            self.ended_by.get_or_insert(event.index);
+        }
         self.solution.event(event);
     }
 
@@ -479,17 +495,7 @@ impl<const N: usize> Task<N> for Follow<'_, '_, N> {
 
     fn by(self, method: impl pendulum_core::Method<Padded<f64, N>, f64, N>) -> Self::Output {
         let [t0, t1] = self.span;
-        let (model, x0) = (self.model, self.x0);
-        let stepper = method.stepper(model, t0, t1, x0)?;
-        // on the constraints, and before an impact at the start
-        let start = if stepper.impulses().is_some() { x0 } else { stepper.x() };
-        let recorder = self.recorder;
-        recorder.solution = Solution::start(t0, start);
-        recorder.last = (t0, start);
-        if let Some(sampler) = &mut recorder.sampler {
-            *sampler = Sampler::new(sampler.times, self.span, &start, sampler.length);
-        }
-        method.follow(model, t0, t1, x0, self.events, recorder)
+        method.follow(self.model, t0, t1, self.x0, self.events, self.recorder)
     }
 }
 
@@ -506,13 +512,13 @@ pub(crate) fn solve<const N: usize>(
     if let Some(times) = &options.times {
         check_times(times, span)?;
     }
-    let sampler = options
-        .times
-        .as_ref()
-        .map(|times| Sampler::new(times, span, &x0, length));
+    let sampler = options.times.as_ref().map(|times| Sampler::new(times, span, length));
+    let terminal: Vec<bool> = options.events.iter().map(|event| event.terminal).collect();
     let mut recorder = Recorder {
         solution: Solution::start(span[0], x0),
         sampler,
+        terminal: &terminal,
+        ended_by: None,
         last: (span[0], x0),
         cancel: options.cancel,
     };
@@ -525,7 +531,7 @@ pub(crate) fn solve<const N: usize>(
     };
     let ended = method.run(task);
     let end = *ended.as_ref().unwrap_or(&recorder.last.1);
-    let motion = motion(model, recorder, end, length, options);
+    let motion = motion(model, recorder, end, length);
     match ended {
         Ok(_) => Ok(motion),
         Err(reason @ Reason::InvalidInput { .. }) => Err(reason.into()),
@@ -542,7 +548,6 @@ fn motion<const N: usize>(
     recorder: Recorder<'_, N>,
     end: SVector<f64, N>,
     length: usize,
-    options: &Options<'_>,
 ) -> Motion {
     let solution = recorder.solution;
     let constraints = model.hybrid().map_or(&[][..], |hybrid| hybrid.constraints());
@@ -572,8 +577,6 @@ fn motion<const N: usize>(
             ambiguity.difference
         )
     });
-    let ends = |event: &&CoreOccurrence<f64, N>| event.t == recorder.last.0 && options.events[event.index].terminal;
-    let ended_by = solution.events().iter().find(ends).map(|event| event.index);
     let (t, x) = match &recorder.sampler {
         Some(sampler) => (sampler.times[..sampler.taken].to_vec(), sampler.x.clone()),
         None => (
@@ -593,7 +596,7 @@ fn motion<const N: usize>(
         impacts: impacts.collect(),
         warnings: missed.chain(ambiguities).collect(),
         statistics: solution.statistics(),
-        ended_by,
+        ended_by: recorder.ended_by,
         between: match recorder.sampler {
             Some(_) => None,
             None => Some(Box::new(solution)),

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 use pendulum_core::Jacobian;
-use pendulum_core::stability::{self, Lyapunov, Stability, StabilityError};
+use pendulum_core::stability::{self, Stability, StabilityError};
 
 use crate::error::Error;
 use crate::padded::{Padded, active, padded};
@@ -31,9 +31,9 @@ pub struct Resting {
     pub margin: f64,
 }
 
-/// Lyapunov exponents of a trajectory: settings, and results.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Exponents {
+/// Settings of the computation of Lyapunov exponents.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lyapunov {
     /// Number of exponents, the largest first: 1 to 4.
     pub count: usize,
     /// Time over which growth is counted, in s.
@@ -42,13 +42,19 @@ pub struct Exponents {
     pub transient: f64,
     /// Relative and absolute tolerance of the trajectory and its tangents.
     pub tolerance: f64,
-    /// Exponents in 1/s.
+}
+
+/// Lyapunov exponents of a trajectory.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Exponents {
+    /// Exponents in 1/s, the largest first.
     pub values: Vec<f64>,
     /// Standard error of each.
     pub uncertainty: Vec<f64>,
 }
 
-impl Default for Exponents {
+impl Default for Lyapunov {
     /// Settings for the largest exponent over 1000 s.
     fn default() -> Self {
         Self {
@@ -56,8 +62,6 @@ impl Default for Exponents {
             duration: 1000.0,
             transient: 0.0,
             tolerance: 1e-8,
-            values: Vec::new(),
-            uncertainty: Vec::new(),
         }
     }
 }
@@ -96,21 +100,21 @@ pub(crate) fn resting<const N: usize>(model: &Padded<f64, N>, seed: &[f64]) -> R
 pub(crate) fn lyapunov<const N: usize>(
     model: &Padded<f64, N>,
     x0: &[f64],
-    exponents: &Exponents,
+    settings: &Lyapunov,
 ) -> Result<Exponents, Error> {
-    let method = Lyapunov::new()
-        .duration(exponents.duration)
-        .transient(exponents.transient)
-        .tolerance(exponents.tolerance);
+    let method = stability::Lyapunov::new()
+        .duration(settings.duration)
+        .transient(settings.transient)
+        .tolerance(settings.tolerance);
     fn of<const K: usize, const N: usize>(
-        method: &Lyapunov,
+        method: &stability::Lyapunov,
         model: &impl Jacobian<f64, N>,
         x0: &[f64],
     ) -> Result<[Vec<f64>; 2], StabilityError> {
         let found = method.exponents::<K, N>(model, padded::<N>(x0))?;
         Ok([found.values.to_vec(), found.uncertainty.to_vec()])
     }
-    let [values, uncertainty] = match exponents.count {
+    let [values, uncertainty] = match settings.count {
         1 => of::<1, N>(&method, model, x0)?,
         2 => of::<2, N>(&method, model, x0)?,
         3 => of::<3, N>(&method, model, x0)?,
@@ -122,9 +126,5 @@ pub(crate) fn lyapunov<const N: usize>(
             });
         }
     };
-    Ok(Exponents {
-        values,
-        uncertainty,
-        ..exponents.clone()
-    })
+    Ok(Exponents { values, uncertainty })
 }

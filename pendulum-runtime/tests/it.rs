@@ -4,6 +4,8 @@
 mod analyses;
 #[path = "it/compiled.rs"]
 mod compiled;
+#[path = "it/corpus.rs"]
+mod corpus;
 #[path = "it/refused.rs"]
 mod refused;
 #[path = "it/robots.rs"]

@@ -28,7 +28,9 @@ where
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
         // Further lanes hide the latency of dependent operations. Larger systems have enough independent operations,
         // and need the registers for themselves.
-        if const { !M::HYBRID && V::LANES > 1 && W::WATCHES } {
+        if const { !M::HYBRID && M::WIDE && V::LANES > 1 && W::WATCHES } {
+            self.in_lanes::<V::Double, Never<V::Double>>()
+        } else if const { !M::HYBRID && V::LANES > 1 && W::WATCHES } {
             self.in_lanes::<V, Never<V>>()
         } else if const { !M::HYBRID && (M::WIDE || !F::NARROW) && !W::WATCHES } {
             self.in_groups::<<V::Double as Lanes>::Double>()

@@ -193,6 +193,7 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
     ) -> Result<(), Reason> {
         let observer = &mut self.observers[index];
         tolerance.into_iter().for_each(|tolerance| observer.within(tolerance));
+        observer.start(t, x);
         self.work[index].add(work);
         self.searches[index] = Some(Search::new(self.events[index], t, x)?);
         Ok(())

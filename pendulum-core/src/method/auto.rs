@@ -12,7 +12,7 @@ use crate::method::operations as count;
 use crate::method::rosenbrock::{self, RosenbrockStages};
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, Explicit, Rosenbrock};
-use crate::real::Float;
+use crate::real::{Float, Real};
 use crate::statistics::Statistics;
 use crate::step_size::{Estimates, Tolerance};
 use crate::system::{Jacobian, System};
@@ -112,7 +112,7 @@ where
             explicit: Free::new(system, tolerance)?,
             implicit: OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?,
             stiffness: Stiffness::default(),
-            fastest: SVector::from_element(T::from_f64(1.0)),
+            fastest: ones(system.active()),
         })
     }
 }
@@ -259,6 +259,11 @@ impl<T: Float, const N: usize> Free<T, N> {
     }
 }
 
+/// First vector of a power iteration, without padding.
+pub(crate) fn ones<T: Real, const N: usize>(active: usize) -> SVector<T, N> {
+    SVector::from_fn(|n, _| T::from_f64(if n < active { 1.0 } else { 0.0 }))
+}
+
 /// Number of power iterations. The fourth root below depends on it.
 const ITERATIONS: usize = 4;
 
@@ -266,14 +271,18 @@ const ITERATIONS: usize = 4;
 /// eigenvector.
 ///
 /// A complex pair makes `v` rotate; the mean over the iterations smooths its effect.
-pub(crate) fn fastest_rate<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, v: &mut SVector<T, N>) -> T {
+pub(crate) fn fastest_rate<T: Float, const N: usize>(
+    matrix: &SMatrix<T, N, N>,
+    v: &mut SVector<T, N>,
+    active: usize,
+) -> T {
     let mut product = T::from_f64(1.0);
     for _ in 0..ITERATIONS {
         let before = square(v).sqrt();
         let image = image(matrix, v);
         let after = square(&image).sqrt();
         if !(after.is_finite() && after > T::default() && before > T::default()) {
-            *v = SVector::from_element(T::from_f64(1.0));
+            *v = ones(active);
             return T::default();
         }
         product *= after / before;
@@ -348,7 +357,7 @@ where
         if self.stiffness.is_stiff {
             self.implicit.accept(system, step, lanes, work);
             work.stiff += 1;
-            let rate = fastest_rate(self.implicit.jacobian(), &mut self.fastest);
+            let rate = fastest_rate(self.implicit.jacobian(), &mut self.fastest, system.active());
             self.stiffness
                 .after_implicit((step.h.abs() * rate).to_f64(), self.explicit.limit());
         } else {
@@ -388,25 +397,25 @@ mod tests {
         // almost the eigenvector of -2
         let mut v = SVector::from([1.0, 0.999]);
         for _ in 0..20 {
-            fastest_rate(&symmetric, &mut v);
+            fastest_rate(&symmetric, &mut v, 2);
         }
-        assert!((fastest_rate(&symmetric, &mut v) - 4.0).abs() < 1e-9);
+        assert!((fastest_rate(&symmetric, &mut v, 2) - 4.0).abs() < 1e-9);
         assert!((v.norm() - 1.0).abs() < 1e-12 && (v[0] + v[1]).abs() < 1e-9, "{v}");
         // a pair +-5 i: over two iterations the vector grows by 25 and makes half a turn
         let turning = SMatrix::<f64, 2, 2>::new(0.0, 50.0, -0.5, 0.0);
-        assert!((fastest_rate(&turning, &mut v) - 5.0).abs() < 1e-9);
+        assert!((fastest_rate(&turning, &mut v, 2) - 5.0).abs() < 1e-9);
     }
 
     #[test]
     fn what_shows_no_rate_is_left_for_another_direction() {
         let second = SMatrix::<f64, 2, 2>::new(0.0, 0.0, 0.0, -7.0);
         for mut v in [[1.0, 0.0], [0.0, 0.0], [f64::NAN, 1.0]].map(SVector::from) {
-            assert_eq!(fastest_rate(&second, &mut v), 0.0);
+            assert_eq!(fastest_rate(&second, &mut v, 2), 0.0);
             assert_eq!(
-                fastest_rate(&second, &mut v).powi(4).round(),
+                fastest_rate(&second, &mut v, 2).powi(4).round(),
                 (7.0_f64.powi(4) / 2.0_f64.sqrt()).round()
             );
-            assert!((fastest_rate(&second, &mut v) - 7.0).abs() < 1e-12);
+            assert!((fastest_rate(&second, &mut v, 2) - 7.0).abs() < 1e-12);
         }
     }
 }

@@ -198,6 +198,10 @@ fn fused_events<'e, const N: usize>(events: &'e [Event<'_, f64, N>]) -> Vec<Even
 struct Plain<'o, O>(&'o mut O);
 
 impl<O: Observer<f64, N>, const N: usize> Observer<Fused<f64>, N> for Plain<'_, O> {
+    fn start(&mut self, t: Fused<f64>, x: &SVector<Fused<f64>, N>) {
+        self.0.start(t.0, &plain(x));
+    }
+
     fn is_cancelled(&self) -> bool {
         self.0.is_cancelled()
     }

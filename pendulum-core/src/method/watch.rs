@@ -117,7 +117,9 @@ where
     let system = stepper.system();
     let placed = |t: T, x: &SVector<T, N>| place(system, t, x);
     let mut search = Search::new(events, stepper.t(), &stepper.x()).map_err(here(stepper))?;
-    let mut reached = Reached::start(stepper, from(stepper, x0), observer);
+    let start = from(stepper, x0);
+    observer.start(stepper.t(), &start);
+    let mut reached = Reached::start(stepper, start, observer);
     let mut crowded = 0;
     loop {
         if observer.is_cancelled() {

@@ -139,7 +139,7 @@ impl Lyapunov {
         self.check::<K, N>(system)?;
         let flow = flow::<K>(self.tolerance).h_max(self.h_max());
         let mut stepper = flow.stepper(system, 0.0, self.end(), x0)?;
-        stepper.scheme_mut().tangents = oblique();
+        stepper.scheme_mut().tangents = oblique(system.active());
         // constraints held from the start also constrain the tangents
         let (t, x) = (stepper.t(), stepper.x());
         stepper.restart(t, x)?;
@@ -284,12 +284,13 @@ impl<const K: usize> TangentGrowth<K> {
     }
 }
 
-/// Initial directions that are not aligned with any axis. An invariant direction, such as the rate of a cyclic
+/// Initial directions that are not aligned with any axis, without padding. An invariant direction, such as the rate of a cyclic
 /// coordinate, would never turn towards the growing ones.
-fn oblique<const K: usize, const N: usize>() -> [SVector<f64, N>; K] {
-    let mut vectors =
-        std::array::from_fn(|k| SVector::from_fn(|i, _| libm::sin(1.0 + ((i + 1) * (i + 2 * k + 3)) as f64)));
-    orthonormalize(&mut vectors, N);
+fn oblique<const K: usize, const N: usize>(active: usize) -> [SVector<f64, N>; K] {
+    let component = |k: usize, i: usize| libm::sin(1.0 + ((i + 1) * (i + 2 * k + 3)) as f64);
+    let component = |k, i| if i < active { component(k, i) } else { 0.0 };
+    let mut vectors = std::array::from_fn(|k| SVector::from_fn(|i, _| component(k, i)));
+    orthonormalize(&mut vectors, active);
     vectors
 }
 
@@ -300,7 +301,7 @@ fn keep_to_directions<const K: usize, const N: usize>(
     (t, x): (f64, &SVector<f64, N>),
     vectors: &mut [SVector<f64, N>; K],
 ) {
-    if dimension(system) == N {
+    if dimension(system) == system.active() {
         return;
     }
     if let Some(basis) = directions(system, &system.jacobian(t, x)) {

@@ -1,7 +1,7 @@
 //! Stability, derivatives and fits.
 
 use pendulum_core::fit::Measurement;
-use pendulum_runtime::{Experiment, Exponents, Fit, Method, Model, Stability};
+use pendulum_runtime::{Experiment, Fit, Lyapunov, Method, Model, Stability};
 
 /// A damped pendulum, whose length and damping are parameters; with a state of two components, it is padded.
 const DAMPED: &str = "pub Damped {
@@ -33,10 +33,10 @@ fn equilibria_hang_and_stand() {
 #[test]
 fn exponents_are_those_of_the_linearisation() {
     let model = Model::parse(DAMPED).expect("valid");
-    let settings = Exponents {
+    let settings = Lyapunov {
         count: 2,
         duration: 400.0,
-        ..Exponents::default()
+        ..Lyapunov::default()
     };
     let found = model.lyapunov(&[1e-6, 0.0], &settings).expect("regular");
     let sum: f64 = found.values.iter().sum();
@@ -45,7 +45,7 @@ fn exponents_are_those_of_the_linearisation() {
         found.values.iter().all(|value| (value + 0.05).abs() < 1e-2),
         "{found:?}"
     );
-    let three = Exponents { count: 3, ..settings };
+    let three = Lyapunov { count: 3, ..settings };
     assert!(model.lyapunov(&[1e-6, 0.0], &three).is_err());
 }
 

@@ -63,6 +63,46 @@ mod hybrid {
     }
 }
 
+mod short {
+    use super::*;
+
+    twice! {
+        /// Two components, padded to four.
+        pub Single {
+            gravity: [0, -9.81, 0],
+            generate: [rhs, jacobian, energy, canonical, taylor],
+            body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: turn, friction: 0.1 }
+        }
+    }
+
+    pub(super) fn model() -> (Single, Model) {
+        let compiled = Single::new(SingleParams {}).expect("valid");
+        (compiled, Model::parse(TEXT).expect("valid"))
+    }
+}
+
+mod long {
+    use super::*;
+
+    twice! {
+        /// Six components, padded to eight, in a mechanism that turns and slides.
+        pub Three {
+            gravity: [0, -9.81, 0],
+            generate: [rhs, jacobian, energy, canonical, taylor],
+            body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, spring: (30, 0) }
+            body upper on cart { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a, friction: 0.1 }
+            body lower on upper {
+                mass: 1, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: b, dry_friction: 0.2,
+            }
+        }
+    }
+
+    pub(super) fn model() -> (Three, Model) {
+        let compiled = Three::new(ThreeParams {}).expect("valid");
+        (compiled, Model::parse(TEXT).expect("valid"))
+    }
+}
+
 const START: [f64; 4] = [1.5, 0.9, 0.8, 3.0];
 
 fn named(name: &str) -> Named {
@@ -76,10 +116,10 @@ fn named(name: &str) -> Named {
 
 /// Compares each method on a compiled model and on one of the text.
 macro_rules! same {
-    ($compiled:expr, $model:expr; $($name:ident),*) => { $({
+    ($compiled:expr, $model:expr, $start:expr; $($name:ident),*) => { $({
         let method = named(stringify!($name));
-        let own = $model.solve(&method, [0.0, 3.0], &START).expect("regular");
-        let compiled = set!($name).solve(&$compiled, 0.0, 3.0, START).expect("regular");
+        let own = $model.solve(&method, [0.0, 3.0], &$start).expect("regular");
+        let compiled = set!($name).solve(&$compiled, 0.0, 3.0, $start).expect("regular");
         assert_eq!(own.end().1, compiled.end().as_slice(), stringify!($name));
         assert_eq!(own.t(), compiled.t());
         assert_eq!(own.statistics(), compiled.statistics());
@@ -107,9 +147,14 @@ macro_rules! set {
 #[test]
 fn every_method_has_the_bits_of_compiled_code() {
     let (compiled, model) = smooth::model();
-    same!(compiled, model; Rk4, Gauss4, Gauss6, Rk45, Tsit5, Vern7, Vern9, Taylor, Rodas4, Rodas5P, Radau5, Auto);
+    same!(compiled, model, START; Rk4, Gauss4, Gauss6, Rk45, Tsit5, Vern7, Vern9, Taylor, Rodas4, Rodas5P, Radau5, Auto);
+    let (compiled, model) = short::model();
+    same!(compiled, model, [2.0, 0.3]; Rk4, Gauss4, Gauss6, Rk45, Tsit5, Vern7, Vern9, Taylor, Rodas4, Rodas5P, Radau5, Auto);
+    let (compiled, model) = long::model();
+    let start = [0.1, 1.5, 0.9, 0.0, 0.8, -0.4];
+    same!(compiled, model, start; Rk4, Gauss4, Gauss6, Rk45, Tsit5, Vern7, Vern9, Taylor, Rodas4, Rodas5P, Radau5, Auto);
     let (compiled, model) = hybrid::model();
-    same!(compiled, model; Rk4, Gauss4, Gauss6, Rk45, Tsit5, Vern7, Vern9, Taylor, Rodas4, Rodas5P, Radau5, Auto);
+    same!(compiled, model, START; Rk4, Gauss4, Gauss6, Rk45, Tsit5, Vern7, Vern9, Taylor, Rodas4, Rodas5P, Radau5, Auto);
     assert!(
         !model
             .solve(&named("Vern9"), [0.0, 3.0], &START)

@@ -29,7 +29,7 @@ fn errors_have_their_place_in_the_text() {
         text.contains("--> line 5, column 48") && text.contains("| ^^^^^^") || text.contains("^^^^^^\n"),
         "{text}"
     );
-    says(Model::parse("pub A { body"), "brackets");
+    says(Model::parse("pub A { body"), "bracket");
     says(Model::parse(""), "error[M0");
     says(Model::parse("\u{0}"), "error[M0");
 }
@@ -48,7 +48,7 @@ fn names_have_the_most_similar_one() {
     let model = Model::parse(TEXT).expect("valid");
     says(
         model.with(&[("lenght", 1.0)]),
-        "there is no parameter `lenght`: did you mean `length`?",
+        "there is no parameter `lenght`; did you mean `length`?",
     );
     says(
         model.with_inputs(&[("force", 1.0)]),
@@ -57,7 +57,7 @@ fn names_have_the_most_similar_one() {
     says(model.state(&[("thetta", 1.0)]), "did you mean `theta`?");
     says(
         Method::new("Vern8"),
-        "there is no method `Vern8`: did you mean `Vern7`?",
+        "there is no method `Vern8`; did you mean `Vern7`?",
     );
     says(
         model.evaluate("mass_matrx", 0.0, &[0.0, 0.0], &[]),

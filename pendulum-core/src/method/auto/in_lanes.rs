@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use super::{Bounded, Stiffness, Switch, Switching, fastest_rate};
+use super::{Bounded, Stiffness, Switch, Switching, fastest_rate, ones};
 use crate::dense::Step;
 use crate::ensemble::{MOST_LANES, in_lane, set_lane};
 use crate::error::Reason;
@@ -54,6 +54,8 @@ pub(crate) struct SwitchInLanes<B, V: Lanes, const STAGES: usize, const N: usize
     stiffness: [Stiffness; MOST_LANES],
     /// Directions of the fastest change, for power iteration.
     fastest: SVector<V, N>,
+    /// Number of components that are not padding.
+    active: usize,
     /// Derivatives at the ends of the steps of both methods.
     slope: SVector<V, N>,
     work: Work,
@@ -83,7 +85,8 @@ where
             explicit: Explicit::new().scheme(system, tolerance)?,
             implicit: RosenbrockStages::new(tolerance),
             stiffness: [Stiffness::default(); MOST_LANES],
-            fastest: SVector::from_element(V::from_f64(1.0)),
+            fastest: ones(system.active()),
+            active: system.active(),
             slope: SVector::from_element(V::default()),
             work: Work::default(),
         })
@@ -132,8 +135,7 @@ where
 
     fn enter(&mut self, lane: usize, _index: usize) {
         self.stiffness[lane] = Stiffness::default();
-        let ones = SVector::from_element(V::Scalar::from_f64(1.0));
-        set_lane(&mut self.fastest, lane, &ones);
+        set_lane(&mut self.fastest, lane, &ones(self.active));
     }
 
     // work is counted for each lane
@@ -236,7 +238,7 @@ where
                 if own.is_stiff && lanes.is_in(lane) {
                     let jacobian = self.implicit.jacobian().map(|entry| entry.lane(lane));
                     let mut fastest = in_lane(&self.fastest, lane);
-                    let rate = fastest_rate(&jacobian, &mut fastest);
+                    let rate = fastest_rate(&jacobian, &mut fastest, self.active);
                     set_lane(&mut self.fastest, lane, &fastest);
                     own.after_implicit((step.h.lane(lane).abs() * rate).to_f64(), B::LIMIT);
                 }

@@ -112,7 +112,7 @@ struct Growing<'g, const K: usize>(&'g RefCell<Vec<TangentGrowth<K>>>);
 
 impl<const K: usize, const N: usize> Carry<f64, K, N> for Growing<'_, K> {
     fn start(self) -> [SVector<f64, N>; K] {
-        let mut tangents = oblique();
+        let mut tangents = oblique(N);
         // as for constraints held from the start
         orthonormalize(&mut tangents, N);
         tangents

@@ -2,9 +2,9 @@
 
 A mechanism is declared in a text, or read from a URDF file::
 
-    import pendulum
+    from pendulum_dynamics import Model
 
-    model = pendulum.Model('''
+    model = Model('''
     pub Pendulum {
         params { l: m = 0.5 }
         gravity: [0, -9.81, 0],
@@ -17,7 +17,7 @@ Numbers are in SI units, and angles in rad. States are arrays with the component
 """
 
 from ._native import DeclarationError
-from .model import METHODS, Model
+from .model import METHODS, Event, Model
 from .results import (
     Animation,
     Ensemble,
@@ -40,6 +40,7 @@ __all__ = [
     "Ensemble",
     "Equilibria",
     "Equilibrium",
+    "Event",
     "Exponents",
     "Fit",
     "Impact",

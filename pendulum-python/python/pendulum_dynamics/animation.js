@@ -73,14 +73,14 @@
   };
   if (scene.frames.length === 0) return;
   const [first, last] = [scene.times[0], scene.times[scene.times.length - 1]];
-  let began = null;
+  let [began, frame] = [null, 0];
   const step = (now) => {
     began ??= now;
     const elapsed = ((now - began) / 1000) * scene.speed;
-    const part = Math.min(elapsed / (Math.abs(last - first) || 1), 1);
-    show(Math.min(Math.floor(part * scene.frames.length), scene.frames.length - 1));
+    while (frame + 1 < scene.times.length && Math.abs(scene.times[frame + 1] - first) <= elapsed) frame++;
+    show(frame);
     // a pause at the end, then again
-    if (elapsed > Math.abs(last - first) + scene.speed) began = null;
+    if (elapsed > Math.abs(last - first) + scene.speed) [began, frame] = [null, 0];
     if (canvas.isConnected) requestAnimationFrame(step);
   };
   show(0);

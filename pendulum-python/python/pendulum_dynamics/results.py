@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from .model import Model
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Impact:
     """An impact at a stop or a wall."""
 
@@ -29,7 +29,7 @@ class Impact:
     impulses: dict[str, float]
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Solution:
     """A trajectory, with the names of ``scipy.integrate.solve_ivp``."""
 
@@ -70,7 +70,7 @@ class Solution:
             times = np.asarray(t, dtype=np.float64)
             if times.ndim > 1:
                 raise ValueError(f"t must be a number or have one dimension, not the shape {times.shape}")
-            states = native.at(np.ascontiguousarray(np.atleast_1d(times))).T
+            states: NDArray[np.float64] = native.at(np.ascontiguousarray(np.atleast_1d(times))).T
             return states if times.ndim else states[:, 0]
 
         of_events = [native.event(index) for index in range(events)]
@@ -97,7 +97,7 @@ class Solution:
     def outputs(self) -> dict[str, NDArray[np.float64]]:
         """Outputs along the trajectory, by name, each of shape ``(k,)``."""
         values = [list(self.model.output(t, x).values()) for t, x in zip(self.t, self.y.T)]
-        table = np.array(values).reshape(len(self.t), -1)
+        table = np.array(values).reshape(len(self.t), len(self.model.outputs))
         return {name: table[:, n] for n, name in enumerate(self.model.outputs)}
 
     def energy(self) -> NDArray[np.float64]:
@@ -139,7 +139,7 @@ class Solution:
         return f"<Solution of {self.model.name} to t = {t:g}, {len(self.t)} points: {self.message}{events}{impacts}>"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Animation:
     """Shapes of a mechanism at many times; a notebook shows them in motion."""
 
@@ -164,23 +164,23 @@ class Animation:
         return page(self.name, self.t, self.frames, self.speed)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Ensemble:
     """States of many trajectories."""
 
     #: Times at which states were kept, of shape ``(k,)``.
     t: NDArray[np.float64]
-    #: States of each trajectory at these times, of shape ``(m, k, n)``; NaN after a trajectory stopped.
-    x: NDArray[np.float64]
+    #: States of each trajectory at these times, of shape ``(m, n, k)``; NaN after a trajectory stopped.
+    y: NDArray[np.float64]
     #: Final states, of shape ``(m, n)``.
-    x_end: NDArray[np.float64]
+    y_end: NDArray[np.float64]
     #: True for each trajectory that reached the end, of shape ``(m,)``.
     success: NDArray[np.bool_]
     #: Messages of those that stopped, by index.
     messages: dict[int, str]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Equilibrium:
     """A state at which the right-hand side vanishes."""
 
@@ -215,7 +215,7 @@ class Equilibria(Sequence[Equilibrium]):
         return "\n".join(lines + more)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Resting:
     """A state that dry friction and contacts hold at rest."""
 
@@ -227,7 +227,7 @@ class Resting:
     margin: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Exponents:
     """Lyapunov exponents of a trajectory."""
 
@@ -242,21 +242,21 @@ class Exponents:
         return float(np.log(end / start) / largest) if largest > 0.0 else float("inf")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sensitivity:
     """States at given times, with their derivatives."""
 
     #: Times, of shape ``(k,)``.
     t: NDArray[np.float64]
     #: States, of shape ``(n, k)``.
-    x: NDArray[np.float64]
-    #: Derivatives, of shape ``(k, n, v)``: for each time a row for each component, a column for each variable.
+    y: NDArray[np.float64]
+    #: Derivatives, of shape ``(n, v, k)``: of each component, by each variable, at each time.
     derivatives: NDArray[np.float64]
     #: Names of the variables.
     by: list[str]
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Fit:
     """Result of a fit."""
 
@@ -266,7 +266,7 @@ class Fit:
     estimates: dict[str, float]
     #: Their standard deviations.
     deviations: dict[str, float]
-    #: Their intervals of 95 % confidence.
+    #: Their 95 % confidence intervals.
     intervals: dict[str, tuple[float, float]]
     #: Covariance of the estimates, in their order.
     covariance: NDArray[np.float64]
@@ -305,5 +305,3 @@ class Fit:
 
     def __repr__(self) -> str:
         return self.summary
-
-

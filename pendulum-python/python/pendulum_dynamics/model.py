@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import copy
+import operator
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, Union
 
 import numpy as np
@@ -11,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from .results import (
+    Animation,
     Ensemble,
     Equilibria,
     Equilibrium,
@@ -21,7 +25,21 @@ from .results import (
     Solution,
 )
 
-Event = Union[str, "tuple[str, float]", Callable[[float, NDArray[np.float64]], float]]
+What = Union[str, "tuple[str, float]", Callable[[float, NDArray[np.float64]], float]]
+
+
+@dataclass(frozen=True)
+class Event:
+    """An event, and what it does."""
+
+    #: Name of a declared event; name of an output or component with a value, such as ``("tip.y", 0.0)``; or a function
+    #: ``event(t, x)``, which is zero at the event.
+    what: What
+    #: True if it ends the integration.
+    terminal: bool = False
+    #: 1: only where the function, or the output, rises; -1: only where it falls.
+    direction: float = 0.0
+
 
 #: Names of the methods, and what each is for.
 METHODS = {
@@ -33,10 +51,10 @@ METHODS = {
     "Vern7": "order 7, Verner",
     "Vern9": "order 9, Verner",
     "Taylor": "power series of any order; needs `taylor` in `generate`",
-    "Rodas4": "order 4, stiff",
-    "Rodas5P": "order 5, stiff",
-    "Radau5": "order 5, stiff, implicit",
-    "Auto": "explicit, and implicit while the system is stiff",
+    "Rodas4": "order 4, stiff; needs `jacobian` in `generate`, as it has by default",
+    "Rodas5P": "order 5, stiff; needs `jacobian`",
+    "Radau5": "order 5, stiff, implicit; needs `jacobian`",
+    "Auto": "explicit, and implicit while the system is stiff; needs `jacobian`",
 }
 
 
@@ -45,17 +63,22 @@ def _vector(what: str, values: ArrayLike) -> NDArray[np.float64]:
     return _array(what, values, 1)
 
 
-def _array(what: str, values: ArrayLike, dimensions: int) -> NDArray[np.float64]:
+def _numbers(what: str, values: ArrayLike) -> NDArray[np.float64]:
     try:
-        array = np.ascontiguousarray(values, dtype=np.float64)
+        array = np.asarray(values)
+        if array.dtype.kind == "c":
+            raise TypeError("they are complex")
+        return np.asarray(array, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise TypeError(f"{what} must be an array of numbers: {error}") from None
-    if np.iscomplexobj(values):
-        raise TypeError(f"{what} must be an array of real numbers")
+
+
+def _array(what: str, values: ArrayLike, dimensions: int) -> NDArray[np.float64]:
+    array = _numbers(what, values)
     if array.ndim != dimensions:
         shape = "one dimension" if dimensions == 1 else f"{dimensions} dimensions"
-        raise ValueError(f"{what} must have {shape}, not the shape {np.shape(values)}")
-    return array
+        raise ValueError(f"{what} must have {shape}, not the shape {array.shape}")
+    return np.ascontiguousarray(array)
 
 
 def _span(t_span: Sequence[float]) -> list[float]:
@@ -77,9 +100,44 @@ def _named(values: Mapping[str, float]) -> list[tuple[str, float]]:
     return [(name, _number(name, value)) for name, value in values.items()]
 
 
-def _method(method: str, settings: Mapping[str, float | None]) -> tuple[str, list[tuple[str, float]]]:
-    given = [(name, _number(name, value)) for name, value in settings.items() if value is not None]
-    return str(method), given
+def _names(what: str, names: str | Iterable[str] | None) -> list[str] | None:
+    if names is None:
+        return None
+    own = [names] if isinstance(names, str) else list(names)
+    if not all(isinstance(name, str) for name in own):
+        raise TypeError(f"{what} must be names, not {own!r}")
+    return own
+
+
+def _method(
+    method: str,
+    *,
+    h: float | None = None,
+    rtol: float | None = None,
+    atol: float | None = None,
+    first_step: float | None = None,
+    min_step: float | None = None,
+    max_step: float | None = None,
+    max_steps: int | None = None,
+) -> dict[str, Any]:
+    """Settings under their names in the native part."""
+
+    def number(name: str, value: float | None) -> float | None:
+        return None if value is None else _number(name, value)
+
+    steps = None if max_steps is None else operator.index(max_steps)
+    if steps is not None and steps < 1:
+        raise ValueError(f"max_steps must be positive, not {steps}")
+    return {
+        "method": str(method),
+        "h": number("h", h),
+        "rtol": number("rtol", rtol),
+        "atol": number("atol", atol),
+        "h0": number("first_step", first_step),
+        "h_min": number("min_step", min_step),
+        "h_max": number("max_step", max_step),
+        "max_steps": steps,
+    }
 
 
 class Model:
@@ -107,7 +165,8 @@ class Model:
         *,
         folder: str | os.PathLike[str] = "",
     ) -> None:
-        self._native = _native.Model(text, os.fspath(folder), _named(parameters or {}))
+        self._text, self._folder = text, os.fspath(folder)
+        self._native = _native.Model(text, self._folder, _named(parameters or {}))
 
     @classmethod
     def from_urdf(
@@ -117,7 +176,7 @@ class Model:
         gravity: Sequence[float] = (0.0, 0.0, -9.81),
         limits: bool = False,
         repair: bool = False,
-        generate: Iterable[str] | None = None,
+        generate: str | Iterable[str] | None = None,
     ) -> Model:
         """The robot of a URDF file.
 
@@ -134,17 +193,36 @@ class Model:
         generate
             Functions to generate. Default: ``rhs``, ``jacobian``, ``energy``, ``inverse_dynamics``, ``shapes``.
         """
-        gravity = _vector("gravity", gravity)
-        if len(gravity) != 3:
-            raise ValueError(f"gravity must have three components, not {len(gravity)}")
-        words = None if generate is None else list(generate)
-        return cls._of(_native.Model.robot(os.fspath(path), list(gravity), limits, repair, words))
+        own = _vector("gravity", gravity)
+        if len(own) != 3 or not np.isfinite(own).all():
+            raise ValueError(f"gravity must have three finite components, not {gravity!r}")
+        file = os.path.abspath(path)
+        with open(file, encoding="utf-8"):
+            # the error of a file that cannot be opened
+            pass
+        words = _names("generate", generate)
+        return cls(_native.Model.robot(file, own.tolist(), bool(limits), bool(repair), words))
 
-    @classmethod
-    def _of(cls, native: Any) -> Model:
-        model = cls.__new__(cls)
+    def _with(self, native: _native.Model) -> Model:
+        model = copy.copy(self)
         model._native = native
         return model
+
+    def __copy__(self) -> Model:
+        model = type(self).__new__(type(self))
+        model.__dict__.update(self.__dict__)
+        return model
+
+    def __deepcopy__(self, memo: Any) -> Model:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _rebuilt, (type(self), self._text, self._folder, self.parameters, self.inputs)
+
+    @property
+    def declaration(self) -> str:
+        """Text of the declaration, also of a robot from a file."""
+        return self._text
 
     # What it is.
 
@@ -177,7 +255,7 @@ class Model:
     def units(self) -> dict[str, str]:
         """Units of parameters, inputs and components of the state, by name."""
         quantities = self._native.parameters() + self._native.inputs()
-        return {name: unit for name, unit, *_ in [*quantities, *self._native.components()]}
+        return {name: unit for name, unit, _, _ in quantities} | dict(self._native.components())
 
     @property
     def outputs(self) -> list[str]:
@@ -231,11 +309,11 @@ class Model:
 
     def with_parameters(self, values: Mapping[str, float] | None = None, **more: float) -> Model:
         """Returns the model with other values of some parameters, in microseconds."""
-        return self._of(self._native.with_parameters(_named({**(values or {}), **more})))
+        return self._with(self._native.with_parameters(_named({**(values or {}), **more})))
 
     def with_inputs(self, values: Mapping[str, float] | None = None, **more: float) -> Model:
         """Returns the model with other values of some inputs."""
-        return self._of(self._native.with_inputs(_named({**(values or {}), **more})))
+        return self._with(self._native.with_inputs(_named({**(values or {}), **more})))
 
     def state(self, values: Mapping[str, float] | None = None, **more: float) -> NDArray[np.float64]:
         """A state with these components by name, and zeros elsewhere: ``model.state({"dot(theta)": 1}, theta=0.4)``."""
@@ -271,9 +349,7 @@ class Model:
         """Components of all outputs, by name."""
         return dict(zip(self.outputs, self._native.outputs_at(t, _vector("x", x)).tolist()))
 
-    def evaluate(
-        self, function: str, t: float, x: ArrayLike, *arguments: ArrayLike
-    ) -> NDArray[np.float64] | tuple[NDArray[np.float64], ...]:
+    def evaluate(self, function: str, t: float, x: ArrayLike, *arguments: ArrayLike) -> Any:
         """Evaluates a function of ``functions``, such as ``mass_matrix``.
 
         Parameters
@@ -287,8 +363,8 @@ class Model:
         """
         lists = [_vector(f"argument {n + 1}", own) for n, own in enumerate(arguments)]
         results = self._native.evaluate(function, t, _vector("x", x), lists)
-        results = tuple(own[:, 0] if own.shape[1] == 1 else own for own in results)
-        return results[0] if len(results) == 1 else results
+        own = tuple(_of_dimensions(array, dimensions) for array, dimensions in results)
+        return own[0] if len(own) == 1 else own
 
     # Motions.
 
@@ -301,14 +377,14 @@ class Model:
         method: str = "Vern9",
         rtol: float | None = None,
         atol: float | None = None,
-        events: Event | Iterable[Event] | None = None,
+        events: What | Event | Iterable[What | Event] | None = None,
         h: float | None = None,
         first_step: float | None = None,
         min_step: float | None = None,
         max_step: float | None = None,
         max_steps: int | None = None,
     ) -> Solution:
-        """Integrates from a state over a span, in the manner of ``scipy.integrate.solve_ivp``.
+        """Integrates from a state over a span, like ``scipy.integrate.solve_ivp``.
 
         Parameters
         ----------
@@ -321,43 +397,43 @@ class Model:
         method
             Name of a method: see ``METHODS``.
         rtol, atol
-            Relative and absolute tolerance.
+            Relative and absolute tolerance, each one number. Default: 1e-6 and 1e-9.
         events
-            Events: names of declared ones; names of outputs or components with a value, such as ``("tip.y", 0.0)``; or
-            functions ``event(t, x)`` that are zero at the event. A function may have the attributes ``terminal`` (ends
-            the integration) and ``direction`` (1: only where it rises, -1: only where it falls).
+            One event or several: names of declared ones; names of outputs or components with a value, such as
+            ``("tip.y", 0.0)``; functions ``event(t, x)`` that are zero at the event; or an ``Event`` with one of these.
+            A function may have the attributes ``terminal`` and ``direction``, as for SciPy.
         h
-            Length of the steps of ``Rk4``, ``Gauss4`` and ``Gauss6``, in s.
+            Length of the steps of ``Rk4``, ``Gauss4`` and ``Gauss6``, in s, which have no tolerances.
         first_step, min_step, max_step
             Lengths of steps of the other methods, in s.
         max_steps
-            Maximum number of steps.
+            Maximum number of steps. Default: a million.
 
         Returns
         -------
         Solution
             With ``success`` false if the integration stopped early, or was interrupted by Ctrl-C: it then has what was
-            reached.
+            reached, and ``message`` says why.
         """
-        settings = {
-            "rtol": rtol,
-            "atol": atol,
-            "h": h,
-            "h0": first_step,
-            "h_min": min_step,
-            "h_max": None if max_step is not None and np.isinf(max_step) else max_step,
-            "max_steps": max_steps,
-        }
-        if events is None:
-            given: list[Event] = []
-        elif isinstance(events, (str, tuple)) or callable(events):
-            given = [events]
-        else:
-            given = list(events)
-        times = None if t_eval is None else _vector("t_eval", t_eval)
-        native = self._native.solve(
-            _method(method, settings), _span(t_span), _vector("x0", x0), times, [_event(event) for event in given]
+        settings = _method(
+            method,
+            h=h,
+            rtol=rtol,
+            atol=atol,
+            first_step=first_step,
+            min_step=min_step,
+            max_step=max_step,
+            max_steps=max_steps,
         )
+        if events is None:
+            given: list[What | Event] = []
+        elif isinstance(events, (str, Event)) or callable(events) or _is_value(events):
+            given = [events]  # type: ignore[list-item]
+        else:
+            given = list(events)  # type: ignore[arg-type]
+        times = None if t_eval is None else _vector("t_eval", t_eval)
+        own = [_event(event) for event in given]
+        native = self._native.solve(settings, _span(t_span), _vector("x0", x0), times, own)
         return Solution._of(self, native, len(given), dense=times is None)
 
     def ensemble(
@@ -374,7 +450,7 @@ class Model:
         max_step: float | None = None,
         max_steps: int | None = None,
     ) -> Ensemble:
-        """Integrates many trajectories on all processors, without the lock of the interpreter.
+        """Integrates many trajectories on all processors, with the GIL released.
 
         Each trajectory has the bits of ``solve``. ``Rk4``, ``Tsit5``, ``Vern7`` and ``Vern9`` run side by side in
         vector registers, unless the mechanism has dry friction, stops or walls.
@@ -384,15 +460,14 @@ class Model:
         x0
             Initial states, of shape ``(m, n)``; or one state of shape ``(n,)`` for all.
         parameters
-            Values of parameters by name, each of shape ``(m,)``.
+            Values of parameters by name, each of shape ``(m,)``, or one number for all.
         t_eval
             Times at which states are kept. Default: none, only the final states.
         """
-        starts = np.asarray(x0, dtype=np.float64)
-        columns = {name: _vector(name, values) for name, values in (parameters or {}).items()}
-        lengths = {len(values) for values in columns.values()}
+        starts = _numbers("x0", x0)
+        columns = {name: _numbers(name, values) for name, values in (parameters or {}).items()}
         if starts.ndim == 1:
-            count = max(lengths, default=1)
+            count = max((len(values) for values in columns.values() if values.ndim), default=1)
             starts = np.broadcast_to(starts, (count, len(starts)))
         starts = _array("x0", starts, 2)
         if starts.shape[1] != len(self.states):
@@ -403,22 +478,23 @@ class Model:
             table = np.tile(list(own.values()), (len(starts), 1))
             for name, values in columns.items():
                 if name not in own:
-                    self.with_parameters({name: float(values[0]) if len(values) else 0.0})
-                if len(values) != len(starts):
-                    raise ValueError(f"{name} has {len(values)} values, and there are {len(starts)} initial states")
+                    # the error that names the most similar one
+                    self.with_parameters({name: 1.0})
+                if values.shape not in ((), (len(starts),)):
+                    raise ValueError(f"{name} has the shape {values.shape}, and there are {len(starts)} initial states")
                 table[:, list(own).index(name)] = values
-        settings = {"rtol": rtol, "atol": atol, "h": h, "h_max": max_step, "max_steps": max_steps}
+        settings = _method(method, h=h, rtol=rtol, atol=atol, max_step=max_step, max_steps=max_steps)
         times = _vector("t_eval", t_eval)
-        ends, samples, stopped = self._native.ensemble(_method(method, settings), _span(t_span), starts, table, times)
+        ends, samples, stopped = self._native.ensemble(settings, _span(t_span), starts, table, times)
         success = np.ones(len(starts), dtype=bool)
         success[[index for index, _, _ in stopped]] = False
         messages = {index: f"stopped at t = {t}: {reason}" for index, t, reason in stopped}
-        return Ensemble(t=times, x=samples, x_end=ends, success=success, messages=messages)
+        return Ensemble(t=times, y=samples.transpose(0, 2, 1), y_end=ends, success=success, messages=messages)
 
     # Analyses.
 
     def equilibria(self, *seeds: ArrayLike) -> Equilibria:
-        """Searches equilibria from some states; from the zero state if none is given."""
+        """Searches for equilibria from some states; from the zero state if none is given."""
         given = [_vector("seed", seed).tolist() for seed in seeds] or [self.state().tolist()]
         found, unsearched = self._native.equilibria(given)
         equilibria = [
@@ -458,7 +534,7 @@ class Model:
         self,
         t: ArrayLike,
         x0: ArrayLike,
-        by: Sequence[str],
+        by: str | Iterable[str],
         *,
         method: str = "Vern9",
         rtol: float | None = None,
@@ -475,19 +551,18 @@ class Model:
         method
             ``Vern9``, or ``Rodas5P`` for stiff systems.
         """
-        if isinstance(by, str):
-            by = [by]
+        names = _names("by", by) or []
         times = _vector("t", t)
-        settings = _method(method, {"rtol": rtol, "atol": atol})
-        x, derivatives = self._native.sensitivity(settings, times, _vector("x0", x0), list(by))
-        return Sensitivity(t=times, x=x.T, derivatives=np.array(derivatives), by=list(by))
+        settings = _method(method, rtol=rtol, atol=atol)
+        x, derivatives = self._native.sensitivity(settings, times, _vector("x0", x0), names)
+        return Sensitivity(t=times, y=x.T, derivatives=np.array(derivatives).transpose(1, 2, 0), by=names)
 
     def fit(
         self,
         t: ArrayLike | Sequence[Mapping[str, Any]],
         outputs: Mapping[str, ArrayLike] | None = None,
         *,
-        free: Iterable[str] | None = None,
+        free: str | Iterable[str] | None = None,
         noise: Mapping[str, float] | None = None,
         guess: ArrayLike | None = None,
         known: ArrayLike | None = None,
@@ -528,18 +603,20 @@ class Model:
             ``Vern9``, or ``Rodas5P`` for stiff systems.
         """
         if outputs is None:
-            experiments = list(t)  # type: ignore[arg-type]
+            if noise is not None or guess is not None or known is not None:
+                raise ValueError("of several experiments, each has its own `noise`, `guess` and `known`")
+            experiments: list[Any] = list(t)  # type: ignore[arg-type]
         else:
             experiments = [{"t": t, "outputs": outputs, "noise": noise, "guess": guess, "known": known}]
         options = {
-            "free": None if free is None else list(free),
-            "bounds": [(name, *map(float, pair)) for name, pair in (bounds or {}).items()],
-            "loss": (loss, 0.0) if isinstance(loss, str) else loss,
-            "windows": windows,
-            "separate_windows": separate_windows,
-            "max_iterations": max_iterations,
+            "free": _names("free", free),
+            "bounds": [_bounds(name, pair) for name, pair in (bounds or {}).items()],
+            "loss": _loss(loss),
+            "windows": None if windows is None else _number("windows", windows),
+            "separate_windows": None if separate_windows is None else _number("separate_windows", separate_windows),
+            "max_iterations": operator.index(max_iterations),
         }
-        settings = _method(method, {"rtol": rtol, "atol": atol})
+        settings = _method(method, rtol=rtol, atol=atol)
         result = self._native.fit(settings, [_experiment(own) for own in experiments], options)
         return Fit._of(self, result)
 
@@ -547,30 +624,73 @@ class Model:
         """Shapes for drawing: name, body, kind, points of shape ``(k, 3)`` in m, and radius in m."""
         return self._native.shapes(t, _vector("x", x))
 
+    def draw(self, x: ArrayLike | None = None, t: float = 0.0) -> Animation:
+        """A picture of the mechanism in a state, by default the zero state, for a notebook."""
+        return Animation(self.name, np.array([t]), [self.shapes(t, self.state() if x is None else x)], 1.0)
 
-def _event(event: Event) -> tuple[Any, int, bool]:
-    if isinstance(event, str):
-        return event, 0, False
-    if isinstance(event, tuple):
-        if len(event) != 2:
-            raise TypeError(f"an event is a name, a name with a value, or a function, not {event!r}")
-        return (str(event[0]), _number("the value of an event", event[1])), 0, False
-    if not callable(event):
-        raise TypeError(f"an event is a name, a name with a value, or a function, not {event!r}")
-    direction = getattr(event, "direction", 0)
-    return event, int(np.sign(direction)), bool(getattr(event, "terminal", False))
+
+def _rebuilt(
+    kind: type[Model], text: str, folder: str, parameters: dict[str, float], inputs: dict[str, float]
+) -> Model:
+    """A model from its pickle."""
+    model = kind(text, parameters, folder=folder)
+    return model.with_inputs(inputs) if inputs else model
+
+
+def _of_dimensions(array: NDArray[np.float64], dimensions: int) -> Any:
+    if dimensions == 0:
+        return float(array[0, 0])
+    return array[:, 0] if dimensions == 1 else array
+
+
+def _is_value(event: Any) -> bool:
+    """True for a name with a value."""
+    return isinstance(event, tuple) and len(event) == 2 and isinstance(event[0], str) and np.isscalar(event[1])
+
+
+def _event(event: What | Event) -> tuple[Any, int, bool]:
+    if isinstance(event, Event):
+        what, direction, terminal = event.what, event.direction, event.terminal
+    else:
+        what, direction, terminal = event, getattr(event, "direction", 0), getattr(event, "terminal", False)
+    if terminal > 1:
+        raise ValueError("an event ends the integration where it first occurs: terminal is true or false, not a count")
+    if _is_value(what):
+        name, value = what  # type: ignore[misc, str-unpack]
+        return (name, _number("the value of an event", value)), int(np.sign(direction)), bool(terminal)
+    if not isinstance(what, str) and not callable(what):
+        raise TypeError(f"an event is a name, a name with a value, or a function, not {what!r}")
+    return what, int(np.sign(direction)), bool(terminal)
+
+
+def _bounds(name: str, pair: tuple[float, float]) -> tuple[str, float, float]:
+    if np.shape(pair) != (2,):
+        raise ValueError(f"the bounds of {name} are two numbers, which may be infinite, not {pair!r}")
+    return name, _number("a bound", pair[0]), _number("a bound", pair[1])
+
+
+def _loss(loss: str | tuple[str, float]) -> tuple[str, float]:
+    name, threshold = (loss, None) if isinstance(loss, str) else loss
+    if threshold is None and name != "squares":
+        raise ValueError(f'give the threshold of the loss, in standard deviations of the noise: ("{name}", 1.5)')
+    return str(name), 0.0 if threshold is None else _number("the threshold of the loss", threshold)
 
 
 def _experiment(given: Mapping[str, Any]) -> dict[str, Any]:
+    if not isinstance(given, Mapping):
+        raise TypeError(f"give `outputs`, or a list of experiments, each a dict, not {given!r}")
     unknown = set(given) - {"t", "outputs", "noise", "guess", "known"}
     if unknown or "t" not in given or "outputs" not in given:
         raise ValueError("an experiment has `t` and `outputs`, and may have `noise`, `guess` and `known`")
     times, noise = _vector("t", given["t"]), given.get("noise") or {}
+    if strange := set(noise) - set(given["outputs"]):
+        raise ValueError(f"`noise` names {', '.join(sorted(strange))}, which is not among the outputs")
     outputs = [(name, _vector(name, values), noise.get(name)) for name, values in given["outputs"].items()]
     guess, known = given.get("guess"), given.get("known")
+    begin = float(times[0]) if len(times) else 0.0
     return {
         "t": times,
         "outputs": outputs,
         "guess": None if guess is None else _vector("guess", guess).tolist(),
-        "known": None if known is None else (float(times[0]), _vector("known", known).tolist()),
+        "known": None if known is None else (begin, _vector("known", known).tolist()),
     }
