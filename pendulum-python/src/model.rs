@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pendulum_runtime::{Event, Lyapunov, Method, Options, ResultShape, Robot, Stability, Stopped};
@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 
 use crate::error::exception;
 use crate::motion::{Motion, rows};
-use crate::wait::{wait, wait_to_the_end};
+use crate::wait::{Signals, wait_to_the_end};
 use crate::{ensemble, fit};
 
 /// A mechanism with values of its parameters and inputs.
@@ -66,13 +66,13 @@ enum What {
 
 /// Calls functions of the user, and keeps the first exception.
 struct Calls {
-    cancel: AtomicBool,
+    signals: Signals,
     raised: Mutex<Option<PyErr>>,
 }
 
 impl Calls {
     fn call(&self, function: &Py<PyAny>, t: f64, x: &[f64]) -> f64 {
-        if self.cancel.load(Ordering::Relaxed) {
+        if self.signals.cancel.load(Ordering::Relaxed) {
             // neither zero nor a sign
             return f64::NAN;
         }
@@ -81,8 +81,12 @@ impl Calls {
             value.extract::<f64>(py)
         });
         value.unwrap_or_else(|error| {
-            self.cancel.store(true, Ordering::Relaxed);
-            if let Ok(mut raised) = self.raised.lock() {
+            self.signals.cancel.store(true, Ordering::Relaxed);
+            let is_signal = Python::attach(|py| error.is_instance_of::<PyKeyboardInterrupt>(py));
+            if is_signal {
+                // it arrived while the function ran
+                self.signals.put(error);
+            } else if let Ok(mut raised) = self.raised.lock() {
                 raised.get_or_insert(error);
             }
             f64::NAN
@@ -304,7 +308,7 @@ impl Model {
     ) -> PyResult<Motion> {
         let method = method(py, settings)?;
         let calls = Calls {
-            cancel: AtomicBool::new(false),
+            signals: Signals::new(),
             raised: Mutex::new(None),
         };
         let events = events.into_iter().map(|(what, direction, terminal)| {
@@ -321,15 +325,18 @@ impl Model {
             };
             if terminal { event.terminal() } else { event }
         });
+        let is_cancelled = || calls.signals.is_cancelled();
         let options = Options {
             events: events.collect(),
             times: times.map(|times| times.as_slice().map(<[f64]>::to_vec)).transpose()?,
-            cancel: Some(&calls.cancel),
+            cancel: Some(&is_cancelled),
         };
         let x0 = x0.as_slice()?.to_vec();
-        let (ended, signal) = wait(py, &calls.cancel, || self.0.solve_with(&method, span, &x0, &options));
+        let ended = calls
+            .signals
+            .run(py, &self.0, || self.0.solve_with(&method, span, &x0, &options));
         drop(options);
-        let raised = calls.raised.into_inner().unwrap_or(None);
+        let (raised, signal) = (calls.raised.into_inner().unwrap_or(None), calls.signals.signal());
         if let Some(error) = raised {
             return Err(error);
         }
@@ -432,8 +439,12 @@ impl Model {
             transient,
             tolerance,
         };
-        let found = wait_to_the_end(py, || self.0.lyapunov(&x0, &settings));
-        let found = found.map_err(|error| exception(py, error))?;
+        let signals = Signals::new();
+        let found = signals.run(py, &self.0, || {
+            let cancel = || signals.is_cancelled();
+            self.0.lyapunov_unless(&x0, &settings, &cancel)
+        });
+        let found = signals.instead_of(py, found)?;
         Ok((found.values, found.uncertainty))
     }
 
@@ -450,8 +461,12 @@ impl Model {
         let method = method(py, settings)?;
         let (times, x0) = (times.as_slice()?.to_vec(), x0.as_slice()?.to_vec());
         let by: Vec<&str> = by.iter().map(String::as_str).collect();
-        let found = wait_to_the_end(py, || self.0.sensitivity(&method, &times, &x0, &by));
-        let found = found.map_err(|error| exception(py, error))?;
+        let signals = Signals::new();
+        let found = signals.run(py, &self.0, || {
+            let cancel = || signals.is_cancelled();
+            self.0.sensitivity_unless(&method, &times, &x0, &by, &cancel)
+        });
+        let found = signals.instead_of(py, found)?;
         let matrices = found.derivatives.iter();
         let matrices = matrices.map(|own| rows(py, own.transpose().as_slice().to_vec(), own.ncols()));
         Ok((

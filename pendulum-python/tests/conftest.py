@@ -37,6 +37,16 @@ pub Ball {
 """
 
 
+def chain(links: int) -> str:
+    """A chain of rods."""
+    bodies = "".join(
+        f"body b{n} on {f'b{n - 1}' if n else 'ground'} {{ mass: 1, joint: revolute(z) at [0, {-n and -1}, 0], "
+        f"com: [0, -1, 0], coordinate: q{n} }}\n"
+        for n in range(links)
+    )
+    return f"pub Chain {{ gravity: [0, -9.81, 0], generate: [rhs], {bodies} }}"
+
+
 @pytest.fixture(scope="session")
 def double() -> pendulum.Model:
     return pendulum.Model(DOUBLE)

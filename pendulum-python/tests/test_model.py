@@ -7,6 +7,7 @@ import pickle
 import numpy as np
 import pendulum_dynamics as pendulum
 import pytest
+from conftest import chain
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -108,7 +109,13 @@ def test_errors_have_their_place():
     [
         (lambda m: m.rhs(0, [1, 2, 3]), ValueError, "3 entries, and 4 are needed"),
         (lambda m: m.rhs(0, [[1, 2, 3, 4]]), ValueError, "one dimension"),
-        (lambda m: m.rhs(0, "abcd"), TypeError, "array of numbers"),
+        (lambda m: m.rhs(0, "abcd"), TypeError, "array of real numbers"),
+        (lambda m: m.solve((0, 1), None), TypeError, "x0"),
+        (lambda m: m.solve((0, 1), [None, 0, 0, 0]), TypeError, "x0"),
+        (lambda m: m.state([1, 2]), TypeError, "by name"),
+        (lambda m: m.equilibria([np.nan, 0, 0, 0]), ValueError, "finite"),
+        (lambda m: m.fit([0, 1], {"a": [0, 1]}, guess=[0] * 4, known=[0] * 4), ValueError, "either"),
+        (lambda m: m.solve((0, 1), [0] * 4, events=pendulum.Event("turns", direction="up")), TypeError, "direction"),
         (lambda m: m.rhs(0, [1j, 0, 0, 0]), TypeError, "numbers"),
         (lambda m: m.solve((0, 1), [0, 0, np.nan, 0]), ValueError, "finite"),
         (lambda m: m.solve((0, np.inf), [0, 0, 0, 0]), ValueError, "finite"),
@@ -143,7 +150,7 @@ def test_errors_have_their_place():
         (lambda m: m.sensitivity([0, 1], [0, 0, 0, 0], []), ValueError, "by"),
         (lambda m: m.lyapunov([0, 0, 0, 0], duration=-1), ValueError, "duration"),
         (lambda m: m.solve((0, 1), [0, 0, 0, 0], max_steps=-1), ValueError, "max_steps"),
-        (lambda m: m.ensemble((0, 1), np.zeros((2, 4)) * 1j), TypeError, "complex"),
+        (lambda m: m.ensemble((0, 1), np.zeros((2, 4)) * 1j), TypeError, "real"),
         (lambda m: pendulum.Model.from_urdf("a.urdf", gravity=[0, 0, np.nan]), ValueError, "gravity"),
         (lambda m: m.fit([0, 1], {"a": [0, 1, 2]}), ValueError, "a"),
         (lambda m: pendulum.Model.from_urdf("nowhere.urdf"), FileNotFoundError, "nowhere.urdf"),
@@ -156,10 +163,5 @@ def test_what_is_wrong_is_said(double, call, error, says):
 
 
 def test_the_longest_state():
-    bodies = "".join(
-        f"body b{n} on {f'b{n - 1}' if n else 'ground'} {{ mass: 1, joint: revolute(z) at [0, {-n and -1}, 0], "
-        f"com: [0, -1, 0], coordinate: q{n} }}\n"
-        for n in range(33)
-    )
     with pytest.raises(ValueError, match="66 entries, and at most 64"):
-        pendulum.Model(f"pub Chain {{ generate: [rhs], {bodies} }}")
+        pendulum.Model(chain(33))

@@ -2,12 +2,14 @@
 
 import _thread
 import os
+import pickle
 import threading
 import time
 
 import numpy as np
 import pendulum_dynamics as pendulum
 import pytest
+from conftest import chain
 from scipy.integrate import solve_ivp
 
 START = [2.0, 1.0, 0.0, 0.5]
@@ -75,6 +77,10 @@ def test_an_event_has_a_direction_and_an_end(double):
     rising = pendulum.Event(("tip.x", 0.0), direction=1)
     own = double.solve((0, 5), START, events=(rising, pendulum.Event("turns", terminal=True)))
     assert own.status == 1 and len(own.t_events[1]) == 1 and own.end[0] == own.t_events[1][0]
+    falling = lambda t, x: x[0]  # noqa: E731
+    falling.direction = -1
+    one, other = (double.solve((0, 5), START, events=event) for event in (falling, pendulum.Event(falling)))
+    assert one.t_events[0].tolist() == other.t_events[0].tolist()
     with pytest.raises(ValueError, match="count"):
         double.solve((0, 5), START, events=pendulum.Event("turns", terminal=3))
 
@@ -87,6 +93,12 @@ def test_a_function_may_solve(double):
         return 1.0
 
     assert double.solve((0, 0.1), START, events=event).success and len(lengths) > 2
+
+
+def test_a_solution_can_be_sent(double):
+    own = double.solve((0, 1), START)
+    other = pickle.loads(pickle.dumps(own))
+    assert other.y.tolist() == own.y.tolist() and other.sol is None and other.model.parameters == double.parameters
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there are no forks")
@@ -122,13 +134,33 @@ def test_an_exception_of_an_event_is_raised(double):
         double.solve((0, 1), START, events=lambda t, x: "no number")
 
 
-def test_an_interrupt_returns_what_was_reached(double):
+def test_an_interrupt_has_what_was_reached(double):
+    for model, start in ((double, START), (pendulum.Model(chain(12)), [0.1] * 24)):
+        threading.Timer(0.3, _thread.interrupt_main).start()
+        began = time.monotonic()
+        with pytest.raises(KeyboardInterrupt) as caught:
+            model.solve((0, 1e9), start, max_steps=10**9, t_eval=[0.0, 1e-3], events=[lambda t, x: -1.0])
+        assert time.monotonic() - began < 2.0
+        own = caught.value.result
+        assert isinstance(caught.value, pendulum.Interrupted)
+        assert (own.status, own.success, own.message) == (-1, False, "interrupted")
+        assert own.end[0] > 1e-3 and own.t.tolist() == [0.0, 1e-3] and len(own.t_events[0]) == 0
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda m: m.ensemble((0, 1e9), [START] * 40, max_steps=10**9),
+        lambda m: m.lyapunov(START, 4, duration=1e9),
+        lambda m: m.sensitivity([0, 1e9], START, ["l"]),
+    ],
+)
+def test_an_interrupt_ends_what_is_long(double, call):
     threading.Timer(0.3, _thread.interrupt_main).start()
     began = time.monotonic()
-    own = double.solve((0, 1e9), START, max_steps=10**9, t_eval=[0.0, 1.0], events=[lambda t, x: -1.0])
-    assert time.monotonic() - began < 2.0
-    assert (own.status, own.success, own.message) == (-1, False, "interrupted")
-    assert own.end[0] > 1.0 and own.t.tolist() == [0.0, 1.0] and len(own.t_events[0]) == 0
+    with pytest.raises(KeyboardInterrupt):
+        call(double)
+    assert time.monotonic() - began < 3.0
 
 
 def test_too_many_steps_return_what_was_reached(double):

@@ -5,9 +5,12 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use pendulum_codegen::program::Program;
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Span, TokenStream, TokenTree};
 
 use crate::worker;
+
+/// Longest line that a message shows, in bytes.
+const LONGEST: usize = 300;
 
 /// Errors in a declaration, in the order of the text: those that `mechanism!` reports.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,10 +45,13 @@ impl fmt::Display for Problem {
         let margin = " ".repeat(number.len());
         writeln!(f, "error[{}]: {}", self.code, self.message)?;
         writeln!(f, "{margin}--> line {}, column {}", self.line, self.column)?;
-        writeln!(f, "{margin} |")?;
-        writeln!(f, "{number} | {}", self.source)?;
-        let before = " ".repeat(self.column.saturating_sub(1));
-        writeln!(f, "{margin} | {before}{}", "^".repeat(self.width))?;
+        // not a text in a single line
+        if self.source.len() <= LONGEST {
+            writeln!(f, "{margin} |")?;
+            writeln!(f, "{number} | {}", self.source)?;
+            let before = " ".repeat(self.column.saturating_sub(1));
+            writeln!(f, "{margin} | {before}{}", "^".repeat(self.width))?;
+        }
         write!(f, "{margin} = help: {}", self.help)
     }
 }
@@ -76,17 +82,32 @@ pub(crate) fn program(text: &str, folder: &Path) -> Result<Program, DeclarationE
                 help,
             )
         })?;
-        pendulum_codegen::program_with(tokens, &|name| file(folder, name)).map_err(|errors| DeclarationError {
-            problems: errors
-                .iter()
-                .map(|error| {
-                    let message = error.to_string();
-                    let (fact, help) = message.split_once("\nhelp: ").unwrap_or((&message, ""));
-                    problem(text, error.span(), fact, help)
-                })
-                .collect(),
+        pendulum_codegen::program_with(unwrapped(tokens), &|name| file(folder, name)).map_err(|errors| {
+            DeclarationError {
+                problems: errors
+                    .iter()
+                    .map(|error| {
+                        let message = error.to_string();
+                        let (fact, help) = message.split_once("\nhelp: ").unwrap_or((&message, ""));
+                        problem(text, error.span(), fact, help)
+                    })
+                    .collect(),
+            }
         })
     })
+}
+
+/// Declaration without `mechanism! { .. }` around it, as it stands in Rust.
+fn unwrapped(tokens: TokenStream) -> TokenStream {
+    let all: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    match &all[..] {
+        [TokenTree::Ident(name), TokenTree::Punct(mark), TokenTree::Group(group)]
+            if name == "mechanism" && mark.as_char() == '!' =>
+        {
+            group.stream()
+        }
+        _ => tokens,
+    }
 }
 
 impl From<Problem> for DeclarationError {

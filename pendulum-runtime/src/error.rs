@@ -108,7 +108,11 @@ impl fmt::Display for Error {
                 if strsim::damerau_levenshtein(&name.to_lowercase(), &known[0].to_lowercase()) <= 1 + name.len() / 3 {
                     write!(f, "; did you mean `{}`?", known[0])?;
                 }
-                write!(f, " [known: {}]", known.join(", "))
+                write!(f, " [known: {}]", known.join(", "))?;
+                match *what {
+                    "function" => f.write_str("; there are those that `generate: [..]` in the declaration asks for"),
+                    _ => Ok(()),
+                }
             }
             Self::Length { what, given, needed } => write!(f, "{what} has {given} entries, and {needed} are needed"),
             Self::TooLong { what, length, most } => {

@@ -22,6 +22,9 @@ use crate::solve::{Motion, Options, Stopped};
 use crate::stability::{Equilibrium, Exponents, Lyapunov, Resting};
 use crate::worker;
 
+/// Length of the states up to which a single motion needs no large stack.
+const SHORT: usize = 16;
+
 /// A mechanism with values of its parameters and inputs. Clones share everything.
 #[derive(Clone)]
 pub struct Model {
@@ -130,6 +133,10 @@ impl Model {
     }
 
     fn of(program: &Program, values: &[(&str, f64)]) -> Result<Self, Error> {
+        if program.routine("rhs").is_none() {
+            let what = "a model".to_owned();
+            return Err(Error::NotGenerated { what, word: "rhs" });
+        }
         let text = pendulum_codegen::tape(program);
         let tape: Arc<Tape> = Arc::new(text.parse().expect("what is printed can be read"));
         let about = Arc::new(About::new(program, tape.clone()));
@@ -175,6 +182,13 @@ impl Model {
             let names = || self.about.inputs.iter().map(|own| own.name.as_str());
             let n = names().position(|own| own == name);
             inputs[n.ok_or_else(|| Error::unknown("input", name, names()))?] = value;
+            if !value.is_finite() {
+                let rule = format!("an input must be finite, not {value}");
+                return Err(Error::Setting {
+                    what: name.to_owned(),
+                    rule,
+                });
+            }
         }
         self.changed(self.values(), &inputs)
     }
@@ -413,7 +427,7 @@ impl Model {
     ) -> Result<Motion, Stopped> {
         self.check_state(x0)?;
         self.check_method(method)?;
-        worker::run(|| self.engine.solve(method, span, x0, options))
+        self.run(|| self.engine.solve(method, span, x0, options))
     }
 
     /// Integrates many trajectories on all processors, in lanes of vector registers. Their states are those of
@@ -432,8 +446,12 @@ impl Model {
     /// If a state has another length, if `generate` does not have `jacobian`, or if the mechanism depends on time.
     pub fn equilibria(&self, seeds: &[Vec<f64>]) -> Result<(Vec<Equilibrium>, Vec<String>), Error> {
         seeds.iter().try_for_each(|seed| self.check_state(seed))?;
+        if !seeds.iter().flatten().all(|x| x.is_finite()) {
+            let (what, rule) = ("seed".to_owned(), "its components must be finite".to_owned());
+            return Err(Error::Setting { what, rule });
+        }
         self.needs("the search for equilibria", "jacobian", "jacobian")?;
-        worker::run(|| self.engine.equilibria(seeds))
+        self.run(|| self.engine.equilibria(seeds))
     }
 
     /// Finds a state of rest near a state, held by dry friction and contacts.
@@ -443,7 +461,7 @@ impl Model {
     pub fn resting(&self, seed: &[f64]) -> Result<Resting, Error> {
         self.check_state(seed)?;
         self.needs("the search for a state of rest", "jacobian", "jacobian")?;
-        worker::run(|| self.engine.resting(seed))
+        self.run(|| self.engine.resting(seed))
     }
 
     /// Computes the largest Lyapunov exponents of a trajectory, by the settings given.
@@ -451,6 +469,20 @@ impl Model {
     /// # Errors
     /// If a setting or the state is invalid, if `generate` does not have `jacobian`, or if the trajectory stops early.
     pub fn lyapunov(&self, x0: &[f64], settings: &Lyapunov) -> Result<Exponents, Error> {
+        self.lyapunov_unless(x0, settings, &|| false)
+    }
+
+    /// Like [`lyapunov`](Self::lyapunov), but ends with an error when `cancel` returns true, which is called after each
+    /// step.
+    ///
+    /// # Errors
+    /// See [`lyapunov`](Self::lyapunov).
+    pub fn lyapunov_unless(
+        &self,
+        x0: &[f64],
+        settings: &Lyapunov,
+        cancel: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Exponents, Error> {
         self.check_state(x0)?;
         self.needs("the computation of exponents", "jacobian", "jacobian")?;
         if settings.count > self.components().len() {
@@ -459,7 +491,7 @@ impl Model {
             let rule = format!("there are {count}, and a state of this length has at most {length} exponents");
             return Err(Error::Setting { what, rule });
         }
-        worker::run(|| self.engine.lyapunov(x0, settings))
+        self.run(|| self.engine.lyapunov(x0, settings, cancel))
     }
 
     /// Integrates from the first of the times to the last, with the derivatives of the states by components of the
@@ -468,6 +500,22 @@ impl Model {
     /// # Errors
     /// If a name, a setting or the state is invalid, or if the trajectory stops early.
     pub fn sensitivity(&self, method: &Method, times: &[f64], x0: &[f64], by: &[&str]) -> Result<Sensitivity, Error> {
+        self.sensitivity_unless(method, times, x0, by, &|| false)
+    }
+
+    /// Like [`sensitivity`](Self::sensitivity), but ends with an error when `cancel` returns true, which is called after
+    /// each step.
+    ///
+    /// # Errors
+    /// See [`sensitivity`](Self::sensitivity).
+    pub fn sensitivity_unless(
+        &self,
+        method: &Method,
+        times: &[f64],
+        x0: &[f64],
+        by: &[&str],
+        cancel: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Sensitivity, Error> {
         self.check_state(x0)?;
         self.check_method(method)?;
         let components = || self.components().iter().map(|own| own.name.as_str());
@@ -479,7 +527,7 @@ impl Model {
             parameter.or_else(start).ok_or_else(unknown)
         };
         let by: Vec<Variable> = by.iter().map(variable).collect::<Result<_, _>>()?;
-        worker::run(|| self.engine.sensitivity(method, times, x0, &by))
+        self.run(|| self.engine.sensitivity(method, times, x0, &by, cancel))
     }
 
     /// Fits parameters to measurements.
@@ -496,6 +544,18 @@ impl Model {
                 .try_for_each(|x| self.check_state(x))?;
         }
         worker::on_all(|| self.engine.fit(fit, experiments))
+    }
+
+    /// True if a single motion is integrated on the thread of the caller, since its state is short; others need a larger
+    /// stack.
+    #[must_use]
+    pub fn is_short(&self) -> bool {
+        self.components().len() <= SHORT
+    }
+
+    /// Runs work on a thread with a large stack, if the state needs it: a thread costs more than a short motion.
+    fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        if self.is_short() { work() } else { worker::run(work) }
     }
 
     fn check_state(&self, x: &[f64]) -> Result<(), Error> {

@@ -41,6 +41,9 @@ pub(crate) fn build(tape: &Arc<Tape>, params: &[f64]) -> Result<Arc<dyn Engine>,
     })
 }
 
+/// Function that ends a computation when it returns true.
+pub(crate) type Cancel<'c> = dyn Fn() -> bool + Sync + 'c;
+
 /// State with padding.
 pub(crate) fn padded<const N: usize>(x: &[f64]) -> SVector<f64, N> {
     SVector::from_fn(|n, _| x.get(n).copied().unwrap_or_default())
@@ -62,13 +65,14 @@ pub(crate) trait Engine: Send + Sync {
     fn ensemble(&self, method: &Method, span: [f64; 2], members: &Members<'_>) -> Result<Ensemble, Error>;
     fn equilibria(&self, seeds: &[Vec<f64>]) -> Result<(Vec<Equilibrium>, Vec<String>), Error>;
     fn resting(&self, seed: &[f64]) -> Result<Resting, Error>;
-    fn lyapunov(&self, x0: &[f64], settings: &Lyapunov) -> Result<Exponents, Error>;
+    fn lyapunov(&self, x0: &[f64], settings: &Lyapunov, cancel: &Cancel<'_>) -> Result<Exponents, Error>;
     fn sensitivity(
         &self,
         method: &Method,
         times: &[f64],
         x0: &[f64],
         by: &[pendulum_core::sensitivity::Variable],
+        cancel: &Cancel<'_>,
     ) -> Result<Sensitivity, Error>;
     fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error>;
 }
@@ -138,8 +142,8 @@ impl<const N: usize> Engine for Padded<f64, N> {
         stability::resting(self, seed)
     }
 
-    fn lyapunov(&self, x0: &[f64], settings: &Lyapunov) -> Result<Exponents, Error> {
-        stability::lyapunov(self, x0, settings)
+    fn lyapunov(&self, x0: &[f64], settings: &Lyapunov, cancel: &Cancel<'_>) -> Result<Exponents, Error> {
+        stability::lyapunov(self, x0, settings, cancel)
     }
 
     fn sensitivity(
@@ -148,8 +152,9 @@ impl<const N: usize> Engine for Padded<f64, N> {
         times: &[f64],
         x0: &[f64],
         by: &[pendulum_core::sensitivity::Variable],
+        cancel: &Cancel<'_>,
     ) -> Result<Sensitivity, Error> {
-        sensitivity::sensitivity(self, method, times, x0, by)
+        sensitivity::sensitivity(self, method, times, x0, (by, cancel))
     }
 
     fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error> {

@@ -8,7 +8,7 @@ use pendulum_core::{Observer, Reason};
 
 use crate::error::Error;
 use crate::method::{Method, TaskWithDerivatives};
-use crate::padded::{Padded, padded};
+use crate::padded::{Cancel, Padded, padded};
 use crate::solve::check_times;
 
 /// Number of derivatives that are carried at once.
@@ -38,12 +38,17 @@ pub(crate) fn check_parameters<const N: usize>(model: &Padded<f64, N>) -> Result
 
 /// Samples of a trajectory in dual numbers.
 struct Samples<'t, const N: usize> {
+    cancel: &'t Cancel<'t>,
     times: &'t [f64],
     forward: bool,
     x: Vec<SVector<Dual<f64, PART>, N>>,
 }
 
 impl<const N: usize> Observer<Dual<f64, PART>, N> for Samples<'_, N> {
+    fn is_cancelled(&self) -> bool {
+        (self.cancel)()
+    }
+
     fn start(&mut self, t: Dual<f64, PART>, x: &SVector<Dual<f64, PART>, N>) {
         let at_start = self.times.iter().take_while(|own| **own == t.value);
         self.x.extend(at_start.map(|_| *x));
@@ -60,6 +65,7 @@ impl<const N: usize> Observer<Dual<f64, PART>, N> for Samples<'_, N> {
 }
 
 struct Part<'m, const N: usize> {
+    cancel: &'m Cancel<'m>,
     model: &'m Padded<f64, N>,
     times: &'m [f64],
     x0: SVector<f64, N>,
@@ -73,6 +79,7 @@ impl<const N: usize> TaskWithDerivatives<N> for Part<'_, N> {
         let (model, x0) = sensitivity::seeded::<_, N, MOST_PARAMETERS, PART>(self.model, self.x0, self.by);
         let (first, last) = (self.times[0], self.times[self.times.len() - 1]);
         let mut samples = Samples {
+            cancel: self.cancel,
             times: self.times,
             forward: last >= first,
             x: Vec::with_capacity(self.times.len()),
@@ -90,7 +97,7 @@ pub(crate) fn sensitivity<const N: usize>(
     method: &Method,
     times: &[f64],
     x0: &[f64],
-    by: &[Variable],
+    (by, cancel): (&[Variable], &Cancel<'_>),
 ) -> Result<Sensitivity, Error> {
     check_parameters(model)?;
     let length = x0.len();
@@ -114,7 +121,13 @@ pub(crate) fn sensitivity<const N: usize>(
         // the last part repeats a variable
         let by = std::array::from_fn(|k| variables.get(k).copied().unwrap_or(variables[0]));
         let x0 = padded(x0);
-        let states = method.run_with_derivatives(Part { model, times, x0, by })??;
+        let states = method.run_with_derivatives(Part {
+            cancel,
+            model,
+            times,
+            x0,
+            by,
+        })??;
         for (x, derivatives) in states.iter().zip(&mut sensitivity.derivatives) {
             for k in 0..variables.len() {
                 let column = x.iter().take(length).map(|component| component.slopes[k]);

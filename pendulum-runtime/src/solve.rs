@@ -1,7 +1,6 @@
 //! Integration of one trajectory.
 
 use std::fmt;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::SVector;
 use pendulum_core::dense::Dense;
@@ -152,15 +151,25 @@ impl fmt::Debug for Event<'_> {
 }
 
 /// Options of an integration.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Options<'e> {
     /// Events.
     pub events: Vec<Event<'e>>,
     /// Times at which states are kept, in the direction of the integration; `None` for the ends of all steps, and all
     /// states between them.
     pub times: Option<Vec<f64>>,
-    /// Ends the integration with what was reached when it becomes true.
-    pub cancel: Option<&'e AtomicBool>,
+    /// Ends the integration with what was reached when it returns true. It is called after each step, on the thread
+    /// that integrates.
+    pub cancel: Option<&'e (dyn Fn() -> bool + Sync)>,
+}
+
+impl fmt::Debug for Options<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Options")
+            .field("events", &self.events)
+            .field("times", &self.times)
+            .finish_non_exhaustive()
+    }
 }
 
 /// A trajectory.
@@ -410,7 +419,7 @@ struct Recorder<'t, const N: usize> {
     terminal: &'t [bool],
     ended_by: Option<usize>,
     last: (f64, SVector<f64, N>),
-    cancel: Option<&'t AtomicBool>,
+    cancel: Option<&'t (dyn Fn() -> bool + Sync)>,
 }
 
 impl<const N: usize> Observer<f64, N> for Recorder<'_, N> {
@@ -431,7 +440,7 @@ impl<const N: usize> Observer<f64, N> for Recorder<'_, N> {
     }
 
     fn is_cancelled(&self) -> bool {
-        self.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed))
+        self.cancel.is_some_and(|cancel| cancel())
     }
 
     fn within(&mut self, tolerance: pendulum_core::method::Tolerance<f64>) {

@@ -101,6 +101,7 @@ pub(crate) fn lyapunov<const N: usize>(
     model: &Padded<f64, N>,
     x0: &[f64],
     settings: &Lyapunov,
+    cancel: &(dyn Fn() -> bool + Sync),
 ) -> Result<Exponents, Error> {
     let method = stability::Lyapunov::new()
         .duration(settings.duration)
@@ -110,15 +111,16 @@ pub(crate) fn lyapunov<const N: usize>(
         method: &stability::Lyapunov,
         model: &impl Jacobian<f64, N>,
         x0: &[f64],
+        cancel: &dyn Fn() -> bool,
     ) -> Result<[Vec<f64>; 2], StabilityError> {
-        let found = method.exponents::<K, N>(model, padded::<N>(x0))?;
+        let found = method.exponents_unless::<K, N>(model, padded::<N>(x0), cancel)?;
         Ok([found.values.to_vec(), found.uncertainty.to_vec()])
     }
     let [values, uncertainty] = match settings.count {
-        1 => of::<1, N>(&method, model, x0)?,
-        2 => of::<2, N>(&method, model, x0)?,
-        3 => of::<3, N>(&method, model, x0)?,
-        4 => of::<4, N>(&method, model, x0)?,
+        1 => of::<1, N>(&method, model, x0, cancel)?,
+        2 => of::<2, N>(&method, model, x0, cancel)?,
+        3 => of::<3, N>(&method, model, x0, cancel)?,
+        4 => of::<4, N>(&method, model, x0, cancel)?,
         count => {
             return Err(Error::Setting {
                 what: "count".to_owned(),

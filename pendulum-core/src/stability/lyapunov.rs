@@ -136,6 +136,20 @@ impl Lyapunov {
         system: &(impl Jacobian<f64, N> + ?Sized),
         x0: impl IntoState<f64, N>,
     ) -> Result<Exponents<K, N>, StabilityError> {
+        self.exponents_unless(system, x0, &|| false)
+    }
+
+    /// Like [`exponents`](Self::exponents), but ends with [`Reason::Cancelled`] when `is_cancelled` returns true, which
+    /// is called after each step.
+    ///
+    /// # Errors
+    /// See [`exponents`](Self::exponents).
+    pub fn exponents_unless<const K: usize, const N: usize>(
+        &self,
+        system: &(impl Jacobian<f64, N> + ?Sized),
+        x0: impl IntoState<f64, N>,
+        is_cancelled: &dyn Fn() -> bool,
+    ) -> Result<Exponents<K, N>, StabilityError> {
         self.check::<K, N>(system)?;
         let flow = flow::<K>(self.tolerance).h_max(self.h_max());
         let mut stepper = flow.stepper(system, 0.0, self.end(), x0)?;
@@ -150,6 +164,9 @@ impl Lyapunov {
             keep_to_directions(system, (step.t1, &step.x1), &mut stepper.scheme_mut().tangents);
             let lengths = orthonormalize(&mut stepper.scheme_mut().tangents, system.active());
             growth.count((step.t0, step.h), lengths);
+            if is_cancelled() {
+                return Err(Reason::Cancelled.into());
+            }
         }
         Ok(growth.exponents(stepper.t(), stepper.x()))
     }

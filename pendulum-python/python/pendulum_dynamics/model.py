@@ -7,6 +7,7 @@ import operator
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Union
 
 import numpy as np
@@ -20,6 +21,7 @@ from .results import (
     Equilibrium,
     Exponents,
     Fit,
+    Interrupted,
     Resting,
     Sensitivity,
     Solution,
@@ -30,16 +32,27 @@ What = Union[str, "tuple[str, float]", Callable[[float, NDArray[np.float64]], fl
 
 @dataclass(frozen=True)
 class Event:
-    """An event, and what it does."""
+    """An event, and what it does.
 
-    #: Name of a declared event; name of an output or component with a value, such as ``("tip.y", 0.0)``; or a function
-    #: ``event(t, x)``, which is zero at the event.
+    Attributes
+    ----------
+    what
+        Name of a declared event; name of an output or component with a value, such as ``("tip.y", 0.0)``; or a
+        function ``event(t, x)``, which is zero at the event. A terminal event does not end the integration at its start.
+    terminal
+        True if it ends the integration. Default: the attribute of the function, or false.
+    direction
+        1: only where the function, or the output, rises; -1: only where it falls. Default: the attribute of the
+        function, or 0.
+    """
+
     what: What
-    #: True if it ends the integration.
-    terminal: bool = False
-    #: 1: only where the function, or the output, rises; -1: only where it falls.
-    direction: float = 0.0
+    terminal: bool | None = None
+    direction: float | None = None
 
+
+#: Message of the native part at an interrupt.
+INTERRUPTED = "interrupted"
 
 #: Names of the methods, and what each is for.
 METHODS = {
@@ -64,13 +77,15 @@ def _vector(what: str, values: ArrayLike) -> NDArray[np.float64]:
 
 
 def _numbers(what: str, values: ArrayLike) -> NDArray[np.float64]:
+    if np.ma.is_masked(values):
+        raise TypeError(f"{what} must be an array of numbers, without a mask")
     try:
         array = np.asarray(values)
-        if array.dtype.kind == "c":
-            raise TypeError("they are complex")
-        return np.asarray(array, dtype=np.float64)
-    except (TypeError, ValueError) as error:
+    except ValueError as error:
         raise TypeError(f"{what} must be an array of numbers: {error}") from None
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"{what} must be an array of real numbers, not {values!r:.80}")
+    return array.astype(np.float64, copy=False)
 
 
 def _array(what: str, values: ArrayLike, dimensions: int) -> NDArray[np.float64]:
@@ -90,14 +105,20 @@ def _span(t_span: Sequence[float]) -> list[float]:
 
 def _number(name: str, value: Any) -> float:
     """A number, or an error that names it."""
+    if isinstance(value, str):
+        raise TypeError(f"{name} must be a number, not {value!r}")
     try:
         return float(value)
     except (TypeError, ValueError):
         raise TypeError(f"{name} must be a number, not {value!r}") from None
 
 
-def _named(values: Mapping[str, float]) -> list[tuple[str, float]]:
-    return [(name, _number(name, value)) for name, value in values.items()]
+def _named(
+    values: Mapping[str, float] | None, more: Mapping[str, float] = MappingProxyType({})
+) -> list[tuple[str, float]]:
+    if values is not None and not isinstance(values, Mapping):
+        raise TypeError(f"give values by name, as a dict, not {values!r:.80}")
+    return [(name, _number(name, value)) for name, value in {**(values or {}), **more}.items()]
 
 
 def _names(what: str, names: str | Iterable[str] | None) -> list[str] | None:
@@ -166,7 +187,7 @@ class Model:
         folder: str | os.PathLike[str] = "",
     ) -> None:
         self._text, self._folder = text, os.fspath(folder)
-        self._native = _native.Model(text, self._folder, _named(parameters or {}))
+        self._native = _native.Model(text, self._folder, _named(parameters))
 
     @classmethod
     def from_urdf(
@@ -302,22 +323,25 @@ class Model:
         return f"$$\n{self.latex}\n$$"
 
     def __repr__(self) -> str:
-        values = ", ".join(f"{name}={value:g}" for name, value in self.parameters.items())
+        values = ", ".join(f"{name}={value:g}" for name, value in (self.parameters | self.inputs).items())
         return f"<Model {self.name}({values}) with the states {', '.join(self.states)}>"
 
     # Other values.
 
-    def with_parameters(self, values: Mapping[str, float] | None = None, **more: float) -> Model:
+    def with_parameters(self, values: Mapping[str, float] | None = None, /, **more: float) -> Model:
         """Returns the model with other values of some parameters, in microseconds."""
-        return self._with(self._native.with_parameters(_named({**(values or {}), **more})))
+        return self._with(self._native.with_parameters(_named(values, more)))
 
-    def with_inputs(self, values: Mapping[str, float] | None = None, **more: float) -> Model:
+    def with_inputs(self, values: Mapping[str, float] | None = None, /, **more: float) -> Model:
         """Returns the model with other values of some inputs."""
-        return self._with(self._native.with_inputs(_named({**(values or {}), **more})))
+        return self._with(self._native.with_inputs(_named(values, more)))
 
-    def state(self, values: Mapping[str, float] | None = None, **more: float) -> NDArray[np.float64]:
-        """A state with these components by name, and zeros elsewhere: ``model.state({"dot(theta)": 1}, theta=0.4)``."""
-        return self._native.state(_named({**(values or {}), **more}))
+    def state(self, values: Mapping[str, float] | None = None, /, **more: float) -> NDArray[np.float64]:
+        """A state with these components by name: ``model.state({"dot(theta)": 1}, theta=0.4)``.
+
+        Others are zero, and orientations those of the declaration.
+        """
+        return self._native.state(_named(values, more))
 
     def assemble(self, x: ArrayLike, t: float = 0.0) -> NDArray[np.float64]:
         """Closes the loops of a state in which the dependent coordinates are guesses."""
@@ -412,8 +436,13 @@ class Model:
         Returns
         -------
         Solution
-            With ``success`` false if the integration stopped early, or was interrupted by Ctrl-C: it then has what was
-            reached, and ``message`` says why.
+            With ``success`` false if the integration stopped early: it then has what was reached, and ``message`` says
+            why.
+
+        Raises
+        ------
+        Interrupted
+            A ``KeyboardInterrupt`` at Ctrl-C, with what was reached as its ``result``.
         """
         settings = _method(
             method,
@@ -434,7 +463,10 @@ class Model:
         times = None if t_eval is None else _vector("t_eval", t_eval)
         own = [_event(event) for event in given]
         native = self._native.solve(settings, _span(t_span), _vector("x0", x0), times, own)
-        return Solution._of(self, native, len(given), dense=times is None)
+        solution = Solution._of(self, native, len(given), dense=times is None)
+        if solution.message == INTERRUPTED:
+            raise Interrupted(solution)
+        return solution
 
     def ensemble(
         self,
@@ -442,7 +474,7 @@ class Model:
         x0: ArrayLike,
         *,
         parameters: Mapping[str, ArrayLike] | None = None,
-        t_eval: ArrayLike = (),
+        t_eval: ArrayLike | None = None,
         method: str = "Vern9",
         rtol: float | None = None,
         atol: float | None = None,
@@ -463,6 +495,11 @@ class Model:
             Values of parameters by name, each of shape ``(m,)``, or one number for all.
         t_eval
             Times at which states are kept. Default: none, only the final states.
+
+        Raises
+        ------
+        Interrupted
+            A ``KeyboardInterrupt`` at Ctrl-C, with what was reached as its ``result``.
         """
         starts = _numbers("x0", x0)
         columns = {name: _numbers(name, values) for name, values in (parameters or {}).items()}
@@ -484,12 +521,15 @@ class Model:
                     raise ValueError(f"{name} has the shape {values.shape}, and there are {len(starts)} initial states")
                 table[:, list(own).index(name)] = values
         settings = _method(method, h=h, rtol=rtol, atol=atol, max_step=max_step, max_steps=max_steps)
-        times = _vector("t_eval", t_eval)
+        times = _vector("t_eval", np.empty(0) if t_eval is None else t_eval)
         ends, samples, stopped = self._native.ensemble(settings, _span(t_span), starts, table, times)
         success = np.ones(len(starts), dtype=bool)
         success[[index for index, _, _ in stopped]] = False
         messages = {index: f"stopped at t = {t}: {reason}" for index, t, reason in stopped}
-        return Ensemble(t=times, y=samples.transpose(0, 2, 1), y_end=ends, success=success, messages=messages)
+        ensemble = Ensemble(t=times, y=samples.transpose(0, 2, 1), y_end=ends, success=success, messages=messages)
+        if any(reason == INTERRUPTED for _, _, reason in stopped):
+            raise Interrupted(ensemble)
+        return ensemble
 
     # Analyses.
 
@@ -649,10 +689,11 @@ def _is_value(event: Any) -> bool:
 
 
 def _event(event: What | Event) -> tuple[Any, int, bool]:
-    if isinstance(event, Event):
-        what, direction, terminal = event.what, event.direction, event.terminal
-    else:
-        what, direction, terminal = event, getattr(event, "direction", 0), getattr(event, "terminal", False)
+    own = event if isinstance(event, Event) else Event(event)
+    what = own.what
+    terminal = getattr(what, "terminal", False) if own.terminal is None else own.terminal
+    way = getattr(what, "direction", 0) if own.direction is None else own.direction
+    direction = np.nan_to_num(_number("the direction of an event", way))
     if terminal > 1:
         raise ValueError("an event ends the integration where it first occurs: terminal is true or false, not a count")
     if _is_value(what):
@@ -687,6 +728,8 @@ def _experiment(given: Mapping[str, Any]) -> dict[str, Any]:
         raise ValueError(f"`noise` names {', '.join(sorted(strange))}, which is not among the outputs")
     outputs = [(name, _vector(name, values), noise.get(name)) for name, values in given["outputs"].items()]
     guess, known = given.get("guess"), given.get("known")
+    if guess is not None and known is not None:
+        raise ValueError("the state at the first sample is either known, or guessed")
     begin = float(times[0]) if len(times) else 0.0
     return {
         "t": times,

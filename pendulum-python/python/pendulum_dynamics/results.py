@@ -17,56 +17,84 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Impact:
-    """An impact at a stop or a wall."""
+    """An impact at a stop or a wall.
 
-    #: Time, in s.
+    Attributes
+    ----------
+    t
+        Time, in s.
+    before
+        State before.
+    after
+        State after.
+    impulses
+        Impulses by the names of the constraints, in N s or N m s.
+    """
+
     t: float
-    #: State before.
     before: NDArray[np.float64]
-    #: State after.
     after: NDArray[np.float64]
-    #: Impulses by the names of the constraints, in N s or N m s.
     impulses: dict[str, float]
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Solution:
-    """A trajectory, with the names of ``scipy.integrate.solve_ivp``."""
+    """A trajectory, with the names of ``scipy.integrate.solve_ivp``.
 
-    #: Times, of shape ``(k,)``, in s.
+    Attributes
+    ----------
+    t
+        Times, of shape ``(k,)``, in s.
+    y
+        States, of shape ``(n, k)``.
+    sol
+        States at other times: ``sol(t)`` of shape ``(n,)`` or ``(n, k)``; ``None`` if ``t_eval`` was given.
+    t_events
+        Times of each event.
+    y_events
+        States at each event, each of shape ``(events, n)``.
+    nfev, njev, nlu
+        Numbers of evaluations of the right-hand side, of the Jacobian, and of factorisations.
+    status
+        -1 if the integration stopped early, 0 at the end of the span, 1 at a terminal event.
+    message
+        Why it ended.
+    success
+        True unless it stopped early.
+    end
+        Last time and state that were reached.
+    modes
+        Mode switches: time, and the constraints that stick or touch from then on.
+    impacts
+        Impacts.
+    warnings
+        Reasons to doubt the trajectory.
+    model
+        The model.
+    """
+
     t: NDArray[np.float64]
-    #: States, of shape ``(n, k)``.
     y: NDArray[np.float64]
-    #: States at other times: ``sol(t)`` of shape ``(n,)`` or ``(n, k)``; ``None`` if ``t_eval`` was given.
     sol: Callable[[ArrayLike], NDArray[np.float64]] | None
-    #: Times of each event.
     t_events: list[NDArray[np.float64]]
-    #: States at each event, each of shape ``(events, n)``.
     y_events: list[NDArray[np.float64]]
-    #: Numbers of evaluations of the right-hand side, of the Jacobian, and of factorisations.
     nfev: int
     njev: int
     nlu: int
-    #: -1 if the integration stopped early, 0 at the end of the span, 1 at a terminal event.
     status: int
-    #: Why it ended.
     message: str
-    #: True unless it stopped early.
     success: bool
-    #: Last time and state that were reached.
     end: tuple[float, NDArray[np.float64]]
-    #: Mode switches: time, and the constraints that stick or touch from then on.
     modes: list[tuple[float, str]]
-    #: Impacts.
     impacts: list[Impact]
-    #: Reasons to doubt the trajectory.
     warnings: list[str]
-    #: The model.
     model: Model = field(repr=False)
 
     @classmethod
     def _of(cls, model: Model, native: Any, events: int, dense: bool) -> Solution:
         def sol(t: ArrayLike) -> NDArray[np.float64]:
+            if t is None:
+                raise TypeError("t must be a number, or an array of numbers")
             times = np.asarray(t, dtype=np.float64)
             if times.ndim > 1:
                 raise ValueError(f"t must be a number or have one dimension, not the shape {times.shape}")
@@ -93,6 +121,10 @@ class Solution:
             warnings=native.warnings(),
             model=model,
         )
+
+    def __getstate__(self) -> dict[str, Any]:
+        # states between the points stay behind
+        return {**self.__dict__, "sol": None}
 
     def outputs(self) -> dict[str, NDArray[np.float64]]:
         """Outputs along the trajectory, by name, each of shape ``(k,)``."""
@@ -133,23 +165,36 @@ class Solution:
             return f"<pre>{self!r}</pre>"
 
     def __repr__(self) -> str:
-        events = "".join(f"; {len(t)} times event {n}" for n, t in enumerate(self.t_events))
+        count = sum(len(t) for t in self.t_events)
+        events = f"; {count} events" if count else ""
         impacts = f"; {len(self.impacts)} impacts" if self.impacts else ""
         t, _ = self.end
         return f"<Solution of {self.model.name} to t = {t:g}, {len(self.t)} points: {self.message}{events}{impacts}>"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Animation:
-    """Shapes of a mechanism at many times; a notebook shows them in motion."""
+    """Shapes of a mechanism at many times; a notebook shows them in motion.
+
+    Attributes
+    ----------
+    name
+        Name of the mechanism.
+    t
+        Time of each frame, in s.
+    frames
+        Shapes of each frame: see ``Model.shapes``.
+    speed
+        Seconds of the motion for each second of the animation.
+    """
 
     name: str
-    #: Time of each frame, in s.
     t: NDArray[np.float64]
-    #: Shapes of each frame: see ``Model.shapes``.
     frames: list[list[tuple[str, str, str, NDArray[np.float64], float]]] = field(repr=False)
-    #: Seconds of the motion for each second of the animation.
     speed: float
+
+    def __repr__(self) -> str:
+        return f"<Animation of {self.name}, {len(self.t)} frames>"
 
     def html(self) -> str:
         """The animation as a page without other files."""
@@ -164,32 +209,65 @@ class Animation:
         return page(self.name, self.t, self.frames, self.speed)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Ensemble:
-    """States of many trajectories."""
+    """States of many trajectories.
 
-    #: Times at which states were kept, of shape ``(k,)``.
+    Attributes
+    ----------
+    t
+        Times at which states were kept, of shape ``(k,)``.
+    y
+        States of each trajectory at these times, of shape ``(m, n, k)``; NaN after a trajectory stopped.
+    y_end
+        Final states, of shape ``(m, n)``.
+    success
+        True for each trajectory that reached the end, of shape ``(m,)``.
+    messages
+        Messages of those that stopped, by index.
+    """
+
     t: NDArray[np.float64]
-    #: States of each trajectory at these times, of shape ``(m, n, k)``; NaN after a trajectory stopped.
     y: NDArray[np.float64]
-    #: Final states, of shape ``(m, n)``.
     y_end: NDArray[np.float64]
-    #: True for each trajectory that reached the end, of shape ``(m,)``.
     success: NDArray[np.bool_]
-    #: Messages of those that stopped, by index.
     messages: dict[int, str]
+
+    def __repr__(self) -> str:
+        return f"<Ensemble of {len(self.success)} trajectories, {int(self.success.sum())} of which reached the end>"
 
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """A state at which the right-hand side vanishes."""
+    """A state at which the right-hand side vanishes.
 
-    #: State.
+    Attributes
+    ----------
+    x
+        State.
+    stability
+        ``asymptotically stable``, ``unstable``, or ``undecided`` by the linearisation.
+    eigenvalues
+        Eigenvalues of the linearisation in 1/s, the fastest growing first.
+    """
+
     x: NDArray[np.float64]
-    #: ``asymptotically stable``, ``unstable``, or ``undecided`` by the linearisation.
     stability: str
-    #: Eigenvalues of the linearisation in 1/s, the fastest growing first.
     eigenvalues: NDArray[np.complex128]
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C during an integration.
+
+    Attributes
+    ----------
+    result
+        Solution or Ensemble with what was reached.
+    """
+
+    def __init__(self, result: Solution | Ensemble) -> None:
+        super().__init__("interrupted; the attribute `result` has what was reached")
+        self.result = result
 
 
 class Equilibria(Sequence[Equilibrium]):
@@ -217,23 +295,33 @@ class Equilibria(Sequence[Equilibrium]):
 
 @dataclass(frozen=True, eq=False)
 class Resting:
-    """A state that dry friction and contacts hold at rest."""
+    """A state that dry friction and contacts hold at rest.
 
-    #: State; its rates are zero.
+    Attributes
+    ----------
+
+    """
+
     x: NDArray[np.float64]
-    #: Constraints that stick or touch.
     mode: str
-    #: Smallest relative reserve of any friction force: 1 without load, 0 at the limit of sticking.
     margin: float
 
 
 @dataclass(frozen=True, eq=False)
 class Exponents:
-    """Lyapunov exponents of a trajectory."""
+    """Lyapunov exponents of a trajectory.
 
-    #: Exponents in 1/s, the largest first.
+    Attributes
+    ----------
+    x
+        State; its rates are zero.
+    mode
+        Constraints that stick or touch.
+    margin
+        Smallest relative reserve of any friction force: 1 without load, 0 at the limit of sticking.
+    """
+
     values: NDArray[np.float64]
-    #: Standard error of each.
     uncertainty: NDArray[np.float64]
 
     def horizon(self, start: float, end: float) -> float:
@@ -244,45 +332,49 @@ class Exponents:
 
 @dataclass(frozen=True, eq=False)
 class Sensitivity:
-    """States at given times, with their derivatives."""
+    """States at given times, with their derivatives.
 
-    #: Times, of shape ``(k,)``.
+    Attributes
+    ----------
+    values
+        Exponents in 1/s, the largest first.
+    uncertainty
+        Standard error of each.
+    """
+
     t: NDArray[np.float64]
-    #: States, of shape ``(n, k)``.
     y: NDArray[np.float64]
-    #: Derivatives, of shape ``(n, v, k)``: of each component, by each variable, at each time.
     derivatives: NDArray[np.float64]
-    #: Names of the variables.
     by: list[str]
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Fit:
-    """Result of a fit."""
+    """Result of a fit.
 
-    #: Model with the fitted parameters.
+    Attributes
+    ----------
+    t
+        Times, of shape ``(k,)``.
+    y
+        States, of shape ``(n, k)``.
+    derivatives
+        Derivatives, of shape ``(n, v, k)``: of each component, by each variable, at each time.
+    by
+        Names of the variables.
+    """
+
     model: Model
-    #: Estimates of the free parameters by name.
     estimates: dict[str, float]
-    #: Their standard deviations.
     deviations: dict[str, float]
-    #: Their 95 % confidence intervals.
     intervals: dict[str, tuple[float, float]]
-    #: Covariance of the estimates, in their order.
     covariance: NDArray[np.float64]
-    #: State at the start of each window.
     starts: list[NDArray[np.float64]]
-    #: Measured minus computed values: a list of output and values, for each experiment in turn.
     residuals: list[tuple[str, NDArray[np.float64]]]
-    #: Standard deviations of the noise by output.
     noise: dict[str, float]
-    #: Reasons to doubt the result.
     warnings: list[str]
-    #: True if the search converged.
     success: bool
-    #: Number of steps of the search.
     nit: int
-    #: Table of the estimates, with warnings.
     summary: str
 
     @classmethod

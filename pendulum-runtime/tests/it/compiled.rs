@@ -311,7 +311,7 @@ fn a_cancelled_motion_has_what_was_reached() {
             }
             1.0
         })],
-        cancel: Some(&cancel),
+        cancel: Some(&|| cancel.load(Ordering::Relaxed)),
         ..Options::default()
     };
     let stopped = model

@@ -30,6 +30,8 @@ fn errors_have_their_place_in_the_text() {
         "{text}"
     );
     says(Model::parse("pub A { body"), "bracket");
+    assert!(Model::parse(&format!("mechanism! {{ {TEXT} }}")).is_ok());
+    says(Model::parse(&TEXT.replace("[rhs]", "[energy]")), "a model needs `rhs`");
     says(Model::parse(""), "error[M0");
     says(Model::parse("\u{0}"), "error[M0");
 }
