@@ -38,7 +38,8 @@ class Event:
     ----------
     what
         Name of a declared event; name of an output or component with a value, such as ``("tip.y", 0.0)``; or a
-        function ``event(t, x)``, which is zero at the event. A terminal event does not end the integration at its start.
+        function ``event(t, x)``, which is zero at the event. A terminal event does not end the integration at its
+        start.
     terminal
         True if it ends the integration. Default: the attribute of the function, or false.
     direction
