@@ -9,7 +9,7 @@ use proc_macro2::TokenStream;
 use crate::error::Errors;
 use crate::pipeline;
 use crate::program::Program;
-use crate::urdf::{self, Unreadable};
+use crate::urdf::{self, Files, Unreadable};
 
 /// Expands a declaration into Rust items, or into its compile errors and a stand-in for the items.
 ///
@@ -45,10 +45,7 @@ pub fn program_in(folder: &Path, tokens: TokenStream) -> Result<Program, Errors>
 
 /// Like [`program()`], but reads the file of a robot by the function `files`, which returns the text of a file by its
 /// name, or why it cannot be read and a help text.
-pub fn program_with(
-    tokens: TokenStream,
-    files: &dyn Fn(&str) -> Result<String, (String, &'static str)>,
-) -> Result<Program, Errors> {
+pub fn program_with(tokens: TokenStream, files: &Files<'_>) -> Result<Program, Errors> {
     pipeline::program(tokens, files)
 }
 

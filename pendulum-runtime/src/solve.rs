@@ -415,8 +415,9 @@ impl<'t> Sampler<'t> {
 struct Recorder<'t, const N: usize> {
     solution: Solution<f64, N>,
     sampler: Option<Sampler<'t>>,
-    /// Indices of the terminal events, and of the one that occurred.
+    /// True for each event that is terminal.
     terminal: &'t [bool],
+    /// Index of the terminal event that occurred.
     ended_by: Option<usize>,
     last: (f64, SVector<f64, N>),
     cancel: Option<&'t (dyn Fn() -> bool + Sync)>,
@@ -441,10 +442,6 @@ impl<const N: usize> Observer<f64, N> for Recorder<'_, N> {
 
     fn is_cancelled(&self) -> bool {
         self.cancel.is_some_and(|cancel| cancel())
-    }
-
-    fn within(&mut self, tolerance: pendulum_core::method::Tolerance<f64>) {
-        self.solution.within(tolerance);
     }
 
     fn step(&mut self, dense: &Dense<'_, f64, N>) {

@@ -27,9 +27,9 @@ use names::identifier;
 use robot::{Joint, Robot};
 
 /// Function that returns the text of a file by its name.
-pub(crate) type Files<'f> = dyn Fn(&str) -> Result<String, Unreadable> + 'f;
+pub type Files<'f> = dyn Fn(&str) -> Result<String, Unreadable> + 'f;
 /// Reason why a file cannot be read, and a help text.
-pub(crate) type Unreadable = (String, &'static str);
+pub type Unreadable = (String, &'static str);
 
 /// Adds the bodies of the robot to a scene that has one.
 pub(crate) fn read(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), Reported> {
