@@ -7,7 +7,7 @@ use pendulum_runtime::{Members, Method, Model};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
-use crate::error::exception;
+use crate::error::OrRaise;
 use crate::motion::rows;
 use crate::wait::wait;
 
@@ -45,7 +45,7 @@ pub(crate) fn ensemble<'py>(
     {
         return Err(error.clone_ref(py));
     }
-    let found = found.map_err(|error| exception(py, error))?;
+    let found = found.or_raise(py)?;
     let stopped = found.stopped.iter().map(|(n, t, reason)| {
         let reason = match signal {
             Some(_) => "interrupted".to_owned(),

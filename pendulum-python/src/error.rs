@@ -45,3 +45,15 @@ pub(crate) fn exception(py: Python<'_>, error: Error) -> PyErr {
         Err(error) => error,
     }
 }
+
+/// Errors of the library raised as exceptions.
+pub(crate) trait OrRaise<R> {
+    /// Result, or the [`exception`] of its error.
+    fn or_raise(self, py: Python<'_>) -> PyResult<R>;
+}
+
+impl<R, E: Into<Error>> OrRaise<R> for Result<R, E> {
+    fn or_raise(self, py: Python<'_>) -> PyResult<R> {
+        self.map_err(|error| exception(py, error.into()))
+    }
+}

@@ -9,7 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::exception;
+use crate::error::OrRaise;
 use crate::motion::rows;
 use crate::wait::wait;
 
@@ -52,14 +52,13 @@ pub(crate) fn fit<'py>(
     options: Options,
 ) -> PyResult<Bound<'py, PyDict>> {
     let experiments = given.into_iter().map(|own| {
-        let error = |error: pendulum_runtime::SampleError| exception(py, error.into());
-        let mut measurement = Measurement::new(own.t.as_slice()?).map_err(error)?;
+        let mut measurement = Measurement::new(own.t.as_slice()?).or_raise(py)?;
         for (name, values, noise) in &own.outputs {
             measurement = match noise {
                 Some(noise) => measurement.output_with_noise(name, values.as_slice()?, *noise),
                 None => measurement.output(name, values.as_slice()?),
             }
-            .map_err(error)?;
+            .or_raise(py)?;
         }
         Ok(Experiment {
             measurement,
@@ -99,7 +98,7 @@ pub(crate) fn fit<'py>(
     if let Some(error) = signal {
         return Err(error);
     }
-    let fitted = fitted.map_err(|error| exception(py, error))?;
+    let fitted = fitted.or_raise(py)?;
     let result = PyDict::new(py);
     result.set_item("parameters", fitted.parameters)?;
     let estimates = fitted.estimates.iter();

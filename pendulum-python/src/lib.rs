@@ -1,5 +1,5 @@
-//! The part of the package `pendulum_dynamics` that is written in Rust. Its functions take arrays of the right type; the Python
-//! files convert to them.
+//! The part of the package `pendulum_dynamics` that is written in Rust. Its functions take arrays of the right type;
+//! the Python files convert to them.
 
 mod ensemble;
 mod error;

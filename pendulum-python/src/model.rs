@@ -10,9 +10,9 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::exception;
+use crate::error::{OrRaise, exception};
 use crate::motion::{Motion, rows};
-use crate::wait::{Signals, wait_to_the_end};
+use crate::wait::Signals;
 use crate::{ensemble, fit};
 
 /// A mechanism with values of its parameters and inputs.
@@ -35,7 +35,7 @@ pub(crate) struct Settings {
 
 /// A method with its settings.
 pub(crate) fn method(py: Python<'_>, settings: Settings) -> PyResult<Method> {
-    let method = Method::new(&settings.method).map_err(|error| exception(py, error))?;
+    let method = Method::new(&settings.method).or_raise(py)?;
     let with = |method, value: Option<f64>, set: fn(Method, f64) -> Method| match value {
         Some(value) => set(method, value),
         None => method,
@@ -99,8 +99,8 @@ impl Model {
     #[new]
     fn new(py: Python<'_>, text: &str, folder: PathBuf, values: Vec<(String, f64)>) -> PyResult<Self> {
         let parse = || pendulum_runtime::Model::parse_in(&folder, text, &named(&values));
-        let model = wait_to_the_end(py, parse);
-        model.map(Self).map_err(|error| exception(py, error))
+        let model = py.detach(parse);
+        model.map(Self).or_raise(py)
     }
 
     /// Declaration of the robot of a file.
@@ -115,12 +115,12 @@ impl Model {
 
     fn with_parameters(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
         let model = self.0.with(&named(&values));
-        model.map(Self).map_err(|error| exception(py, error))
+        model.map(Self).or_raise(py)
     }
 
     fn with_inputs(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
         let model = self.0.with_inputs(&named(&values));
-        model.map(Self).map_err(|error| exception(py, error))
+        model.map(Self).or_raise(py)
     }
 
     #[getter]
@@ -191,12 +191,12 @@ impl Model {
     }
 
     fn state<'py>(&self, py: Python<'py>, values: Vec<(String, f64)>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let x = self.0.state(&named(&values)).map_err(|error| exception(py, error))?;
+        let x = self.0.state(&named(&values)).or_raise(py)?;
         Ok(PyArray1::from_vec(py, x))
     }
 
     fn rhs<'py>(&self, py: Python<'py>, t: f64, x: PyReadonlyArray1<'py, f64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let rates = self.0.rhs(t, x.as_slice()?).map_err(|error| exception(py, error))?;
+        let rates = self.0.rhs(t, x.as_slice()?).or_raise(py)?;
         Ok(PyArray1::from_vec(py, rates))
     }
 
@@ -206,15 +206,12 @@ impl Model {
         t: f64,
         x: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let jacobian = self
-            .0
-            .jacobian(t, x.as_slice()?)
-            .map_err(|error| exception(py, error))?;
+        let jacobian = self.0.jacobian(t, x.as_slice()?).or_raise(py)?;
         rows(py, jacobian.transpose().as_slice().to_vec(), jacobian.ncols())
     }
 
     fn energy(&self, py: Python<'_>, t: f64, x: PyReadonlyArray1<'_, f64>) -> PyResult<[f64; 2]> {
-        self.0.energy(t, x.as_slice()?).map_err(|error| exception(py, error))
+        self.0.energy(t, x.as_slice()?).or_raise(py)
     }
 
     fn outputs_at<'py>(
@@ -223,10 +220,7 @@ impl Model {
         t: f64,
         x: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let outputs = self
-            .0
-            .outputs_at(t, x.as_slice()?)
-            .map_err(|error| exception(py, error))?;
+        let outputs = self.0.outputs_at(t, x.as_slice()?).or_raise(py)?;
         Ok(PyArray1::from_vec(py, outputs))
     }
 
@@ -242,7 +236,7 @@ impl Model {
     ) -> PyResult<Vec<(Bound<'py, PyArray2<f64>>, u8)>> {
         let lists: Vec<&[f64]> = lists.iter().map(|list| list.as_slice()).collect::<Result<_, _>>()?;
         let results = self.0.evaluate(name, t, x.as_slice()?, &lists);
-        let results = results.map_err(|error| exception(py, error))?;
+        let results = results.or_raise(py)?;
         let function = self.0.functions().iter().find(|function| function.name == name);
         let shapes = function.map_or(&[][..], |function| &function.shapes);
         let arrays = results.iter().zip(shapes).map(|(own, shape)| {
@@ -264,7 +258,7 @@ impl Model {
         t: f64,
         x: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Vec<(String, String, String, Bound<'py, PyArray2<f64>>, f64)>> {
-        let shapes = self.0.shapes(t, x.as_slice()?).map_err(|error| exception(py, error))?;
+        let shapes = self.0.shapes(t, x.as_slice()?).or_raise(py)?;
         let shapes = shapes.into_iter().map(|shape| {
             let points = shape
                 .points
@@ -289,10 +283,7 @@ impl Model {
         t: f64,
         x: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let x = self
-            .0
-            .assemble(t, x.as_slice()?)
-            .map_err(|error| exception(py, error))?;
+        let x = self.0.assemble(t, x.as_slice()?).or_raise(py)?;
         Ok(PyArray1::from_vec(py, x))
     }
 
@@ -397,8 +388,8 @@ impl Model {
         Vec<(Bound<'py, PyArray1<f64>>, &'static str, Vec<(f64, f64)>)>,
         Vec<String>,
     )> {
-        let found = wait_to_the_end(py, || self.0.equilibria(&seeds));
-        let (found, unsearched) = found.map_err(|error| exception(py, error))?;
+        let found = py.detach(|| self.0.equilibria(&seeds));
+        let (found, unsearched) = found.or_raise(py)?;
         let found = found.into_iter().map(|own| {
             let stability = match own.stability {
                 Stability::AsymptoticallyStable => "asymptotically stable",
@@ -418,7 +409,7 @@ impl Model {
         seed: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<(Bound<'py, PyArray1<f64>>, String, f64)> {
         let seed = seed.as_slice()?.to_vec();
-        let found = wait_to_the_end(py, || self.0.resting(&seed)).map_err(|error| exception(py, error))?;
+        let found = py.detach(|| self.0.resting(&seed)).or_raise(py)?;
         Ok((PyArray1::from_vec(py, found.x), found.mode, found.margin))
     }
 

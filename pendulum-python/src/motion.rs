@@ -4,7 +4,7 @@ use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::exception;
+use crate::error::OrRaise;
 
 /// A trajectory, and the way in which it ended.
 #[pyclass(frozen, module = "pendulum_dynamics._native")]
@@ -55,7 +55,7 @@ impl Motion {
     fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let mut numbers = Vec::new();
         for &t in times.as_slice()? {
-            numbers.extend(self.motion.at(t).map_err(|error| exception(py, error))?);
+            numbers.extend(self.motion.at(t).or_raise(py)?);
         }
         rows(py, numbers, self.length)
     }

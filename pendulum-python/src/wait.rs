@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use pendulum_runtime::{Error, Model};
 use pyo3::prelude::*;
 
-use crate::error::exception;
+use crate::error::OrRaise;
 
 /// Does work on another thread. At a signal, such as Ctrl-C, `cancel` is set, and the work should end soon. Returns its
 /// result, and the exception of the signal.
@@ -89,7 +89,7 @@ impl Signals {
     pub(crate) fn instead_of<R>(self, py: Python<'_>, result: Result<R, Error>) -> PyResult<R> {
         match self.signal() {
             Some(signal) => Err(signal),
-            None => result.map_err(|error| exception(py, error)),
+            None => result.or_raise(py),
         }
     }
 
@@ -97,9 +97,4 @@ impl Signals {
     pub(crate) fn signal(self) -> Option<PyErr> {
         self.state.into_inner().ok()?.1
     }
-}
-
-/// Like [`wait`], for work that cannot end early: a signal is raised after it.
-pub(crate) fn wait_to_the_end<R: Send>(py: Python<'_>, work: impl FnOnce() -> R + Send) -> R {
-    py.detach(work)
 }

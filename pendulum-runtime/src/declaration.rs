@@ -214,7 +214,8 @@ impl Robot {
         let words: String = words.iter().filter(|(has, _)| *has).map(|(_, word)| *word).collect();
         let [x, y, z] = self.gravity;
         format!(
-            "pub Robot {{\n    robot: urdf({:?}{words}),\n    gravity: [{x:?}, {y:?}, {z:?}],\n    generate: [{}],\n}}\n",
+            "pub Robot {{\n    robot: urdf({:?}{words}),\n    gravity: [{x:?}, {y:?}, {z:?}],\n    \
+             generate: [{}],\n}}\n",
             self.path.display().to_string(),
             self.generate.join(", "),
         )

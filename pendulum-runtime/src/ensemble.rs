@@ -139,14 +139,14 @@ fn alone<const N: usize>(
 ) -> Result<Ensemble, Error> {
     let length = models[0].tape().length();
     let mut ensemble = Ensemble::default();
+    let is_cancelled = || members.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed));
+    let options = Options {
+        times: Some(members.times.to_vec()),
+        cancel: Some(&is_cancelled),
+        ..Options::default()
+    };
     for (n, x0) in starts.chunks(length).enumerate() {
         let model = models.get(n).unwrap_or(&models[0]);
-        let is_cancelled = || members.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed));
-        let options = Options {
-            times: Some(members.times.to_vec()),
-            cancel: Some(&is_cancelled),
-            ..Options::default()
-        };
         let motion = match solve::solve(model, method, span, x0, &options) {
             Ok(motion) => motion,
             Err(Stopped {

@@ -87,6 +87,16 @@ impl Error {
         Self::Unknown { what, name, known }
     }
 
+    /// Index of a name among known ones, or an error that names the most similar one.
+    pub(crate) fn index_of<'n>(
+        what: &'static str,
+        name: &str,
+        known: impl Iterator<Item = &'n str> + Clone,
+    ) -> Result<usize, Self> {
+        let found = known.clone().position(|own| own == name);
+        found.ok_or_else(|| Self::unknown(what, name, known))
+    }
+
     /// Checks the length of a list.
     pub(crate) fn check_length(what: &str, given: usize, needed: usize) -> Result<(), Self> {
         let what = what.to_owned();

@@ -163,12 +163,10 @@ pub(crate) fn fit<const N: usize>(
     experiments: &[Experiment],
 ) -> Result<Fitted, Error> {
     check_parameters(model)?;
-    let known = || model.tape().parameters().iter().map(|parameter| parameter.name);
+    let known = model.tape().parameters().iter().map(|parameter| parameter.name);
     let bounded = fit.bounds.iter().map(|(name, _)| name);
     for name in fit.free.iter().flatten().chain(bounded) {
-        if !known().any(|own| own == name) {
-            return Err(Error::unknown("parameter", name, known()));
-        }
+        Error::index_of("parameter", name, known.clone())?;
     }
     fit.method.run_with_derivatives(Run {
         model,

@@ -1,7 +1,8 @@
 //! Mechanisms that are declared at run time.
 //!
 //! [`Model::parse`] takes the text of a declaration, in the language of `mechanism!`, and [`Model::urdf`] the file of a
-//! robot. No compiler is needed. Functions, trajectories and ensembles have the bits of the code that `mechanism!` generates.
+//! robot. No compiler is needed. Functions, trajectories and ensembles have the bits of the code that `mechanism!`
+//! generates.
 //!
 //! ```
 //! use pendulum_runtime::{Method, Model};

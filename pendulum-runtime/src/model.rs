@@ -179,9 +179,8 @@ impl Model {
     pub fn with_inputs(&self, values: &[(&str, f64)]) -> Result<Self, Error> {
         let mut inputs = self.inputs_now().to_vec();
         for &(name, value) in values {
-            let names = || self.about.inputs.iter().map(|own| own.name.as_str());
-            let n = names().position(|own| own == name);
-            inputs[n.ok_or_else(|| Error::unknown("input", name, names()))?] = value;
+            let names = self.about.inputs.iter().map(|own| own.name.as_str());
+            inputs[Error::index_of("input", name, names)?] = value;
             if !value.is_finite() {
                 let rule = format!("an input must be finite, not {value}");
                 return Err(Error::Setting {
@@ -292,9 +291,8 @@ impl Model {
         let layout = self.about.tape.layout();
         layout.quaternions().for_each(|places| x[places.start] = 1.0);
         for &(name, value) in values {
-            let names = || components.iter().map(|own| own.name.as_str());
-            let n = names().position(|own| own == name);
-            x[n.ok_or_else(|| Error::unknown("component", name, names()))?] = value;
+            let names = components.iter().map(|own| own.name.as_str());
+            x[Error::index_of("component", name, names)?] = value;
         }
         Ok(x)
     }
@@ -344,9 +342,8 @@ impl Model {
     /// If there is no such function, or if a list has another length.
     pub fn evaluate(&self, name: &str, t: f64, x: &[f64], lists: &[&[f64]]) -> Result<Vec<DMatrix<f64>>, Error> {
         self.check_state(x)?;
-        let names = || self.about.functions.iter().map(|function| function.name.as_str());
-        let n = names().position(|own| own == name);
-        let n = n.ok_or_else(|| Error::unknown("function", name, names()))?;
+        let names = self.about.functions.iter().map(|function| function.name.as_str());
+        let n = Error::index_of("function", name, names)?;
         let function = &self.about.functions[n];
         Error::check_length(
             &format!("the list of arguments of `{name}`"),
@@ -503,8 +500,8 @@ impl Model {
         self.sensitivity_unless(method, times, x0, by, &|| false)
     }
 
-    /// Like [`sensitivity`](Self::sensitivity), but ends with an error when `cancel` returns true, which is called after
-    /// each step.
+    /// Like [`sensitivity`](Self::sensitivity), but ends with an error when `cancel` returns true, which is called
+    /// after each step.
     ///
     /// # Errors
     /// See [`sensitivity`](Self::sensitivity).
@@ -546,8 +543,8 @@ impl Model {
         worker::on_all(|| self.engine.fit(fit, experiments))
     }
 
-    /// True if a single motion is integrated on the thread of the caller, since its state is short; others need a larger
-    /// stack.
+    /// True if a single motion is integrated on the thread of the caller, since its state is short; others need a
+    /// larger stack.
     #[must_use]
     pub fn is_short(&self) -> bool {
         self.components().len() <= SHORT
@@ -615,9 +612,8 @@ impl About {
     fn values(&self, given: &[(&str, f64)], own: Vec<Option<f64>>) -> Result<Vec<Option<f64>>, Error> {
         let mut values = own;
         for &(name, value) in given {
-            let names = || self.parameters.iter().map(|own| own.name.as_str());
-            let n = names().position(|own| own == name);
-            values[n.ok_or_else(|| Error::unknown("parameter", name, names()))?] = Some(value);
+            let names = self.parameters.iter().map(|own| own.name.as_str());
+            values[Error::index_of("parameter", name, names)?] = Some(value);
         }
         Ok(values)
     }

@@ -90,14 +90,10 @@ impl<'e> Event<'e> {
                 CoreEvent::new(move |t, x: &SVector<f64, N>| function(t, &x.as_slice()[..length]))
             }
             Kind::Declared => {
-                let names = || tape.events().iter().map(|(name, _)| *name);
-                let unknown = || Error::unknown("event", &self.name, names());
-                let n = names().position(|name| name == self.name).ok_or_else(unknown)?;
-                is_kink = tape.events()[n].1;
-                let mut routines = tape.routines().iter();
-                let routine = routines
-                    .position(|routine| routine.name() == self.name)
-                    .ok_or_else(unknown)?;
+                let events = tape.events().iter().map(|(name, _)| *name);
+                is_kink = tape.events()[Error::index_of("event", &self.name, events)?].1;
+                let routines = tape.routines().iter().map(|routine| routine.name());
+                let routine = Error::index_of("event", &self.name, routines)?;
                 CoreEvent::new(move |t, x: &SVector<f64, N>| {
                     let mut value = [f64::NAN];
                     let given = pendulum_core::tape::Given {

@@ -17,8 +17,8 @@ thread_local! {
     static IS_LARGE: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs work on a thread with a large stack, on which this crate then works without further ones, and calls `look` every
-/// 20 ms meanwhile: for a program that waits for the user to interrupt it.
+/// Runs work on a thread with a large stack, on which this crate then works without further ones, and calls `look`
+/// every 20 ms meanwhile: for a program that waits for the user to interrupt it.
 pub fn while_waiting<R: Send>(work: impl FnOnce() -> R + Send, mut look: impl FnMut()) -> R {
     if cfg!(target_family = "wasm") {
         return work();

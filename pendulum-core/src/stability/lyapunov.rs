@@ -301,8 +301,8 @@ impl<const K: usize> TangentGrowth<K> {
     }
 }
 
-/// Initial directions that are not aligned with any axis, without padding. An invariant direction, such as the rate of a cyclic
-/// coordinate, would never turn towards the growing ones.
+/// Initial directions that are not aligned with any axis, without padding. An invariant direction, such as the rate of
+/// a cyclic coordinate, would never turn towards the growing ones.
 fn oblique<const K: usize, const N: usize>(active: usize) -> [SVector<f64, N>; K] {
     let component = |k: usize, i: usize| libm::sin(1.0 + ((i + 1) * (i + 2 * k + 3)) as f64);
     let component = |k, i| if i < active { component(k, i) } else { 0.0 };

@@ -121,8 +121,8 @@ impl Code {
         self.rows.iter().map(Row::len).sum()
     }
 
-    /// Runs the code on the constants of the model and the values of variables, and fills one slice after the other with
-    /// its results; there may be room for fewer.
+    /// Runs the code on the constants of the model and the values of variables, and fills one slice after the other
+    /// with its results; there may be room for fewer.
     #[inline(always)]
     pub(super) fn run<T: Real>(&self, constants: &[T], lists: &Lists<'_, T>, results: &mut [&mut [T]]) {
         self.on_registers(constants, lists, results);

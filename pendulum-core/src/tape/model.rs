@@ -370,7 +370,8 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         });
     }
 
-    /// The model as one without mode switches, whose ensembles are faster; `None` if it has dry friction, stops or walls.
+    /// The model as one without mode switches, whose ensembles are faster; `None` if it has dry friction, stops or
+    /// walls.
     #[must_use]
     pub fn smooth(&self) -> Option<Model<T, N>> {
         let is_smooth = self.tape.constraints.is_empty();

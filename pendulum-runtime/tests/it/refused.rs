@@ -143,7 +143,8 @@ fn chain(links: usize) -> String {
             _ => (format!("b{}", n - 1), "-0.1"),
         };
         format!(
-            "body b{n} on {parent} {{ mass: 1, com: [0, -0.05, 0], joint: revolute(z) at [0, {at}, 0], coordinate: q{n}  }}\n"
+            "body b{n} on {parent} {{ mass: 1, com: [0, -0.05, 0], joint: revolute(z) at [0, {at}, 0], \
+             coordinate: q{n} }}\n"
         )
     };
     let bodies: String = (0..links).map(body).collect();
