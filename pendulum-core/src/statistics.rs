@@ -29,6 +29,7 @@ pub struct Statistics {
 #[cfg(feature = "std")]
 impl Statistics {
     /// Adds the work of another integration.
+    #[inline]
     pub(crate) fn add(&mut self, other: &Self) {
         self.evaluations += other.evaluations;
         self.accepted += other.accepted;

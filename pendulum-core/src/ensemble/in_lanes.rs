@@ -132,7 +132,7 @@ where
             *work = Statistics::default();
             let proposed = scheme.prepare(&InMode::new(&system, leave.hold()), t, &x, work);
             if const { F::Stages::<V>::ORDERS_DIFFER } {
-                for (lane, _) in members.busy(V::LANES) {
+                for (lane, _) in members.busy_at_first(V::LANES) {
                     members.set_order(lane, scheme.error_order_in(lane));
                 }
             }
@@ -192,7 +192,7 @@ where
             scheme.enter(lane, index);
         }
         let slope = scheme.begin(&InMode::new(system, hold), t, x, work);
-        for (lane, index) in members.busy(V::LANES) {
+        for (lane, index) in members.busy_at_first(V::LANES) {
             if enters(members, lane) {
                 let work = scheme.work_in(lane, work);
                 self.begin(steps, members, (lane, index), &in_lane(&slope, lane), work);
@@ -210,8 +210,9 @@ where
         (x_new, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
         at_end: &Statistics,
     ) {
+        let all_are_finite = sum(x_new, slope).all_finite();
         for (lane, index) in members.busy(V::LANES) {
-            let is_finite = |v: &SVector<V, N>| v.iter().all(|v| v.lane(lane).is_finite());
+            let is_finite = |v: &SVector<V, N>| all_are_finite || v.iter().all(|v| v.lane(lane).is_finite());
             let is_within = attempt.is_ok_and(|mean_square| is_within_tolerance(mean_square.lane(lane)));
             let arrives = is_within && is_finite(x_new);
             let is_accepted = arrives && slope.is_none_or(is_finite);
@@ -244,7 +245,7 @@ where
         if looks[..V::LANES].contains(&true) {
             scheme.dense(system, step, &mut work);
         }
-        for (lane, index) in members.busy(V::LANES) {
+        for (lane, index) in members.busy_at_first(V::LANES) {
             if !members.is_accepted(lane) {
                 continue;
             }
@@ -285,7 +286,7 @@ where
     ) {
         let (_, t1) = self.span;
         if !members.plan(control, t1, proposed) {
-            for (lane, index) in members.busy(V::LANES) {
+            for (lane, index) in members.busy_at_first(V::LANES) {
                 let (mut h, at) = (members.h[lane], members.t[lane]);
                 let proposed = members.proposal(lane, &proposed);
                 if let Err(reason) = control.plan(&mut h, (at, t1), members.steps[lane], proposed) {
@@ -308,7 +309,12 @@ where
         if let Pacing::Controlled(control) = steps {
             return self.judge_controlled(members, control, x, attempt, ends);
         }
-        for (lane, index) in members.busy(V::LANES) {
+        let (x_new, slope) = ends;
+        let stalls = |error: V| (0..V::LANES).fold(false, |some, lane| some | (error.lane(lane) < T::default()));
+        if attempt.is_ok_and(|error| !stalls(error)) && sum(x_new, slope).all_finite() {
+            return members.accept_all();
+        }
+        for (lane, index) in members.busy_at_first(V::LANES) {
             let outcome = attempt.map_err(StepFailure::from);
             if let Err(failure) = outcome.and_then(|error| outcome_of(ends, error.lane(lane), lane)) {
                 let h = members.t_new[lane] - members.t[lane];
@@ -339,7 +345,7 @@ where
         };
         let all_arrived = attempt.is_ok() && sum.all_finite();
         if !members.judge(control, &mean_squares, F::Stages::<V>::PROPOSES) || !all_arrived {
-            for (lane, index) in members.busy(V::LANES) {
+            for (lane, index) in members.busy_at_first(V::LANES) {
                 let (h, step) = (members.h[lane], (members.t[lane], members.t_new[lane]));
                 if members.is_accepted(lane) {
                     continue;
@@ -363,7 +369,7 @@ where
     pub(super) fn take_out<V: Lanes<Scalar = T>>(&mut self, members: &mut Members<T>, x: &SVector<V, N>) {
         let (_, t1) = self.span;
         if members.some_arrive(V::LANES, t1) {
-            for (lane, index) in members.busy(V::LANES) {
+            for (lane, index) in members.busy_at_first(V::LANES) {
                 if members.t[lane] == t1 {
                     self.leave(members, (lane, index), in_lane(x, lane));
                 }

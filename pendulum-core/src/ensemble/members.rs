@@ -98,7 +98,13 @@ impl<T: Float> Members<T> {
     }
 
     /// Lanes in use, with the indices of their trajectories.
-    pub(super) fn busy(&self, lanes: usize) -> impl Iterator<Item = (usize, usize)> + use<T> {
+    #[inline(always)]
+    pub(super) fn busy(&self, lanes: usize) -> impl Iterator<Item = (usize, usize)> {
+        (0..lanes).filter_map(|lane| Some((lane, self.index(lane)?)))
+    }
+
+    /// Like [`busy`](Self::busy), for loops in which trajectories may leave.
+    pub(super) fn busy_at_first(&self, lanes: usize) -> impl Iterator<Item = (usize, usize)> + use<T> {
         let index = self.index;
         (0..lanes).filter_map(move |lane| Some((lane, index[lane])).filter(|&(_, index)| index != FREE))
     }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{Lanes, Pack};
+use super::{Lanes, Least64, Pack};
 use crate::dual::Dual;
 use crate::real::{Float, Fused};
 
@@ -61,8 +61,9 @@ enum Set {
 }
 
 impl Isa {
-    /// Instruction sets of this machine, widest registers first. The last one has a single lane and exists on every
-    /// machine. Without the feature `std`, only sets enabled at compile time are listed.
+    /// Instruction sets of this machine, widest registers first. The last one exists on every machine and has a single
+    /// lane, in WebAssembly with `simd128` two of `f64`. Without the feature `std`, only sets enabled at compile time are
+    /// listed.
     ///
     /// Results are bit-identical on each. To try a narrower set, set the environment variable `PENDULUM_ISA` to `Avx2`
     /// or `Portable` before the program starts: wider sets are then unavailable.
@@ -164,11 +165,11 @@ pub trait LaneElement: Float {
 }
 
 macro_rules! lane {
-    ($($scalar:ident: $avx2:ident $avx512:ident;)*) => { $(
-        lane!([] $scalar: Pack<$scalar>, Pack<super::x86::$avx2>, Pack<super::x86::$avx512>);
+    ($($scalar:ident: $portable:ident $avx2:ident $avx512:ident;)*) => { $(
+        lane!([] $scalar: Pack<$portable>, Pack<super::x86::$avx2>, Pack<super::x86::$avx512>);
         lane!(
             [const N: usize] Dual<$scalar, N>:
-            Dual<Pack<$scalar>, N>, Dual<Pack<super::x86::$avx2>, N>, Dual<Pack<super::x86::$avx512>, N>
+            Dual<Pack<$portable>, N>, Dual<Pack<super::x86::$avx2>, N>, Dual<Pack<super::x86::$avx512>, N>
         );
     )* };
     ([$($length:tt)*] $scalar:ty: $portable:ty, $avx2:ty, $avx512:ty) => {
@@ -188,7 +189,7 @@ macro_rules! lane {
 }
 
 lane! {
-    f64: Ymm64 Zmm64;
-    f32: Ymm32 Zmm32;
+    f64: Least64 Ymm64 Zmm64;
+    f32: f32 Ymm32 Zmm32;
 }
 lane!([] Fused<f64>: Pack<Fused<f64>>, Pack<Fused<super::x86::Ymm64>>, Pack<Fused<super::x86::Zmm64>>);
