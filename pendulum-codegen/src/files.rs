@@ -27,7 +27,12 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
 
 /// Like [`expand`], but with paths relative to `folder`; the items do not include the file of a robot.
 pub fn expand_in(folder: &Path, tokens: TokenStream) -> TokenStream {
-    pipeline::expand(tokens, &|name| text_of(folder, name)).0
+    expand_with(tokens, &|name| text_of(folder, name))
+}
+
+/// Like [`expand_in`], but reads the file of a robot by a function, as [`program_with`] does.
+pub fn expand_with(tokens: TokenStream, files: &Files<'_>) -> TokenStream {
+    pipeline::expand(tokens, files).0
 }
 
 /// Compiles a declaration into a program, or returns all of its errors.
@@ -40,13 +45,14 @@ pub fn program(tokens: TokenStream) -> Result<Program, Errors> {
 
 /// Like [`program()`], but with paths relative to `folder`.
 pub fn program_in(folder: &Path, tokens: TokenStream) -> Result<Program, Errors> {
-    pipeline::program(tokens, &|name| text_of(folder, name))
+    pipeline::program(tokens, &[], &|name| text_of(folder, name))
 }
 
-/// Like [`program()`], but reads the file of a robot by the function `files`, which returns the text of a file by its
-/// name, or why it cannot be read and a help text.
-pub fn program_with(tokens: TokenStream, files: &Files<'_>) -> Result<Program, Errors> {
-    pipeline::program(tokens, files)
+/// Like [`program()`], but adds the words `also` to the list `generate` of the declaration, except those that the scene
+/// cannot have, and reads the file of a robot by the function `files`, which returns the text of a file by its name, or
+/// why it cannot be read and a help text.
+pub fn program_with(tokens: TokenStream, also: &[&str], files: &Files<'_>) -> Result<Program, Errors> {
+    pipeline::program(tokens, also, files)
 }
 
 const MANIFEST: &str = "CARGO_MANIFEST_DIR";

@@ -48,5 +48,5 @@ mod words;
 pub use emit::c::{Sources, c, c_fused, opencl};
 pub use emit::tape::tape;
 pub use error::{Code, Errors};
-pub use files::{expand, expand_in, program, program_in, program_with};
+pub use files::{expand, expand_in, expand_with, program, program_in, program_with};
 pub use urdf::{Files, Unreadable};

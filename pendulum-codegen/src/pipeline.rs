@@ -34,11 +34,14 @@ pub(crate) fn expand(tokens: TokenStream, files: &Files<'_>) -> (TokenStream, Op
     (items, scene.items.robot.map(|robot| robot.path))
 }
 
-/// Compiles a declaration into a program, or returns all of its errors.
-pub(crate) fn program(tokens: TokenStream, files: &Files<'_>) -> Result<Program, Errors> {
+/// Compiles a declaration into a program, or returns all of its errors. The words `also` are added to its `generate`.
+pub(crate) fn program(tokens: TokenStream, also: &[&str], files: &Files<'_>) -> Result<Program, Errors> {
     let (scene, errors) = parse::parse(tokens);
     match scene {
-        Some(mut scene) => compile(&mut scene, files, errors, true),
+        Some(mut scene) => {
+            scene.items.also = also.iter().map(|&word| word.to_owned()).collect();
+            compile(&mut scene, files, errors, true)
+        }
         None => Err(errors),
     }
 }

@@ -98,7 +98,8 @@ impl Calls {
 impl Model {
     #[new]
     fn new(py: Python<'_>, text: &str, folder: PathBuf, values: Vec<(String, f64)>) -> PyResult<Self> {
-        let parse = || pendulum_runtime::Model::parse_in(&folder, text, &named(&values));
+        let declaration = pendulum_runtime::Declaration::new(text).folder(&folder);
+        let parse = || pendulum_runtime::Model::declared(&declaration, &named(&values));
         let model = py.detach(parse);
         model.map(Self).or_raise(py)
     }

@@ -1,9 +1,11 @@
 //! From text to a program, or to its errors.
 
+use std::collections::BTreeMap;
 use std::error;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use pendulum_codegen::Unreadable;
 use pendulum_codegen::program::Program;
 use proc_macro2::{Span, TokenStream, TokenTree};
 
@@ -70,20 +72,85 @@ impl fmt::Display for DeclarationError {
 
 impl error::Error for DeclarationError {}
 
-/// Compiles a declaration. Files of robots are relative to a folder.
-pub(crate) fn program(text: &str, folder: &Path) -> Result<Program, DeclarationError> {
-    worker::alone(|| {
-        let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| {
-            let help = "close each bracket and quotation mark, and write no characters that Rust does not know";
-            problem(
-                text,
-                error.span(),
-                "the text cannot be split into tokens from here on [M001]",
-                help,
-            )
-        })?;
-        pendulum_codegen::program_with(unwrapped(tokens), &|name| file(folder, name)).map_err(|errors| {
-            DeclarationError {
+/// The text of a declaration, and what goes with it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Declaration {
+    text: String,
+    folder: PathBuf,
+    files: BTreeMap<String, String>,
+    also: Vec<String>,
+}
+
+impl Declaration {
+    /// A declaration; files of robots are relative to the working directory.
+    #[must_use]
+    pub fn new(text: &str) -> Self {
+        Self {
+            text: text.to_owned(),
+            ..Self::default()
+        }
+    }
+
+    /// Sets the folder to which the paths of files are relative.
+    #[must_use]
+    pub fn folder(mut self, folder: impl AsRef<Path>) -> Self {
+        self.folder = folder.as_ref().to_owned();
+        self
+    }
+
+    /// Adds a file of a robot by its name and text, where there is no file system.
+    #[must_use]
+    pub fn file(mut self, name: &str, text: &str) -> Self {
+        self.files.insert(name.to_owned(), text.to_owned());
+        self
+    }
+
+    /// Adds words to the list `generate` of the declaration, except those that the mechanism cannot have, such as
+    /// `canonical` with a ball joint.
+    #[must_use]
+    pub fn also<'w>(mut self, words: impl IntoIterator<Item = &'w str>) -> Self {
+        self.also.extend(words.into_iter().map(str::to_owned));
+        self
+    }
+
+    /// Generated code in C99: the header, then the source.
+    ///
+    /// # Errors
+    /// Those that `mechanism!` reports.
+    pub fn c(&self) -> Result<String, DeclarationError> {
+        let sources = pendulum_codegen::c(&self.program()?);
+        Ok(sources.header + &sources.source)
+    }
+
+    /// Items that `mechanism!` generates, without the words that were [added](Self::also). prettyplease formats them for
+    /// reading.
+    ///
+    /// # Errors
+    /// Those that `mechanism!` reports.
+    pub fn rust(&self) -> Result<String, DeclarationError> {
+        self.program()?;
+        Ok(worker::alone(|| {
+            let tokens: TokenStream = self.text.parse().expect("the text was compiled");
+            pendulum_codegen::expand_with(unwrapped(tokens), &|name| self.file_of(name)).to_string()
+        }))
+    }
+
+    /// Compiles the declaration.
+    pub(crate) fn program(&self) -> Result<Program, DeclarationError> {
+        worker::alone(|| {
+            let text = self.text.as_str();
+            let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| {
+                let help = "close each bracket and quotation mark, and write no characters that Rust does not know";
+                problem(
+                    text,
+                    error.span(),
+                    "the text cannot be split into tokens from here on [M001]",
+                    help,
+                )
+            })?;
+            let also: Vec<&str> = self.also.iter().map(String::as_str).collect();
+            let program = pendulum_codegen::program_with(unwrapped(tokens), &also, &|name| self.file_of(name));
+            program.map_err(|errors| DeclarationError {
                 problems: errors
                     .iter()
                     .map(|error| {
@@ -92,9 +159,24 @@ pub(crate) fn program(text: &str, folder: &Path) -> Result<Program, DeclarationE
                         problem(text, error.span(), fact, help)
                     })
                     .collect(),
-            }
+            })
         })
-    })
+    }
+
+    /// Text of a file, or why it cannot be read and a help text.
+    fn file_of(&self, name: &str) -> Result<String, Unreadable> {
+        if let Some(text) = self.files.get(name) {
+            return Ok(text.clone());
+        }
+        let path = self.folder.join(name);
+        if path.is_dir() {
+            return Err((format!("`{name}` is a folder"), "write the path of a URDF file in it"));
+        }
+        std::fs::read_to_string(&path).map_err(|error| {
+            let help = "a relative path begins at the folder given with the declaration, or at the working directory";
+            (format!("`{}` cannot be read: {error}", path.display()), help)
+        })
+    }
 }
 
 /// Declaration without `mechanism! { .. }` around it, as it stands in Rust.
@@ -140,18 +222,6 @@ fn problem(text: &str, span: Span, fact: &str, help: &str) -> Problem {
         message: message.to_owned(),
         help: help.to_owned(),
     }
-}
-
-/// Text of a file, or why it cannot be read and a help text.
-fn file(folder: &Path, name: &str) -> Result<String, (String, &'static str)> {
-    let path = folder.join(name);
-    if path.is_dir() {
-        return Err((format!("`{name}` is a folder"), "write the path of a URDF file in it"));
-    }
-    std::fs::read_to_string(&path).map_err(|error| {
-        let help = "a relative path begins at the folder given with the declaration, or at the working directory";
-        (format!("`{}` cannot be read: {error}", path.display()), help)
-    })
 }
 
 /// A robot from a URDF file, with gravity and without further bodies; write a declaration for more.

@@ -10,13 +10,16 @@ use rayon::prelude::*;
 
 use crate::error::Error;
 use crate::method::{Method, TaskInLanes};
-use crate::padded::{Padded, Smooth, active, padded};
+use crate::padded::{LONGEST, Padded, Smooth, active, padded};
 use crate::solve::{self, Options, Sampler, Stopped, check_times};
 
 /// Most trajectories that are integrated together in lanes.
 const MOST: usize = 256;
 /// Fewest, where there are enough: they fill the lanes.
 const FEWEST: usize = 32;
+
+/// Longest state in lanes.
+const MOST_IN_LANES: usize = if cfg!(feature = "full") { LONGEST } else { 16 };
 
 /// Members of an ensemble.
 #[derive(Clone, Copy, Debug)]
@@ -199,7 +202,9 @@ pub(crate) fn ensemble<const N: usize>(
                 1 => 0..1,
                 all => n * size..(n * size + starts.len() / length).min(all),
             };
-            if let Some(smooth) = &smooth {
+            if let Some(smooth) = &smooth
+                && const { N <= MOST_IN_LANES }
+            {
                 let batch = Batch {
                     models: &smooth[own.clone()],
                     starts,

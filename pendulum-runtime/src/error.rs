@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+#[cfg(feature = "full")]
 use pendulum_core::fit::FitError;
 use pendulum_core::stability::StabilityError;
 use pendulum_core::tape::ModelError;
@@ -74,6 +75,7 @@ pub enum Error {
     /// Measured values are invalid.
     Sample(SampleError),
     /// A fit could not begin.
+    #[cfg(feature = "full")]
     Fit(FitError),
 }
 
@@ -146,6 +148,7 @@ impl fmt::Display for Error {
             Self::OutsideSpan(error) => error.fmt(f),
             Self::Stability(error) => error.fmt(f),
             Self::Sample(error) => error.fmt(f),
+            #[cfg(feature = "full")]
             Self::Fit(error) => error.fmt(f),
         }
     }
@@ -155,7 +158,8 @@ impl std::error::Error for Error {}
 
 /// Conversions of the errors of other parts.
 macro_rules! from {
-    ($($error:ident => $variant:ident)*) => { $(
+    ($($(#[$if:meta])? $error:ident => $variant:ident)*) => { $(
+        $(#[$if])?
         impl From<$error> for Error {
             fn from(error: $error) -> Self {
                 Self::$variant(error)
@@ -172,5 +176,6 @@ from! {
     OutsideSpan => OutsideSpan
     StabilityError => Stability
     SampleError => Sample
+    #[cfg(feature = "full")]
     FitError => Fit
 }

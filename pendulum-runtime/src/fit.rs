@@ -4,13 +4,12 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use pendulum_core::dual::Dual;
 use pendulum_core::fit::{self, Estimate, Loss, Measurement};
 
 use crate::error::Error;
-use crate::method::{Method, TaskWithDerivatives};
+use crate::method::Method;
 use crate::padded::{Padded, padded};
-use crate::sensitivity::{MOST_PARAMETERS, PART, check_parameters};
+use crate::sensitivity::{MOST_PARAMETERS, Tangent, TaskWithDerivatives, check_parameters};
 
 /// A measured motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,10 +95,7 @@ struct Run<'a, const N: usize> {
 impl<const N: usize> TaskWithDerivatives<N> for Run<'_, N> {
     type Output = Result<Fitted, Error>;
 
-    fn by(
-        self,
-        method: impl pendulum_core::Method<Padded<Dual<f64, PART>, N>, Dual<f64, PART>, N> + Sync,
-    ) -> Self::Output {
+    fn by(self, method: impl pendulum_core::Method<Padded<Tangent, N>, Tangent, N> + Sync) -> Self::Output {
         let own = self.fit;
         let names = || self.model.tape().parameters().iter().map(|parameter| parameter.name);
         let mut fit = fit::Fit::new(method).loss(own.loss).max_iterations(own.max_iterations);

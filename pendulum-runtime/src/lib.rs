@@ -23,35 +23,50 @@
 //!
 //! States are slices, with the components of [`Model::components`]. Inside they are padded to 4, 8, 16, 32 or 64
 //! components, so that each method exists for five lengths; longer states are refused.
+//!
+//! # Features
+//! - `full`, on by default: all methods, states of up to 64 components, stability, sensitivities and fits. Without it a
+//!   build is small, as in a web page: `Rk4`, `Gauss6`, `Vern9`, `Taylor`, `Rodas5P` and `Auto`, of which `Rk4`
+//!   integrates ensembles in lanes, and 32 components.
 
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "full")]
+mod analyses;
 mod declaration;
 mod ensemble;
 mod error;
+#[cfg(feature = "full")]
 mod fit;
 mod method;
 mod model;
 mod padded;
+#[cfg(feature = "full")]
 mod sensitivity;
 mod solve;
+#[cfg(feature = "full")]
 mod stability;
 mod worker;
 
-pub use declaration::{DeclarationError, Problem, Robot};
+pub use declaration::{Declaration, DeclarationError, Problem, Robot};
 pub use ensemble::{Ensemble, Members};
 pub use error::Error;
+#[cfg(feature = "full")]
 pub use fit::{Experiment, Fit, Fitted};
 pub use method::Method;
 pub use model::{Component, Function, Model, Quantity};
+#[cfg(feature = "full")]
 pub use sensitivity::Sensitivity;
 pub use solve::{Event, Impact, Motion, Occurrence, Options, Stopped};
+#[cfg(feature = "full")]
 pub use stability::{Equilibrium, Exponents, Lyapunov, Resting};
 pub use worker::while_waiting;
 
 pub use nalgebra;
+#[cfg(feature = "full")]
 pub use pendulum_core::fit::{Estimate, Loss, Measurement};
 pub use pendulum_core::shapes::{Shape, ShapeKind};
+#[cfg(feature = "full")]
 pub use pendulum_core::stability::{Stability, StabilityError};
 pub use pendulum_core::tape::Shape as ResultShape;
-pub use pendulum_core::{SampleError, Statistics};
+pub use pendulum_core::{SampleError, Slot, SlotKind, StateLayout, Statistics};

@@ -1,20 +1,18 @@
 //! Methods by name.
 
-use pendulum_core::dual::Dual;
 use pendulum_core::method::Adaptive;
-use pendulum_core::{
-    Auto, Gauss4, Gauss6, ObservedEnsemble, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9,
-};
+use pendulum_core::{Auto, Gauss6, ObservedEnsemble, Rk4, Rodas5P, Taylor, Vern9};
+#[cfg(feature = "full")]
+use pendulum_core::{Gauss4, Radau5, Rk45, Rodas4, Tsit5, Vern7};
 
 use crate::error::Error;
 use crate::padded::{Padded, Smooth};
-use crate::sensitivity::PART;
 
 /// A method of integration with its settings. Those that are not set have the defaults of
 /// [`Adaptive`](pendulum_core::method::Adaptive).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Method {
-    kind: Kind,
+    pub(crate) kind: Kind,
     h: Option<f64>,
     rtol: Option<f64>,
     atol: Option<f64>,
@@ -26,46 +24,33 @@ pub struct Method {
 
 /// Defines the methods, and their choice at run time: those with a fixed step, then those that keep a tolerance.
 macro_rules! methods {
-    ($($fixed:ident)*; $($adaptive:ident)*) => {
+    ($($(#[$if_fixed:meta])? $fixed:ident)*; $($(#[$if:meta])? $adaptive:ident)*) => {
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        enum Kind {
-            $($fixed,)*
-            $($adaptive,)*
+        pub(crate) enum Kind {
+            $($(#[$if_fixed])? $fixed,)*
+            $($(#[$if])? $adaptive,)*
         }
 
         impl Method {
             /// Names of all methods.
-            pub const NAMES: &'static [&'static str] = &[$(stringify!($fixed),)* $(stringify!($adaptive)),*];
+            pub const NAMES: &'static [&'static str] = &[
+                $($(#[$if_fixed])? stringify!($fixed),)*
+                $($(#[$if])? stringify!($adaptive),)*
+            ];
 
-            fn kind(name: &str) -> Option<Kind> {
-                $(if name.eq_ignore_ascii_case(stringify!($fixed)) { return Some(Kind::$fixed); })*
-                $(if name.eq_ignore_ascii_case(stringify!($adaptive)) { return Some(Kind::$adaptive); })*
-                None
-            }
+            const KINDS: &'static [Kind] = &[
+                $($(#[$if_fixed])? Kind::$fixed,)*
+                $($(#[$if])? Kind::$adaptive,)*
+            ];
 
-            /// Name of the method.
-            #[must_use]
-            pub fn name(&self) -> &'static str {
-                match self.kind {
-                    $(Kind::$fixed => stringify!($fixed),)*
-                    $(Kind::$adaptive => stringify!($adaptive),)*
-                }
-            }
-
-            /// True if the method takes steps of a fixed length.
-            #[must_use]
-            pub fn is_fixed(&self) -> bool {
-                match self.kind {
-                    $(Kind::$fixed => true,)*
-                    $(Kind::$adaptive => false,)*
-                }
-            }
+            /// Number of methods with a fixed step; they come first.
+            const FIXED: usize = [$($(#[$if_fixed])? Kind::$fixed),*].len();
 
             /// Integrates by the method.
             pub(crate) fn run<K: Task<N>, const N: usize>(&self, task: K) -> K::Output {
                 match self.kind {
-                    $(Kind::$fixed => task.by($fixed::new(self.h.unwrap_or(f64::NAN))),)*
-                    $(Kind::$adaptive => task.by(self.set($adaptive::new())),)*
+                    $($(#[$if_fixed])? Kind::$fixed => task.by($fixed::new(self.h.unwrap_or(f64::NAN))),)*
+                    $($(#[$if])? Kind::$adaptive => task.by(self.set($adaptive::new())),)*
                 }
             }
         }
@@ -73,8 +58,18 @@ macro_rules! methods {
 }
 
 methods! {
-    Rk4 Gauss4 Gauss6;
-    Rk45 Tsit5 Vern7 Vern9 Taylor Rodas4 Rodas5P Radau5 Auto
+    Rk4
+    #[cfg(feature = "full")] Gauss4
+    Gauss6;
+    #[cfg(feature = "full")] Rk45
+    #[cfg(feature = "full")] Tsit5
+    #[cfg(feature = "full")] Vern7
+    Vern9
+    Taylor
+    #[cfg(feature = "full")] Rodas4
+    Rodas5P
+    #[cfg(feature = "full")] Radau5
+    Auto
 }
 
 /// Integration in states of this length.
@@ -91,16 +86,6 @@ pub(crate) trait TaskInLanes<const N: usize> {
     fn by(self, method: impl ObservedEnsemble<Smooth<N>, f64, N> + Sync) -> Self::Output;
 }
 
-/// Integration with derivatives.
-pub(crate) trait TaskWithDerivatives<const N: usize> {
-    type Output;
-
-    fn by(
-        self,
-        method: impl pendulum_core::Method<Padded<Dual<f64, PART>, N>, Dual<f64, PART>, N> + Sync,
-    ) -> Self::Output;
-}
-
 impl Method {
     /// The method of this name, in upper or lower case: `Rk4`, `Gauss4` and `Gauss6` with a fixed step, or `Rk45`,
     /// `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Rodas4`, `Rodas5P`, `Radau5` and `Auto` with a tolerance.
@@ -109,8 +94,9 @@ impl Method {
     /// If there is no such method; the error names the most similar one.
     pub fn new(name: &str) -> Result<Self, Error> {
         let unknown = || Error::unknown("method", name, Self::NAMES.iter().copied());
+        let place = Self::NAMES.iter().position(|own| own.eq_ignore_ascii_case(name));
         Ok(Self {
-            kind: Self::kind(name).ok_or_else(unknown)?,
+            kind: Self::KINDS[place.ok_or_else(unknown)?],
             h: None,
             rtol: None,
             atol: None,
@@ -119,6 +105,18 @@ impl Method {
             h_max: None,
             max_steps: None,
         })
+    }
+
+    /// Name of the method.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        Self::NAMES[self.kind as usize]
+    }
+
+    /// True if the method takes steps of a fixed length.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        (self.kind as usize) < Self::FIXED
     }
 
     /// Sets the length of the fixed steps, in s.
@@ -174,33 +172,14 @@ impl Method {
     pub(crate) fn run_in_lanes<K: TaskInLanes<N>, const N: usize>(&self, task: K) -> Result<K::Output, K> {
         Ok(match self.kind {
             Kind::Rk4 => task.by(Rk4::new(self.h.unwrap_or(f64::NAN))),
+            #[cfg(feature = "full")]
             Kind::Tsit5 => task.by(self.set(Tsit5::new())),
+            #[cfg(feature = "full")]
             Kind::Vern7 => task.by(self.set(Vern7::new())),
+            #[cfg(feature = "full")]
             Kind::Vern9 => task.by(self.set(Vern9::new())),
             _ => return Err(task),
         })
-    }
-
-    /// Integrates with derivatives.
-    ///
-    /// # Errors
-    /// If the method is not one of those that do.
-    pub(crate) fn run_with_derivatives<K, const N: usize>(&self, task: K) -> Result<K::Output, Error>
-    where
-        K: TaskWithDerivatives<N>,
-    {
-        match self.kind {
-            Kind::Vern9 => Ok(task.by(self.set(Vern9::new()))),
-            Kind::Rodas5P => Ok(task.by(self.set(Rodas5P::new()))),
-            _ => Err(Error::Setting {
-                what: "method".to_owned(),
-                rule: format!(
-                    "derivatives of trajectories are computed by `Vern9` or, for stiff systems, by `Rodas5P`, not by \
-                     `{}`",
-                    self.name()
-                ),
-            }),
-        }
     }
 
     /// Checks that the settings are those of the method.
@@ -237,16 +216,17 @@ impl Method {
     }
 
     /// Word of `generate` that the method needs beside `rhs`.
-    pub(crate) fn word(&self) -> Option<&'static str> {
-        match self.kind {
-            Kind::Gauss4 | Kind::Gauss6 => Some("canonical"),
-            Kind::Taylor => Some("taylor"),
-            Kind::Rodas4 | Kind::Rodas5P | Kind::Radau5 | Kind::Auto => Some("jacobian"),
-            Kind::Rk4 | Kind::Rk45 | Kind::Tsit5 | Kind::Vern7 | Kind::Vern9 => None,
+    #[must_use]
+    pub fn word(&self) -> Option<&'static str> {
+        match self.name() {
+            "Gauss4" | "Gauss6" => Some("canonical"),
+            "Taylor" => Some("taylor"),
+            "Rodas4" | "Rodas5P" | "Radau5" | "Auto" => Some("jacobian"),
+            _ => None,
         }
     }
 
-    fn set<F>(&self, mut method: Adaptive<F>) -> Adaptive<F> {
+    pub(crate) fn set<F>(&self, mut method: Adaptive<F>) -> Adaptive<F> {
         if let Some(rtol) = self.rtol {
             method = method.rtol(rtol);
         }

@@ -6,20 +6,16 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 use pendulum_codegen::program::{self, Program};
-use pendulum_core::SlotKind;
-use pendulum_core::sensitivity::Variable;
 use pendulum_core::shapes::Shape;
 use pendulum_core::tape::{Given, Shape as ResultShape, Tape};
+use pendulum_core::{SlotKind, StateLayout};
 
-use crate::declaration::{self, Robot};
+use crate::declaration::{Declaration, Robot};
 use crate::ensemble::{Ensemble, Members};
 use crate::error::Error;
-use crate::fit::{Experiment, Fit, Fitted};
 use crate::method::Method;
 use crate::padded::{self, Engine};
-use crate::sensitivity::Sensitivity;
 use crate::solve::{Motion, Options, Stopped};
-use crate::stability::{Equilibrium, Exponents, Lyapunov, Resting};
 use crate::worker;
 
 /// Length of the states up to which a single motion needs no large stack.
@@ -29,7 +25,7 @@ const SHORT: usize = 16;
 #[derive(Clone)]
 pub struct Model {
     about: Arc<About>,
-    engine: Arc<dyn Engine>,
+    pub(crate) engine: Arc<dyn Engine>,
 }
 
 /// What does not depend on the values of parameters.
@@ -105,15 +101,15 @@ impl Model {
     /// # Errors
     /// See [`parse`](Self::parse).
     pub fn parse_with(text: &str, values: &[(&str, f64)]) -> Result<Self, Error> {
-        Self::parse_in(Path::new(""), text, values)
+        Self::declared(&Declaration::new(text), values)
     }
 
-    /// Compiles a declaration whose files of robots are relative to a folder.
+    /// Compiles a declaration that needs more than its text, with values of some parameters.
     ///
     /// # Errors
     /// See [`parse`](Self::parse).
-    pub fn parse_in(folder: &Path, text: &str, values: &[(&str, f64)]) -> Result<Self, Error> {
-        Self::of(&declaration::program(text, folder)?, values)
+    pub fn declared(declaration: &Declaration, values: &[(&str, f64)]) -> Result<Self, Error> {
+        Self::of(&declaration.program()?, values)
     }
 
     /// Compiles the robot of a URDF file, with gravity against z: see [`Robot`] for more.
@@ -239,6 +235,12 @@ impl Model {
     #[must_use]
     pub fn components(&self) -> &[Component] {
         &self.about.components
+    }
+
+    /// Places of the coordinates and rates in the state.
+    #[must_use]
+    pub fn layout(&self) -> StateLayout<'_> {
+        self.about.tape.layout()
     }
 
     /// Names of the components of all outputs.
@@ -437,112 +439,6 @@ impl Model {
         worker::on_all(|| self.engine.ensemble(method, span, members))
     }
 
-    /// Searches for equilibria from some states. Also returns the coordinates that were not searched completely.
-    ///
-    /// # Errors
-    /// If a state has another length, if `generate` does not have `jacobian`, or if the mechanism depends on time.
-    pub fn equilibria(&self, seeds: &[Vec<f64>]) -> Result<(Vec<Equilibrium>, Vec<String>), Error> {
-        seeds.iter().try_for_each(|seed| self.check_state(seed))?;
-        if !seeds.iter().flatten().all(|x| x.is_finite()) {
-            let (what, rule) = ("seed".to_owned(), "its components must be finite".to_owned());
-            return Err(Error::Setting { what, rule });
-        }
-        self.needs("the search for equilibria", "jacobian", "jacobian")?;
-        self.run(|| self.engine.equilibria(seeds))
-    }
-
-    /// Finds a state of rest near a state, held by dry friction and contacts.
-    ///
-    /// # Errors
-    /// As for [`equilibria`](Self::equilibria), and if the mechanism has no constraints.
-    pub fn resting(&self, seed: &[f64]) -> Result<Resting, Error> {
-        self.check_state(seed)?;
-        self.needs("the search for a state of rest", "jacobian", "jacobian")?;
-        self.run(|| self.engine.resting(seed))
-    }
-
-    /// Computes the largest Lyapunov exponents of a trajectory, by the settings given.
-    ///
-    /// # Errors
-    /// If a setting or the state is invalid, if `generate` does not have `jacobian`, or if the trajectory stops early.
-    pub fn lyapunov(&self, x0: &[f64], settings: &Lyapunov) -> Result<Exponents, Error> {
-        self.lyapunov_unless(x0, settings, &|| false)
-    }
-
-    /// Like [`lyapunov`](Self::lyapunov), but ends with an error when `cancel` returns true, which is called after each
-    /// step.
-    ///
-    /// # Errors
-    /// See [`lyapunov`](Self::lyapunov).
-    pub fn lyapunov_unless(
-        &self,
-        x0: &[f64],
-        settings: &Lyapunov,
-        cancel: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Exponents, Error> {
-        self.check_state(x0)?;
-        self.needs("the computation of exponents", "jacobian", "jacobian")?;
-        if settings.count > self.components().len() {
-            let (count, length) = (settings.count, self.components().len());
-            let what = "count".to_owned();
-            let rule = format!("there are {count}, and a state of this length has at most {length} exponents");
-            return Err(Error::Setting { what, rule });
-        }
-        self.run(|| self.engine.lyapunov(x0, settings, cancel))
-    }
-
-    /// Integrates from the first of the times to the last, with the derivatives of the states by components of the
-    /// initial state and by parameters, given by name.
-    ///
-    /// # Errors
-    /// If a name, a setting or the state is invalid, or if the trajectory stops early.
-    pub fn sensitivity(&self, method: &Method, times: &[f64], x0: &[f64], by: &[&str]) -> Result<Sensitivity, Error> {
-        self.sensitivity_unless(method, times, x0, by, &|| false)
-    }
-
-    /// Like [`sensitivity`](Self::sensitivity), but ends with an error when `cancel` returns true, which is called
-    /// after each step.
-    ///
-    /// # Errors
-    /// See [`sensitivity`](Self::sensitivity).
-    pub fn sensitivity_unless(
-        &self,
-        method: &Method,
-        times: &[f64],
-        x0: &[f64],
-        by: &[&str],
-        cancel: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Sensitivity, Error> {
-        self.check_state(x0)?;
-        self.check_method(method)?;
-        let components = || self.components().iter().map(|own| own.name.as_str());
-        let parameters = || self.parameters().iter().map(|own| own.name.as_str());
-        let variable = |name: &&str| {
-            let parameter = parameters().position(|own| own == *name).map(Variable::Parameter);
-            let start = || components().position(|own| own == *name).map(Variable::Start);
-            let unknown = || Error::unknown("parameter or component", name, parameters().chain(components()));
-            parameter.or_else(start).ok_or_else(unknown)
-        };
-        let by: Vec<Variable> = by.iter().map(variable).collect::<Result<_, _>>()?;
-        self.run(|| self.engine.sensitivity(method, times, x0, &by, cancel))
-    }
-
-    /// Fits parameters to measurements.
-    ///
-    /// # Errors
-    /// If names, settings or measurements are invalid, or if the model cannot be integrated at its own parameters.
-    pub fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error> {
-        self.check_method(&fit.method)?;
-        for experiment in experiments {
-            let known = experiment.known.as_ref().map(|(_, x)| x);
-            known
-                .into_iter()
-                .chain(&experiment.guess)
-                .try_for_each(|x| self.check_state(x))?;
-        }
-        worker::on_all(|| self.engine.fit(fit, experiments))
-    }
-
     /// True if a single motion is integrated on the thread of the caller, since its state is short; others need a
     /// larger stack.
     #[must_use]
@@ -551,22 +447,22 @@ impl Model {
     }
 
     /// Runs work on a thread with a large stack, if the state needs it: a thread costs more than a short motion.
-    fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+    pub(crate) fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         if self.is_short() { work() } else { worker::run(work) }
     }
 
-    fn check_state(&self, x: &[f64]) -> Result<(), Error> {
+    pub(crate) fn check_state(&self, x: &[f64]) -> Result<(), Error> {
         Error::check_length("the state", x.len(), self.about.components.len())
     }
 
     /// Checks that the declaration asks for a routine.
-    fn needs(&self, what: &str, routine: &str, word: &'static str) -> Result<(), Error> {
+    pub(crate) fn needs(&self, what: &str, routine: &str, word: &'static str) -> Result<(), Error> {
         let what = what.to_owned();
         let routine = self.about.tape.routine(routine);
         routine.map(|_| ()).ok_or(Error::NotGenerated { what, word })
     }
 
-    fn check_method(&self, method: &Method) -> Result<(), Error> {
+    pub(crate) fn check_method(&self, method: &Method) -> Result<(), Error> {
         method.check()?;
         let what = format!("the method `{}`", method.name());
         match method.word() {

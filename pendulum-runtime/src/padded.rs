@@ -7,13 +7,12 @@ use pendulum_core::shapes::{Shape, Shapes};
 use pendulum_core::tape::{self, Given, HybridModel, ModelError, Tape};
 use pendulum_core::{Energy, Jacobian, System};
 
+#[cfg(feature = "full")]
+use crate::analyses::Analyses;
 use crate::ensemble::{self, Ensemble, Members};
 use crate::error::Error;
-use crate::fit::{self, Experiment, Fit, Fitted};
 use crate::method::Method;
-use crate::sensitivity::{self, Sensitivity};
 use crate::solve::{self, Motion, Options, Stopped};
-use crate::stability::{self, Equilibrium, Exponents, Lyapunov, Resting};
 
 /// A model with a state of `N` components, the last of which may be padding.
 pub(crate) type Padded<T, const N: usize> = HybridModel<T, N>;
@@ -22,7 +21,7 @@ pub(crate) type Padded<T, const N: usize> = HybridModel<T, N>;
 pub(crate) type Smooth<const N: usize> = tape::Model<f64, N>;
 
 /// Longest state.
-pub(crate) const LONGEST: usize = 64;
+pub(crate) const LONGEST: usize = if cfg!(feature = "full") { 64 } else { 32 };
 
 /// Builds the model of a tape.
 pub(crate) fn build(tape: &Arc<Tape>, params: &[f64]) -> Result<Arc<dyn Engine>, Error> {
@@ -33,7 +32,9 @@ pub(crate) fn build(tape: &Arc<Tape>, params: &[f64]) -> Result<Arc<dyn Engine>,
             }
         )* };
     }
-    first_that_fits!(4 8 16 32 64);
+    first_that_fits!(4 8 16 32);
+    #[cfg(feature = "full")]
+    first_that_fits!(64);
     Err(Error::TooLong {
         what: "the state",
         length: tape.length(),
@@ -41,16 +42,20 @@ pub(crate) fn build(tape: &Arc<Tape>, params: &[f64]) -> Result<Arc<dyn Engine>,
     })
 }
 
-/// Function that ends a computation when it returns true.
-pub(crate) type Cancel<'c> = dyn Fn() -> bool + Sync + 'c;
-
 /// State with padding.
 pub(crate) fn padded<const N: usize>(x: &[f64]) -> SVector<f64, N> {
     SVector::from_fn(|n, _| x.get(n).copied().unwrap_or_default())
 }
 
+/// What can be computed beside motions: nothing.
+#[cfg(not(feature = "full"))]
+pub(crate) trait Analyses {}
+
+#[cfg(not(feature = "full"))]
+impl<const N: usize> Analyses for Padded<f64, N> {}
+
 /// A padded model of any length.
-pub(crate) trait Engine: Send + Sync {
+pub(crate) trait Engine: Analyses + Send + Sync {
     fn params(&self) -> &[f64];
     fn inputs(&self) -> &[f64];
     fn with(&self, params: &[f64], inputs: &[f64]) -> Result<Arc<dyn Engine>, ModelError>;
@@ -63,18 +68,6 @@ pub(crate) trait Engine: Send + Sync {
     fn assemble(&self, t: f64, x: &[f64]) -> Result<Vec<f64>, Error>;
     fn solve(&self, method: &Method, span: [f64; 2], x0: &[f64], options: &Options<'_>) -> Result<Motion, Stopped>;
     fn ensemble(&self, method: &Method, span: [f64; 2], members: &Members<'_>) -> Result<Ensemble, Error>;
-    fn equilibria(&self, seeds: &[Vec<f64>]) -> Result<(Vec<Equilibrium>, Vec<String>), Error>;
-    fn resting(&self, seed: &[f64]) -> Result<Resting, Error>;
-    fn lyapunov(&self, x0: &[f64], settings: &Lyapunov, cancel: &Cancel<'_>) -> Result<Exponents, Error>;
-    fn sensitivity(
-        &self,
-        method: &Method,
-        times: &[f64],
-        x0: &[f64],
-        by: &[pendulum_core::sensitivity::Variable],
-        cancel: &Cancel<'_>,
-    ) -> Result<Sensitivity, Error>;
-    fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error>;
 }
 
 impl<const N: usize> Engine for Padded<f64, N> {
@@ -132,33 +125,6 @@ impl<const N: usize> Engine for Padded<f64, N> {
 
     fn ensemble(&self, method: &Method, span: [f64; 2], members: &Members<'_>) -> Result<Ensemble, Error> {
         ensemble::ensemble(self, method, span, members)
-    }
-
-    fn equilibria(&self, seeds: &[Vec<f64>]) -> Result<(Vec<Equilibrium>, Vec<String>), Error> {
-        stability::equilibria(self, seeds)
-    }
-
-    fn resting(&self, seed: &[f64]) -> Result<Resting, Error> {
-        stability::resting(self, seed)
-    }
-
-    fn lyapunov(&self, x0: &[f64], settings: &Lyapunov, cancel: &Cancel<'_>) -> Result<Exponents, Error> {
-        stability::lyapunov(self, x0, settings, cancel)
-    }
-
-    fn sensitivity(
-        &self,
-        method: &Method,
-        times: &[f64],
-        x0: &[f64],
-        by: &[pendulum_core::sensitivity::Variable],
-        cancel: &Cancel<'_>,
-    ) -> Result<Sensitivity, Error> {
-        sensitivity::sensitivity(self, method, times, x0, (by, cancel))
-    }
-
-    fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error> {
-        fit::fit(self, fit, experiments)
     }
 }
 

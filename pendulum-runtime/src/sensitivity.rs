@@ -4,15 +4,18 @@ use nalgebra::{DMatrix, SVector};
 use pendulum_core::dense::Dense;
 use pendulum_core::dual::Dual;
 use pendulum_core::sensitivity::{self, Variable};
-use pendulum_core::{Observer, Reason};
+use pendulum_core::{Observer, Reason, Rodas5P, Vern9};
 
+use crate::analyses::Cancel;
 use crate::error::Error;
-use crate::method::{Method, TaskWithDerivatives};
-use crate::padded::{Cancel, Padded, padded};
+use crate::method::{Kind, Method};
+use crate::padded::{Padded, padded};
 use crate::solve::check_times;
 
 /// Number of derivatives that are carried at once.
 pub(crate) const PART: usize = 8;
+/// A number with that many derivatives.
+pub(crate) type Tangent = Dual<f64, PART>;
 /// Maximum number of parameters of a model whose trajectories are differentiated.
 pub(crate) const MOST_PARAMETERS: usize = 64;
 
@@ -36,25 +39,56 @@ pub(crate) fn check_parameters<const N: usize>(model: &Padded<f64, N>) -> Result
     })
 }
 
+/// Integration with derivatives.
+pub(crate) trait TaskWithDerivatives<const N: usize> {
+    type Output;
+
+    fn by(self, method: impl pendulum_core::Method<Padded<Tangent, N>, Tangent, N> + Sync) -> Self::Output;
+}
+
+impl Method {
+    /// Integrates with derivatives.
+    ///
+    /// # Errors
+    /// If the method is not one of those that do.
+    pub(crate) fn run_with_derivatives<K, const N: usize>(&self, task: K) -> Result<K::Output, Error>
+    where
+        K: TaskWithDerivatives<N>,
+    {
+        match self.kind {
+            Kind::Vern9 => Ok(task.by(self.set(Vern9::new()))),
+            Kind::Rodas5P => Ok(task.by(self.set(Rodas5P::new()))),
+            _ => Err(Error::Setting {
+                what: "method".to_owned(),
+                rule: format!(
+                    "derivatives of trajectories are computed by `Vern9` or, for stiff systems, by `Rodas5P`, not by \
+                     `{}`",
+                    self.name()
+                ),
+            }),
+        }
+    }
+}
+
 /// Samples of a trajectory in dual numbers.
 struct Samples<'t, const N: usize> {
     cancel: &'t Cancel<'t>,
     times: &'t [f64],
     forward: bool,
-    x: Vec<SVector<Dual<f64, PART>, N>>,
+    x: Vec<SVector<Tangent, N>>,
 }
 
-impl<const N: usize> Observer<Dual<f64, PART>, N> for Samples<'_, N> {
+impl<const N: usize> Observer<Tangent, N> for Samples<'_, N> {
     fn is_cancelled(&self) -> bool {
         (self.cancel)()
     }
 
-    fn start(&mut self, t: Dual<f64, PART>, x: &SVector<Dual<f64, PART>, N>) {
+    fn start(&mut self, t: Tangent, x: &SVector<Tangent, N>) {
         let at_start = self.times.iter().take_while(|own| **own == t.value);
         self.x.extend(at_start.map(|_| *x));
     }
 
-    fn step(&mut self, dense: &Dense<'_, Dual<f64, PART>, N>) {
+    fn step(&mut self, dense: &Dense<'_, Tangent, N>) {
         let end = dense.step().t1.value;
         while let Some(&t) = self.times.get(self.x.len())
             && (if self.forward { t <= end } else { t >= end })
@@ -73,9 +107,9 @@ struct Part<'m, const N: usize> {
 }
 
 impl<const N: usize> TaskWithDerivatives<N> for Part<'_, N> {
-    type Output = Result<Vec<SVector<Dual<f64, PART>, N>>, Reason>;
+    type Output = Result<Vec<SVector<Tangent, N>>, Reason>;
 
-    fn by(self, method: impl pendulum_core::Method<Padded<Dual<f64, PART>, N>, Dual<f64, PART>, N>) -> Self::Output {
+    fn by(self, method: impl pendulum_core::Method<Padded<Tangent, N>, Tangent, N>) -> Self::Output {
         let (model, x0) = sensitivity::seeded::<_, N, MOST_PARAMETERS, PART>(self.model, self.x0, self.by);
         let (first, last) = (self.times[0], self.times[self.times.len() - 1]);
         let mut samples = Samples {
@@ -86,7 +120,7 @@ impl<const N: usize> TaskWithDerivatives<N> for Part<'_, N> {
         };
         let [t0, t1] = [first, last].map(Dual::constant);
         // as in fits, so that they share the code
-        let mut observer: &mut dyn Observer<Dual<f64, PART>, N> = &mut samples;
+        let mut observer: &mut dyn Observer<Tangent, N> = &mut samples;
         method.follow(&model, t0, t1, x0, &[], &mut observer)?;
         Ok(samples.x)
     }
@@ -136,7 +170,7 @@ pub(crate) fn sensitivity<const N: usize>(
                     .for_each(|(row, slope)| derivatives[(row, n * PART + k)] = slope);
             }
         }
-        let values = |x: &SVector<Dual<f64, PART>, N>| x.iter().take(length).map(|x| x.value).collect();
+        let values = |x: &SVector<Tangent, N>| x.iter().take(length).map(|x| x.value).collect();
         sensitivity.x = states.iter().map(values).collect();
     }
     Ok(sensitivity)

@@ -59,6 +59,9 @@ pub(crate) fn alone<R: Send>(work: impl FnOnce() -> R + Send) -> R {
 pub(crate) fn on_all<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     /// The threads, and the process that started them: a fork has none of them.
     static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+    if cfg!(target_family = "wasm") {
+        return work();
+    }
     let process = std::process::id();
     let pool = {
         let mut pool = POOL.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -72,7 +75,7 @@ pub(crate) fn on_all<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     };
     match pool {
         Some(pool) => pool.install(work),
-        // without threads, as in a browser
+        // where threads cannot be started
         None => work(),
     }
 }

@@ -6,6 +6,8 @@ mod analyses;
 mod compiled;
 #[path = "it/corpus.rs"]
 mod corpus;
+#[path = "it/declared.rs"]
+mod declared;
 #[path = "it/refused.rs"]
 mod refused;
 #[path = "it/robots.rs"]

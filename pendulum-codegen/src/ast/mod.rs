@@ -69,6 +69,8 @@ pub(crate) struct Items {
     pub clamps: usize,
     /// The word `generate`, and the routines to generate.
     pub generate: Option<(Ident, Vec<Ident>)>,
+    /// Words of `generate` that are added where the scene can have them.
+    pub also: Vec<String>,
 }
 
 /// `name: unit = default`

@@ -22,8 +22,16 @@ pub(super) struct Has {
 }
 
 impl Lower<'_> {
-    /// Routines to generate, by default if the list is omitted.
+    /// Routines to generate: those listed, or the default ones if the list is omitted, and those added to it that the
+    /// scene can have.
     pub(super) fn generate(&mut self, items: &Items, has: Has) -> BTreeSet<&'static str> {
+        let mut words = self.listed(items, has);
+        let is_added = |word: &&str| items.also.iter().any(|also| also == *word) && hindrance(word, has).is_none();
+        words.extend(program::words().into_iter().filter(is_added));
+        words
+    }
+
+    fn listed(&mut self, items: &Items, has: Has) -> BTreeSet<&'static str> {
         let Some((word, list)) = &items.generate else {
             let mut words: BTreeSet<&'static str> = ["rhs", "jacobian"].into();
             words.extend(has.coordinates.then_some("energy"));

@@ -1,75 +1,22 @@
+// Plays the frames of a motion, again and again.
 ((canvas, scene) => {
-  const context = canvas.getContext("2d");
-  const colours = ["#2f6fa8", "#c8553d", "#3c8d5a", "#8a5aa8", "#b08a2e", "#4b8f8c"];
-  const bodies = [...new Set(scene.shapes.map((shape) => shape.body))].filter((body) => body !== "ground");
-  const colour = (body) => (body === "ground" ? "#555" : colours[bodies.indexOf(body) % colours.length]);
-  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+  const bounds = [Infinity, -Infinity, Infinity, -Infinity];
   for (const frame of scene.frames) {
     frame.forEach(([points, radius], n) => {
       if (scene.shapes[n].kind === "Guide") return;
       for (let i = 0; i < points.length; i += 2) {
-        left = Math.min(left, points[i] - radius);
-        right = Math.max(right, points[i] + radius);
-        low = Math.min(low, points[i + 1] - radius);
-        high = Math.max(high, points[i + 1] + radius);
+        bounds[0] = Math.min(bounds[0], points[i] - radius);
+        bounds[1] = Math.max(bounds[1], points[i] + radius);
+        bounds[2] = Math.min(bounds[2], points[i + 1] - radius);
+        bounds[3] = Math.max(bounds[3], points[i + 1] + radius);
       }
     });
   }
-  const size = Math.max(right - left, high - low, 1e-9) * 1.1;
-  const scale = canvas.width / size;
-  const x = (value) => canvas.width / 2 + (value - (left + right) / 2) * scale;
-  const y = (value) => canvas.height / 2 - (value - (low + high) / 2) * scale;
-  const line = (points, closed) => {
-    context.beginPath();
-    for (let i = 0; i < points.length; i += 2) context.lineTo(x(points[i]), y(points[i + 1]));
-    if (closed) context.closePath();
-    context.stroke();
-  };
-  const disk = (px, py, radius, filled) => {
-    context.beginPath();
-    context.arc(x(px), y(py), radius, 0, 2 * Math.PI);
-    filled ? context.fill() : context.stroke();
-  };
-  const edges = [0, 1, 1, 3, 3, 2, 2, 0, 4, 5, 5, 7, 7, 6, 6, 4, 0, 4, 1, 5, 2, 6, 3, 7];
-  const spring = ([ax, ay, bx, by]) => {
-    const points = [ax, ay];
-    const [dx, dy] = [bx - ax, by - ay];
-    const length = Math.hypot(dx, dy) || 1;
-    for (let i = 1; i < 16; i++) {
-      const side = ((i % 2 ? 1 : -1) * 0.02 * size) / length;
-      points.push(ax + (dx * i) / 16 - dy * side, ay + (dy * i) / 16 + dx * side);
-    }
-    line([...points, bx, by], false);
-  };
-  const draw = {
-    Mass: (p) => { line(p, false); disk(p[0], p[1], 7, true); },
-    Rod: (p) => line(p, false),
-    Disk: (p, r) => { disk(p[0], p[1], r * scale, false); line(p, false); },
-    Sphere: (p, r) => disk(p[0], p[1], r * scale, false),
-    Plate: (p) => line(p, true),
-    Cylinder: (p, r) => { context.lineWidth = Math.max(2, Math.min(2 * r * scale, 40)); context.globalAlpha = 0.5; line(p, false); },
-    Cuboid: (p) => { for (let i = 0; i < edges.length; i += 2) line([p[2 * edges[i]], p[2 * edges[i] + 1], p[2 * edges[i + 1]], p[2 * edges[i + 1] + 1]], false); },
-    Pivot: (p) => disk(p[0], p[1], 4, false),
-    Support: (p) => { disk(p[0], p[1], 4, false); line([p[0] - 0.02 * size, p[1] + 0.02 * size, p[0] + 0.02 * size, p[1] + 0.02 * size], false); },
-    Guide: (p) => { const [dx, dy] = [p[2] - p[0], p[3] - p[1]]; line([p[0] - size * dx, p[1] - size * dy, p[0] + size * dx, p[1] + size * dy], false); },
-    Spring: spring,
-    Damper: spring,
-    Point: (p) => disk(p[0], p[1], 2.5, true),
-    Anchor: (p) => disk(p[0], p[1], 2.5, true),
-  };
+  const on = painter(canvas, scene.shapes, bounds);
   const show = (n) => {
-    context.clearRect(0, 0, canvas.width, canvas.height);
-    scene.frames[n].forEach(([points, radius], k) => {
-      const { kind, body } = scene.shapes[k];
-      context.strokeStyle = context.fillStyle = kind === "Guide" ? "#bbb" : colour(body);
-      context.lineWidth = kind === "Rod" ? 4 : 2;
-      context.globalAlpha = 1;
-      draw[kind](points, radius);
-    });
-    context.globalAlpha = 1;
-    context.fillStyle = "#555";
-    context.font = "13px sans-serif";
-    context.fillText(`t = ${scene.times[n].toFixed(2)} s`, 10, 18);
+    on.clear();
+    on.paint(scene.frames[n]);
+    on.write(`t = ${scene.times[n].toFixed(2)} s`);
   };
   if (scene.frames.length === 0) return;
   const [first, last] = [scene.times[0], scene.times[scene.times.length - 1]];

@@ -33,13 +33,19 @@ def page(
         "times": [round(float(t), 6) for t in times],
         "speed": speed,
     }
-    script = resources.files(__package__).joinpath("animation.js").read_text(encoding="utf-8")
+    painter, animation = (_script(name) for name in ("canvas.js", "animation.js"))
     place = f"pendulum-{uuid.uuid4().hex}"
     data = json.dumps(scene, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
     return (
         f'<figure><canvas id="{place}" width="480" height="480" role="img" aria-label="{html.escape(name)} in motion">'
-        f"</canvas></figure><script>{script}(document.getElementById({json.dumps(place)}), {data});</script>"
+        f"</canvas></figure><script>(() => {{\n{painter}\n{animation.rstrip()}"
+        f"(document.getElementById({json.dumps(place)}), {data});\n}})();</script>"
     )
+
+
+def _script(name: str) -> str:
+    script = resources.files(__package__).joinpath(name).read_text(encoding="utf-8")
+    return script.replace("export default ", "")
 
 
 def _from_the_side() -> NDArray[np.float64]:

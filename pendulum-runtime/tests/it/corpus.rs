@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use pendulum_runtime::{Error, Method, Model, Options, Stopped};
+use pendulum_runtime::{Declaration, Error, Method, Model, Options, Stopped};
 
 use declarations::declarations;
 use random::{Random, number};
@@ -50,10 +50,11 @@ fn corpus() -> Vec<String> {
 /// Uses a text as a caller would. Returns true if it is a mechanism.
 fn is_used(text: &str) -> bool {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../testbed");
-    let model = match Model::parse_in(&folder, text, &[]) {
+    let declaration = Declaration::new(text).folder(folder);
+    let model = match Model::declared(&declaration, &[]) {
         Err(Error::NoValue { parameters }) => {
             let values: Vec<(&str, f64)> = parameters.iter().map(|name| (name.as_str(), 1.0)).collect();
-            Model::parse_in(&folder, text, &values)
+            Model::declared(&declaration, &values)
         }
         model => model,
     };

@@ -1,0 +1,46 @@
+//! What a declaration can be given beside its text.
+
+use pendulum_runtime::{Declaration, Error, Model};
+
+const BALL: &str = "pub Ball {
+    gravity: [0, -9.81, 0],
+    body bob on ground { mass: 1, com: [0, -1, 0], inertia: 0.1, joint: ball, orientation: q }
+    generate: [rhs],
+}";
+
+fn names(model: &Model) -> Vec<&str> {
+    model.functions().iter().map(|function| function.name.as_str()).collect()
+}
+
+#[test]
+fn words_are_added_where_the_mechanism_can_have_them() {
+    let declaration = Declaration::new(BALL).also(["energy", "canonical", "rhs", "no_word"]);
+    let model = Model::declared(&declaration, &[]).expect("valid");
+    // a ball joint has no canonical equations
+    assert_eq!(names(&model), ["rhs", "kinetic", "potential"]);
+    assert_eq!(names(&Model::parse(BALL).expect("valid")), ["rhs"]);
+    let refused = BALL.replace("[rhs]", "[rhs, canonical]");
+    assert!(matches!(Model::parse(&refused), Err(Error::Declaration(_))));
+}
+
+#[test]
+fn robots_come_from_texts_that_are_given() {
+    let text = "pub Arm { robot: urdf(\"arm.urdf\"), gravity: [0, 0, -9.81] }";
+    assert!(matches!(Model::parse(text), Err(Error::Declaration(_))));
+    let file = include_str!("../../../testbed/data/urdf/declared/ur5.urdf");
+    let declaration = Declaration::new(text).file("arm.urdf", file);
+    let model = Model::declared(&declaration, &[]).expect("valid");
+    assert_eq!(model.components().len(), 12);
+    assert!(declaration.rust().expect("valid").contains("fn rhs"));
+}
+
+#[test]
+fn code_is_that_of_the_macro() {
+    let declaration = Declaration::new(BALL).also(["energy"]);
+    let tokens = BALL.parse().expect("tokens");
+    // words that are added are for the model, not for the reader
+    assert_eq!(declaration.rust().expect("valid"), pendulum_codegen::expand(tokens).to_string());
+    assert!(declaration.c().expect("valid").contains("ball_rhs"));
+    let error = Declaration::new("pub Ball { gravty: [0, 0, 0] }").rust().expect_err("a wrong word");
+    assert!(error.to_string().contains("did you mean `gravity`?"), "{error}");
+}
