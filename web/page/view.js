@@ -1,0 +1,193 @@
+// The mechanism on its canvas: from three dimensions to two, trails, companions, and dragging.
+import painter from "../../pendulum-python/python/pendulum_dynamics/canvas.js";
+
+/** Directions of the screen: of flat mechanisms along x and y, of others from in front, to the right and above. */
+const FLAT = [[1, 0, 0], [0, 1, 0]];
+const SPATIAL = (() => {
+  const unit = (v) => v.map((own) => own / Math.hypot(...v));
+  const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
+  const towards = [3, -4, 2];
+  const right = cross([0, 0, 1], towards);
+  return [unit(right), unit(cross(towards, right))];
+})();
+
+export class View {
+  constructor(canvas, { onDrag, onDrop }) {
+    this.canvas = canvas;
+    this.shapes = [];
+    this.held = null;
+    const at = (event) => {
+      const box = canvas.getBoundingClientRect();
+      const ratio = canvas.width / box.width;
+      return [(event.clientX - box.left) * ratio, (event.clientY - box.top) * ratio];
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      this.held = this.nearest(at(event));
+      if (!this.held) return;
+      canvas.setPointerCapture(event.pointerId);
+      event.preventDefault();
+      canvas.focus();
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (this.held) onDrag({ ...this.held, to: this.place(at(event)), view: this.view });
+    });
+    const drop = () => {
+      if (this.held) onDrop();
+      this.held = null;
+    };
+    canvas.addEventListener("pointerup", drop);
+    canvas.addEventListener("pointercancel", drop);
+  }
+
+  /** Takes the shapes of another mechanism. */
+  take(shapes, frames) {
+    this.shapes = shapes;
+    this.bounds = null;
+    this.view = FLAT;
+    const depths = frames.flatMap((frame) => this.points(frame).map((point) => point[2]));
+    const [near, far] = [Math.min(...depths), Math.max(...depths)];
+    if (depths.length > 0 && far - near > 1e-9 * Math.max(1e-9, Math.abs(far), Math.abs(near))) this.view = SPATIAL;
+    frames.forEach((frame) => this.widen(frame));
+  }
+
+  /** Points of all shapes in space, but for guides, which have no end. */
+  points(numbers) {
+    const points = [];
+    let place = 0;
+    for (const shape of this.shapes) {
+      for (let n = 0; n < shape.points; n++, place += 3) {
+        if (shape.kind !== "Guide") points.push([numbers[place], numbers[place + 1], numbers[place + 2]]);
+      }
+      place += 1;
+    }
+    return points;
+  }
+
+  /** Points on the screen in m and radius of each shape, from a place among numbers. */
+  flat(numbers, place = 0) {
+    const [[a, b, c], [d, e, f]] = this.view;
+    return this.shapes.map((shape) => {
+      const points = [];
+      for (let n = 0; n < shape.points; n++, place += 3) {
+        const [x, y, z] = [numbers[place], numbers[place + 1], numbers[place + 2]];
+        points.push(a * x + b * y + c * z, d * x + e * y + f * z);
+      }
+      return [points, numbers[place++]];
+    });
+  }
+
+  /** Widens the bounds to all that was seen: a square about the supports, if there are any. */
+  widen(numbers) {
+    let [left, right, low, high] = this.bounds ?? [Infinity, -Infinity, Infinity, -Infinity];
+    const flat = this.flat(numbers);
+    const supports = flat.filter((_, n) => this.shapes[n].kind === "Support").map(([points]) => points);
+    const guided = this.shapes.some(({ kind }) => kind === "Guide");
+    const middle = (k) => supports.reduce((sum, points) => sum + points[k], 0) / supports.length;
+    const centre = supports.length > 0 && !guided ? [middle(0), middle(1)] : null;
+    flat.forEach(([points, radius], n) => {
+      if (this.shapes[n].kind === "Guide") return;
+      for (let k = 0; k < points.length; k += 2) {
+        const [x, y] = [points[k], points[k + 1]];
+        const away = centre ? Math.hypot(x - centre[0], y - centre[1]) + radius : radius;
+        const [px, py] = centre ?? [x, y];
+        [left, right] = [Math.min(left, px - away), Math.max(right, px + away)];
+        [low, high] = [Math.min(low, py - away), Math.max(high, py + away)];
+      }
+    });
+    this.bounds = Number.isFinite(left) ? [left, right, low, high] : null;
+  }
+
+  /** The shape and its point nearest to a place on the canvas, if one is near. */
+  nearest([px, py]) {
+    if (!this.on || !this.last) return null;
+    let [best, found] = [40 * (this.canvas.width / this.canvas.clientWidth), null];
+    this.flat(this.last).forEach(([points], shape) => {
+      const { kind, body } = this.shapes[shape];
+      if (body === "ground" || kind === "Guide") return;
+      for (let k = 0; k < points.length; k += 2) {
+        const away = Math.hypot(this.on.x(points[k]) - px, this.on.y(points[k + 1]) - py);
+        if (away < best) [best, found] = [away, { shape, point: k / 2 }];
+      }
+    });
+    return found;
+  }
+
+  /** Place in m of a place on the canvas. */
+  place([px, py]) {
+    const { x, y, scale } = this.on;
+    return [(px - x(0)) / scale, (y(0) - py) / scale];
+  }
+
+  /** Draws a frame, with the path of its last moving point. */
+  draw(frame, past, { trail, text }) {
+    const { canvas } = this;
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const [width, height] = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+    this.last = frame.shapes;
+    this.widen(frame.shapes);
+    this.on = painter(canvas, this.shapes, this.bounds ?? [-1, 1, -1, 1]);
+    this.on.clear();
+    if (frame.crowd) this.drawCrowd(frame.crowd);
+    if (trail) this.drawTrail(past);
+    if (frame.twin) this.on.paint(this.flat(frame.twin.shapes), 0.4);
+    this.on.paint(this.flat(frame.shapes));
+    this.on.write(text);
+  }
+
+  /** Number of the shape, and of its point, whose path is drawn: a tip. */
+  tip() {
+    const moves = (shape) => shape.body !== "ground" && shape.kind !== "Guide";
+    const named = this.shapes.findLastIndex((shape) => shape.kind === "Point");
+    const shape = named >= 0 ? named : this.shapes.findLastIndex((own) => moves(own) && own.kind !== "Pivot");
+    return shape < 0 ? null : [shape, this.shapes[shape].kind === "Rod" ? 1 : 0];
+  }
+
+  drawTrail(past) {
+    const tip = this.tip();
+    if (!tip) return;
+    const context = this.canvas.getContext("2d");
+    const [shape, point] = tip;
+    const before = this.shapes.slice(0, shape).reduce((sum, own) => sum + 3 * own.points + 1, 0);
+    const [[a, b, c], [d, e, f]] = this.view;
+    context.lineWidth = 1.5;
+    context.strokeStyle = "#d08a2e";
+    const length = Math.min(past.length, 240);
+    for (let n = past.length - length + 1; n < past.length; n++) {
+      context.globalAlpha = 0.7 * ((n - past.length + length) / length);
+      context.beginPath();
+      for (const frame of [past[n - 1], past[n]]) {
+        const at = before + 3 * point;
+        const [x, y, z] = [frame.shapes[at], frame.shapes[at + 1], frame.shapes[at + 2]];
+        context.lineTo(this.on.x(a * x + b * y + c * z), this.on.y(d * x + e * y + f * z));
+      }
+      context.stroke();
+    }
+    context.globalAlpha = 1;
+  }
+
+  /** Draws many mechanisms at once: of each shape, the line through its points. */
+  drawCrowd(numbers) {
+    const context = this.canvas.getContext("2d");
+    const [[a, b, c], [d, e, f]] = this.view;
+    const { x, y } = this.on;
+    context.globalAlpha = 0.06;
+    context.lineWidth = 1.5;
+    context.strokeStyle = "#2f6fa8";
+    context.beginPath();
+    for (let place = 0; place < numbers.length && this.shapes.length > 0; ) {
+      for (const shape of this.shapes) {
+        const drawn = shape.body !== "ground" && shape.kind !== "Guide" && shape.points > 1;
+        for (let n = 0; n < shape.points; n++, place += 3) {
+          if (!drawn || n > 1) continue;
+          const [px, py, pz] = [numbers[place], numbers[place + 1], numbers[place + 2]];
+          const [sx, sy] = [x(a * px + b * py + c * pz), y(d * px + e * py + f * pz)];
+          n === 0 ? context.moveTo(sx, sy) : context.lineTo(sx, sy);
+        }
+        place += 1;
+      }
+    }
+    context.stroke();
+    context.globalAlpha = 1;
+  }
+}

@@ -1,0 +1,340 @@
+//! Answers to requests.
+
+use std::collections::BTreeMap;
+
+use pendulum_runtime::{Declaration, Error, Event, Method, Model, Options, Quantity as OwnQuantity, SlotKind, Stopped};
+
+use crate::crowd::Crowd;
+use crate::message::{About, Answer, Component, Function, Moved, Place, Quantity, Request, Section, Settings, Shape};
+use crate::{drag, frames};
+
+/// Value of a parameter that has no default.
+const ASSUMED: f64 = 1.0;
+/// Code of the error that a file cannot be read.
+const NO_FILE: &str = "M801";
+/// Values of a coordinate from which the page starts, in rad or m; the first from which the mechanism can move.
+const STARTS: [f64; 8] = [2.0, 1.0, 0.5, 0.1, -0.1, -0.5, -1.0, 0.0];
+
+/// A mechanism, and motions of it.
+#[derive(Debug, Default)]
+pub struct Page {
+    model: Option<Model>,
+    declaration: Declaration,
+    crowd: Option<Crowd>,
+}
+
+impl Page {
+    /// Answers a request in JSON, as JSON and numbers.
+    pub fn answer_json(&mut self, request: &[u8]) -> (String, Vec<f64>) {
+        let (answer, numbers) = match serde_json::from_slice(request) {
+            Ok(request) => self.answer(request),
+            Err(error) => (refused(&error), Vec::new()),
+        };
+        let text = serde_json::to_string(&answer).unwrap_or_default();
+        (text, numbers)
+    }
+
+    /// Answers a request, with numbers such as frames.
+    pub fn answer(&mut self, request: Request) -> (Answer, Vec<f64>) {
+        let mut numbers = Vec::new();
+        let answer = match request {
+            Request::Declare { text, files, method } => self.declare(&text, files, &method),
+            Request::Code { language } => self.code(&language),
+            request => match self.with_model(request, &mut numbers) {
+                Ok(answer) => answer,
+                Err(error) => refused(&error),
+            },
+        };
+        (answer, numbers)
+    }
+
+    fn with_model(&mut self, request: Request, numbers: &mut Vec<f64>) -> Result<Answer, Error> {
+        let Some(model) = &self.model else {
+            let why = "there is no mechanism yet: declare one".to_owned();
+            return Ok(Answer::Refused { why });
+        };
+        Ok(match request {
+            Request::Set { values, inputs } => {
+                let names = model.inputs().iter().map(|input| input.name.as_str());
+                let inputs: Vec<(&str, f64)> = names.zip(inputs).collect();
+                let changed = model.with_values(&values)?.with_inputs(&inputs)?;
+                self.crowd = None;
+                self.model = Some(changed);
+                Answer::Done
+            }
+            Request::Look { t, x } => {
+                let x = model.assemble(t, &x)?;
+                frames::push(numbers, model, t, &x)?;
+                Answer::State { x }
+            }
+            Request::Move {
+                by,
+                span,
+                x,
+                frames,
+                section,
+            } => {
+                let options = Options {
+                    times: Some(times(span, frames)),
+                    events: section.map(|section| passage(model, section)).into_iter().collect(),
+                    ..Options::default()
+                };
+                moved(model, &method(&by)?, span, &x, &options, numbers)?
+            }
+            Request::Gather { x, count, spread } => {
+                self.crowd = Some(Crowd::new(model, &x, count, spread)?);
+                Answer::Done
+            }
+            Request::MoveAll { by, span, frames } => match &mut self.crowd {
+                Some(crowd) => Answer::Frames(crowd.go(model, &method(&by)?, span, frames, numbers)?),
+                None => Answer::Refused {
+                    why: "gather the motions first".to_owned(),
+                },
+            },
+            Request::Drag {
+                t,
+                x,
+                shape,
+                point,
+                to,
+                view,
+            } => {
+                let x = drag::dragged(model, t, &x, (shape, point), to, view)?;
+                frames::push(numbers, model, t, &x)?;
+                Answer::State { x }
+            }
+            Request::Declare { .. } | Request::Code { .. } => Answer::Done,
+        })
+    }
+
+    fn declare(&mut self, text: &str, files: BTreeMap<String, String>, method: &str) -> Answer {
+        let method = match Method::new(method) {
+            Ok(method) => method,
+            Err(error) => return refused(&error),
+        };
+        let words = ["energy", "shapes"].into_iter().chain(method.word());
+        let mut declaration = Declaration::new(text).also(words);
+        for (name, text) in &files {
+            declaration = declaration.file(name, text);
+        }
+        let mut notes = Vec::new();
+        let model = match Model::declared(&declaration, &[]) {
+            Err(Error::NoValue { parameters }) => {
+                notes.push(format!(
+                    "`{}` have no defaults in the declaration: {ASSUMED} is assumed",
+                    parameters.join("`, `")
+                ));
+                let values: Vec<(&str, f64)> = parameters.iter().map(|name| (name.as_str(), ASSUMED)).collect();
+                Model::declared(&declaration, &values)
+            }
+            model => model,
+        };
+        let model = match model {
+            Ok(model) => model,
+            Err(Error::Declaration(errors)) => {
+                let problems = errors.problems.into_iter().map(place).collect();
+                return Answer::Problems { problems };
+            }
+            Err(error) => return refused(&error),
+        };
+        notes.extend(model.repaired().iter().cloned());
+        let about = match about(&model, notes) {
+            Ok(about) => about,
+            Err(error) => return refused(&error),
+        };
+        self.declaration = declaration;
+        self.crowd = None;
+        self.model = Some(model);
+        Answer::Mechanism(Box::new(about))
+    }
+
+    fn code(&self, language: &str) -> Answer {
+        let text = match language {
+            "c" => self.declaration.c(),
+            "rust" => self.declaration.rust().map(formatted),
+            _ => {
+                let why = format!("`{language}` is not printed: ask for `rust` or `c`");
+                return Answer::Refused { why };
+            }
+        };
+        match text {
+            Ok(text) => Answer::Code { text },
+            Err(error) => refused(&error),
+        }
+    }
+}
+
+/// Rust formatted for reading.
+fn formatted(items: String) -> String {
+    syn::parse_file(&items).map_or(items, |file| prettyplease::unparse(&file))
+}
+
+pub(crate) fn refused(why: &impl ToString) -> Answer {
+    Answer::Refused { why: why.to_string() }
+}
+
+/// Method with its settings.
+fn method(settings: &Settings) -> Result<Method, Error> {
+    let mut method = Method::new(&settings.method)?;
+    if let Some(h) = settings.h {
+        method = method.h(h);
+    }
+    if let Some(tolerance) = settings.tolerance {
+        method = method.rtol(tolerance).atol(tolerance);
+    }
+    Ok(method)
+}
+
+/// Times of frames, equally spaced, the last at the end of the span.
+pub(crate) fn times([t0, t1]: [f64; 2], frames: usize) -> Vec<f64> {
+    let time = |n: usize| {
+        if n == frames {
+            t1
+        } else {
+            t0 + (t1 - t0) * (n as f64 / frames as f64)
+        }
+    };
+    (1..=frames).map(time).collect()
+}
+
+/// The passage of a section.
+fn passage(model: &Model, Section { component, value }: Section) -> Event<'static> {
+    let periodic = model.components().get(component).is_some_and(|own| own.periodic);
+    let past = move |_: f64, x: &[f64]| {
+        let past = x.get(component).map_or(f64::NAN, |x| x - value);
+        if periodic { past.sin() } else { past }
+    };
+    Event::new(past).rising()
+}
+
+/// Integrates, and adds frames.
+fn moved(
+    model: &Model,
+    method: &Method,
+    span: [f64; 2],
+    x: &[f64],
+    options: &Options<'_>,
+    numbers: &mut Vec<f64>,
+) -> Result<Answer, Error> {
+    let (motion, stopped) = match model.solve_with(method, span, x, options) {
+        Ok(motion) => (motion, None),
+        Err(Stopped {
+            error,
+            motion: Some(motion),
+            ..
+        }) => (*motion, Some(error.to_string())),
+        Err(Stopped { error, .. }) => return Err(*error),
+    };
+    for (n, &t) in motion.t().iter().enumerate() {
+        frames::push(numbers, model, t, motion.state(n))?;
+    }
+    let statistics = motion.statistics();
+    Ok(Answer::Frames(Moved {
+        width: numbers.len() / motion.t().len().max(1),
+        t: motion.end().0,
+        x: motion.end().1.to_vec(),
+        stopped,
+        modes: motion.modes().to_vec(),
+        impacts: motion.impacts().iter().map(|impact| impact.t).collect(),
+        sections: motion.occurrences().iter().map(|passage| passage.x.clone()).collect(),
+        warnings: motion.warnings().to_vec(),
+        evaluations: statistics.evaluations,
+        steps: statistics.accepted,
+    }))
+}
+
+fn about(model: &Model, notes: Vec<String>) -> Result<About, Error> {
+    let quantity = |(own, &value): (&OwnQuantity, &f64)| Quantity {
+        name: own.name.clone(),
+        unit: own.unit.clone(),
+        docs: own.docs.clone(),
+        value,
+    };
+    let start = start(model);
+    let shapes = frames::shapes(model, 0.0, &start)?;
+    Ok(About {
+        name: model.name().to_owned(),
+        docs: model.docs().to_owned(),
+        parameters: model.parameters().iter().zip(model.values()).map(quantity).collect(),
+        inputs: model.inputs().iter().zip(model.inputs_now()).map(quantity).collect(),
+        components: model
+            .components()
+            .iter()
+            .map(|own| Component {
+                name: own.name.clone(),
+                unit: own.unit.clone(),
+                periodic: own.periodic,
+            })
+            .collect(),
+        constraints: model.constraints().map(str::to_owned).collect(),
+        functions: model
+            .functions()
+            .iter()
+            .map(|own| Function {
+                name: own.name.clone(),
+                docs: own.docs.clone(),
+                form: own.form.clone(),
+                operations: own.operations,
+            })
+            .collect(),
+        latex: model.latex().to_owned(),
+        shapes: shapes
+            .iter()
+            .map(|shape| Shape {
+                kind: format!("{:?}", shape.kind),
+                name: shape.name.to_owned(),
+                body: shape.body.to_owned(),
+                points: shape.points.len(),
+            })
+            .collect(),
+        has_energy: model.energy(0.0, &start).is_ok(),
+        start,
+        notes,
+    })
+}
+
+/// State in which the page starts: the first angle is not zero, or else no coordinate, if the mechanism can move from
+/// there.
+fn start(model: &Model) -> Vec<f64> {
+    let rest = model.state(&[]).unwrap_or_default();
+    let slots: Vec<_> = model
+        .layout()
+        .slots
+        .iter()
+        .filter(|slot| slot.rates.len() == 1)
+        .collect();
+    let first = slots.iter().position(|slot| slot.kind == SlotKind::Angle);
+    let first = first.map_or(&[][..], |first| &slots[first..=first]);
+    let tries = [first, &slots]
+        .into_iter()
+        .flat_map(|own| STARTS.map(|value| (own, value)));
+    let mut states = tries.filter_map(|(own, value)| {
+        let mut x = rest.clone();
+        own.iter().for_each(|slot| x[slot.positions.start] = value);
+        let x = model.assemble(0.0, &x).ok()?;
+        can_move(model, 0.0, &x).then_some(x)
+    });
+    let found = states.next();
+    found.unwrap_or(rest)
+}
+
+/// True if the mechanism can move from a state: it lies within its stops and walls.
+pub(crate) fn can_move(model: &Model, t: f64, x: &[f64]) -> bool {
+    let short = Method::new("Vern9").map(|method| model.solve(&method, [t, t + 1e-6], x));
+    short.is_ok_and(|motion| motion.is_ok())
+}
+
+fn place(problem: pendulum_runtime::Problem) -> Place {
+    Place {
+        line: problem.line,
+        column: problem.column,
+        width: problem.width,
+        help: match problem.code.as_str() {
+            // the page has no folders
+            NO_FILE => "open it by the button `Robot file`, and write its name without a folder".to_owned(),
+            _ => problem.help,
+        },
+        code: problem.code,
+        message: problem.message,
+    }
+}

@@ -1,0 +1,335 @@
+// The page in a browser: `node --test test/`, after `node build.mjs`. PAGE is the file, CHROMIUM the browser.
+import assert from "node:assert/strict";
+import { existsSync, mkdirSync, readFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const file = resolve(process.env.PAGE ?? join(here, "../../out/pendulum.html"));
+const url = pathToFileURL(file).href;
+const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const pictures = join(dirname(file), "pictures");
+const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+const PENDULUM = `pub Pendulum {
+    params { m: kg = 1, l: m = 1, g: m/s^2 = 9.81 }
+    gravity: [0, -g, 0],
+    body bob on ground { solids: [point(m, [0, -l, 0])], joint: revolute(z), coordinate: theta }
+}
+`;
+
+assert.ok(existsSync(file), `${file} is missing: run node build.mjs`);
+mkdirSync(pictures, { recursive: true });
+let browser;
+
+before(async () => {
+  browser = await chromium.launch({ executablePath, args });
+});
+after(() => browser?.close());
+
+/** Opens the page and waits until a mechanism moves. Errors and requests of the page fail the test at its end. */
+async function opened(t, { hash = "", init, still = false, ...options } = {}) {
+  const context = await browser.newContext({ viewport: { width: 1300, height: 1000 }, ...options });
+  const page = await context.newPage();
+  const faults = [];
+  page.on("pageerror", (error) => faults.push(String(error)));
+  page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
+  page.on("request", (request) => /^(file|blob|data):/.test(request.url()) || faults.push(request.url()));
+  t.after(async () => {
+    await context.close();
+    assert.deepEqual(faults, []);
+  });
+  if (init) await page.addInitScript(init);
+  await page.goto(url + hash);
+  if (!still) await moves(page);
+  return page;
+}
+
+const time = (page) => page.evaluate(() => window.pendulum.app.simulation?.now?.t ?? 0);
+const moves = (page) => page.waitForFunction(() => window.pendulum?.app.simulation?.now?.t > 0);
+
+/** Waits until the time passes that of now. */
+async function goesOn(page) {
+  const now = await time(page);
+  await page.waitForFunction((from) => window.pendulum.app.simulation.now.t > from, now);
+}
+
+/** Replaces the declaration, as typing does. */
+async function declare(page, text) {
+  await page.evaluate((text) => (window.pendulum.editor.text = text), text);
+  const name = /pub (\w+)/.exec(text)[1];
+  await page.waitForFunction((name) => !window.pendulum.app.declaring && window.pendulum.app.about?.name === name, name);
+}
+
+const ask = (page, request) =>
+  page.evaluate(async (request) => {
+    const { answer, numbers, took } = await window.pendulum.engine.ask(request);
+    return { answer, numbers: [...numbers], took };
+  }, request);
+
+const bitsOf = (numbers) => {
+  const view = new DataView(new ArrayBuffer(8));
+  return numbers.map((number) => {
+    view.setFloat64(0, number);
+    return view.getBigUint64(0).toString(16).padStart(16, "0");
+  });
+};
+
+test("moves from a file, without errors or requests", async (t) => {
+  const page = await opened(t);
+  const began = await page.evaluate(() => performance.now());
+  t.diagnostic(`moved within ${Math.round(began)} ms of the start of the page`);
+  await page.waitForTimeout(1500);
+  await page.screenshot({ path: join(pictures, "page.png"), fullPage: true });
+});
+
+test("a mistake is marked at its token, and the fix moves again", async (t) => {
+  const page = await opened(t);
+  await declare(page, PENDULUM);
+  await page.evaluate((text) => (window.pendulum.editor.text = text), PENDULUM.replace("revolute", "revolut"));
+  await page.waitForSelector(".cm-lintRange-error");
+  assert.equal(await page.textContent(".cm-lintRange-error"), "revolut");
+  assert.match(await page.textContent("#problems"), /Line 4 .*did you mean `revolute`\?/s);
+  await page.screenshot({ path: join(pictures, "mistake.png") });
+  await page.click("#problems >> text=Write revolute");
+  await page.waitForFunction(() => document.querySelectorAll("#problems li").length === 0);
+  assert.equal(await page.evaluate(() => window.pendulum.editor.text), PENDULUM);
+  await goesOn(page);
+});
+
+test("typing moves on from where the mechanism is", async (t) => {
+  const page = await opened(t);
+  await declare(page, PENDULUM);
+  await goesOn(page);
+  const before = await time(page);
+  await page.click(".cm-content");
+  await page.keyboard.press("Control+End");
+  await page.keyboard.type("// twice as long");
+  await page.waitForFunction(() => !window.pendulum.app.declaring);
+  await goesOn(page);
+  assert.ok((await time(page)) > before && before > 0);
+  const { took, waited } = await page.evaluate(() => window.pendulum.app.compiled);
+  t.diagnostic(`a pendulum: compiled in ${took.toFixed(1)} ms, ${waited.toFixed(1)} ms with the way to the worker`);
+});
+
+test("times from a keystroke to motion", async (t) => {
+  const page = await opened(t);
+  for (const title of ["Point masses", "UR5"]) {
+    const measured = await page.evaluate(async (title) => {
+      const { app, editor, examples } = window.pendulum;
+      const { text, files } = examples.find((own) => own.title.includes(title));
+      app.files = files ?? {};
+      const once = async () => {
+        const began = performance.now();
+        const before = app.simulation;
+        editor.text = `${text}// ${began}`;
+        while (app.simulation === before || !app.simulation?.ahead?.length) await new Promise((next) => setTimeout(next));
+        return performance.now() - began;
+      };
+      const all = [];
+      for (let n = 0; n < 7; n++) all.push(await once());
+      return { first: all[0], median: all.sort((a, b) => a - b)[3], compiled: app.compiled.took };
+    }, title);
+    t.diagnostic(`${title}: ${measured.median.toFixed(0)} ms, at first ${measured.first.toFixed(0)}; compiled in ${measured.compiled.toFixed(0)}`);
+  }
+});
+
+test("a body follows the pointer, and moves on from there", async (t) => {
+  const page = await opened(t);
+  await declare(page, PENDULUM);
+  await page.click("#play");
+  const at = (x, y) =>
+    page.evaluate(
+      ([x, y]) => {
+        const canvas = document.getElementById("canvas");
+        const box = canvas.getBoundingClientRect();
+        const numbers = window.pendulum.app.simulation.now.shapes;
+        return { box: { x: box.x, y: box.y, width: box.width, height: box.height }, tip: [numbers[0], numbers[1]], wanted: [x, y] };
+      },
+      [x, y],
+    );
+  const before = await at(0, 0);
+  // the pivot is in the middle of all that was seen; drag by the bob, wherever it is drawn
+  const place = await page.evaluate(() => {
+    const { view } = window.pendulum.app;
+    const [x, y] = window.pendulum.app.simulation.now.shapes;
+    const canvas = document.getElementById("canvas");
+    const box = canvas.getBoundingClientRect();
+    const ratio = box.width / canvas.width;
+    return { bob: [box.x + view.on.x(x) * ratio, box.y + view.on.y(y) * ratio], pivot: [box.x + view.on.x(0) * ratio, box.y + view.on.y(0) * ratio], scale: view.on.scale * ratio };
+  });
+  await page.mouse.move(...place.bob);
+  await page.mouse.down();
+  await page.mouse.move(place.pivot[0] + place.scale, place.pivot[1], { steps: 8 });
+  await page.waitForTimeout(300);
+  await page.mouse.move(place.pivot[0] + 1.0001 * place.scale, place.pivot[1]);
+  await page.waitForTimeout(300);
+  await page.mouse.up();
+  await page.waitForFunction(() => window.pendulum.app.held === undefined && !window.pendulum.app.dragging);
+  const after = await at(0, 0);
+  assert.ok(Math.abs(after.tip[0] - 1) < 0.02 && Math.abs(after.tip[1]) < 0.05, `${before.tip} ${after.tip}`);
+  await page.click("#play");
+  await goesOn(page);
+});
+
+test("sliders act at once, and clamp with a note", async (t) => {
+  const page = await opened(t);
+  await declare(page, PENDULUM);
+  const slider = page.getByLabel("l, slider");
+  await slider.focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => window.pendulum.app.about.parameters[1].value > 1);
+  await goesOn(page);
+  const number = page.getByLabel("l, m");
+  await number.fill("50");
+  await number.press("Enter");
+  await page.waitForFunction(() => document.getElementById("note").textContent.includes("l goes from"));
+  assert.equal(await number.inputValue(), "3");
+  // a length that no pendulum has
+  await number.fill("0");
+  await number.press("Enter");
+  await page.waitForFunction(() => document.getElementById("note").textContent !== "");
+  assert.notEqual(await number.inputValue(), "0");
+});
+
+test("energy without friction stays within 1e-9 for a minute", async (t) => {
+  const page = await opened(t);
+  await declare(page, PENDULUM);
+  await page.evaluate(() => {
+    document.getElementById("tolerance").value = -12;
+    const speed = document.getElementById("speed");
+    speed.value = 2;
+    speed.dispatchEvent(new Event("input"));
+  });
+  await page.click("#again");
+  await page.waitForFunction(() => window.pendulum.app.simulation.past[0]?.t < 0.1);
+  await page.waitForFunction(() => window.pendulum.app.simulation.now.t > 60, null, { timeout: 60000 });
+  const drift = await page.evaluate(() => {
+    const { past, energyAtStart } = window.pendulum.app.simulation;
+    return Math.max(...past.map((frame) => Math.abs(frame.kinetic + frame.potential - energyAtStart)));
+  });
+  t.diagnostic(`largest change ${drift.toExponential(1)} J of 9.81 J`);
+  assert.ok(drift < 1e-9, drift);
+});
+
+test("bits after 1e5 steps are those of other machines", async (t) => {
+  const { text, request, x } = JSON.parse(readFileSync(join(here, "../tests/bits.json"), "utf8"));
+  const page = await opened(t);
+  await page.click("#play");
+  await page.evaluate(() => (window.pendulum.app.simulation = null));
+  await ask(page, { do: "declare", text, method: "Vern9" });
+  const { answer, took } = await ask(page, request);
+  t.diagnostic(`1e5 steps of Rk4 in ${took.toFixed(0)} ms`);
+  assert.deepEqual(bitsOf(answer.x), x);
+  // lanes compute the same as one motion alone
+  const by = { method: "Rk4", h: 1e-3 };
+  await ask(page, { do: "gather", x: [2, 1, 0, 0], count: 7, spread: 1e-3 });
+  const all = await ask(page, { do: "move_all", by, span: [0, 1], frames: 1 });
+  const one = await ask(page, { do: "move", by, span: [0, 1], x: [2 + 1e-3 * (3 / 6 - 0.5), 1, 0, 0], frames: 1 });
+  const width = (all.numbers.length - 1) / 7;
+  const shapes = all.numbers.slice(1 + 3 * width, 1 + 4 * width);
+  assert.deepEqual(bitsOf(shapes), bitsOf(one.numbers.slice(-width)));
+});
+
+test("a thousand pendulums, a neighbour and plots", async (t) => {
+  const page = await opened(t);
+  await page.check("#crowd");
+  await page.check("#twin");
+  await page.waitForFunction(() => window.pendulum.app.simulation.now.crowd?.length > 1000);
+  const rate = await page.evaluate(async () => {
+    const { app } = window.pendulum;
+    const [from, began] = [app.drawn, performance.now()];
+    await new Promise((next) => setTimeout(next, 2000));
+    return ((app.drawn - from) / (performance.now() - began)) * 1000;
+  });
+  t.diagnostic(`${rate.toFixed(1)} frames per second with 1000 pendulums, neighbour and reference`);
+  await page.screenshot({ path: join(pictures, "thousand.png") });
+  for (const tab of ["Operations", "Energy", "Phase portrait", "Section", "Rust", "C", "Equations"]) {
+    await page.click(`#tabs >> text="${tab}"`);
+    await page.waitForTimeout(tab === "Section" ? 3000 : 400);
+    await page.locator("#about").screenshot({ path: join(pictures, `${tab.toLowerCase().replace(" ", "_")}.png`) });
+  }
+});
+
+test("all examples move", async (t) => {
+  const page = await opened(t);
+  const count = await page.evaluate(() => window.pendulum.examples.length);
+  assert.ok(count > 20, count);
+  const stuck = [];
+  for (let n = 0; n < count; n++) {
+    await page.selectOption("#gallery", String(n));
+    const title = await page.evaluate((n) => window.pendulum.examples[n].title, n);
+    try {
+      await page.waitForFunction(() => window.pendulum.app.simulation?.now?.t > 0.05, null, { timeout: 15000 });
+    } catch {
+      stuck.push(`${title}: ${await page.textContent("#note")} ${await page.textContent("#problems")}`);
+    }
+  }
+  assert.deepEqual(stuck, []);
+});
+
+test("a link carries the declaration", async (t) => {
+  const page = await opened(t);
+  await declare(page, PENDULUM);
+  await page.click("#link");
+  await page.waitForFunction(() => location.hash.startsWith("#d="));
+  const hash = await page.evaluate(() => location.hash);
+  const other = await opened(t, { hash });
+  assert.equal(await other.evaluate(() => window.pendulum.editor.text), PENDULUM);
+  const plain = await opened(t, { hash: `#text=${encodeURIComponent(PENDULUM)}` });
+  assert.equal(await plain.evaluate(() => window.pendulum.app.about.name), "Pendulum");
+});
+
+test("a worker that is ended starts again", async (t) => {
+  const page = await opened(t);
+  await page.evaluate(() => window.pendulum.engine.stop("stopped"));
+  await declare(page, PENDULUM);
+  await goesOn(page);
+});
+
+test("phones: nothing is wider than the screen", async (t) => {
+  const page = await opened(t, { viewport: { width: 390, height: 800 }, hasTouch: true });
+  const width = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(width <= 390, width);
+  await page.screenshot({ path: join(pictures, "phone.png"), fullPage: true });
+});
+
+test("dark", async (t) => {
+  const page = await opened(t, { colorScheme: "dark" });
+  await page.waitForTimeout(800);
+  await page.screenshot({ path: join(pictures, "dark.png"), fullPage: true });
+});
+
+test("keyboard and names of controls", async (t) => {
+  const page = await opened(t);
+  await page.focus("#canvas");
+  await page.keyboard.press(" ");
+  assert.equal(await page.getAttribute("#play", "aria-pressed"), "false");
+  const before = await time(page);
+  await page.keyboard.press("ArrowRight");
+  assert.ok((await time(page)) > before);
+  await page.keyboard.press("Home");
+  await page.waitForFunction(() => window.pendulum.app.simulation.now.t === 0);
+  await page.focus('#tabs [aria-selected="true"]');
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await page.textContent('#tabs [aria-selected="true"]'), "Operations");
+  const unnamed = await page.evaluate(() => {
+    const named = (own) => own.getAttribute("aria-label") || own.labels?.length > 0 || own.textContent.trim() || own.title;
+    return [...document.querySelectorAll("button, input, select")].filter((own) => !named(own)).map((own) => own.outerHTML);
+  });
+  assert.deepEqual(unnamed, []);
+});
+
+test("without motion where the user asks for that", async (t) => {
+  const page = await opened(t, { reducedMotion: "reduce", still: true });
+  await page.waitForFunction(() => window.pendulum?.app.simulation?.now);
+  await page.waitForTimeout(500);
+  assert.equal(await time(page), 0);
+});
+
+test("without WebAssembly, a picture and a sentence", async (t) => {
+  const page = await opened(t, { init: () => delete window.WebAssembly, still: true });
+  await page.waitForSelector("#without:not([hidden]) svg");
+  assert.match(await page.textContent("#without"), /WebAssembly/);
+});
