@@ -12,7 +12,7 @@ const page = (name) => join(here, "page", name);
 const read = (path) => readFileSync(path, "utf8");
 
 /** Fonts that equations of motion use; others are left out. */
-const FONTS = /KaTeX_(Main-Regular|Main-Bold|Math-Italic|Size[1-4]-Regular|AMS-Regular)\.woff2/;
+const FONTS = /KaTeX_(Main-Regular|Math-Italic|Size[1-4]-Regular)\.woff2/;
 
 /** Compiles the module and returns its bytes. */
 function module() {

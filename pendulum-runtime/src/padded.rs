@@ -32,7 +32,9 @@ pub(crate) fn build(tape: &Arc<Tape>, params: &[f64]) -> Result<Arc<dyn Engine>,
             }
         )* };
     }
-    first_that_fits!(4 8 16 32);
+    #[cfg(feature = "full")]
+    first_that_fits!(4);
+    first_that_fits!(8 16 32);
     #[cfg(feature = "full")]
     first_that_fits!(64);
     Err(Error::TooLong {

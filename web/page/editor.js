@@ -1,5 +1,5 @@
 // The editor of the declaration: highlighting, and errors at their place with what to do.
-import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { bracketMatching, HighlightStyle, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { EditorState } from "@codemirror/state";
@@ -9,9 +9,9 @@ import { tags } from "@lezer/highlight";
 /** Words that begin an item or an entry, and other words of the language. */
 const WORDS = new Set(
   ("pub params inputs gravity let input state shape body on ground joint point spring damper force torque between and " +
-    "to at close gear wall output event generate robot units mass com inertia solids coordinate friction motion stop " +
-    "dry_friction restitution absolute depends near rpy sphere rod disk plate cuboid cylinder revolute prismatic helical " +
-    "screw ball free fixed planar universal urdf limits repair none").split(" "),
+    "to at close wall output event generate robot units mass com inertia solids coordinate orientation position friction " +
+    "motion stop dry_friction static_friction restitution potential dissipation absolute depends near rpy sphere rod disk " +
+    "plate cuboid cylinder revolute prismatic helical screw ball free fixed urdf limits repair without none").split(" "),
 );
 
 /** Tokens of a declaration, which are those of Rust. */
@@ -38,7 +38,7 @@ const language = StreamLanguage.define({
     const word = stream.match(/^[A-Za-z_][A-Za-z0-9_]*/);
     if (word) {
       if (WORDS.has(word[0])) return "keyword";
-      return /^[A-Z]/.test(word[0]) ? "typeName" : "variableName";
+      return /^[A-Z][a-z]/.test(word[0]) ? "typeName" : "variableName";
     }
     stream.next();
     return null;
@@ -55,7 +55,7 @@ const colours = HighlightStyle.define([
 ]);
 
 /** A name that the help of an error proposes instead of the one at fault. */
-function proposal(help) {
+export function proposal(help) {
   return /did you mean `([^`]+)`/.exec(help)?.[1];
 }
 
@@ -75,7 +75,7 @@ export class Editor {
           lintGutter(),
           EditorView.lineWrapping,
           EditorView.contentAttributes.of({ "aria-label": "Declaration of a mechanism" }),
-          keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap, indentWithTab]),
+          keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap]),
           EditorView.updateListener.of((update) => update.docChanged && onChange()),
         ],
       }),
@@ -105,7 +105,7 @@ export class Editor {
     const diagnostics = problems.map((problem) => {
       const [from, to] = this.span(problem);
       const name = proposal(problem.help);
-      const actions = name ? [{ name: `Write ${name}`, apply: (view) => this.fix(view, problem, name) }] : [];
+      const actions = name ? [{ name: `Write ${name}`, apply: () => this.fix(problem, name) }] : [];
       const message = `${problem.message} [${problem.code}]\n${problem.help}`;
       return { from, to, severity: "error", message, actions };
     });
@@ -113,10 +113,10 @@ export class Editor {
     this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
   }
 
-  fix(view, problem, name) {
+  fix(problem, name) {
     const [from, to] = this.span(problem);
-    view.dispatch({ changes: { from, to, insert: name } });
-    view.focus();
+    this.view.dispatch({ changes: { from, to, insert: name } });
+    this.view.focus();
   }
 
   /** Puts the cursor at an error. */
@@ -126,5 +126,3 @@ export class Editor {
     this.view.focus();
   }
 }
-
-export { proposal };

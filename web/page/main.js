@@ -23,7 +23,7 @@ const view = new View($("canvas"), { onDrag: drag, onDrop: drop });
 const panel = new Panel($("tabs"), $("panel"), engine);
 
 /** What is shown: the mechanism, its motion, and files that were opened. */
-const app = { view, about: null, simulation: null, playing: false, owed: 0, last: 0, files: {} };
+const app = { view, about: null, simulation: null, playing: false, owed: 0, last: 0, drawn: 0, files: {}, fields: [] };
 
 // what the user chooses
 
@@ -62,20 +62,23 @@ function show(text) {
 
 /** Compiles the text; while the worker compiles, later changes wait for the last one. */
 async function declare() {
-  if (app.declaring) {
-    app.again = true;
-    return;
-  }
+  app.again = true;
+  if (app.declaring) return;
   app.declaring = true;
-  do {
-    app.again = false;
-    const began = performance.now();
-    const { answer, took } = await engine.ask({ do: "declare", text: editor.text, files: app.files, method: chosen.method });
-    app.compiled = { took, waited: performance.now() - began };
-    if (answer.is === "mechanism") await take(answer);
-    else complain(answer.is === "problems" ? answer.problems : [], answer.why);
-  } while (app.again);
-  app.declaring = false;
+  try {
+    while (app.again) {
+      app.again = false;
+      const { answer, took } = await engine.ask({ do: "declare", text: editor.text, files: app.files, method: chosen.method });
+      app.took = took;
+      if (app.again) continue;
+      const isMechanism = answer.is === "mechanism";
+      if (isMechanism) await take(answer);
+      complain(answer.problems ?? [], answer.why);
+      document.body.classList.toggle("stale", !isMechanism && app.about !== null);
+    }
+  } finally {
+    app.declaring = false;
+  }
 }
 
 function complain(problems, why) {
@@ -95,57 +98,62 @@ function complain(problems, why) {
     if (name) {
       const fix = document.createElement("button");
       fix.textContent = `Write ${name}`;
-      fix.onclick = () => editor.fix(editor.view, problem, name);
+      fix.onclick = () => editor.fix(problem, name);
       item.append(" ", fix);
     }
     list.append(item);
   }
   if (why) list.append(Object.assign(document.createElement("li"), { textContent: why }));
+  if (list.childElementCount > 0 && app.about) {
+    list.append(Object.assign(document.createElement("li"), { className: "help", textContent: `Still shown: ${app.about.name}.` }));
+  }
 }
 
-/** Shows a mechanism. One with the same state as before goes on from where it is, with the parameters that were set. */
+/** Shows a mechanism. One with the same state as before goes on from where it is, with the values that were set. */
 async function take(about) {
-  complain([]);
-  const names = (of) => JSON.stringify(of?.components.map(({ name }) => name));
-  const kept = app.simulation?.now && names(about) === names(app.about) ? app.simulation.now : null;
-  for (const own of about.parameters) {
-    const before = app.about?.parameters.find(({ name, declared }) => name === own.name && declared === own.value);
-    own.declared = own.value;
-    if (before) own.value = before.value;
+  const names = (of) => JSON.stringify(of.components.map(({ name }) => name));
+  const isSame = app.about && !app.fresh && names(about) === names(app.about);
+  const from = isSame ? { t: app.simulation.now.t, x: [...app.simulation.now.x] } : { t: 0, x: about.start };
+  for (const kind of ["parameters", "inputs"]) {
+    for (const own of about[kind]) {
+      const before = isSame && app.about[kind].find(({ name, declared }) => name === own.name && declared === own.value);
+      own.declared = own.value;
+      if (before) own.value = before.value;
+    }
   }
-  app.about = about;
-  app.ready = false;
-  app.simulation = new Simulation(engine, about, settings);
-  await put();
-  const refused = await app.simulation.start(kept?.t ?? 0, kept?.x ?? about.start);
+  const notes = [...about.notes];
+  const refused = await put(about);
   if (refused) {
-    const again = kept && (await app.simulation.start(0, about.start));
-    show(again === null ? "" : refused);
-  } else {
-    show(about.notes.join("; "));
+    notes.push(refused);
+    for (const own of [...about.parameters, ...about.inputs]) own.value = own.declared;
+    await put(about);
   }
-  if (!app.simulation.now) return;
-  await app.simulation.prepare();
-  view.take(about.shapes, [app.simulation.now, ...app.simulation.ahead].map((frame) => frame.shapes));
-  sliders();
-  app.ready = true;
+  const simulation = new Simulation(engine, about, settings);
+  const why = await simulation.start(from.t, from.x);
+  if (why) {
+    notes.push(why);
+    await simulation.start(0, about.start);
+  }
+  if (app.again) return;
+  if (!simulation.now) return show(notes.join("; "));
+  await simulation.prepare();
+  Object.assign(app, { about, simulation, fresh: false });
+  view.take(about.shapes, [simulation.now, ...simulation.ahead].map((frame) => frame.shapes));
+  fields();
   requestAnimationFrame(() => app.about === about && panel.take(about));
-  if (!kept) play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+  show(app.notice ?? notes.join("; "));
+  app.notice = null;
+  draw();
+  if (!isSame) play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
 }
 
-/** Sends the values of parameters and inputs. */
-async function put() {
-  const values = app.about.parameters.map(({ value }) => value);
-  const inputs = app.about.inputs.map(({ value }) => value);
-  if (values.length + inputs.length === 0) return true;
+/** Sends the values of parameters and inputs. Resolves to the reason why they are impossible, if they are. */
+async function put(about) {
+  const values = about.parameters.map(({ value }) => value);
+  const inputs = about.inputs.map(({ value }) => value);
+  if (values.length + inputs.length === 0) return null;
   const { answer } = await engine.ask({ do: "set", values, inputs });
-  if (answer.is === "refused") {
-    show(answer.why);
-    // a worker that was ended has forgotten the mechanism
-    if (answer.stopped) declare();
-    return false;
-  }
-  return true;
+  return answer.is === "refused" ? answer.why : null;
 }
 
 // parameters and states
@@ -166,25 +174,32 @@ function field(label, { min, max, step }, value) {
   return { element, range, number };
 }
 
-function sliders() {
+/** Fields of parameters, inputs and the state. */
+function fields() {
   const { about } = app;
   const list = $("parameters");
   list.replaceChildren();
   for (const own of [...about.parameters, ...about.inputs]) {
-    const most = own.declared > 0 ? 3 * own.declared : Math.max(10, 3 * Math.abs(own.declared ?? 0));
+    const most = own.declared > 0 ? 3 * own.declared : Math.max(10, 3 * Math.abs(own.declared));
     const least = own.declared > 0 ? 0 : -most;
     const { element, range, number } = field(own, { min: least, max: most, step: (most - least) / 300 }, own.value);
+    let accepted = own.value;
     const change = async (typed) => {
-      const value = Math.min(Math.max(typed, least), most);
-      const before = own.value;
-      own.value = Number.isFinite(value) ? value : before;
-      show(own.value === typed ? "" : `${own.name} goes from ${least} to ${most}: ${Number(own.value.toPrecision(6))} is set`);
-      if (!(await put())) own.value = before;
+      if (app.declaring || about !== app.about) return;
+      own.value = Math.min(Math.max(typed, least), most);
+      const isWithin = own.value === typed;
+      const refused = await put(about);
+      if (refused) {
+        own.value = accepted;
+        await put(about);
+      }
+      accepted = own.value;
       range.value = number.value = Number(own.value.toPrecision(8));
-      if (own.value !== before) await app.simulation.change();
+      show(refused ?? (isWithin ? "" : `${own.name} goes from ${least} to ${most}: ${Number(own.value.toPrecision(6))} is set`));
+      app.simulation.change();
     };
     range.oninput = () => change(Number(range.value));
-    number.onchange = () => change(number.value === "" ? NaN : Number(number.value));
+    number.onchange = () => (number.value === "" ? (number.value = own.value) : change(Number(number.value)));
     list.append(element);
   }
   list.parentElement.hidden = list.childElementCount === 0;
@@ -194,11 +209,12 @@ function sliders() {
     const { element, range, number } = field(component, {}, 0);
     range.remove();
     number.onchange = async () => {
+      if (number.value === "" || app.declaring) return draw();
       play(false);
       const x = [...app.simulation.now.x];
       x[n] = Number(number.value);
-      const refused = await app.simulation.start(app.simulation.now.t, x);
-      show(refused);
+      show(await app.simulation.start(app.simulation.now.t, x));
+      number.blur();
       draw();
     };
     states.append(element);
@@ -215,52 +231,64 @@ function play(playing) {
 }
 
 async function again() {
-  if (!app.simulation) return;
-  show(await app.simulation.start(0, app.about.start));
+  if (app.declaring || !app.simulation) return;
+  const { simulation, about } = app;
+  const refused = await simulation.start(0, about.start);
+  show(refused);
+  view.take(about.shapes, [simulation.now.shapes]);
   draw();
 }
 
+/** Moves the body that is held; while one place is computed, the last one waits. */
 async function drag(request) {
-  if (app.dragging || !app.simulation?.now) return;
+  app.wanted = request;
+  if (app.dragging || app.declaring || !app.simulation) return;
   app.dragging = true;
   app.held ??= app.playing;
   play(false);
   const { simulation } = app;
-  const { answer, numbers } = await engine.ask({ do: "drag", t: simulation.now.t, x: [...simulation.now.x], ...request });
-  if (answer.is === "state" && simulation === app.simulation) {
-    simulation.epoch++;
-    Object.assign(simulation, { ahead: [], busy: false, stopped: null, past: [], sections: [] });
-    simulation.show(numbers, simulation.now.t, answer.x);
-    draw();
+  while (app.wanted && simulation === app.simulation) {
+    const wanted = app.wanted;
+    app.wanted = null;
+    const { answer, numbers } = await engine.ask({ do: "drag", t: simulation.now.t, x: [...simulation.now.x], ...wanted });
+    if (answer.is === "state" && simulation === app.simulation) {
+      simulation.show(numbers, simulation.now.t, answer.x);
+      draw();
+    }
   }
   app.dragging = false;
   if (app.dropped) drop();
 }
 
-async function drop() {
+function drop() {
   app.dropped = app.dragging;
   if (app.dragging || app.held === undefined) return;
-  const { held } = app;
+  play(app.held);
   app.held = undefined;
-  await app.simulation.change();
-  play(held);
 }
 
 const short = (value, digits = 2) => (Number.isFinite(value) ? value.toExponential(digits) : "–");
 
 function draw() {
   const { simulation, about } = app;
-  if (!simulation?.now || !app.ready) return;
+  if (!simulation) return;
   const frame = simulation.now;
   view.draw(frame, simulation.past, { trail: $("trail").checked, text: `t = ${frame.t.toFixed(2)} s` });
-  const energy = frame.kinetic + frame.potential;
-  const readings = [["Time", `${frame.t.toFixed(2)} s`]];
-  if (about.has_energy) readings.push(["Energy", `${energy.toPrecision(8)} J`], ["Change", `${short(energy - (simulation.energyAtStart ?? energy))} J`]);
-  if ($("reference").checked) readings.push(["Error", short(simulation.error ?? NaN)]);
-  if (simulation.work) readings.push(["Evaluations", `${Math.round(simulation.work.evaluations / simulation.work.span || 0)} per s`]);
-  if (about.constraints.length > 0) readings.push(["Holding", frame.mode || "nothing"]);
+  const readings = [];
+  if (about.has_energy) {
+    const energy = frame.kinetic + frame.potential;
+    readings.push(["Energy", `${energy.toPrecision(8)} J`], ["Change", `${short(energy - (simulation.energyAtStart ?? energy))} J`]);
+  }
+  if (simulation.error) {
+    const { by, component } = simulation.error;
+    readings.push([`Error since ${simulation.since.toFixed(1)} s`, `${short(by)} ${component.unit} in ${component.name}`]);
+  }
+  if (simulation.work) readings.push(["Evaluations", `${Math.round(simulation.work.evaluations / simulation.work.span || 0)} per second of motion`]);
+  if (about.constraints.length > 0) readings.push(["Contact and sticking", frame.mode || "none"]);
+  if (app.playing && simulation.slowness > 1) readings.push(["Computing", `${simulation.slowness.toFixed(1)} times slower than shown`]);
+  if (simulation.crowd?.why) readings.push(["A thousand", simulation.crowd.why]);
   if (simulation.stopped && simulation.ahead.length === 0) readings.push(["Stopped", simulation.stopped]);
-  else if (simulation.warnings?.length) readings.push(["Doubtful", simulation.warnings.at(-1)]);
+  else if (frame.warning) readings.push(["Warning", frame.warning]);
   $("readings").replaceChildren(
     ...readings.map(([name, value]) => {
       const entry = document.createElement("div");
@@ -269,7 +297,7 @@ function draw() {
       return entry;
     }),
   );
-  app.fields?.forEach((input, n) => {
+  app.fields.forEach((input, n) => {
     if (document.activeElement !== input) input.value = Number(frame.x[n].toPrecision(8));
   });
   panel.draw(simulation);
@@ -279,17 +307,18 @@ function tick(now) {
   const { simulation } = app;
   const passed = Math.min(now - app.last, 100);
   app.last = now;
-  if (simulation?.now && app.ready && app.playing) {
+  if (simulation && app.playing) {
     app.owed += (passed / 1000) * 60;
     const whole = Math.floor(app.owed);
     if (whole > 0) {
       app.owed -= whole;
       if (!simulation.advance(whole)) play(false);
       draw();
-      app.drawn = (app.drawn ?? 0) + 1;
+      app.drawn++;
     }
   }
-  if (simulation?.now && app.ready && app.held === undefined) simulation.prepare();
+  // the worker has another mechanism while a text is compiled
+  if (simulation && !app.declaring && app.held === undefined) simulation.prepare();
   requestAnimationFrame(tick);
 }
 
@@ -302,12 +331,13 @@ function labels() {
   $("tolerance_value").textContent = chosen.tolerance.toExponential(0);
   $("h_value").textContent = `${Number((1000 * chosen.h).toPrecision(3))} ms`;
   $("speed_value").textContent = chosen.speed;
+  for (const id of ["tolerance", "h", "speed"]) $(id).setAttribute("aria-valuetext", $(`${id}_value`).textContent);
 }
 
 function connect() {
   $("method").append(...METHODS.map((name) => new Option(name)));
-  $("gallery").append(...examples.map(({ title }, n) => new Option(title, n)));
-  $("gallery").onchange = () => example($("gallery").value);
+  $("gallery").append(new Option("none", "", false, false), ...examples.map(({ title }, n) => new Option(title, n)));
+  $("gallery").onchange = () => write(examples[$("gallery").value]);
   $("play").onclick = () => play(!app.playing);
   $("step").onclick = () => {
     play(false);
@@ -325,49 +355,47 @@ function connect() {
     labels();
     declare();
   };
-  for (const id of ["tolerance", "h", "speed", "twin", "reference", "crowd"]) {
+  for (const id of ["tolerance", "h"]) {
     $(id).oninput = () => {
       labels();
       app.simulation?.change();
     };
   }
+  $("speed").oninput = labels;
   $("trail").onchange = draw;
   $("link").onclick = async () => {
-    const hash = await toHash(editor.text);
-    history.replaceState(null, "", hash);
-    await navigator.clipboard?.writeText(location.href).catch(() => {});
-    show("The address now carries the declaration.");
+    history.replaceState(null, "", await toHash({ text: editor.text, files: app.files }));
+    const isCopied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+    show(isCopied ? "The link is copied; the address carries the declaration, too." : "The address now carries the declaration: copy it.");
   };
   $("file").onchange = async () => {
     const [file] = $("file").files;
     if (!file) return;
-    app.files = { ...app.files, [file.name]: await file.text() };
-    app.about = app.simulation = null;
-    editor.text = `pub Robot {\n    robot: urdf("${file.name}"),\n    gravity: [0, 0, -9.81],\n}\n`;
+    const files = { ...app.files, [file.name]: await file.text() };
+    $("file").value = "";
+    $("gallery").value = "";
+    write({ text: `pub Robot {\n    robot: urdf(${JSON.stringify(file.name)}),\n    gravity: [0, 0, -9.81],\n}\n`, files });
   };
   addEventListener("resize", draw);
   addEventListener("hashchange", open);
 }
 
-function example(n) {
-  app.about = app.simulation = null;
-  app.files = examples[n].files ?? {};
-  editor.text = examples[n].text;
+/** Replaces the declaration by another mechanism. */
+function write({ text, files = {} }) {
+  Object.assign(app, { files, fresh: true });
+  editor.text = text;
 }
 
 async function open() {
-  let text = null;
+  let linked = null;
   try {
-    text = await fromHash(location.hash);
+    linked = await fromHash(location.hash);
   } catch {
-    show("The link cannot be read; this is an example instead.");
+    app.notice = "The link cannot be read; this is an example instead.";
   }
-  if (text !== null) {
-    editor.text = text;
-    return;
-  }
-  $("gallery").value = Math.max(0, examples.findIndex(({ title }) => title.includes(FIRST)));
-  example($("gallery").value);
+  const first = Math.max(0, examples.findIndex(({ title }) => title.includes(FIRST)));
+  $("gallery").value = linked ? "" : first;
+  write(linked ?? examples[first]);
 }
 
 connect();

@@ -70,7 +70,7 @@ export class Panel {
   }
 
   equations() {
-    const { latex } = this.about;
+    const { latex, docs } = this.about;
     if (this.typeset?.latex === latex) return this.panel.replaceChildren(...this.typeset.parts);
     const place = element("div", { textContent: latex });
     const delimiters = [
@@ -79,8 +79,8 @@ export class Panel {
     ];
     if (latex.length < LONGEST) typeset(place, { delimiters, throwOnError: false, maxExpand: 1e5 });
     const copy = element("button", { textContent: "Copy LaTeX", onclick: () => navigator.clipboard?.writeText(latex) });
-    this.typeset = { latex, parts: [copy, place] };
-    this.panel.replaceChildren(copy, place);
+    this.typeset = { latex, parts: [element("p", { textContent: docs }), copy, place] };
+    this.panel.replaceChildren(...this.typeset.parts);
   }
 
   operations() {
@@ -99,7 +99,7 @@ export class Panel {
 
   async code(language) {
     const wanted = this.tab;
-    this.panel.replaceChildren("Printing ..");
+    if (!this.panel.querySelector("pre")) this.panel.replaceChildren();
     const { answer } = await this.engine.ask({ do: "code", language });
     if (this.tab !== wanted) return;
     if (answer.is !== "code") return this.panel.replaceChildren(answer.why);
@@ -174,7 +174,7 @@ export class Panel {
     const name = (n) => (components[n]?.unit ? `${components[n].name} in ${components[n].unit}` : components[n]?.name);
     const wrap = (n, value) => (components[n]?.periodic ? value - 2 * Math.PI * Math.round(value / (2 * Math.PI)) : value);
     const point = (x) => [wrap(a, x[a]), wrap(b, x[b])];
-    if (this.tab === "Section") return plot(this.canvas, { dots: simulation.sections.map(point), x: name(a), y: name(b) });
+    if (this.tab === "Section") return plot(this.canvas, { dots: simulation.passages.map(point), x: name(a), y: name(b) });
     const points = past.map((frame) => point(frame.x));
     // no line across the screen where an angle passes a half turn
     const broken = points.flatMap((own, n) => {

@@ -5,7 +5,7 @@ const CHUNK = 30;
 const FIRST = 6;
 /** Frames that are kept for trails and plots. */
 const KEPT = 6000;
-/** Step of many motions, in s. */
+/** Longest step of many motions, in s. */
 const STEP = 1 / 240;
 /** Tolerance of the reference. */
 const TIGHT = 1e-13;
@@ -27,110 +27,116 @@ export class Simulation {
     Object.assign(this, { engine, about, settings });
     this.length = about.components.length;
     this.epoch = 0;
-    this.past = [];
-    this.sections = [];
   }
 
   /** Starts anew from a state. Resolves to the reason why this is impossible, if it is. */
   async start(t, x) {
     const epoch = ++this.epoch;
-    Object.assign(this, { ahead: [], busy: true, stopped: null, mode: "", past: [], sections: [] });
+    this.busy = true;
     const { answer, numbers } = await this.engine.ask({ do: "look", t, x: [...x] });
     if (epoch !== this.epoch) return null;
+    this.busy = false;
     if (answer.is === "refused") return answer.why;
     this.show(numbers, t, answer.x);
-    await this.follow(epoch);
     return null;
   }
 
-  /** Shows a state to which the mechanism was dragged. */
+  /** Shows a state, such as one to which the mechanism was dragged; the motion starts there. */
   show(numbers, t, x) {
+    this.epoch++;
     this.now = frameOf(numbers, this.length);
     this.end = { t, x };
+    Object.assign(this, { ahead: [], past: [], mode: "", busy: false });
+    this.forget();
+  }
+
+  /** Forgets what holds for the motion up to now only. */
+  forget() {
+    Object.assign(this, { stopped: null, reference: null, twin: null, crowd: null, error: null });
+    Object.assign(this, { coming: [], passages: [], earlier: null });
     this.energyAtStart = this.now.kinetic + this.now.potential;
-    this.error = null;
   }
 
-  /** Goes on from the frame that is shown, with other settings or parameters. */
-  async change() {
-    const epoch = ++this.epoch;
-    Object.assign(this, { ahead: [], busy: true, stopped: null });
-    this.end = { t: this.now.t, x: [...this.now.x] };
+  /** Goes on from the frame that is shown, by another method or with other parameters. */
+  change() {
+    if (!this.now) return;
+    this.epoch++;
+    const earlier = { ahead: this.ahead, end: this.end };
+    this.forget();
+    // a frame within a step at a contact may lie beyond it by a rounding error: the motion then changes at its end
+    Object.assign(this, { earlier, ahead: [], busy: false, end: { t: this.now.t, x: [...this.now.x] } });
     this.energyAtStart = null;
-    await this.follow(epoch);
-  }
-
-  /** Starts the companions beside the motion. */
-  async follow(epoch) {
-    const { twin, reference, crowd } = this.settings();
-    const { t, x } = this.end;
-    this.reference = reference ? { t, x } : null;
-    this.twin = null;
-    if (twin && this.about.components.length > 0) {
-      const near = [...x];
-      near[0] += 1e-6;
-      const { answer } = await this.engine.ask({ do: "look", t, x: near });
-      if (epoch !== this.epoch) return;
-      if (answer.is === "state") this.twin = { t, x: answer.x };
-    }
-    this.crowd = false;
-    if (crowd) {
-      const { answer } = await this.engine.ask({ do: "gather", x: [...x], count: 1000, spread: 1e-3 });
-      if (epoch !== this.epoch) return;
-      this.crowd = answer.is === "done";
-    }
-    this.busy = false;
   }
 
   /** Computes the next frames, unless there are enough. */
   async prepare() {
     if (this.busy || this.stopped || this.ahead.length > CHUNK) return;
     this.busy = true;
-    const epoch = this.epoch;
-    const { by, speed, section } = this.settings();
+    const { epoch } = this;
+    await this.compute(() => epoch === this.epoch);
+    if (epoch === this.epoch) this.busy = false;
+  }
+
+  async compute(isCurrent) {
+    const { by, speed, section, ...wanted } = this.settings();
+    const { t, x } = this.end;
+    if (!wanted.reference) this.reference = this.error = null;
+    else if (!this.reference) Object.assign(this, { reference: { t, x }, since: t });
+    if (!wanted.twin) this.twin = null;
+    else if (!this.twin) {
+      const { answer } = await this.engine.ask({ do: "near", t, x, by: 1e-6 });
+      if (!isCurrent()) return;
+      if (answer.is === "state") this.twin = { t, x: answer.x };
+    }
+    if (!wanted.crowd) this.crowd = null;
+    else if (!this.crowd) {
+      const { answer } = await this.engine.ask({ do: "gather", t, x, count: 1000, spread: 1e-3 });
+      if (!isCurrent()) return;
+      this.crowd = answer.is === "done" ? { runs: true } : { why: answer.why };
+    }
+    if (section !== this.cut) Object.assign(this, { cut: section, coming: [], passages: [] });
     const frames = this.past.length + this.ahead.length > 0 ? CHUNK : FIRST;
-    const span = [this.end.t, this.end.t + (frames * speed) / 60];
-    const ask = (from, method) =>
-      this.engine.ask({ do: "move", by: method, span, x: from.x, frames, section: from === this.end ? section : null });
-    if (section !== this.cut) [this.cut, this.sections] = [section, []];
+    const span = [t, t + (frames * speed) / 60];
+    const move = (from, method, section = null) => this.engine.ask({ do: "move", by: method, span, x: from.x, frames, section });
+    const step = this.work?.steps > 0 ? Math.min(STEP, this.work.span / this.work.steps / 2) : STEP;
     const began = performance.now();
-    const asked = [ask(this.end, by)];
-    asked.push(this.reference ? ask(this.reference, { method: "Vern9", tolerance: TIGHT }) : null);
-    asked.push(this.twin ? ask(this.twin, by) : null);
-    asked.push(this.crowd ? this.engine.ask({ do: "move_all", by: { method: "Rk4", h: STEP }, span, frames }) : null);
-    const [own, reference, twin, crowd] = await Promise.all(asked);
-    if (epoch !== this.epoch) return;
-    this.busy = false;
+    const [own, reference, twin, crowd] = await Promise.all([
+      move(this.end, by, section),
+      this.reference && move(this.reference, { method: "Vern9", tolerance: TIGHT }),
+      this.twin && move(this.twin, by),
+      this.crowd?.runs && this.engine.ask({ do: "move_all", by: { method: "Rk4", h: step }, span, frames }),
+    ]);
+    if (!isCurrent()) return;
     const { answer, numbers } = own;
     if (answer.is === "refused") {
-      this.stopped = answer.why;
+      if (this.earlier) {
+        Object.assign(this, this.earlier, { earlier: null, reference: null, twin: null, crowd: null });
+      } else this.stopped = answer.why;
       return;
     }
-    this.took = own.took;
-    this.pace = ((performance.now() - began) / frames) * (60 / 1000);
+    this.earlier = null;
+    this.slowness = (performance.now() - began) / ((1000 * frames) / 60);
     this.work = { evaluations: answer.evaluations, steps: answer.steps, span: answer.t - span[0] };
-    const rows = (of) => (n) => of?.answer.is === "frames" && of.numbers.subarray(n * of.answer.width, (n + 1) * of.answer.width);
+    const rows = (of) => (n) => (of?.answer.is === "frames" ? of.numbers.subarray(n * of.answer.width, (n + 1) * of.answer.width) : []);
     const [main, tight, near, all] = [own, reference, twin, crowd].map(rows);
+    const frameIn = (row) => (row.length > 0 ? frameOf(row, this.length) : null);
     const modes = [...answer.modes];
     const count = answer.width > 0 ? numbers.length / answer.width : 0;
     for (let n = 0; n < count; n++) {
       const frame = frameOf(main(n), this.length);
-      const also = (row) => (row && row.length > 0 ? frameOf(row, this.length) : null);
-      frame.reference = also(tight(n));
-      frame.twin = also(near(n));
-      frame.crowd = all(n) ? all(n).subarray(1) : null;
       while (modes.length > 0 && modes[0][0] <= frame.t) this.mode = modes.shift()[1];
-      frame.mode = this.mode;
+      const [reference, twin] = [tight(n), near(n)].map(frameIn);
+      Object.assign(frame, { reference, twin, mode: this.mode, warning: answer.warnings.at(-1) });
+      frame.crowd = all(n).length > 0 ? all(n).subarray(1) : null;
       this.ahead.push(frame);
     }
-    this.sections.push(...answer.sections);
+    this.coming.push(...answer.passages);
     this.end = { t: answer.t, x: answer.x };
     const follow = (of) => (of?.answer.is === "frames" && !of.answer.stopped ? { t: of.answer.t, x: of.answer.x } : null);
     this.reference = follow(reference);
     this.twin = follow(twin);
-    if (crowd?.answer.stopped || crowd?.answer.is === "refused") this.crowd = false;
+    if (crowd?.answer.stopped || crowd?.answer.is === "refused") this.crowd = { why: crowd.answer.stopped ?? crowd.answer.why };
     if (answer.stopped) this.stopped = answer.stopped;
-    this.warnings = answer.warnings;
   }
 
   /** Advances by frames. Returns false where the motion has ended. */
@@ -139,21 +145,22 @@ export class Simulation {
       const frame = this.ahead.shift();
       this.now = frame;
       this.energyAtStart ??= frame.kinetic + frame.potential;
-      if (frame.reference) this.error = this.difference(frame.x, frame.reference.x);
+      this.error = frame.reference ? this.difference(frame.x, frame.reference.x) : null;
+      while (this.coming[0]?.[0] <= frame.t) this.passages.push(this.coming.shift()[1]);
       this.past.push(frame);
       if (this.past.length > KEPT) this.past.splice(0, KEPT / 2);
     }
     return this.ahead.length > 0 || !this.stopped;
   }
 
-  /** Largest difference of two states; angles by whole turns are the same. */
+  /** Largest difference of two states, and its component; angles by whole turns are the same. */
   difference(a, b) {
-    let most = 0;
-    this.about.components.forEach(({ periodic }, n) => {
-      let own = Math.abs(a[n] - b[n]);
-      if (periodic) own = Math.abs(own - 2 * Math.PI * Math.round(own / (2 * Math.PI)));
-      most = Math.max(most, own);
+    let worst = { by: 0, component: this.about.components[0] };
+    this.about.components.forEach((component, n) => {
+      let by = Math.abs(a[n] - b[n]);
+      if (component.periodic) by = Math.abs(by - 2 * Math.PI * Math.round(by / (2 * Math.PI)));
+      if (!(by <= worst.by)) worst = { by, component };
     });
-    return most;
+    return worst;
   }
 }

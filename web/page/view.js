@@ -18,8 +18,7 @@ export class View {
     this.held = null;
     const at = (event) => {
       const box = canvas.getBoundingClientRect();
-      const ratio = canvas.width / box.width;
-      return [(event.clientX - box.left) * ratio, (event.clientY - box.top) * ratio];
+      return [event.clientX - box.left, event.clientY - box.top];
     };
     canvas.addEventListener("pointerdown", (event) => {
       this.held = this.nearest(at(event));
@@ -31,6 +30,8 @@ export class View {
     canvas.addEventListener("pointermove", (event) => {
       if (this.held) onDrag({ ...this.held, to: this.place(at(event)), view: this.view });
     });
+    // the page scrolls under a finger that holds no body
+    canvas.addEventListener("touchstart", (event) => this.held && event.preventDefault(), { passive: false });
     const drop = () => {
       if (this.held) onDrop();
       this.held = null;
@@ -42,7 +43,7 @@ export class View {
   /** Takes the shapes of another mechanism. */
   take(shapes, frames) {
     this.shapes = shapes;
-    this.bounds = null;
+    this.bounds = this.held = null;
     this.view = FLAT;
     const depths = frames.flatMap((frame) => this.points(frame).map((point) => point[2]));
     const [near, far] = [Math.min(...depths), Math.max(...depths)];
@@ -100,7 +101,7 @@ export class View {
   /** The shape and its point nearest to a place on the canvas, if one is near. */
   nearest([px, py]) {
     if (!this.on || !this.last) return null;
-    let [best, found] = [40 * (this.canvas.width / this.canvas.clientWidth), null];
+    let [best, found] = [40, null];
     this.flat(this.last).forEach(([points], shape) => {
       const { kind, body } = this.shapes[shape];
       if (body === "ground" || kind === "Guide") return;
@@ -126,7 +127,7 @@ export class View {
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     this.last = frame.shapes;
     this.widen(frame.shapes);
-    this.on = painter(canvas, this.shapes, this.bounds ?? [-1, 1, -1, 1]);
+    this.on = painter(canvas, this.shapes, this.bounds ?? [-1, 1, -1, 1], ratio);
     this.on.clear();
     if (frame.crowd) this.drawCrowd(frame.crowd);
     if (trail) this.drawTrail(past);

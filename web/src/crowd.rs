@@ -2,9 +2,9 @@
 
 use pendulum_runtime::{Error, Members, Method, Model};
 
-use crate::frames;
 use crate::message::Moved;
 use crate::page::times;
+use crate::{drag, frames};
 
 /// States of the motions, one after the other.
 #[derive(Debug)]
@@ -13,16 +13,12 @@ pub(crate) struct Crowd {
 }
 
 impl Crowd {
-    /// Motions about a state, that differ in the first coordinate by up to `spread`.
-    pub(crate) fn new(model: &Model, x: &[f64], count: usize, spread: f64) -> Result<Self, Error> {
-        let first = model.layout().slots.first().map(|slot| slot.positions.start);
+    /// Motions about a state, that differ by up to `spread`.
+    pub(crate) fn new(model: &Model, t: f64, x: &[f64], count: usize, spread: f64) -> Result<Self, Error> {
         let mut all = Vec::with_capacity(count * x.len());
         for n in 0..count {
-            let mut own = x.to_vec();
-            if let Some(own) = first.and_then(|first| own.get_mut(first)) {
-                *own += spread * (n as f64 / (count - 1).max(1) as f64 - 0.5);
-            }
-            all.extend(model.assemble(0.0, &own)?);
+            let by = spread * (n as f64 / (count - 1).max(1) as f64 - 0.5);
+            all.extend(drag::near(model, t, x, by)?);
         }
         Ok(Self { x: all })
     }

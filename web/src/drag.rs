@@ -90,6 +90,24 @@ fn freedoms(model: &Model) -> usize {
     model.layout().slots.iter().map(|slot| slot.rates.len()).sum()
 }
 
+/// State near another: the first coordinate differs, or the orientation about its first axis.
+pub(crate) fn near(model: &Model, t: f64, x: &[f64], by: f64) -> Result<Vec<f64>, Error> {
+    let change = DVector::from_fn(freedoms(model), |n, _| if n == 0 { by } else { 0.0 });
+    changed(model, t, x, &change)
+}
+
+/// State in which loops are closed and orientations have unit length.
+pub(crate) fn placed(model: &Model, t: f64, mut x: Vec<f64>) -> Result<Vec<f64>, Error> {
+    for place in model.layout().quaternions() {
+        let Some(own) = x.get_mut(place) else { continue };
+        let length = own.iter().map(|own| own * own).sum::<f64>().sqrt();
+        if length > 0.0 {
+            own.iter_mut().for_each(|own| *own /= length);
+        }
+    }
+    model.assemble(t, &x)
+}
+
 /// State after small changes of the independent coordinates: of an orientation, by the components of a rotation.
 fn changed(model: &Model, t: f64, x: &[f64], change: &DVector<f64>) -> Result<Vec<f64>, Error> {
     let mut x = x.to_vec();

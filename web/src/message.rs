@@ -46,13 +46,24 @@ pub enum Request {
         #[serde(default)]
         section: Option<Section>,
     },
+    /// A state near another: the first coordinate differs, or the orientation about its first axis.
+    Near {
+        /// Time in s.
+        t: f64,
+        /// State.
+        x: Vec<f64>,
+        /// Difference in rad or m.
+        by: f64,
+    },
     /// Start many motions beside each other.
     Gather {
+        /// Time in s.
+        t: f64,
         /// State in their middle.
         x: Vec<f64>,
         /// How many.
         count: usize,
-        /// Difference between the first and the last in the first coordinate.
+        /// Difference between the first and the last, as in `near`.
         spread: f64,
     },
     /// Integrate these.
@@ -247,10 +258,8 @@ pub struct Moved {
     pub stopped: Option<String>,
     /// Times at which constraints begin or end to hold, and which hold from then on.
     pub modes: Vec<(f64, String)>,
-    /// Times of impacts.
-    pub impacts: Vec<f64>,
-    /// States on the section.
-    pub sections: Vec<Vec<f64>>,
+    /// Times and states on the section.
+    pub passages: Vec<(f64, Vec<f64>)>,
     /// Reasons to doubt the motion.
     pub warnings: Vec<String>,
     /// Number of evaluations of the right-hand side.

@@ -12,8 +12,8 @@ use crate::{drag, frames};
 const ASSUMED: f64 = 1.0;
 /// Code of the error that a file cannot be read.
 const NO_FILE: &str = "M801";
-/// Values of a coordinate from which the page starts, in rad or m; the first from which the mechanism can move.
-const STARTS: [f64; 8] = [2.0, 1.0, 0.5, 0.1, -0.1, -0.5, -1.0, 0.0];
+/// Values from which the page starts, in SI units.
+const STARTS: [f64; 8] = [2.0, 1.0, -1.0, -0.5, 0.5, -0.2, 0.2, 0.1];
 
 /// A mechanism, and motions of it.
 #[derive(Debug, Default)]
@@ -63,7 +63,7 @@ impl Page {
                 Answer::Done
             }
             Request::Look { t, x } => {
-                let x = model.assemble(t, &x)?;
+                let x = drag::placed(model, t, x)?;
                 frames::push(numbers, model, t, &x)?;
                 Answer::State { x }
             }
@@ -79,10 +79,18 @@ impl Page {
                     events: section.map(|section| passage(model, section)).into_iter().collect(),
                     ..Options::default()
                 };
-                moved(model, &method(&by)?, span, &x, &options, numbers)?
+                let mut moved = moved(model, &method(&by)?, span, &x, &options, numbers)?;
+                if let Some(section) = section {
+                    moved.passages.retain(|(_, x)| is_upward(model, section, x));
+                }
+                Answer::Frames(moved)
             }
-            Request::Gather { x, count, spread } => {
-                self.crowd = Some(Crowd::new(model, &x, count, spread)?);
+            Request::Near { t, x, by } => {
+                let x = drag::near(model, t, &x, by)?;
+                Answer::State { x }
+            }
+            Request::Gather { t, x, count, spread } => {
+                self.crowd = Some(Crowd::new(model, t, &x, count, spread)?);
                 Answer::Done
             }
             Request::MoveAll { by, span, frames } => match &mut self.crowd {
@@ -120,10 +128,13 @@ impl Page {
         let mut notes = Vec::new();
         let model = match Model::declared(&declaration, &[]) {
             Err(Error::NoValue { parameters }) => {
-                notes.push(format!(
-                    "`{}` have no defaults in the declaration: {ASSUMED} is assumed",
-                    parameters.join("`, `")
-                ));
+                let names = parameters.join("`, `");
+                let have = if parameters.len() > 1 {
+                    "have no defaults"
+                } else {
+                    "has no default"
+                };
+                notes.push(format!("`{names}` {have} in the declaration: {ASSUMED} is assumed"));
                 let values: Vec<(&str, f64)> = parameters.iter().map(|name| (name.as_str(), ASSUMED)).collect();
                 Model::declared(&declaration, &values)
             }
@@ -197,14 +208,23 @@ pub(crate) fn times([t0, t1]: [f64; 2], frames: usize) -> Vec<f64> {
     (1..=frames).map(time).collect()
 }
 
-/// The passage of a section.
+/// The passage of a section. That of an angle is a zero of a sine, which [half a turn](is_upward) away falls.
 fn passage(model: &Model, Section { component, value }: Section) -> Event<'static> {
-    let periodic = model.components().get(component).is_some_and(|own| own.periodic);
+    let periodic = is_periodic(model, component);
     let past = move |_: f64, x: &[f64]| {
         let past = x.get(component).map_or(f64::NAN, |x| x - value);
         if periodic { past.sin() } else { past }
     };
     Event::new(past).rising()
+}
+
+fn is_periodic(model: &Model, component: usize) -> bool {
+    model.components().get(component).is_some_and(|own| own.periodic)
+}
+
+/// True if a state lies on the section, not half a turn from it.
+fn is_upward(model: &Model, Section { component, value }: Section, x: &[f64]) -> bool {
+    !is_periodic(model, component) || (x[component] - value).cos() > 0.0
 }
 
 /// Integrates, and adds frames.
@@ -215,7 +235,7 @@ fn moved(
     x: &[f64],
     options: &Options<'_>,
     numbers: &mut Vec<f64>,
-) -> Result<Answer, Error> {
+) -> Result<Moved, Error> {
     let (motion, stopped) = match model.solve_with(method, span, x, options) {
         Ok(motion) => (motion, None),
         Err(Stopped {
@@ -229,18 +249,21 @@ fn moved(
         frames::push(numbers, model, t, motion.state(n))?;
     }
     let statistics = motion.statistics();
-    Ok(Answer::Frames(Moved {
+    Ok(Moved {
         width: numbers.len() / motion.t().len().max(1),
         t: motion.end().0,
         x: motion.end().1.to_vec(),
         stopped,
         modes: motion.modes().to_vec(),
-        impacts: motion.impacts().iter().map(|impact| impact.t).collect(),
-        sections: motion.occurrences().iter().map(|passage| passage.x.clone()).collect(),
+        passages: motion
+            .occurrences()
+            .iter()
+            .map(|passage| (passage.t, passage.x.clone()))
+            .collect(),
         warnings: motion.warnings().to_vec(),
         evaluations: statistics.evaluations,
         steps: statistics.accepted,
-    }))
+    })
 }
 
 fn about(model: &Model, notes: Vec<String>) -> Result<About, Error> {
@@ -293,29 +316,48 @@ fn about(model: &Model, notes: Vec<String>) -> Result<About, Error> {
     })
 }
 
-/// State in which the page starts: the first angle is not zero, or else no coordinate, if the mechanism can move from
-/// there.
+/// State in which the page starts: the first from which the mechanism moves, with a value of the first angle, or else of
+/// all coordinates, or of all rates.
 fn start(model: &Model) -> Vec<f64> {
     let rest = model.state(&[]).unwrap_or_default();
     let slots: Vec<_> = model
         .layout()
         .slots
         .iter()
-        .filter(|slot| slot.rates.len() == 1)
+        .filter(|slot| !slot.rates.is_empty())
         .collect();
-    let first = slots.iter().position(|slot| slot.kind == SlotKind::Angle);
-    let first = first.map_or(&[][..], |first| &slots[first..=first]);
-    let tries = [first, &slots]
-        .into_iter()
-        .flat_map(|own| STARTS.map(|value| (own, value)));
+    let single = slots.iter().filter(|slot| slot.positions.len() == 1);
+    let places: Vec<usize> = single.clone().map(|slot| slot.positions.start).collect();
+    let angle = single.clone().find(|slot| slot.kind == SlotKind::Angle);
+    let first: Vec<usize> = angle.map(|slot| slot.positions.start).into_iter().collect();
+    let rates: Vec<usize> = slots.iter().flat_map(|slot| slot.rates.clone()).collect();
+    let mut values = STARTS;
+    if model.constraints().len() > 0 {
+        // near the stops and walls
+        values.reverse();
+    }
+    let tries = [first, places, rates];
+    let tries = tries.iter().flat_map(|own| values.map(|value| (own, value)));
     let mut states = tries.filter_map(|(own, value)| {
         let mut x = rest.clone();
-        own.iter().for_each(|slot| x[slot.positions.start] = value);
+        own.iter().for_each(|&place| x[place] = value);
         let x = model.assemble(0.0, &x).ok()?;
-        can_move(model, 0.0, &x).then_some(x)
+        moves(model, &x).then_some(x)
     });
     let found = states.next();
     found.unwrap_or(rest)
+}
+
+/// True if the mechanism moves from a state.
+fn moves(model: &Model, x: &[f64]) -> bool {
+    let short = Method::new("Vern9").map(|method| model.solve(&method, [0.0, 0.02], x));
+    let Ok(Ok(motion)) = short else { return false };
+    motion
+        .end()
+        .1
+        .iter()
+        .zip(x)
+        .any(|(after, before)| (after - before).abs() > 1e-6)
 }
 
 /// True if the mechanism can move from a state: it lies within its stops and walls.
@@ -325,16 +367,20 @@ pub(crate) fn can_move(model: &Model, t: f64, x: &[f64]) -> bool {
 }
 
 fn place(problem: pendulum_runtime::Problem) -> Place {
+    let (message, help) = if problem.code == NO_FILE {
+        // the page has no folders, and what the system says of a browser helps nobody
+        let file = problem.message.split(" cannot be read").next().unwrap_or_default();
+        let help = "open it by the button `Robot file`, and write its name without a folder";
+        (format!("{file} is not open"), help.to_owned())
+    } else {
+        (problem.message, problem.help)
+    };
     Place {
         line: problem.line,
         column: problem.column,
         width: problem.width,
-        help: match problem.code.as_str() {
-            // the page has no folders
-            NO_FILE => "open it by the button `Robot file`, and write its name without a folder".to_owned(),
-            _ => problem.help,
-        },
         code: problem.code,
-        message: problem.message,
+        message,
+        help,
     }
 }

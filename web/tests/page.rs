@@ -217,7 +217,7 @@ fn a_hand_closes_loops_and_stays_within_stops() {
 #[test]
 fn a_thousand_motions_begin_near_each_other() {
     let (mut page, about) = declared(DOUBLE);
-    let gather = json!({ "do": "gather", "x": [2.0, 1.0, 0.0, 0.0], "count": 1000, "spread": 1e-3 });
+    let gather = json!({ "do": "gather", "t": 0.0, "x": [2.0, 1.0, 0.0, 0.0], "count": 1000, "spread": 1e-3 });
     assert_eq!(ask(&mut page, &gather).0["is"], "done");
     let by = json!({ "method": "Vern9", "tolerance": 1e-6 });
     let (answer, frames) = ask(
@@ -240,16 +240,41 @@ fn a_thousand_motions_begin_near_each_other() {
 fn sections_are_passed_upward() {
     let (mut page, _) = declared(DOUBLE);
     let by = json!({ "method": "Vern9", "tolerance": 1e-9 });
-    let (answer, _) = ask(
-        &mut page,
-        &json!({
-            "do": "move", "by": by, "span": [0.0, 20.0], "x": [0.5, 0.0, 0.0, 0.0], "frames": 1,
+    let mut passages = |x: [f64; 4]| -> Vec<(f64, Vec<f64>)> {
+        let request = json!({
+            "do": "move", "by": by, "span": [0.0, 20.0], "x": x, "frames": 1,
             "section": { "component": 0, "value": 0.0 },
-        }),
+        });
+        serde_json::from_value(ask(&mut page, &request).0["passages"].clone()).expect("times and states")
+    };
+    let swings = passages([0.5, 0.0, 0.0, 0.0]);
+    assert!(swings.len() > 5, "{}", swings.len());
+    assert!(swings.iter().all(|(_, x)| x[0].abs() < 1e-9 && x[2] > 0.0));
+    // turning over backwards, the sine of the angle rises half a turn from the section
+    assert_eq!(passages([0.5, 0.0, -30.0, 0.0]), []);
+}
+
+#[test]
+fn neighbours_differ_in_the_first_coordinate_or_orientation() {
+    let (mut page, _) = declared(DOUBLE);
+    let request = json!({ "do": "near", "t": 0.0, "x": [1.0, 0.0, 0.0, 0.0], "by": 1e-6 });
+    assert_eq!(numbers(&ask(&mut page, &request).0["x"]), [1.0 + 1e-6, 0.0, 0.0, 0.0]);
+    let ball = "pub Ball {
+        gravity: [0, -9.81, 0],
+        body bob on ground { solids: [sphere(1, 0.1, [0, -1, 0])], joint: ball, orientation: o }
+    }";
+    let (mut page, about) = declared(ball);
+    assert_eq!(about["is"], "mechanism", "{about}");
+    let request = json!({ "do": "near", "t": 0.0, "x": [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], "by": 1e-3 });
+    let x = numbers(&ask(&mut page, &request).0["x"]);
+    assert!(
+        (x[1] - 5e-4).abs() < 1e-9 && (x[0] * x[0] + x[1] * x[1] - 1.0).abs() < 1e-15,
+        "{x:?}"
     );
-    let sections: Vec<Vec<f64>> = serde_json::from_value(answer["sections"].clone()).expect("states");
-    assert!(sections.len() > 5, "{}", sections.len());
-    assert!(sections.iter().all(|x| x[0].abs() < 1e-9 && x[2] > 0.0));
+    // what is typed for an orientation is normalised
+    let request = json!({ "do": "look", "t": 0.0, "x": [1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0] });
+    let x = numbers(&ask(&mut page, &request).0["x"]);
+    assert!((x[0] - 0.5_f64.sqrt()).abs() < 1e-15, "{x:?}");
 }
 
 #[test]

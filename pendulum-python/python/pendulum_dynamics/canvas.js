@@ -1,15 +1,18 @@
-// Paints the shapes of a mechanism on a canvas, within bounds [left, right, low, high] in m.
-export default function painter(canvas, shapes, bounds) {
+// Paints the shapes of a mechanism on a canvas, within bounds [left, right, low, high] in m. The canvas has `ratio` pixels
+// for each one of the page.
+export default function painter(canvas, shapes, bounds, ratio = 1) {
   const context = canvas.getContext("2d");
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  const [width, height] = [canvas.width / ratio, canvas.height / ratio];
   const colours = ["#2f6fa8", "#c8553d", "#3c8d5a", "#8a5aa8", "#b08a2e", "#4b8f8c"];
   const ground = getComputedStyle(canvas).color || "#555";
   const bodies = [...new Set(shapes.map((shape) => shape.body))].filter((body) => body !== "ground");
   const colour = (body) => (body === "ground" ? ground : colours[bodies.indexOf(body) % colours.length]);
   const [left, right, low, high] = bounds;
   const size = Math.max(right - left, high - low, 1e-9) * 1.1;
-  const scale = Math.min(canvas.width, canvas.height) / size;
-  const x = (value) => canvas.width / 2 + (value - (left + right) / 2) * scale;
-  const y = (value) => canvas.height / 2 - (value - (low + high) / 2) * scale;
+  const scale = Math.min(width, height) / size;
+  const x = (value) => width / 2 + (value - (left + right) / 2) * scale;
+  const y = (value) => height / 2 - (value - (low + high) / 2) * scale;
   const line = (points, closed) => {
     context.beginPath();
     for (let i = 0; i < points.length; i += 2) context.lineTo(x(points[i]), y(points[i + 1]));
@@ -64,6 +67,6 @@ export default function painter(canvas, shapes, bounds) {
     context.font = "13px sans-serif";
     context.fillText(text, 10, 18);
   };
-  const clear = () => context.clearRect(0, 0, canvas.width, canvas.height);
+  const clear = () => context.clearRect(0, 0, width, height);
   return { paint, write, clear, x, y, scale };
 }

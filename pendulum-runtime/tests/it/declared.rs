@@ -4,12 +4,16 @@ use pendulum_runtime::{Declaration, Error, Model};
 
 const BALL: &str = "pub Ball {
     gravity: [0, -9.81, 0],
-    body bob on ground { mass: 1, com: [0, -1, 0], inertia: 0.1, joint: ball, orientation: q }
+    body bob on ground { mass: 1, com: [0, -1, 0], inertia: [0.1, 0.1, 0.1], joint: ball, orientation: o }
     generate: [rhs],
 }";
 
 fn names(model: &Model) -> Vec<&str> {
-    model.functions().iter().map(|function| function.name.as_str()).collect()
+    model
+        .functions()
+        .iter()
+        .map(|function| function.name.as_str())
+        .collect()
 }
 
 #[test]
@@ -39,8 +43,13 @@ fn code_is_that_of_the_macro() {
     let declaration = Declaration::new(BALL).also(["energy"]);
     let tokens = BALL.parse().expect("tokens");
     // words that are added are for the model, not for the reader
-    assert_eq!(declaration.rust().expect("valid"), pendulum_codegen::expand(tokens).to_string());
+    assert_eq!(
+        declaration.rust().expect("valid"),
+        pendulum_codegen::expand(tokens).to_string()
+    );
     assert!(declaration.c().expect("valid").contains("ball_rhs"));
-    let error = Declaration::new("pub Ball { gravty: [0, 0, 0] }").rust().expect_err("a wrong word");
+    let error = Declaration::new("pub Ball { gravty: [0, 0, 0] }")
+        .rust()
+        .expect_err("a wrong word");
     assert!(error.to_string().contains("did you mean `gravity`?"), "{error}");
 }
