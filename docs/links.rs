@@ -47,14 +47,14 @@ fn anchor(heading: &str) -> String {
         .collect()
 }
 
-/// Collects all Markdown files below a folder, except build outputs.
+/// Collects all Markdown files below a folder, except build outputs and packages.
 fn collect(folder: &Path, pages: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder)
         .expect("a folder")
         .map(|entry| entry.expect("an entry").path())
     {
         let name = entry.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        if entry.is_dir() && !name.starts_with('.') && name != "target" && name != "out" {
+        if entry.is_dir() && !name.starts_with('.') && !["target", "out", "node_modules"].contains(&name) {
             collect(&entry, pages);
         } else if name.ends_with(".md") {
             pages.push(entry);

@@ -76,12 +76,12 @@ const packed = (content) => deflateRawSync(content, { level: 9 }).toString("base
 
 const wasm = module();
 const worker = await bundled(page("worker.js"));
-const script = await bundled(page("main.js"), { worker, gallery: [...gallery(), robot()], styles: katex() });
+const script = await bundled(page("main.js"), { gallery: [...gallery(), robot()], styles: katex() });
 const parts = {
   style: read(page("style.css")),
   picture: read(join(here, "../docs/swing.svg")).replace(/^<\?xml[^>]*\?>/, ""),
   packed: `${packed(script)}\n${packed(wasm)}`,
-  loader: read(page("loader.js")),
+  loader: read(page("loader.js")).replace("WORKER", () => JSON.stringify(worker.trim())),
 };
 const html = read(page("index.html")).replace(/\{\{(\w+)\}\}/g, (_, name) => parts[name]);
 const file = process.argv[2] ?? join(here, "../out/pendulum.html");

@@ -1,6 +1,4 @@
 // Requests to the worker, one after the other.
-import source from "worker";
-
 /** Longest time that a request may take, in ms. */
 const LIMIT = 8000;
 
@@ -11,16 +9,25 @@ export class Engine {
   /** The last requests that gave the worker its mechanism: a new worker gets them, too. */
   #kept = {};
 
-  constructor(module) {
-    this.module = module;
-    this.#start();
+  /** Takes the first worker, the function that starts further ones, and the one that is called if there is no module. */
+  constructor({ start, worker, fail }) {
+    Object.assign(this, { start, fail });
+    this.#listen(worker);
   }
 
-  #start() {
-    const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
-    this.#worker = new Worker(url);
-    URL.revokeObjectURL(url);
-    this.#worker.onmessage = ({ data }) => this.#take(data);
+  #listen(worker) {
+    this.#worker = worker;
+    worker.onmessage = ({ data }) => {
+      if (data.broken) this.fail(data.broken);
+      else if (data.module) this.module = data.module;
+      else this.#take(data);
+    };
+  }
+
+  /** Starts another worker with the same mechanism. */
+  #renew() {
+    this.#worker.terminate();
+    this.#listen(this.start());
     this.#worker.postMessage({ module: this.module });
     for (const request of [this.#kept.declare, this.#kept.set]) {
       if (request) this.#worker.postMessage({ id: -1, request });
@@ -60,8 +67,8 @@ export class Engine {
 
   /** Ends the computation under way, and goes on with the next one in another worker. */
   stop(why) {
-    this.#worker.terminate();
-    this.#start();
+    if (!this.module) return this.fail("the module was not unpacked in time");
+    this.#renew();
     const first = this.#queue.shift();
     if (first) {
       clearTimeout(first.timer);

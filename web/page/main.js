@@ -17,7 +17,7 @@ const style = document.createElement("style");
 style.textContent = katexStyle;
 document.head.append(style);
 
-const engine = new Engine(window.pendulumModule);
+const engine = new Engine(window.pendulumWorker);
 const editor = new Editor($("editor"), { onChange: declare });
 const view = new View($("canvas"), { onDrag: drag, onDrop: drop });
 const panel = new Panel($("tabs"), $("panel"), engine);
@@ -121,6 +121,10 @@ async function take(about) {
       if (before) own.value = before.value;
     }
   }
+  // the same fields, with what they hold
+  const declared = (of) => JSON.stringify([...of.parameters, ...of.inputs].map(({ name, unit, docs, declared }) => [name, unit, docs, declared]));
+  const hasSameFields = isSame && declared(about) === declared(app.about);
+  if (hasSameFields) Object.assign(about, { parameters: app.about.parameters, inputs: app.about.inputs });
   const notes = [...about.notes];
   const refused = await put(about);
   if (refused) {
@@ -139,7 +143,7 @@ async function take(about) {
   await simulation.prepare();
   Object.assign(app, { about, simulation, fresh: false });
   view.take(about.shapes, [simulation.now, ...simulation.ahead].map((frame) => frame.shapes));
-  fields();
+  if (!hasSameFields) fields();
   requestAnimationFrame(() => app.about === about && panel.take(about));
   show(app.notice ?? notes.join("; "));
   app.notice = null;
@@ -185,13 +189,13 @@ function fields() {
     const { element, range, number } = field(own, { min: least, max: most, step: (most - least) / 300 }, own.value);
     let accepted = own.value;
     const change = async (typed) => {
-      if (app.declaring || about !== app.about) return;
+      if (app.declaring || !app.about.parameters.concat(app.about.inputs).includes(own)) return;
       own.value = Math.min(Math.max(typed, least), most);
       const isWithin = own.value === typed;
-      const refused = await put(about);
+      const refused = await put(app.about);
       if (refused) {
         own.value = accepted;
-        await put(about);
+        await put(app.about);
       }
       accepted = own.value;
       range.value = number.value = Number(own.value.toPrecision(8));

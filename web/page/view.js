@@ -11,6 +11,9 @@ const SPATIAL = (() => {
   return [unit(right), unit(cross(towards, right))];
 })();
 
+/** Mechanisms that are drawn as one path, where there are many. */
+const AT_ONCE = 16;
+
 export class View {
   constructor(canvas, { onDrag, onDrop }) {
     this.canvas = canvas;
@@ -172,20 +175,26 @@ export class View {
     const context = this.canvas.getContext("2d");
     const [[a, b, c], [d, e, f]] = this.view;
     const { x, y } = this.on;
-    context.globalAlpha = 0.06;
-    context.lineWidth = 1.5;
+    context.globalAlpha = 0.1;
+    context.lineWidth = 1;
     context.strokeStyle = "#2f6fa8";
+    // one path of a thousand takes longer than many of a few
+    let drawn = 0;
     context.beginPath();
     for (let place = 0; place < numbers.length && this.shapes.length > 0; ) {
       for (const shape of this.shapes) {
-        const drawn = shape.body !== "ground" && shape.kind !== "Guide" && shape.points > 1;
+        const isDrawn = shape.body !== "ground" && shape.kind !== "Guide" && shape.points > 1;
         for (let n = 0; n < shape.points; n++, place += 3) {
-          if (!drawn || n > 1) continue;
+          if (!isDrawn || n > 1) continue;
           const [px, py, pz] = [numbers[place], numbers[place + 1], numbers[place + 2]];
           const [sx, sy] = [x(a * px + b * py + c * pz), y(d * px + e * py + f * pz)];
           n === 0 ? context.moveTo(sx, sy) : context.lineTo(sx, sy);
         }
         place += 1;
+      }
+      if (++drawn % AT_ONCE === 0) {
+        context.stroke();
+        context.beginPath();
       }
     }
     context.stroke();

@@ -1,23 +1,38 @@
 // Computes apart from the page, which can end it at any time.
-let module;
+let exports;
+let ready;
 
-self.onmessage = ({ data }) => {
-  if (data.module) {
-    module = new WebAssembly.Instance(data.module).exports;
-    return;
-  }
-  const { id, request } = data;
+/** Unpacks the module of a new page, and gives it to the page for later workers. */
+async function unpack(text) {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let n = 0; n < bytes.length; n++) bytes[n] = binary.charCodeAt(n);
+  const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+  // compilation of the stream takes longer than that of the whole, whose functions are compiled when they are called
+  const module = await WebAssembly.compile(await new Response(unpacked).arrayBuffer());
+  exports = new WebAssembly.Instance(module).exports;
+  self.postMessage({ module });
+}
+
+function answer({ id, request }) {
   try {
     const bytes = new TextEncoder().encode(JSON.stringify(request));
-    const room = module.room(bytes.length);
-    new Uint8Array(module.memory.buffer, room, bytes.length).set(bytes);
+    const room = exports.room(bytes.length);
+    new Uint8Array(exports.memory.buffer, room, bytes.length).set(bytes);
     const began = performance.now();
-    const length = module.answer();
+    const length = exports.answer();
     const took = performance.now() - began;
-    const text = new TextDecoder().decode(new Uint8Array(module.memory.buffer, module.text(), length));
-    const numbers = new Float64Array(module.memory.buffer, module.numbers(), module.count()).slice();
+    const text = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.text(), length));
+    const numbers = new Float64Array(exports.memory.buffer, exports.numbers(), exports.count()).slice();
     self.postMessage({ id, answer: JSON.parse(text), numbers, took }, [numbers.buffer]);
   } catch (error) {
     self.postMessage({ id, failed: String(error) });
   }
+}
+
+self.onmessage = ({ data }) => {
+  if (data.packed) ready = unpack(data.packed).catch((error) => self.postMessage({ broken: String(error) }));
+  else if (data.module) exports = new WebAssembly.Instance(data.module).exports;
+  else if (ready) ready.then(() => answer(data));
+  else answer(data);
 };

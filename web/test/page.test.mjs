@@ -323,6 +323,25 @@ test("a link carries the declaration", async (t) => {
   assert.match(await broken.textContent("#note"), /cannot be read/);
 });
 
+test("declarations of the book open here", async (t) => {
+  const page = await opened(t, { still: true });
+  await page.evaluate(
+    ([script, code]) => {
+      document.body.innerHTML = "<main><pre><code class='language-rust'></code></pre></main>";
+      document.querySelector("code").textContent = code;
+      (0, eval)(script);
+    },
+    [
+      readFileSync(join(here, "../../docs/open.js"), "utf8"),
+      `fn main() {\n    mechanism! {\n${PENDULUM.replace(/^(?=.)/gm, "        ")}    }\n}\nmechanism! { pub Other { body a on ground { mass: 1 } } }\n`,
+    ],
+  );
+  const links = await page.$$eval("a.open-declaration", (all) => all.map(({ textContent, href }) => [textContent, href]));
+  assert.deepEqual(links.map(([text]) => text), ["Open Pendulum in motion", "Open Other in motion"]);
+  const other = await opened(t, { hash: new URL(links[0][1]).hash });
+  assert.equal(await other.evaluate(() => window.pendulum.editor.text), PENDULUM);
+});
+
 test("a worker that is ended starts again", async (t) => {
   const page = await opened(t);
   await page.evaluate(() => window.pendulum.engine.stop("stopped"));
