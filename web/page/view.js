@@ -47,6 +47,7 @@ export class View {
   take(shapes, frames) {
     this.shapes = shapes;
     this.bounds = this.held = null;
+    this.radius = 0;
     this.view = FLAT;
     const depths = frames.flatMap((frame) => this.points(frame).map((point) => point[2]));
     const [near, far] = [Math.min(...depths), Math.max(...depths)];
@@ -80,25 +81,32 @@ export class View {
     });
   }
 
-  /** Widens the bounds to all that was seen: a square about the supports, if there are any. */
+  /**
+   * Widens the bounds to all that was seen: a square about the supports, or about a mechanism that flies freely, which it
+   * follows, or else all places.
+   */
   widen(numbers) {
+    const flat = this.flat(numbers).filter((_, n) => this.shapes[n].kind !== "Guide");
+    const places = ([points, radius]) => Array.from({ length: points.length / 2 }, (_, k) => [points[2 * k], points[2 * k + 1], radius]);
+    const all = flat.flatMap(places);
+    if (all.length === 0) return;
+    const kinds = this.shapes.map(({ kind }) => kind);
+    const supports = this.flat(numbers).filter((_, n) => kinds[n] === "Support").flatMap(places);
+    const isFree = !this.shapes.some(({ kind, body }) => kind === "Guide" || body === "ground");
+    const about = kinds.includes("Guide") || (supports.length === 0 && !isFree) ? null : supports.length > 0 ? supports : all;
+    if (about) {
+      const middle = (k) => about.reduce((sum, place) => sum + place[k], 0) / about.length;
+      const [x, y] = [middle(0), middle(1)];
+      this.radius = Math.max(this.radius, ...all.map((place) => Math.hypot(place[0] - x, place[1] - y) + place[2]));
+      this.bounds = [x - this.radius, x + this.radius, y - this.radius, y + this.radius];
+      return;
+    }
     let [left, right, low, high] = this.bounds ?? [Infinity, -Infinity, Infinity, -Infinity];
-    const flat = this.flat(numbers);
-    const supports = flat.filter((_, n) => this.shapes[n].kind === "Support").map(([points]) => points);
-    const guided = this.shapes.some(({ kind }) => kind === "Guide");
-    const middle = (k) => supports.reduce((sum, points) => sum + points[k], 0) / supports.length;
-    const centre = supports.length > 0 && !guided ? [middle(0), middle(1)] : null;
-    flat.forEach(([points, radius], n) => {
-      if (this.shapes[n].kind === "Guide") return;
-      for (let k = 0; k < points.length; k += 2) {
-        const [x, y] = [points[k], points[k + 1]];
-        const away = centre ? Math.hypot(x - centre[0], y - centre[1]) + radius : radius;
-        const [px, py] = centre ?? [x, y];
-        [left, right] = [Math.min(left, px - away), Math.max(right, px + away)];
-        [low, high] = [Math.min(low, py - away), Math.max(high, py + away)];
-      }
-    });
-    this.bounds = Number.isFinite(left) ? [left, right, low, high] : null;
+    for (const [x, y, radius] of all) {
+      [left, right] = [Math.min(left, x - radius), Math.max(right, x + radius)];
+      [low, high] = [Math.min(low, y - radius), Math.max(high, y + radius)];
+    }
+    this.bounds = [left, right, low, high];
   }
 
   /** The shape and its point nearest to a place on the canvas, if one is near. */

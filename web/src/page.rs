@@ -331,12 +331,12 @@ fn start(model: &Model) -> Vec<f64> {
     let angle = single.clone().find(|slot| slot.kind == SlotKind::Angle);
     let first: Vec<usize> = angle.map(|slot| slot.positions.start).into_iter().collect();
     let rates: Vec<usize> = slots.iter().flat_map(|slot| slot.rates.clone()).collect();
-    let mut values = STARTS;
+    let (mut values, mut tries) = (STARTS, [first, places, rates]);
     if model.constraints().len() > 0 {
-        // near the stops and walls
+        // near the stops and walls, and above them rather than tilted into them
         values.reverse();
+        tries.swap(0, 1);
     }
-    let tries = [first, places, rates];
     let tries = tries.iter().flat_map(|own| values.map(|value| (own, value)));
     let mut states = tries.filter_map(|(own, value)| {
         let mut x = rest.clone();

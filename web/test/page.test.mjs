@@ -324,7 +324,9 @@ test("a link carries the declaration", async (t) => {
 });
 
 test("declarations of the book open here", async (t) => {
-  const page = await opened(t, { still: true });
+  const page = await browser.newPage();
+  t.after(() => page.close());
+  await page.goto(url.replace(/[^/]*$/, ""));
   await page.evaluate(
     ([script, code]) => {
       document.body.innerHTML = "<main><pre><code class='language-rust'></code></pre></main>";
