@@ -75,12 +75,14 @@ async function bundled(entry, names = {}) {
 const packed = (content) => deflateRawSync(content, { level: 9 }).toString("base64");
 
 const wasm = module();
+const packedModule = packed(wasm);
 const worker = await bundled(page("worker.js"));
 const script = await bundled(page("main.js"), { gallery: [...gallery(), robot()], styles: katex() });
+const packedScript = packed(script);
 const parts = {
   style: read(page("style.css")),
   picture: read(join(here, "../docs/swing.svg")).replace(/^<\?xml[^>]*\?>/, ""),
-  packed: `${packed(script)}\n${packed(wasm)}`,
+  packed: `${packedScript}\n${packedModule}`,
   loader: read(page("loader.js")).replace("WORKER", () => JSON.stringify(worker.trim())),
 };
 const html = read(page("index.html")).replace(/\{\{(\w+)\}\}/g, (_, name) => parts[name]);
@@ -88,4 +90,4 @@ const file = process.argv[2] ?? join(here, "../out/pendulum.html");
 mkdirSync(dirname(file), { recursive: true });
 writeFileSync(file, html);
 const size = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
-console.log(`${file}: ${size(html.length)}; module ${size(wasm.length)}, packed ${size(packed(wasm).length)}; script and fonts packed ${size(packed(script).length)}`);
+console.log(`${file}: ${size(html.length)}; module ${size(wasm.length)}, packed ${size(packedModule.length)}; script and fonts packed ${size(packedScript.length)}`);

@@ -1,4 +1,4 @@
-//! What can be computed beside motions: equilibria, exponents, derivatives and fits.
+//! Analyses of models: equilibria, exponents, derivatives and fits.
 
 use pendulum_core::sensitivity::Variable;
 

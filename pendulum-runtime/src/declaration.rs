@@ -72,7 +72,7 @@ impl fmt::Display for DeclarationError {
 
 impl error::Error for DeclarationError {}
 
-/// The text of a declaration, and what goes with it.
+/// The text of a declaration, with files and added words.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Declaration {
     text: String,
@@ -116,17 +116,17 @@ impl Declaration {
     /// Generated code in C99: the header, then the source.
     ///
     /// # Errors
-    /// Those that `mechanism!` reports.
+    /// If the declaration is wrong, as `mechanism!` reports.
     pub fn c(&self) -> Result<String, DeclarationError> {
         let sources = pendulum_codegen::c(&self.program()?);
         Ok(sources.header + &sources.source)
     }
 
-    /// Items that `mechanism!` generates, without the words that were [added](Self::also). prettyplease formats them for
-    /// reading.
+    /// Items that `mechanism!` generates, without the words that were [added](Self::also). prettyplease formats them
+    /// for reading.
     ///
     /// # Errors
-    /// Those that `mechanism!` reports.
+    /// If the declaration is wrong, as `mechanism!` reports.
     pub fn rust(&self) -> Result<String, DeclarationError> {
         self.program()?;
         Ok(worker::alone(|| {

@@ -49,7 +49,7 @@ pub(crate) fn padded<const N: usize>(x: &[f64]) -> SVector<f64, N> {
     SVector::from_fn(|n, _| x.get(n).copied().unwrap_or_default())
 }
 
-/// What can be computed beside motions: nothing.
+/// Analyses of a padded model: none without the feature `full`.
 #[cfg(not(feature = "full"))]
 pub(crate) trait Analyses {}
 

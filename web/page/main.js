@@ -2,6 +2,7 @@
 import examples from "gallery";
 import katexStyle from "styles";
 import { Editor, proposal } from "./editor.js";
+import { element } from "./element.js";
 import { Engine } from "./engine.js";
 import { fromHash, toHash } from "./link.js";
 import { Panel } from "./panel.js";
@@ -13,9 +14,7 @@ const FIXED = ["Rk4", "Gauss6"];
 const FIRST = "Point masses";
 
 const $ = (id) => document.getElementById(id);
-const style = document.createElement("style");
-style.textContent = katexStyle;
-document.head.append(style);
+document.head.append(element("style", { textContent: katexStyle }));
 
 const engine = new Engine(window.pendulumWorker);
 const editor = new Editor($("editor"), { onChange: declare });
@@ -86,26 +85,16 @@ function complain(problems, why) {
   const list = $("problems");
   list.replaceChildren();
   for (const problem of problems) {
-    const item = document.createElement("li");
-    const go = document.createElement("button");
-    go.textContent = `Line ${problem.line}`;
-    go.onclick = () => editor.go(problem);
-    const help = document.createElement("span");
-    help.className = "help";
-    help.textContent = ` ${problem.help}`;
-    item.append(go, ` ${problem.message} [${problem.code}].`, help);
+    const go = element("button", { textContent: `Line ${problem.line}`, onclick: () => editor.go(problem) });
+    const help = element("span", { className: "help", textContent: ` ${problem.help}` });
+    const item = element("li", {}, go, ` ${problem.message} [${problem.code}].`, help);
     const name = proposal(problem.help);
-    if (name) {
-      const fix = document.createElement("button");
-      fix.textContent = `Write ${name}`;
-      fix.onclick = () => editor.fix(problem, name);
-      item.append(" ", fix);
-    }
+    if (name) item.append(" ", element("button", { textContent: `Write ${name}`, onclick: () => editor.fix(problem, name) }));
     list.append(item);
   }
-  if (why) list.append(Object.assign(document.createElement("li"), { textContent: why }));
+  if (why) list.append(element("li", { textContent: why }));
   if (list.childElementCount > 0 && app.about) {
-    list.append(Object.assign(document.createElement("li"), { className: "help", textContent: `Still shown: ${app.about.name}.` }));
+    list.append(element("li", { className: "help", textContent: `Still shown: ${app.about.name}.` }));
   }
 }
 
@@ -163,19 +152,13 @@ async function put(about) {
 // parameters and states
 
 function field(label, { min, max, step }, value) {
-  const element = document.createElement("label");
-  const text = document.createElement("span");
-  text.className = "name";
-  text.textContent = label.name;
-  text.title = label.docs || label.name;
-  const number = Object.assign(document.createElement("input"), { type: "number", step: "any", value });
+  const text = element("span", { className: "name", textContent: label.name, title: label.docs || label.name });
+  const number = element("input", { type: "number", step: "any", value });
   number.setAttribute("aria-label", `${label.name}, ${label.unit || "no unit"}`);
-  const unit = Object.assign(document.createElement("span"), { className: "unit", textContent: label.unit });
-  const range = Object.assign(document.createElement("input"), { type: "range", min, max, step });
-  range.value = value;
+  const unit = element("span", { className: "unit", textContent: label.unit });
+  const range = element("input", { type: "range", min, max, step, value });
   range.setAttribute("aria-label", `${label.name}, slider`);
-  element.append(text, range, number, unit);
-  return { element, range, number };
+  return { row: element("label", {}, text, range, number, unit), range, number };
 }
 
 /** Fields of parameters, inputs and the state. */
@@ -186,7 +169,7 @@ function fields() {
   for (const own of [...about.parameters, ...about.inputs]) {
     const most = own.declared > 0 ? 3 * own.declared : Math.max(10, 3 * Math.abs(own.declared));
     const least = own.declared > 0 ? 0 : -most;
-    const { element, range, number } = field(own, { min: least, max: most, step: (most - least) / 300 }, own.value);
+    const { row, range, number } = field(own, { min: least, max: most, step: (most - least) / 300 }, own.value);
     let accepted = own.value;
     const change = async (typed) => {
       if (app.declaring || !app.about.parameters.concat(app.about.inputs).includes(own)) return;
@@ -204,13 +187,13 @@ function fields() {
     };
     range.oninput = () => change(Number(range.value));
     number.onchange = () => (number.value === "" ? (number.value = own.value) : change(Number(number.value)));
-    list.append(element);
+    list.append(row);
   }
   list.parentElement.hidden = list.childElementCount === 0;
   const states = $("state");
   states.replaceChildren();
   app.fields = about.components.map((component, n) => {
-    const { element, range, number } = field(component, {}, 0);
+    const { row, range, number } = field(component, {}, 0);
     range.remove();
     number.onchange = async () => {
       if (number.value === "" || app.declaring) return draw();
@@ -221,7 +204,7 @@ function fields() {
       number.blur();
       draw();
     };
-    states.append(element);
+    states.append(row);
     return number;
   });
 }
@@ -295,10 +278,8 @@ function draw() {
   else if (frame.warning) readings.push(["Warning", frame.warning]);
   $("readings").replaceChildren(
     ...readings.map(([name, value]) => {
-      const entry = document.createElement("div");
-      entry.append(Object.assign(document.createElement("dt"), { textContent: name }));
-      entry.append(Object.assign(document.createElement("dd"), { textContent: value, className: name === "Stopped" ? "bad" : "" }));
-      return entry;
+      const className = name === "Stopped" ? "bad" : "";
+      return element("div", {}, element("dt", { textContent: name }), element("dd", { textContent: value, className }));
     }),
   );
   app.fields.forEach((input, n) => {

@@ -1,5 +1,6 @@
 // Tabs below: equations, counts, generated code and plots.
 import typeset from "katex/contrib/auto-render";
+import { element } from "./element.js";
 import { plot } from "./plot.js";
 
 const TABS = {
@@ -14,12 +15,6 @@ const TABS = {
 /** Longest equations that are typeset, in characters: others take seconds, and nobody reads them. */
 const LONGEST = 40000;
 const BLUE = "#2f6fa8";
-
-function element(tag, properties = {}, ...children) {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-}
 
 export class Panel {
   constructor(tabs, panel, engine) {

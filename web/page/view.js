@@ -11,6 +11,9 @@ const SPATIAL = (() => {
   return [unit(right), unit(cross(towards, right))];
 })();
 
+/** True for shapes that a hand can move, and whose motion is drawn. */
+const moves = ({ body, kind }) => body !== "ground" && kind !== "Guide";
+
 /** Mechanisms that are drawn as one path, where there are many. */
 const AT_ONCE = 16;
 
@@ -68,15 +71,19 @@ export class View {
     return points;
   }
 
-  /** Points on the screen in m and radius of each shape, from a place among numbers. */
-  flat(numbers, place = 0) {
+  /** Place on the screen in m of the point whose coordinates begin at a place among numbers. */
+  flatPoint(numbers, place) {
     const [[a, b, c], [d, e, f]] = this.view;
+    const [x, y, z] = [numbers[place], numbers[place + 1], numbers[place + 2]];
+    return [a * x + b * y + c * z, d * x + e * y + f * z];
+  }
+
+  /** Points on the screen in m and radius of each shape. */
+  flat(numbers) {
+    let place = 0;
     return this.shapes.map((shape) => {
       const points = [];
-      for (let n = 0; n < shape.points; n++, place += 3) {
-        const [x, y, z] = [numbers[place], numbers[place + 1], numbers[place + 2]];
-        points.push(a * x + b * y + c * z, d * x + e * y + f * z);
-      }
+      for (let n = 0; n < shape.points; n++, place += 3) points.push(...this.flatPoint(numbers, place));
       return [points, numbers[place++]];
     });
   }
@@ -86,13 +93,13 @@ export class View {
    * follows, or else all places.
    */
   widen(numbers) {
-    const flat = this.flat(numbers).filter((_, n) => this.shapes[n].kind !== "Guide");
-    const places = ([points, radius]) => Array.from({ length: points.length / 2 }, (_, k) => [points[2 * k], points[2 * k + 1], radius]);
-    const all = flat.flatMap(places);
-    if (all.length === 0) return;
     const kinds = this.shapes.map(({ kind }) => kind);
-    const supports = this.flat(numbers).filter((_, n) => kinds[n] === "Support").flatMap(places);
-    const isFree = !this.shapes.some(({ kind, body }) => kind === "Guide" || body === "ground");
+    const flat = this.flat(numbers);
+    const places = ([points, radius]) => Array.from({ length: points.length / 2 }, (_, k) => [points[2 * k], points[2 * k + 1], radius]);
+    const all = flat.filter((_, n) => kinds[n] !== "Guide").flatMap(places);
+    if (all.length === 0) return;
+    const supports = flat.filter((_, n) => kinds[n] === "Support").flatMap(places);
+    const isFree = this.shapes.every(moves);
     const about = kinds.includes("Guide") || (supports.length === 0 && !isFree) ? null : supports.length > 0 ? supports : all;
     if (about) {
       const middle = (k) => about.reduce((sum, place) => sum + place[k], 0) / about.length;
@@ -114,8 +121,7 @@ export class View {
     if (!this.on || !this.last) return null;
     let [best, found] = [40, null];
     this.flat(this.last).forEach(([points], shape) => {
-      const { kind, body } = this.shapes[shape];
-      if (body === "ground" || kind === "Guide") return;
+      if (!moves(this.shapes[shape])) return;
       for (let k = 0; k < points.length; k += 2) {
         const away = Math.hypot(this.on.x(points[k]) - px, this.on.y(points[k + 1]) - py);
         if (away < best) [best, found] = [away, { shape, point: k / 2 }];
@@ -149,7 +155,6 @@ export class View {
 
   /** Number of the shape, and of its point, whose path is drawn: a tip. */
   tip() {
-    const moves = (shape) => shape.body !== "ground" && shape.kind !== "Guide";
     const named = this.shapes.findLastIndex((shape) => shape.kind === "Point");
     const shape = named >= 0 ? named : this.shapes.findLastIndex((own) => moves(own) && own.kind !== "Pivot");
     return shape < 0 ? null : [shape, this.shapes[shape].kind === "Rod" ? 1 : 0];
@@ -161,7 +166,6 @@ export class View {
     const context = this.canvas.getContext("2d");
     const [shape, point] = tip;
     const before = this.shapes.slice(0, shape).reduce((sum, own) => sum + 3 * own.points + 1, 0);
-    const [[a, b, c], [d, e, f]] = this.view;
     context.lineWidth = 1.5;
     context.strokeStyle = "#d08a2e";
     const length = Math.min(past.length, 240);
@@ -169,9 +173,8 @@ export class View {
       context.globalAlpha = 0.7 * ((n - past.length + length) / length);
       context.beginPath();
       for (const frame of [past[n - 1], past[n]]) {
-        const at = before + 3 * point;
-        const [x, y, z] = [frame.shapes[at], frame.shapes[at + 1], frame.shapes[at + 2]];
-        context.lineTo(this.on.x(a * x + b * y + c * z), this.on.y(d * x + e * y + f * z));
+        const [x, y] = this.flatPoint(frame.shapes, before + 3 * point);
+        context.lineTo(this.on.x(x), this.on.y(y));
       }
       context.stroke();
     }
@@ -181,7 +184,6 @@ export class View {
   /** Draws many mechanisms at once: of each shape, the line through its points. */
   drawCrowd(numbers) {
     const context = this.canvas.getContext("2d");
-    const [[a, b, c], [d, e, f]] = this.view;
     const { x, y } = this.on;
     context.globalAlpha = 0.1;
     context.lineWidth = 1;
@@ -191,12 +193,11 @@ export class View {
     context.beginPath();
     for (let place = 0; place < numbers.length && this.shapes.length > 0; ) {
       for (const shape of this.shapes) {
-        const isDrawn = shape.body !== "ground" && shape.kind !== "Guide" && shape.points > 1;
+        const isDrawn = moves(shape) && shape.points > 1;
         for (let n = 0; n < shape.points; n++, place += 3) {
           if (!isDrawn || n > 1) continue;
-          const [px, py, pz] = [numbers[place], numbers[place + 1], numbers[place + 2]];
-          const [sx, sy] = [x(a * px + b * py + c * pz), y(d * px + e * py + f * pz)];
-          n === 0 ? context.moveTo(sx, sy) : context.lineTo(sx, sy);
+          const [px, py] = this.flatPoint(numbers, place);
+          n === 0 ? context.moveTo(x(px), y(py)) : context.lineTo(x(px), y(py));
         }
         place += 1;
       }

@@ -2,11 +2,12 @@
 //! there, and reads the answer before its next call.
 #![allow(unsafe_code, reason = "functions that keep their names could hide others")]
 
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use crate::page::Page;
 
-/// What is kept between calls.
+/// State between calls.
+#[derive(Default)]
 struct Kept {
     page: Page,
     request: Vec<u8>,
@@ -14,26 +15,15 @@ struct Kept {
     numbers: Vec<f64>,
 }
 
-static KEPT: Mutex<Option<Kept>> = Mutex::new(None);
-
-fn kept(guard: &mut Option<Kept>) -> &mut Kept {
-    guard.get_or_insert_with(|| Kept {
-        page: Page::default(),
-        request: Vec::new(),
-        text: String::new(),
-        numbers: Vec::new(),
-    })
-}
-
-fn lock() -> MutexGuard<'static, Option<Kept>> {
+fn kept() -> MutexGuard<'static, Kept> {
+    static KEPT: LazyLock<Mutex<Kept>> = LazyLock::new(Mutex::default);
     KEPT.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Address of room for a request of this many bytes.
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn room(bytes: usize) -> *mut u8 {
-    let mut guard = lock();
-    let request = &mut kept(&mut guard).request;
+    let request = &mut kept().request;
     request.clear();
     request.resize(bytes, 0);
     request.as_mut_ptr()
@@ -42,8 +32,7 @@ pub(crate) extern "C" fn room(bytes: usize) -> *mut u8 {
 /// Answers the request, and returns the length of the text of the answer in bytes.
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn answer() -> usize {
-    let mut guard = lock();
-    let kept = kept(&mut guard);
+    let kept = &mut *kept();
     (kept.text, kept.numbers) = kept.page.answer_json(&kept.request);
     kept.text.len()
 }
@@ -51,17 +40,17 @@ pub(crate) extern "C" fn answer() -> usize {
 /// Address of the text of the answer.
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn text() -> *const u8 {
-    kept(&mut lock()).text.as_ptr()
+    kept().text.as_ptr()
 }
 
 /// Address of the numbers of the answer.
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn numbers() -> *const f64 {
-    kept(&mut lock()).numbers.as_ptr()
+    kept().numbers.as_ptr()
 }
 
 /// Number of the numbers of the answer.
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn count() -> usize {
-    kept(&mut lock()).numbers.len()
+    kept().numbers.len()
 }

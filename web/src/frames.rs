@@ -1,5 +1,5 @@
-//! Frames: for each, the time, the state, kinetic and potential energy, and the coordinates of the points and the radius
-//! of each shape.
+//! Frames: for each, the time, the state, kinetic and potential energy, and the coordinates of the points and the
+//! radius of each shape.
 
 use pendulum_runtime::{Error, Model};
 

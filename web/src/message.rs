@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-/// What the page asks.
+/// Requests of the page.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Request {
@@ -117,7 +117,7 @@ pub struct Settings {
     pub tolerance: Option<f64>,
 }
 
-/// What the page is told. Numbers, such as frames, come beside it.
+/// Answers to the page. Numbers, such as frames, accompany them.
 #[derive(Debug, Serialize)]
 #[serde(tag = "is", rename_all = "snake_case")]
 pub enum Answer {

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use pendulum_runtime::{Declaration, Error, Event, Method, Model, Options, Quantity as OwnQuantity, SlotKind, Stopped};
+use pendulum_runtime::{
+    Declaration, Error, Event, Method, Model, Motion, Options, Quantity as OwnQuantity, SlotKind, Stopped,
+};
 
 use crate::crowd::Crowd;
 use crate::message::{About, Answer, Component, Function, Moved, Place, Quantity, Request, Section, Settings, Shape};
@@ -37,24 +39,22 @@ impl Page {
     /// Answers a request, with numbers such as frames.
     pub fn answer(&mut self, request: Request) -> (Answer, Vec<f64>) {
         let mut numbers = Vec::new();
-        let answer = match request {
-            Request::Declare { text, files, method } => self.declare(&text, files, &method),
-            Request::Code { language } => self.code(&language),
-            request => match self.with_model(request, &mut numbers) {
-                Ok(answer) => answer,
-                Err(error) => refused(&error),
-            },
-        };
-        (answer, numbers)
+        let answer = self.try_answer(request, &mut numbers);
+        (answer.unwrap_or_else(|error| refused(&error)), numbers)
     }
 
-    fn with_model(&mut self, request: Request, numbers: &mut Vec<f64>) -> Result<Answer, Error> {
-        let Some(model) = &self.model else {
-            let why = "there is no mechanism yet: declare one".to_owned();
-            return Ok(Answer::Refused { why });
+    fn try_answer(&mut self, request: Request, numbers: &mut Vec<f64>) -> Result<Answer, Error> {
+        let mechanism = || {
+            self.model.as_ref().ok_or_else(|| Error::Setting {
+                what: "there is no mechanism yet".to_owned(),
+                rule: "declare one".to_owned(),
+            })
         };
         Ok(match request {
+            Request::Declare { text, files, method } => self.declare(&text, files, &method)?,
+            Request::Code { language } => self.code(&language)?,
             Request::Set { values, inputs } => {
+                let model = mechanism()?;
                 let names = model.inputs().iter().map(|input| input.name.as_str());
                 let inputs: Vec<(&str, f64)> = names.zip(inputs).collect();
                 let changed = model.with_values(&values)?.with_inputs(&inputs)?;
@@ -63,6 +63,7 @@ impl Page {
                 Answer::Done
             }
             Request::Look { t, x } => {
+                let model = mechanism()?;
                 let x = drag::placed(model, t, x)?;
                 frames::push(numbers, model, t, &x)?;
                 Answer::State { x }
@@ -74,6 +75,7 @@ impl Page {
                 frames,
                 section,
             } => {
+                let model = mechanism()?;
                 let options = Options {
                     times: Some(times(span, frames)),
                     events: section.map(|section| passage(model, section)).into_iter().collect(),
@@ -86,15 +88,15 @@ impl Page {
                 Answer::Frames(moved)
             }
             Request::Near { t, x, by } => {
-                let x = drag::near(model, t, &x, by)?;
+                let x = drag::near(mechanism()?, t, &x, by)?;
                 Answer::State { x }
             }
             Request::Gather { t, x, count, spread } => {
-                self.crowd = Some(Crowd::new(model, t, &x, count, spread)?);
+                self.crowd = Some(Crowd::new(mechanism()?, t, &x, count, spread)?);
                 Answer::Done
             }
             Request::MoveAll { by, span, frames } => match &mut self.crowd {
-                Some(crowd) => Answer::Frames(crowd.go(model, &method(&by)?, span, frames, numbers)?),
+                Some(crowd) => Answer::Frames(crowd.go(mechanism()?, &method(&by)?, span, frames, numbers)?),
                 None => Answer::Refused {
                     why: "gather the motions first".to_owned(),
                 },
@@ -107,20 +109,16 @@ impl Page {
                 to,
                 view,
             } => {
+                let model = mechanism()?;
                 let x = drag::dragged(model, t, &x, (shape, point), to, view)?;
                 frames::push(numbers, model, t, &x)?;
                 Answer::State { x }
             }
-            Request::Declare { .. } | Request::Code { .. } => Answer::Done,
         })
     }
 
-    fn declare(&mut self, text: &str, files: BTreeMap<String, String>, method: &str) -> Answer {
-        let method = match Method::new(method) {
-            Ok(method) => method,
-            Err(error) => return refused(&error),
-        };
-        let words = ["energy", "shapes"].into_iter().chain(method.word());
+    fn declare(&mut self, text: &str, files: BTreeMap<String, String>, method: &str) -> Result<Answer, Error> {
+        let words = ["energy", "shapes"].into_iter().chain(Method::new(method)?.word());
         let mut declaration = Declaration::new(text).also(words);
         for (name, text) in &files {
             declaration = declaration.file(name, text);
@@ -144,34 +142,31 @@ impl Page {
             Ok(model) => model,
             Err(Error::Declaration(errors)) => {
                 let problems = errors.problems.into_iter().map(place).collect();
-                return Answer::Problems { problems };
+                return Ok(Answer::Problems { problems });
             }
-            Err(error) => return refused(&error),
+            Err(error) => return Err(error),
         };
         notes.extend(model.repaired().iter().cloned());
-        let about = match about(&model, notes) {
-            Ok(about) => about,
-            Err(error) => return refused(&error),
-        };
+        let about = about(&model, notes)?;
         self.declaration = declaration;
         self.crowd = None;
         self.model = Some(model);
-        Answer::Mechanism(Box::new(about))
+        Ok(Answer::Mechanism(Box::new(about)))
     }
 
-    fn code(&self, language: &str) -> Answer {
+    fn code(&self, language: &str) -> Result<Answer, Error> {
         let text = match language {
-            "c" => self.declaration.c(),
-            "rust" => self.declaration.rust().map(formatted),
+            "c" => self.declaration.c()?,
+            "rust" => formatted(self.declaration.rust()?),
             _ => {
-                let why = format!("`{language}` is not printed: ask for `rust` or `c`");
-                return Answer::Refused { why };
+                let (what, rule) = (
+                    format!("`{language}` is not printed"),
+                    "ask for `rust` or `c`".to_owned(),
+                );
+                return Err(Error::Setting { what, rule });
             }
         };
-        match text {
-            Ok(text) => Answer::Code { text },
-            Err(error) => refused(&error),
-        }
+        Ok(Answer::Code { text })
     }
 }
 
@@ -180,7 +175,7 @@ fn formatted(items: String) -> String {
     syn::parse_file(&items).map_or(items, |file| prettyplease::unparse(&file))
 }
 
-pub(crate) fn refused(why: &impl ToString) -> Answer {
+fn refused(why: &impl ToString) -> Answer {
     Answer::Refused { why: why.to_string() }
 }
 
@@ -316,8 +311,8 @@ fn about(model: &Model, notes: Vec<String>) -> Result<About, Error> {
     })
 }
 
-/// State in which the page starts: the first from which the mechanism moves, with a value of the first angle, or else of
-/// all coordinates, or of all rates.
+/// State in which the page starts: the first from which the mechanism moves, with a value of the first angle, or else
+/// of all coordinates, or of all rates.
 fn start(model: &Model) -> Vec<f64> {
     let rest = model.state(&[]).unwrap_or_default();
     let slots: Vec<_> = model
@@ -348,22 +343,21 @@ fn start(model: &Model) -> Vec<f64> {
     found.unwrap_or(rest)
 }
 
+/// Motion from a state for a short time, if the mechanism can move from there.
+fn short_motion(model: &Model, t: f64, time: f64, x: &[f64]) -> Option<Motion> {
+    let method = Method::new("Vern9").ok()?;
+    model.solve(&method, [t, t + time], x).ok()
+}
+
 /// True if the mechanism moves from a state.
 fn moves(model: &Model, x: &[f64]) -> bool {
-    let short = Method::new("Vern9").map(|method| model.solve(&method, [0.0, 0.02], x));
-    let Ok(Ok(motion)) = short else { return false };
-    motion
-        .end()
-        .1
-        .iter()
-        .zip(x)
-        .any(|(after, before)| (after - before).abs() > 1e-6)
+    let differs = |(after, before): (&f64, &f64)| (after - before).abs() > 1e-6;
+    short_motion(model, 0.0, 0.02, x).is_some_and(|motion| motion.end().1.iter().zip(x).any(differs))
 }
 
 /// True if the mechanism can move from a state: it lies within its stops and walls.
 pub(crate) fn can_move(model: &Model, t: f64, x: &[f64]) -> bool {
-    let short = Method::new("Vern9").map(|method| model.solve(&method, [t, t + 1e-6], x));
-    short.is_ok_and(|motion| motion.is_ok())
+    short_motion(model, t, 1e-6, x).is_some()
 }
 
 fn place(problem: pendulum_runtime::Problem) -> Place {

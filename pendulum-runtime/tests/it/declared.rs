@@ -1,4 +1,4 @@
-//! What a declaration can be given beside its text.
+//! Files and words beside the text of a declaration.
 
 use pendulum_runtime::{Declaration, Error, Model};
 

@@ -62,8 +62,8 @@ enum Set {
 
 impl Isa {
     /// Instruction sets of this machine, widest registers first. The last one exists on every machine and has a single
-    /// lane, in WebAssembly with `simd128` two of `f64`. Without the feature `std`, only sets enabled at compile time are
-    /// listed.
+    /// lane, in WebAssembly with `simd128` two of `f64`. Without the feature `std`, only sets enabled at compile time
+    /// are listed.
     ///
     /// Results are bit-identical on each. To try a narrower set, set the environment variable `PENDULUM_ISA` to `Avx2`
     /// or `Portable` before the program starts: wider sets are then unavailable.

@@ -1,5 +1,5 @@
-//! The vector register of WebAssembly with the feature `simd128`. Its functions are safe: a module with instructions that
-//! a machine does not have is refused as a whole.
+//! The vector register of WebAssembly with the feature `simd128`. Its functions are safe: a module with instructions
+//! that a machine does not have is refused as a whole.
 
 use core::arch::wasm32::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -112,7 +112,7 @@ impl Register for V64 {
     }
 }
 
-/// Lane by lane: there is no such instruction.
+/// Computed lane by lane, since WebAssembly has no fused instruction.
 impl Fuse for V64 {
     #[inline(always)]
     fn fused_mul_add(self, a: Self, b: Self) -> Self {
