@@ -279,6 +279,7 @@ fn methods(table: &mut Table) {
     rows!(table, ensemble, f64, "DoublePendulum", model, START; Rk4::new(0.02), Rk45::new());
     rows!(table, end, f64, "DoublePendulum", model, START; Tsit5::new(), Vern7::new(), Vern9::new(), Taylor::new());
     rows!(table, end, f64, "DoublePendulum", model, START; Rodas4::new(), Rodas5P::new(), Radau5::new(), Auto::new());
+    rows!(table, end, f64, "DoublePendulum", model, START; Radau9::new(), Radau13::new());
     rows!(table, end, f64, "DoublePendulum", model, START; Gauss4::new(0.02), Gauss6::new(0.02));
     rows!(table, ensemble, f32, "DoublePendulum", model, START; Rk4::new(0.02));
     let single = &model.cast::<f32>();

@@ -28,6 +28,8 @@ pub fn line(name: &str) -> Line {
         "Rodas4" => implicit(OLIVE, Marker::Up),
         "Rodas5P" => implicit(VIOLET, Marker::Circle),
         "Radau5" => implicit(PURPLE, Marker::Square),
+        "Radau9" => implicit(TEAL, Marker::Square),
+        "Radau13" => implicit(NAVY, Marker::Up),
         "Gauss4" => implicit(BROWN, Marker::Down),
         "Gauss6" => implicit(WINE, Marker::Diamond),
         _ => implicit(INK, Marker::Cross),
@@ -38,4 +40,6 @@ const SILVER: RGBColor = RGBColor(130, 130, 130);
 const OLIVE: RGBColor = RGBColor(128, 138, 0);
 const VIOLET: RGBColor = RGBColor(96, 60, 190);
 const BROWN: RGBColor = RGBColor(130, 80, 40);
+const TEAL: RGBColor = RGBColor(0, 130, 140);
+const NAVY: RGBColor = RGBColor(20, 50, 120);
 const WINE: RGBColor = RGBColor(150, 0, 60);

@@ -111,7 +111,8 @@ pub use inputs::{CastControlled, Controlled, InputLaw, WithInputs};
 pub use layout::WrongLength;
 pub use layout::{Slot, SlotKind, StateLayout, StateVariable};
 pub use method::{
-    Auto, Gauss4, Gauss6, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9,
+    Auto, Gauss4, Gauss6, Method, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7,
+    Vern9,
 };
 pub use real::{Float, Real};
 #[cfg(feature = "std")]
@@ -153,7 +154,9 @@ macro_rules! with_std {
 /// Items that most programs need: `use pendulum_core::prelude::*;`.
 pub mod prelude {
     pub use crate::mechanism;
-    pub use crate::{Auto, Gauss4, Gauss6, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
+    pub use crate::{
+        Auto, Gauss4, Gauss6, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9,
+    };
     pub use crate::{Controlled, Energy, FnSystem, Jacobian, Method, System};
     #[cfg(feature = "std")]
     pub use crate::{Ensemble, Event, ObservedEnsemble, Solution, shapes::Shapes as _};

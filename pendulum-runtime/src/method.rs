@@ -3,7 +3,7 @@
 use pendulum_core::method::Adaptive;
 use pendulum_core::{Auto, Gauss6, ObservedEnsemble, Rk4, Rodas5P, Taylor, Vern9};
 #[cfg(feature = "full")]
-use pendulum_core::{Gauss4, Radau5, Rk45, Rodas4, Tsit5, Vern7};
+use pendulum_core::{Gauss4, Radau5, Radau9, Radau13, Rk45, Rodas4, Tsit5, Vern7};
 
 use crate::error::Error;
 use crate::padded::{Padded, Smooth};
@@ -69,6 +69,8 @@ methods! {
     #[cfg(feature = "full")] Rodas4
     Rodas5P
     #[cfg(feature = "full")] Radau5
+    #[cfg(feature = "full")] Radau9
+    #[cfg(feature = "full")] Radau13
     Auto
 }
 
@@ -88,7 +90,7 @@ pub(crate) trait TaskInLanes<const N: usize> {
 
 impl Method {
     /// The method of this name, in upper or lower case: `Rk4`, `Gauss4` and `Gauss6` with a fixed step, or `Rk45`,
-    /// `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Rodas4`, `Rodas5P`, `Radau5` and `Auto` with a tolerance.
+    /// `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Rodas4`, `Rodas5P`, `Radau5`, `Radau9`, `Radau13` and `Auto` with a tolerance.
     ///
     /// # Errors
     /// If there is no such method; the error names the most similar one.
@@ -221,7 +223,7 @@ impl Method {
         match self.name() {
             "Gauss4" | "Gauss6" => Some("canonical"),
             "Taylor" => Some("taylor"),
-            "Rodas4" | "Rodas5P" | "Radau5" | "Auto" => Some("jacobian"),
+            "Rodas4" | "Rodas5P" | "Radau5" | "Radau9" | "Radau13" | "Auto" => Some("jacobian"),
             _ => None,
         }
     }

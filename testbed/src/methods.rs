@@ -52,6 +52,8 @@ macro_rules! each_adaptive {
             "Rodas5P", 5.0, 4.0, 0.02, 0.03
         );
         $crate::each!($check: pendulum_core::method::RadauIIA, "Radau5", 5.0, 3.0, 0.04, 0.06);
+        $crate::each!($check: pendulum_core::method::RadauIIA<5, 2>, "Radau9", 9.0, 5.0, 0.06, 0.2);
+        $crate::each!($check: pendulum_core::method::RadauIIA<7, 3>, "Radau13", 13.0, 7.0, 0.12, 0.4);
         $crate::each!($check: pendulum_core::method::Switching, "Auto", 9.0, 9.0, 0.08, 0.2);
     };
 }

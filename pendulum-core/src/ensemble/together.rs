@@ -101,7 +101,7 @@ where
 }
 
 one_by_one! {
-    [] RadauIIA;
+    [const STAGES: usize, const PAIRS: usize,] RadauIIA<STAGES, PAIRS>;
     [const STAGES: usize,] Gauss<STAGES>;
 }
 

@@ -25,7 +25,7 @@ use crate::tableau::{self, Tableau, Tsitouras5, Verner7, Verner9};
 /// 9 below. In each step it estimates `|h lambda|`, the length of the step times the fastest rate of the system, as `h
 /// |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2). If the
 /// estimate repeatedly reaches the limit of stability, then stability rather than the tolerance limits the steps, and
-/// the implicit method takes over. It estimates `|h lambda|` by power iteration with its Jacobian, and hands back once
+/// the implicit method takes over; earlier if the derivative changes much less over a step than it would at that rate. It estimates `|h lambda|` by power iteration with its Jacobian, and hands back once
 /// explicit steps of the same length would be stable.
 ///
 /// [`Statistics`] count the implicit steps and the switches.
@@ -62,6 +62,11 @@ const MIDDLE: f64 = 1e-8;
 /// Fraction of the stability limit at which it limits the explicit steps: error estimates grow before the errors do
 /// (with Verner's method of order 9 the fraction hovers about 0.6).
 const AT_THE_LIMIT: f64 = 0.55;
+/// Fraction at which it limits the steps along a smooth solution: with tolerances near rounding, estimates grow earlier.
+const AT_THE_LIMIT_IF_SMOOTH: f64 = 0.35;
+/// Change of the derivative over a step, in units of `|h lambda|`, below which a solution is smooth: it does not move at
+/// the fastest rate `lambda`.
+const SMOOTH: f64 = 0.1;
 /// Number of steps at the limit that make a system stiff, without [`FREE`] others in a row between them.
 const STIFF: usize = 8;
 /// Number of steps in a row below the limit that reset the count, or that return to the explicit method.
@@ -148,9 +153,17 @@ impl Stiffness {
         (self.changes, self.at_limit, self.free) = (false, 0, 0);
     }
 
-    /// Counts an explicit step by its `|h lambda|`, and requests a switch after too many at the limit of stability.
-    pub(crate) fn after_explicit(&mut self, measured: f64, limit: f64) {
-        if measured > AT_THE_LIMIT * limit {
+    /// Counts an explicit step by its `|h lambda|` and the relative change of the derivative over it, and requests a
+    /// switch after too many at the limit of stability.
+    pub(crate) fn after_explicit(&mut self, measured: f64, turn: f64, limit: f64) {
+        let is_smooth = turn < SMOOTH * measured;
+        if measured
+            > if is_smooth {
+                AT_THE_LIMIT_IF_SMOOTH
+            } else {
+                AT_THE_LIMIT
+            } * limit
+        {
             self.at_limit += 1;
             self.free = 0;
         } else {
@@ -362,8 +375,9 @@ where
                 .after_implicit((step.h.abs() * rate).to_f64(), self.explicit.limit());
         } else {
             explicit!(&mut self.explicit, stages => stages.accept(system, step, lanes, work));
-            let measured = explicit!(&self.explicit, stages => stages.stiffness(step.h));
-            self.stiffness.after_explicit(measured.to_f64(), self.explicit.limit());
+            let (measured, turn) = explicit!(&self.explicit, stages => (stages.stiffness(step.h), stages.turn()));
+            self.stiffness
+                .after_explicit(measured.to_f64(), turn.to_f64(), self.explicit.limit());
         }
     }
 

@@ -95,7 +95,9 @@ pub(super) const fn attempt_within<B: Tableau<STAGES>, const STAGES: usize>(rhs:
 pub(super) const fn stiffness<B: Tableau<STAGES>, const STAGES: usize>(n: usize) -> Operations {
     let apart = count::weighted_sum(&difference(B::TABLEAU.b, B::TABLEAU.a[STAGES - 2]), n).and(count::square(n));
     let change = count::added(n).and(count::square(n));
-    apart.and(change).and(Operations::new(0, 1, 1, 0, 3, 25))
+    let turn = count::added(n).and(count::square(n)).and(count::square(n));
+    let turn = turn.and(Operations::new(0, 0, 1, 0, 2, 25));
+    apart.and(change).and(Operations::new(0, 1, 1, 0, 3, 25)).and(turn)
 }
 
 impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Explicit<B, STAGES>
@@ -251,6 +253,23 @@ where
             let [h, change, apart] = [h, change, apart].map(|length| length.lane(lane));
             if apart > T::Scalar::default() {
                 h.abs() * change / apart
+            } else {
+                T::Scalar::default()
+            }
+        })
+    }
+
+    /// Change of the derivative over the last attempt, relative to the derivative at its end; 0 if that is 0. Of the
+    /// order of `|h lambda|` if the solution moves at the rate `lambda`.
+    #[inline(always)]
+    pub(super) fn turn(&self) -> T {
+        let last = &self.stages[STAGES - 1];
+        let change = square(&(last - self.stages[0])).sqrt();
+        let size = square(last).sqrt();
+        T::from_fn(|lane| {
+            let [change, size] = [change, size].map(|length| length.lane(lane));
+            if size > T::Scalar::default() {
+                change / size
             } else {
                 T::Scalar::default()
             }

@@ -198,7 +198,7 @@ where
         h: T,
         work: &mut Statistics,
     ) -> Result<(Vectors<T, STAGES, N>, Vectors<T, STAGES, N>), Stalled> {
-        let GaussTableau { modes, .. } = const { &Self::TABLEAU };
+        let modes = const { &Self::TABLEAU.modes };
         let [one_half, zero] = [0.5, 0.0].map(T::from_f64);
         let mut stages = self.predicted(x, h);
         // the middle of the step, amid the stages
@@ -215,7 +215,7 @@ where
             work.iterations += 1;
             work.evaluations += STAGES;
             let (parts, residuals) = self.residuals(system, (t, h), &stages);
-            let changes = pencil.solve(&residuals);
+            let changes = pencil.solve(modes, &residuals, system.active());
             let (change, size) = (largest(&changes), largest(&stages));
             if !change.is_finite() {
                 return if before.is_finite() {

@@ -1,4 +1,4 @@
-//! The method Radau IIA of order 5.
+//! The methods Radau IIA.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,42 +17,63 @@ use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::step_size::{Estimates, Tolerance, exp2, log2};
 use crate::system::{Jacobian, System};
-use crate::tableau::radau_iia5::{A, C, MODES, MU, POWERS, STAGES};
+use crate::tableau::{HasRadauTableau, RadauTableau};
 
-/// The method Radau IIA with three stages, for systems with a Jacobian: of order 5, stiffly accurate and L-stable.
+/// The methods Radau IIA with three, five or seven stages, for systems with a Jacobian: of order 5, 9 or 13, stiffly
+/// accurate and L-stable. `PAIRS` is the number of pairs of complex eigenvalues, one, two or three.
 ///
-/// A step fits a cubic polynomial to the differential equation at three times, the last of which is the end of the
-/// step. Simplified Newton iterations solve for it, with the Jacobian at the start of the step. E. Hairer, G. Wanner,
+/// A step fits a polynomial to the differential equation at `STAGES` times, the last of which is the end of the step.
+/// Simplified Newton iterations solve for it, with the Jacobian at the start of the step. While they converge fast, the
+/// next steps use the same Jacobian, and steps of the same length the same factored matrix. E. Hairer, G. Wanner,
 /// "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.5 and IV.8; "Stiff differential equations solved by
 /// Radau methods", J. Comput. Appl. Math. 111 (1999) 93-111.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct RadauIIA;
+pub struct RadauIIA<const STAGES: usize = 3, const PAIRS: usize = 1>;
 
-/// Order of the embedded method.
-const ORDER_HAT: usize = 3;
+/// Maximum number of iterations of a step within a tolerance, as in Hairer's RADAU: if it needs more, a shorter step
+/// takes less work.
+const fn most<const STAGES: usize>() -> usize {
+    7 + 5 * (STAGES - 3) / 2
+}
 
-/// Maximum number of iterations of a step within a tolerance: if it needs more, a shorter step takes less work.
-const MOST: usize = 7;
 /// Maximum number of iterations of a step of fixed length, which cannot be shortened.
 const MOST_FIXED: usize = 50;
 /// Tolerance of steps of fixed length, in ulps: their equations are solved to the level of rounding.
 const ULPS: f64 = 100.0;
 
-impl Adaptive<RadauIIA> {
+/// Rate of convergence up to which the Jacobian is kept for the next step: the default of Hairer's RADAU5.
+const KEEPS_JACOBIAN: f64 = 1e-3;
+/// Change of a step within which its length, and with it the factored matrix, is kept.
+const KEEPS_LENGTH: (f64, f64) = (0.95, 1.2);
+/// Relative difference in length up to which steps share a factored matrix. It bounds the rate of convergence.
+const SAME_LENGTH: f64 = 1e-6;
+
+impl<const STAGES: usize, const PAIRS: usize> Adaptive<RadauIIA<STAGES, PAIRS>>
+where
+    RadauIIA<STAGES, PAIRS>: HasRadauTableau<STAGES, PAIRS>,
+{
     /// Upper bound of the operations of one attempt of a step, in a system of `n` state components. `rhs` are the
     /// operations of the right-hand side, `jacobian` those of the right-hand side with the Jacobian. An error above the
-    /// tolerance, or an iteration that does not converge, takes another attempt.
+    /// tolerance, or an iteration that does not converge, takes another attempt; if the Jacobian was that of an earlier
+    /// step, one of the same length.
     ///
-    /// The bound assumes seven iterations, the maximum, and two error estimates. Comparisons and moves of numbers are
-    /// extra. The choice of the next step is included; dense output and the choice of the first step are not.
+    /// The bound assumes the maximum number of iterations, 7, 12 or 17, a new Jacobian and matrix, and two error
+    /// estimates. Comparisons and moves of numbers are extra. The choice of the next step is included; dense output and
+    /// the choice of the first step are not.
     #[must_use]
     pub const fn operations(rhs: Operations, jacobian: Operations, n: usize) -> Operations {
-        let prediction = Operations::new(2 * n + 4, 3 * n + 2, 0, 0, 0, 4).times(STAGES);
-        let prediction = prediction.and(Operations::new(0, 0, 1, 0, 0, 4)).with_chain(10);
+        let modes = &RadauIIA::<STAGES, PAIRS>::TABLEAU.modes;
+        let most = most::<STAGES>();
+        let terms = (STAGES - 1) * (n + 1);
+        let prediction = Operations::new(terms + 1, terms + n + 1, 0, 0, 0, STAGES + 1).times(STAGES);
+        let prediction = prediction
+            .and(Operations::new(0, 0, 1, 0, 0, 4))
+            .with_chain(3 * STAGES + 1);
         let slopes = count::added(n).and(rhs).and(count::TIME).times(STAGES);
-        let residuals = combination(n).and(count::added(n)).times(STAGES).with_chain(5);
+        let residuals = combination::<STAGES>(n).and(count::added(n)).times(STAGES);
+        let residuals = residuals.with_chain(STAGES + 2);
         let residuals = residuals.and(Operations::new(0, STAGES * STAGES, 0, 0, 0, 1));
-        let changes = collocation::changes(&MODES, n);
+        let changes = collocation::changes(modes, n);
         let norm = count::added(n)
             .and(count::mean_square(n))
             .and(count::added(1))
@@ -61,15 +82,17 @@ impl Adaptive<RadauIIA> {
         let decision = Operations::new(1, 2, 2, 0, 0, 12);
         let iteration = slopes.and(residuals).and(changes).and(norm).and(decision);
         // forecast of the error after the remaining iterations
-        let forecasts = count::multiplied(1).times(MOST * (MOST - 1) / 2);
-        let error = count::multiplied(2 * n).and(combination(n)).and(count::added(n));
+        let forecasts = count::multiplied(1).times(most * (most - 1) / 2);
+        let error = count::multiplied(2 * n)
+            .and(combination::<STAGES>(n))
+            .and(count::added(n));
         let error = error.and(solving::<f64>(n)).and(count::mean_square(n));
         let again = count::added(n).and(rhs).and(error);
-        let polynomial = combination(n).times(STAGES).with_chain(3);
-        collocation::pencil(&MODES, n)
+        let polynomial = combination::<STAGES>(n).times(STAGES).with_chain(STAGES);
+        collocation::pencil(modes, n)
             .and(prediction)
             .and(Operations::new(2, 2, 1, 0, 1, 20))
-            .and(iteration.times(MOST))
+            .and(iteration.times(most))
             .and(forecasts)
             .and(count::added(n))
             .and(error)
@@ -81,43 +104,110 @@ impl Adaptive<RadauIIA> {
 }
 
 /// Operations of [`combined`].
-const fn combination(n: usize) -> Operations {
+const fn combination<const STAGES: usize>(n: usize) -> Operations {
     Operations::new((STAGES - 1) * n, STAGES * n, 0, 0, 0, STAGES)
 }
 
-impl<S, T, const N: usize> OneStep<S, T, N> for RadauIIA
+impl<S, T, const STAGES: usize, const PAIRS: usize, const N: usize> OneStep<S, T, N> for RadauIIA<STAGES, PAIRS>
 where
+    Self: HasRadauTableau<STAGES, PAIRS>,
     S: Jacobian<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = RadauStages<T, N>;
+    type Scheme = RadauStages<T, STAGES, PAIRS, N>;
 
     #[inline]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let zero = SVector::from_element(T::default());
         Ok(RadauStages {
             tolerance,
-            start: (zero, SMatrix::from_element(T::default())),
-            end: (zero, SMatrix::from_element(T::default())),
-            rises: [zero; STAGES],
-            coefficients: [zero; STAGES],
-            h: T::default(),
-            eta: T::from_f64(1.0),
+            start: zero,
+            end: zero,
+            matrix: Matrix {
+                jacobian: SMatrix::from_element(T::default()),
+                is_current: false,
+                factored: None,
+            },
+            iteration: Iteration {
+                rises: [zero; STAGES],
+                coefficients: [zero; STAGES],
+                h: T::default(),
+                eta: T::from_f64(1.0),
+                rate: T::default(),
+            },
             is_doubtful: true,
         })
     }
 }
 
-impl Estimates for RadauIIA {}
+impl<const STAGES: usize, const PAIRS: usize> Estimates for RadauIIA<STAGES, PAIRS> {}
 
 /// Stages of a step of a Radau method.
 #[derive(Clone, Copy, Debug)]
-pub struct RadauStages<T, const N: usize> {
+pub struct RadauStages<T, const STAGES: usize, const PAIRS: usize, const N: usize> {
     tolerance: Option<Tolerance<T>>,
-    /// Derivative at the start of the next step, and its derivative by the state.
-    start: (SVector<T, N>, SMatrix<T, N, N>),
-    /// Derivative at the end of the last attempt, and its derivative by the state.
-    end: (SVector<T, N>, SMatrix<T, N, N>),
+    /// Derivative at the start of the next step.
+    start: SVector<T, N>,
+    /// Derivative at the end of the last attempt.
+    end: SVector<T, N>,
+    matrix: Matrix<T, STAGES, PAIRS, N>,
+    iteration: Iteration<T, STAGES, N>,
+    /// True for the first step, and after a rejected one.
+    is_doubtful: bool,
+}
+
+/// Matrix of the iterations, as long as it serves.
+#[derive(Clone, Copy, Debug)]
+struct Matrix<T, const STAGES: usize, const PAIRS: usize, const N: usize> {
+    /// Derivative of the right-hand side by the state.
+    jacobian: SMatrix<T, N, N>,
+    /// True if the Jacobian is that at the start of the next step, false if that of an earlier one.
+    is_current: bool,
+    /// Matrix with this Jacobian, and the length of the steps it was factored for.
+    factored: Option<(T, Pencil<T, STAGES, PAIRS, N>)>,
+}
+
+impl<T: Float, const STAGES: usize, const PAIRS: usize, const N: usize> Matrix<T, STAGES, PAIRS, N>
+where
+    RadauIIA<STAGES, PAIRS>: HasRadauTableau<STAGES, PAIRS>,
+{
+    /// Evaluates the derivative, which is returned, and a new Jacobian.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn renew<S>(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N>
+    where
+        S: Jacobian<T, N> + ?Sized,
+    {
+        work.evaluations += 1;
+        work.jacobians += 1;
+        let (slope, jacobian) = system.rhs_and_jacobian(t, x);
+        (self.jacobian, self.is_current, self.factored) = (jacobian, true, None);
+        slope
+    }
+
+    /// Factors the matrix for a step of length `h`, unless it has been for the same length.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn factor(&mut self, h: T, active: usize, work: &mut Statistics) -> Result<&Pencil<T, STAGES, PAIRS, N>, Stalled> {
+        let is_kept = match &self.factored {
+            Some((length, _)) => (h - *length).abs() <= T::from_f64(SAME_LENGTH) * h.abs(),
+            None => false,
+        };
+        if !is_kept {
+            let identity = SMatrix::from_fn(|i, j| T::from_f64(if i == j { 1.0 } else { 0.0 }));
+            let modes = const { &RadauIIA::<STAGES, PAIRS>::TABLEAU.modes };
+            let pencil = Pencil::new(modes, h, [&identity, &self.jacobian], active).map_err(|Singular| Stalled)?;
+            work.factorizations += pencil.factorizations();
+            self.factored = Some((h, pencil));
+        }
+        match &self.factored {
+            Some((_, pencil)) => Ok(pencil),
+            None => Err(Stalled),
+        }
+    }
+}
+
+/// Solution for the stages.
+#[derive(Clone, Copy, Debug)]
+struct Iteration<T, const STAGES: usize, const N: usize> {
     /// Differences between the stages and the state at the start.
     rises: [SVector<T, N>; STAGES],
     /// Polynomial of the last step.
@@ -126,78 +216,99 @@ pub struct RadauStages<T, const N: usize> {
     h: T,
     /// Ratio of the error of the last iteration to its change.
     eta: T,
-    /// True for the first step, and after a rejected one.
-    is_doubtful: bool,
+    /// Ratio of the last two changes in the last attempt; 0 after a single iteration.
+    rate: T,
 }
 
-impl<T: Float, const N: usize> RadauStages<T, N> {
+impl<T: Float, const STAGES: usize, const N: usize> Iteration<T, STAGES, N> {
     /// Extrapolates the polynomial of the last step over a step of length `h`.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn predict(&mut self, h: T) {
+    fn predict<const PAIRS: usize>(&mut self, h: T)
+    where
+        RadauIIA<STAGES, PAIRS>: HasRadauTableau<STAGES, PAIRS>,
+    {
         if self.h == T::default() {
             self.rises = [SVector::from_element(T::default()); STAGES];
             return;
         }
         let one = T::from_f64(1.0);
         let ratio = h / self.h;
-        let [c1, c2, c3] = &self.coefficients;
-        for (rise, c) in self.rises.iter_mut().zip(C) {
+        let times = const { &RadauIIA::<STAGES, PAIRS>::TABLEAU.c };
+        for (rise, &c) in self.rises.iter_mut().zip(times) {
             let excess = ratio * T::from_f64(c);
             let theta = one + excess;
-            // theta^k - 1 without cancellation
-            let (second, third) = (theta + one, theta * theta + theta + one);
-            *rise = (c1 + c2 * second + c3 * third) * excess;
+            // theta^k - 1 = (theta - 1) (1 + theta + .. + theta^(k - 1)), without cancellation
+            let mut powers = one;
+            *rise = self.coefficients[0];
+            for coefficient in &self.coefficients[1..] {
+                powers = one + theta * powers;
+                *rise += coefficient * powers;
+            }
+            *rise *= excess;
         }
     }
 
     /// Residuals of the equations of a step.
     #[inline(always)]
-    fn residuals<S>(&self, system: &S, (t, x): (T, &SVector<T, N>), t_new: T) -> [SVector<T, N>; STAGES]
+    fn residuals<S, const PAIRS: usize>(
+        &self,
+        system: &S,
+        (t, x): (T, &SVector<T, N>),
+        t_new: T,
+    ) -> [SVector<T, N>; STAGES]
     where
+        RadauIIA<STAGES, PAIRS>: HasRadauTableau<STAGES, PAIRS>,
         S: System<T, N> + ?Sized,
     {
+        // here and not an argument, so that the coefficients are constants in unrolled loops
+        let RadauTableau { a, c, .. } = const { &RadauIIA::<STAGES, PAIRS>::TABLEAU };
         let h = t_new - t;
         // loops, since compilers need not inline closures, which are then compiled for the baseline
         let (mut slopes, mut residuals) = (self.rises, self.rises);
         for i in 0..STAGES {
-            let time = if C[i] == 1.0 { t_new } else { t + h * T::from_f64(C[i]) };
+            let time = if c[i] == 1.0 { t_new } else { t + h * T::from_f64(c[i]) };
             slopes[i] = system.rhs(time, &shifted(x, &self.rises[i]));
         }
-        for (residual, row) in residuals.iter_mut().zip(&A) {
+        for (residual, row) in residuals.iter_mut().zip(a) {
             *residual -= weighted_sum(h, row, STAGES, &slopes);
         }
         residuals
     }
 
-    /// Solves for the stages.
+    /// Solves for the stages, within a tolerance or, without one, to the level of rounding.
     #[inline(always)]
-    fn iterate<S>(
+    fn solve<S, const PAIRS: usize>(
         &mut self,
         system: &S,
-        (t, x): (T, &SVector<T, N>),
-        t_new: T,
-        pencil: &Pencil<T, STAGES, N>,
+        ((t, x), t_new): ((T, &SVector<T, N>), T),
+        tolerance: Option<Tolerance<T>>,
+        pencil: &Pencil<T, STAGES, PAIRS, N>,
         work: &mut Statistics,
     ) -> Result<(), Stalled>
     where
+        RadauIIA<STAGES, PAIRS>: HasRadauTableau<STAGES, PAIRS>,
         S: System<T, N> + ?Sized,
     {
         let one = T::from_f64(1.0);
         let ulps = T::from_f64(ULPS) * T::EPSILON;
-        let (tolerance, most) = match self.tolerance {
-            Some(tolerance) => (tolerance, MOST),
+        let (tolerance, most) = match tolerance {
+            Some(tolerance) => (tolerance, const { most::<STAGES>() }),
             None => (Tolerance { rtol: ulps, atol: ulps }, MOST_FIXED),
         };
         // factor by which the error of the iteration stays below the tolerance, unless rounding limits it: Hairer and
         // Wanner, IV.8
         let rounding = T::from_f64(10.0) * T::EPSILON / tolerance.rtol;
-        let kappa = tolerance.rtol.sqrt().min(T::from_f64(0.03)).max(rounding);
+        let kappa = tolerance.rtol.sqrt().min(T::from_f64(0.03));
+        let kappa = kappa.max(rounding * T::from_f64(0.1));
         let mut eta = T::from_f64(exp2(0.8 * log2(self.eta.max(T::EPSILON).to_f64())));
         let mut last = T::default();
+        self.rate = T::default();
         for iteration in 1..=most {
             work.iterations += 1;
             work.evaluations += STAGES;
-            let changes = pencil.solve(&self.residuals(system, (t, x), t_new));
+            let modes = const { &RadauIIA::<STAGES, PAIRS>::TABLEAU.modes };
+            let residuals = self.residuals::<S, PAIRS>(system, (t, x), t_new);
+            let changes = pencil.solve(modes, &residuals, system.active());
             let mut sum = T::default();
             for (rise, change) in self.rises.iter_mut().zip(&changes) {
                 *rise -= change;
@@ -208,11 +319,10 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
                 // the state at the end is then not finite either
                 return Ok(());
             }
-            let mut rate = T::default();
             if iteration > 1 {
-                rate = norm / last;
-                eta = if rate < one {
-                    rate / (one - rate)
+                self.rate = norm / last;
+                eta = if self.rate < one {
+                    self.rate / (one - self.rate)
                 } else {
                     one / T::EPSILON
                 };
@@ -222,7 +332,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
                 return Ok(());
             }
             // stop if the iteration would fail: it diverges, or converges too slowly
-            let at_best = (iteration..most).fold(eta * norm, |error, _| error * rate);
+            let at_best = (iteration..most).fold(eta * norm, |error, _| error * self.rate);
             if at_best > kappa {
                 return Err(Stalled);
             }
@@ -230,13 +340,25 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         }
         Err(Stalled)
     }
+}
+
+impl<T: Float, const STAGES: usize, const PAIRS: usize, const N: usize> RadauStages<T, STAGES, PAIRS, N>
+where
+    RadauIIA<STAGES, PAIRS>: HasRadauTableau<STAGES, PAIRS>,
+{
+    const TABLEAU: RadauTableau<STAGES, PAIRS> = RadauIIA::<STAGES, PAIRS>::TABLEAU;
 
     /// Error of a step of length `h`: the difference between the slope of its polynomial at the start and the given
     /// `slope` of the system, filtered by the matrix of the iteration. Hairer and Wanner, IV.8, Eq. 8.19.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn error(&self, slope: &SVector<T, N>, h: T, pencil: &Pencil<T, STAGES, N>) -> SVector<T, N> {
-        let difference = (slope * h - combined(&POWERS[0], &self.rises)) * T::from_f64(MU);
-        pencil.solve_real(&difference).unwrap_or(difference)
+    fn error(&self, slope: &SVector<T, N>, h: T, active: usize) -> SVector<T, N> {
+        let RadauTableau { modes, powers, .. } = const { &Self::TABLEAU };
+        let difference = slope * h - combined(&powers[0], &self.iteration.rises);
+        let filtered = match (&modes.real, &self.matrix.factored) {
+            (Some(mode), Some((_, pencil))) => pencil.solve_real(&(difference * T::from_f64(mode.value)), active),
+            _ => None,
+        };
+        filtered.unwrap_or(difference)
     }
 
     /// Mean square error of the solved step, in units of the tolerance.
@@ -246,7 +368,6 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         system: &S,
         (t, x): (T, &SVector<T, N>),
         (h, x_new): (T, &SVector<T, N>),
-        pencil: &Pencil<T, STAGES, N>,
         work: &mut Statistics,
     ) -> T
     where
@@ -255,7 +376,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         let Some(tolerance) = &self.tolerance else {
             return T::default();
         };
-        let error = self.error(&self.start.0, h, pencil);
+        let error = self.error(&self.start, h, system.active());
         let mean_square = tolerance.mean_square(&error, [x, x_new], system.active());
         if mean_square <= T::from_f64(1.0) || !self.is_doubtful {
             return mean_square;
@@ -263,28 +384,36 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         // the estimate is far too large for components that decay within the step, unless it is filtered once more: Eq.
         // 8.20
         work.evaluations += 1;
-        let error = self.error(&system.rhs(t, &(x + error)), h, pencil);
+        let error = self.error(&system.rhs(t, &(x + error)), h, system.active());
         tolerance.mean_square(&error, [x, x_new], system.active())
     }
 }
 
-impl<S, T, const N: usize> Scheme<S, T, N> for RadauStages<T, N>
+impl<S, T, const STAGES: usize, const PAIRS: usize, const N: usize> Scheme<S, T, N> for RadauStages<T, STAGES, PAIRS, N>
 where
+    RadauIIA<STAGES, PAIRS>: HasRadauTableau<STAGES, PAIRS>,
     S: Jacobian<T, N> + ?Sized,
     T: Float,
 {
     #[inline]
     fn error_order(&self) -> usize {
-        ORDER_HAT
+        STAGES
+    }
+
+    fn keeps_length(&self) -> (f64, f64) {
+        if self.matrix.factored.is_some() {
+            KEEPS_LENGTH
+        } else {
+            (1.0, 1.0)
+        }
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
-        work.evaluations += 1;
-        work.jacobians += 1;
-        self.start = system.rhs_and_jacobian(t, x);
-        (self.h, self.eta, self.is_doubtful) = (T::default(), T::from_f64(1.0), true);
-        self.start.0
+        self.start = self.matrix.renew(system, t, x, work);
+        (self.iteration.h, self.iteration.eta) = (T::default(), T::from_f64(1.0));
+        self.is_doubtful = true;
+        self.start
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -295,20 +424,31 @@ where
         (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
     ) -> Result<T, Stalled> {
+        let Self {
+            matrix,
+            iteration,
+            tolerance,
+            ..
+        } = self;
         let h = t_new - t;
-        let identity = SMatrix::from_fn(|i, j| T::from_f64(if i == j { 1.0 } else { 0.0 }));
-        let pencil = Pencil::new(&MODES, h, [&identity, &self.start.1], system.active()).map_err(|Singular| Stalled)?;
-        work.factorizations += pencil.factorizations();
-        self.predict(h);
-        let solved = if const { N <= SHORT } {
-            self.iterate(system, (t, x), t_new, &pencil, work)
-        } else {
-            self.iterate(&Called(system), (t, x), t_new, &pencil, work)
+        let solved = loop {
+            let pencil = matrix.factor(h, system.active(), work)?;
+            iteration.predict::<PAIRS>(h);
+            let step = ((t, x), t_new);
+            let solved = if const { N <= SHORT } {
+                iteration.solve(system, step, *tolerance, pencil, work)
+            } else {
+                iteration.solve(&Called(system), step, *tolerance, pencil, work)
+            };
+            if solved.is_ok() || matrix.is_current {
+                break solved;
+            }
+            matrix.renew(system, t, x, work);
         };
-        *x_new = x + self.rises[STAGES - 1];
+        *x_new = x + iteration.rises[STAGES - 1];
         end_step(system, (t, x), (t_new, x_new));
         let mean_square = match solved {
-            Ok(()) => Ok(self.estimate(system, (t, x), (h, x_new), &pencil, work)),
+            Ok(()) => Ok(self.estimate(system, (t, x), (h, x_new), work)),
             Err(stalled) => Err(stalled),
         };
         self.is_doubtful = true;
@@ -322,31 +462,47 @@ where
         (t, x): (T, &SVector<T, N>),
         work: &mut Statistics,
     ) -> Option<&SVector<T, N>> {
-        work.evaluations += 1;
-        work.jacobians += 1;
-        self.end = system.rhs_and_jacobian(t, x);
-        Some(&self.end.0)
+        // steps of fixed length are solved to the level of rounding, where slow convergence would leave an error
+        let is_slow = self.tolerance.is_none() || self.iteration.rate > T::from_f64(KEEPS_JACOBIAN);
+        self.end = if is_slow {
+            self.matrix.renew(system, t, x, work)
+        } else {
+            self.matrix.is_current = false;
+            work.evaluations += 1;
+            system.rhs(t, x)
+        };
+        Some(&self.end)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn accept(&mut self, _system: &InMode<'_, S, T>, step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
-        self.start = self.end;
-        self.coefficients = core::array::from_fn(|power| combined(&POWERS[power], &self.rises));
-        (self.h, self.is_doubtful) = (step.h, false);
+        let Iteration {
+            rises, coefficients, h, ..
+        } = &mut self.iteration;
+        let powers = const { &Self::TABLEAU.powers };
+        *coefficients = core::array::from_fn(|power| combined(&powers[power], rises));
+        *h = step.h;
+        (self.start, self.is_doubtful) = (self.end, false);
     }
 
     fn dense(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
-        &self.coefficients
+        &self.iteration.coefficients
     }
 
     fn coefficients(&self) -> &[SVector<T, N>] {
-        &self.coefficients
+        &self.iteration.coefficients
     }
 }
 
 /// `sum_i weights_i vectors_i`.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn combined<T: Float, const N: usize>(weights: &[f64; STAGES], vectors: &[SVector<T, N>; STAGES]) -> SVector<T, N> {
-    let [a, b, c] = weights.map(T::from_f64);
-    vectors[0] * a + vectors[1] * b + vectors[2] * c
+fn combined<T: Float, const STAGES: usize, const N: usize>(
+    weights: &[f64; STAGES],
+    vectors: &[SVector<T, N>; STAGES],
+) -> SVector<T, N> {
+    let mut sum = vectors[0] * T::from_f64(weights[0]);
+    for i in 1..STAGES {
+        sum += vectors[i] * T::from_f64(weights[i]);
+    }
+    sum
 }

@@ -45,6 +45,13 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
         self.error_order()
     }
 
+    /// Range of the change of a step within which the next one keeps the length of the last one, which saves the scheme
+    /// work.
+    #[inline(always)]
+    fn keeps_length(&self) -> (f64, f64) {
+        (1.0, 1.0)
+    }
+
     /// Replaces the trajectory in a lane by the one with this index. All lanes [begin](Self::begin) next, at their
     /// present points.
     fn enter(&mut self, _lane: usize, _index: usize) {}

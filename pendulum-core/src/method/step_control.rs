@@ -149,11 +149,14 @@ impl<T: Float> StepControl<T> {
         pace: &mut Pace<T>,
         (t, t_new): (T, T),
         outcome: Result<T, StepFailure>,
-        method_proposes: bool,
+        (method_proposes, kept): (bool, (f64, f64)),
     ) -> Result<bool, Reason> {
         let mean_square = outcome.unwrap_or(T::from_f64(f64::NAN));
         let judged = self.judged(&mut pace.controller, (t, t_new), mean_square, method_proposes);
-        pace.h = judged.h;
+        let (least, most) = (T::from_f64(kept.0) * pace.h, T::from_f64(kept.1) * pace.h);
+        if !(judged.is_accepted && least <= judged.h && judged.h <= most) {
+            pace.h = judged.h;
+        }
         if judged.is_hopeless {
             return Err(self.hopeless(outcome, (t, t_new), judged.h));
         }
@@ -315,11 +318,20 @@ mod tests {
         let mut pace = CONTROL.start();
         assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(5.0)).h, 5.0);
         assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(500.0)).h, 100.0);
-        assert_eq!(CONTROL.judge(&mut pace, (0.0, 5.0), Ok(0.0), true), Ok(true));
+        assert_eq!(
+            CONTROL.judge(&mut pace, (0.0, 5.0), Ok(0.0), (true, (1.0, 1.0))),
+            Ok(true)
+        );
         assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(500.0)).h, 10.0);
-        assert_eq!(CONTROL.judge(&mut pace, (5.0, 15.0), Ok(1e9), true), Ok(false));
+        assert_eq!(
+            CONTROL.judge(&mut pace, (5.0, 15.0), Ok(1e9), (true, (1.0, 1.0))),
+            Ok(false)
+        );
         assert_eq!(pace.h, 2.0, "a rejected one is shortened like any other");
-        assert_eq!(CONTROL.judge(&mut pace, (5.0, 7.0), Ok(1e-9), false), Ok(true));
+        assert_eq!(
+            CONTROL.judge(&mut pace, (5.0, 7.0), Ok(1e-9), (false, (1.0, 1.0))),
+            Ok(true)
+        );
         assert_eq!(pace.h, 2.0, "without proposals there is no growth after a rejection");
     }
 
@@ -328,7 +340,10 @@ mod tests {
         for order in [4, 9] {
             let mut pace = CONTROL.start();
             pace.set_order(order);
-            assert_eq!(CONTROL.judge(&mut pace, (0.0, 1.0), Ok(4.0), false), Ok(false));
+            assert_eq!(
+                CONTROL.judge(&mut pace, (0.0, 1.0), Ok(4.0), (false, (1.0, 1.0))),
+                Ok(false)
+            );
             // 0.9 e^-alpha for an error of 2
             let expected = 0.9 * 2.0_f64.powf(0.03 - 1.0 / (order as f64 + 1.0));
             assert!((pace.h / expected - 1.0).abs() < 2e-4, "{} {expected}", pace.h);
@@ -362,7 +377,8 @@ mod tests {
     #[test]
     fn an_attempt_is_hopeless_if_the_next_would_be_too_short() {
         let control = StepControl { h_min: 0.5, ..CONTROL };
-        let judge = |t_new: f64, outcome| control.judge(&mut control.start(), (3.0, t_new), outcome, false);
+        let judge =
+            |t_new: f64, outcome| control.judge(&mut control.start(), (3.0, t_new), outcome, (false, (1.0, 1.0)));
         // a large error shortens the next attempt to a fifth, a failed one to a quarter
         assert_eq!(judge(5.5, Ok(1e9)), Ok(false));
         assert_eq!(judge(0.5, Ok(1e9)), Ok(false));
@@ -373,7 +389,10 @@ mod tests {
         assert_eq!(judge(3.125, Ok(1.0)), Ok(true));
         let mut pace = control.start();
         assert_eq!(
-            (control.judge(&mut pace, (3.0, 83.0), Ok(0.0), false), pace.h),
+            (
+                control.judge(&mut pace, (3.0, 83.0), Ok(0.0), (false, (1.0, 1.0))),
+                pace.h
+            ),
             (Ok(true), 100.0)
         );
         assert!(is_within_tolerance(1.0) && !is_within_tolerance(1.0_f64.next_up()) && !is_within_tolerance(f64::NAN));

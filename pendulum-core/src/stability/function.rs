@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use crate::linear::{self, Lu};
 use crate::method::{Adaptive, Explicit, Fixed, Gauss, PowerSeries, RadauIIA, Rosenbrock};
-use crate::tableau::{GaussLegendre, HasTableau, RosenbrockMethod, Tableau, radau_iia5};
+use crate::tableau::{GaussLegendre, HasRadauTableau, HasTableau, RosenbrockMethod, Tableau};
 
 /// A method with a stability function: a step of size `h` multiplies a solution of `x' = lambda x` by `R(h lambda)`.
 ///
@@ -82,13 +82,18 @@ impl<B: RosenbrockMethod<STAGES>, const STAGES: usize> StabilityFunction for Ros
     }
 }
 
-impl StabilityFunction for RadauIIA {
+impl<const STAGES: usize, const PAIRS: usize> StabilityFunction for RadauIIA<STAGES, PAIRS>
+where
+    Self: HasRadauTableau<STAGES, PAIRS>,
+{
     fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
-        implicit(&radau_iia5::A, &radau_iia5::A[2], z)
+        let a = const { &Self::TABLEAU.a };
+        implicit(a, &a[STAGES - 1], z)
     }
 
     fn stability_at_infinity(&self) -> f64 {
-        implicit_at_infinity(&radau_iia5::A, &radau_iia5::A[2])
+        let a = const { &Self::TABLEAU.a };
+        implicit_at_infinity(a, &a[STAGES - 1])
     }
 }
 

@@ -10,16 +10,16 @@ pub(crate) struct Eigenpair<F, const STAGES: usize> {
     pub(crate) right: [F; STAGES],
 }
 
-/// Eigenvalues of a method with two or three stages: a complex pair, and for three stages a real one.
+/// Eigenvalues of a method: complex pairs, and for an odd number of stages a real one.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Eigenpairs<const STAGES: usize> {
+pub(crate) struct Eigenpairs<const STAGES: usize, const PAIRS: usize> {
     pub(crate) real: Option<Eigenpair<f64, STAGES>>,
-    /// The eigenvalue with positive imaginary part.
-    pub(crate) pair: Eigenpair<Complex<f64>, STAGES>,
+    /// The eigenvalues with positive imaginary part.
+    pub(crate) pairs: [Eigenpair<Complex<f64>, STAGES>; PAIRS],
 }
 
 #[cfg(test)]
-impl<const STAGES: usize> Eigenpairs<STAGES> {
+impl<const STAGES: usize, const PAIRS: usize> Eigenpairs<STAGES, PAIRS> {
     /// Largest residual of the equations that define the eigenvectors of `a`.
     pub(super) fn residual(&self, a: &[[f64; STAGES]; STAGES]) -> f64 {
         let complex = |x: f64| Complex::new(x, 0.0);
@@ -30,7 +30,7 @@ impl<const STAGES: usize> Eigenpairs<STAGES> {
         });
         let sum = |terms: &dyn Fn(usize) -> Complex<f64>| (0..STAGES).map(terms).sum::<Complex<f64>>();
         let mut residuals = Vec::new();
-        for Eigenpair { value, left, right } in [Some(self.pair), real].into_iter().flatten() {
+        for Eigenpair { value, left, right } in self.pairs.into_iter().chain(real) {
             residuals.push(sum(&|j| left[j] * right[j]) - 1.0);
             for i in 0..STAGES {
                 residuals.push(sum(&|j| left[j] * a[j][i]) - value * left[i]);

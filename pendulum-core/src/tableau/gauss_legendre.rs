@@ -17,7 +17,7 @@ pub struct GaussTableau<const STAGES: usize> {
     /// Weights of the step.
     pub(crate) b: [f64; STAGES],
     pub(crate) w: [[f64; STAGES]; STAGES],
-    pub(crate) modes: Eigenpairs<STAGES>,
+    pub(crate) modes: Eigenpairs<STAGES, 1>,
     /// Reciprocal products of the differences between start, nodes and end of a step (barycentric weights).
     over: [f64; MOST_POINTS],
 }
@@ -26,7 +26,7 @@ pub struct GaussTableau<const STAGES: usize> {
 const MOST_POINTS: usize = 5;
 
 impl<const STAGES: usize> GaussTableau<STAGES> {
-    const fn new(c: [f64; STAGES], b: [f64; STAGES], w: [[f64; STAGES]; STAGES], modes: Eigenpairs<STAGES>) -> Self {
+    const fn new(c: [f64; STAGES], b: [f64; STAGES], w: [[f64; STAGES]; STAGES], modes: Eigenpairs<STAGES, 1>) -> Self {
         let mut over = [1.0; MOST_POINTS];
         let mut j = 0;
         while j < STAGES + 2 {
@@ -90,11 +90,11 @@ impl HasTableau<2> for GaussLegendre {
             [[0.0, -W], [W, 0.0]],
             Eigenpairs {
                 real: None,
-                pair: Eigenpair {
+                pairs: [Eigenpair {
                     value: Complex::new(0.25, 0.25 * W),
                     left: [Complex::new(0.5, 0.0), Complex::new(0.0, 0.133_974_596_215_561_35)],
                     right: [Complex::new(1.0, 0.0), Complex::new(0.0, -3.732_050_807_568_877)],
-                },
+                }],
             },
         )
     };
@@ -120,7 +120,7 @@ impl HasTableau<3> for GaussLegendre {
                     ],
                     right: [1.0, 1.646_978_911_232_442, 13.859_658_089_371_628],
                 }),
-                pair: Eigenpair {
+                pairs: [Eigenpair {
                     value: Complex::new(0.142_342_788_441_943_92, 0.135_799_925_708_153_8),
                     left: [
                         Complex::new(0.283_843_943_108_070_8, 0.128_867_600_636_716_23),
@@ -132,7 +132,7 @@ impl HasTableau<3> for GaussLegendre {
                         Complex::new(-2.252_297_366_341_166_3, -2.198_353_169_286_191_3),
                         Complex::new(-7.924_480_066_670_396, 5.793_026_094_808_575),
                     ],
-                },
+                }],
             },
         )
     };

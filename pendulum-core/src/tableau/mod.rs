@@ -19,7 +19,10 @@ mod gauss_legendre;
 mod hairer_wanner4;
 mod hermite;
 mod kutta4;
-pub(crate) mod radau_iia5;
+mod radau_iia;
+mod radau_iia13;
+mod radau_iia5;
+mod radau_iia9;
 mod rosenbrock;
 mod steinebach5;
 mod tsitouras5;
@@ -37,6 +40,7 @@ pub use verner9::Verner9;
 
 pub(crate) use eigenpairs::{Eigenpair, Eigenpairs};
 pub(crate) use gauss_legendre::{GaussLegendre, GaussTableau, HasTableau};
+pub(crate) use radau_iia::{HasRadauTableau, RadauTableau};
 
 /// Coefficients of an explicit Runge-Kutta method with `S` stages.
 ///

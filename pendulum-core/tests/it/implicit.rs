@@ -11,6 +11,8 @@ use pendulum_core::{Real, Reason};
 type FixedRodas4 = Fixed<Rosenbrock<tableau::HairerWanner4, 6>>;
 type FixedRodas5P = Fixed<Rosenbrock<tableau::Steinebach5, 8>>;
 type FixedRadau5 = Fixed<RadauIIA>;
+type FixedRadau9 = Fixed<RadauIIA<5, 2>>;
+type FixedRadau13 = Fixed<RadauIIA<7, 3>>;
 
 /// `x = (1 / (1 + t^2), exp(sin(t)))`: nonautonomous, nonlinear, not stiff.
 struct Known;
@@ -96,62 +98,70 @@ fn end<M: Method<S, f64, N>, S: System<f64, N>, const N: usize>(
 }
 
 /// Solution at time 1 from the state 1, in one step of each method.
-fn in_one_step(system: &Linear) -> [f64; 3] {
+fn in_one_step(system: &Linear) -> [f64; 5] {
     [
         end(FixedRodas4::new(1.0), system, (0.0, 1.0), [1.0])[0],
         end(FixedRodas5P::new(1.0), system, (0.0, 1.0), [1.0])[0],
         end(FixedRadau5::new(1.0), system, (0.0, 1.0), [1.0])[0],
+        end(FixedRadau9::new(1.0), system, (0.0, 1.0), [1.0])[0],
+        end(FixedRadau13::new(1.0), system, (0.0, 1.0), [1.0])[0],
     ]
 }
 
-/// Runs a test for each method with its expected values.
+/// Runs a test for each method with its expected values and the first of its step sizes.
 macro_rules! for_each {
-    ($test:ident: $rodas4:expr, $rodas5p:expr, $radau5:expr) => {
+    ($test:ident: $rodas4:expr, $rodas5p:expr, $radau5:expr, $radau9:expr, $radau13:expr) => {
         $test(FixedRodas4::new, $rodas4);
         $test(FixedRodas5P::new, $rodas5p);
         $test(FixedRadau5::new, $radau5);
+        $test(FixedRadau9::new, $radau9);
+        $test(FixedRadau13::new, $radau13);
     };
 }
 
 #[test]
 fn the_order_shows_on_a_problem_that_is_not_autonomous() {
-    fn check<M: Method<Known, f64, 2>>(method: fn(f64) -> M, order: f64) {
+    fn check<M: Method<Known, f64, 2>>(method: fn(f64) -> M, (order, h): (f64, f64)) {
         let error = |h| (end(method(h), &Known, (0.0, 2.0), known(0.0)) - known(2.0)).amax();
-        let errors = [0.04, 0.02, 0.01].map(error);
+        let errors = [h, 0.5 * h].map(error);
         let orders = orders(&errors);
-        assert!((orders[1] - order).abs() < 0.2, "{orders:?} {errors:?}");
-        assert!(errors[2] < 1e-6, "{errors:?}");
+        // 9.3 and 13.8 at the large steps of the last two, at which the errors are not those of rounding
+        assert!((orders[0] - order).abs() < 0.07 * order, "{orders:?} {errors:?}");
+        assert!(errors[1] < 1e-6, "{errors:?}");
     }
-    for_each!(check: 4.0, 5.0, 5.0);
+    for_each!(check: (4.0, 0.02), (5.0, 0.02), (5.0, 0.02), (9.0, 0.4), (13.0, 0.8));
 }
 
 #[test]
 fn dense_output_has_its_order() {
-    fn check<M: Method<Known, f64, 2>>(method: fn(f64) -> M, order: f64) {
+    fn check<M: Method<Known, f64, 2>>(method: fn(f64) -> M, (order, h): (f64, f64)) {
         let error = |h: f64| {
             let solution = method(h).solve(&Known, 1.0, 1.0 + h, known(1.0)).expect("regular");
             let t = 1.0 + 0.7 * h;
             (solution.at(t).expect("within") - known(t)).amax()
         };
         // within one step: one more than the order
-        let orders = orders(&[0.1, 0.05, 0.025, 0.0125].map(error));
-        assert!((orders[2] - order - 1.0).abs() < 0.3, "{orders:?}");
+        let orders = orders(&[h, 0.5 * h].map(error));
+        // 7.4 in place of 8 at the large steps of the last, at which the errors are not those of rounding
+        assert!((orders[0] - order - 1.0).abs() < 0.05 * order + 0.3, "{orders:?}");
     }
-    for_each!(check: 3.0, 4.0, 3.0);
+    for_each!(check: (3.0, 0.025), (4.0, 0.025), (3.0, 0.025), (5.0, 0.1), (7.0, 0.4));
 }
 
 #[test]
 fn a_stiff_follower_is_followed() {
-    fn check<M: Method<Follower, f64, 1>>(method: fn(f64) -> M, (order, most): (f64, f64)) {
+    fn check<M: Method<Follower, f64, 1>>(method: fn(f64) -> M, (order, most, h): (f64, f64, f64)) {
         let follower = Follower { rate: 1e6 };
         let error = |h| (end(method(h), &follower, (0.0, 2.0), [0.0])[0] - 2.0_f64.sin()).abs();
-        let errors = [0.1, 0.05, 0.025].map(error);
+        let errors = [h, 0.5 * h, 0.25 * h].map(error);
         // For large rates the order is reduced, but the error is divided by the rate, since the fast mode has decayed
         // at the end of a step.
         assert!((orders(&errors)[1] - order).abs() < 0.1, "{errors:?}");
         assert!(errors[2] < most, "{errors:?}");
     }
-    for_each!(check: (1.0, 1e-9), (3.0, 1e-12), (3.0, 1e-12));
+    for_each!(
+        check: (1.0, 1e-9, 0.1), (3.0, 1e-12, 0.1), (3.0, 1e-12, 0.1), (5.0, 1e-11, 1.0), (7.0, 1e-12, 2.0)
+    );
 }
 
 #[test]
@@ -168,6 +178,8 @@ fn a_fast_start_is_resolved_within_the_tolerance() {
     check(Rodas4::new().rtol(1e-5).atol(1e-5).h0(1.0));
     check(Rodas5P::new().rtol(1e-5).atol(1e-5).h0(1.0));
     check(Radau5::new().rtol(1e-5).atol(1e-5).h0(1.0));
+    check(Radau9::new().rtol(1e-5).atol(1e-5).h0(1.0));
+    check(Radau13::new().rtol(1e-5).atol(1e-5).h0(1.0));
 }
 
 #[test]
@@ -273,6 +285,33 @@ fn relaxation_of_van_der_pol() {
             assert!(error < 10.0 * tolerance, "{error:e}");
         }
     }
+}
+
+/// The Jacobian serves several steps, and a step that hardly changes in length has the matrix of the last one. SciPy's
+/// Radau, of order 5, takes 855 Jacobians and 1984 factorizations.
+#[test]
+fn matrices_are_kept_along_the_relaxation_of_van_der_pol() {
+    const EPSILON: f64 = 1e-6;
+    let rates = |x: &SVector<f64, 2>| SVector::from([x[1], ((1.0 - x[0] * x[0]) * x[1] - x[0]) / EPSILON]);
+    let jacobian = |x: &SVector<f64, 2>| {
+        SMatrix::from([
+            [0.0, (-2.0 * x[0] * x[1] - 1.0) / EPSILON],
+            [1.0, (1.0 - x[0] * x[0]) / EPSILON],
+        ])
+    };
+    let oscillator = of(rates, jacobian);
+    // Hairer and Wanner's test set, to these digits
+    const END: [f64; 2] = [1.706_167_732_170_48, -0.892_809_701_024_795];
+    fn check<M: Method<S, f64, 2>, S: System<f64, 2>>(method: M, system: &S, most: [usize; 2]) {
+        let solution = method.solve(system, 0.0, 2.0, [2.0, 0.0]).expect("regular");
+        let error = (solution.end() - SVector::from(END)).amax();
+        let work = solution.statistics();
+        assert!(error < 1e-9, "{error:e}");
+        assert!(work.jacobians <= most[0] && work.factorizations <= most[1], "{work:?}");
+    }
+    check(Radau5::new().rtol(1e-9).atol(1e-9), &oscillator, [900, 3000]);
+    check(Radau9::new().rtol(1e-9).atol(1e-9), &oscillator, [400, 1500]);
+    check(Radau13::new().rtol(1e-9).atol(1e-9), &oscillator, [250, 1500]);
 }
 
 #[test]

@@ -64,6 +64,8 @@ macro_rules! each_adaptive {
         $check::<Rosenbrock<tableau::HairerWanner4, 6>>("Rodas4", $($argument),*);
         $check::<Rosenbrock<tableau::Steinebach5, 8>>("Rodas5P", $($argument),*);
         $check::<RadauIIA>("Radau5", $($argument),*);
+        $check::<RadauIIA<5, 2>>("Radau9", $($argument),*);
+        $check::<RadauIIA<7, 3>>("Radau13", $($argument),*);
         $check::<Switching>("Auto", $($argument),*);
         $check::<PowerSeries>("Taylor", $($argument),*);
     }};

@@ -68,6 +68,8 @@ METHODS = {
     "Rodas4": "order 4, stiff; needs `jacobian` in `generate`, as it has by default",
     "Rodas5P": "order 5, stiff; needs `jacobian`",
     "Radau5": "order 5, stiff, implicit; needs `jacobian`",
+    "Radau9": "order 9, stiff, implicit, tight tolerances; needs `jacobian`",
+    "Radau13": "order 13, stiff, implicit, the tightest tolerances; needs `jacobian`",
     "Auto": "explicit, and implicit while the system is stiff; needs `jacobian`",
 }
 

@@ -95,6 +95,8 @@ pub(crate) fn measure(scene: &Scene) -> Measurement {
         .method("Auto", tolerances(), |tol| Auto::new().rtol(tol).atol(tol))
         .method("Rodas5P", tolerances(), |tol| Rodas5P::new().rtol(tol).atol(tol))
         .method("Radau5", tolerances(), |tol| Radau5::new().rtol(tol).atol(tol))
+        .method("Radau9", tolerances(), |tol| Radau9::new().rtol(tol).atol(tol))
+        .method("Radau13", tolerances(), |tol| Radau13::new().rtol(tol).atol(tol))
         .method("Gauss4", steps(0.2, 2e-3), Gauss4::new)
         .method("Gauss6", steps(0.4, 1e-2), Gauss6::new);
     study.sweep = study
@@ -125,6 +127,8 @@ pub(crate) fn measure_stiff(scene: &Scene) -> Measurement {
         .method("Rodas4", tolerances(), |tol| Rodas4::new().rtol(tol).atol(tol))
         .method("Rodas5P", tolerances(), |tol| Rodas5P::new().rtol(tol).atol(tol))
         .method("Radau5", tolerances(), |tol| Radau5::new().rtol(tol).atol(tol))
+        .method("Radau9", tolerances(), |tol| Radau9::new().rtol(tol).atol(tol))
+        .method("Radau13", tolerances(), |tol| Radau13::new().rtol(tol).atol(tol))
         .run()
 }
 

@@ -109,6 +109,8 @@ pub fn infinity(_: Size) -> Row {
             claim::<Gauss<3>>("Gauss6", false),
             claim::<Gauss<2>>("Gauss4", false),
             claim::<RadauIIA>("Radau5", true),
+            claim::<RadauIIA<5, 2>>("Radau9", true),
+            claim::<RadauIIA<7, 3>>("Radau13", true),
             claim::<Rosenbrock<tableau::HairerWanner4, 6>>("Rodas4", true),
             claim::<Rosenbrock<tableau::Steinebach5, 8>>("Rodas5P", true),
             claim::<Explicit<Kutta4, 5>>("Rk4", false),

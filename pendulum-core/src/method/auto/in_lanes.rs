@@ -224,11 +224,11 @@ where
         let [some_free, some_stiff] = self.at_work();
         if some_free {
             // before acceptance, which overwrites the first stage by the one of the next step
-            let measured = self.explicit.stiffness(step.h);
+            let (measured, turn) = (self.explicit.stiffness(step.h), self.explicit.turn());
             self.explicit.accept(system, step, lanes, work);
             for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
                 if !own.is_stiff && lanes.is_in(lane) {
-                    own.after_explicit(measured.lane(lane).to_f64(), B::LIMIT);
+                    own.after_explicit(measured.lane(lane).to_f64(), turn.lane(lane).to_f64(), B::LIMIT);
                 }
             }
         }
