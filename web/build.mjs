@@ -80,7 +80,7 @@ const worker = await bundled(page("worker.js"));
 const script = await bundled(page("main.js"), { gallery: [...gallery(), robot()], styles: katex() });
 const packedScript = packed(script);
 const parts = {
-  style: read(page("style.css")),
+  style: read(page("look.css")) + read(page("style.css")),
   picture: read(join(here, "../docs/swing.svg")).replace(/^<\?xml[^>]*\?>/, ""),
   packed: `${packedScript}\n${packedModule}`,
   loader: read(page("loader.js")).replace("WORKER", () => JSON.stringify(worker.trim())),
