@@ -63,9 +63,8 @@ fn energy_of(name: &str, method: &impl Method<DoublePendulum, f64, 4>, x0: [f64;
         }
     }
     Curve {
-        line: line(name),
-        points,
         label: Some(name.to_owned()),
+        ..Curve::new(line(name), points)
     }
 }
 
@@ -73,27 +72,23 @@ fn energy_of(name: &str, method: &impl Method<DoublePendulum, f64, 4>, x0: [f64;
 pub(crate) fn friction() -> Figure {
     const TOLERANCE: f64 = 1e-6;
     let exponents: Vec<f64> = (0..=16).map(|n| 0.25 * f64::from(n)).collect();
-    let curve = |name: &str, line: Line, steps: &dyn Fn(f64) -> f64| Curve {
-        line,
-        points: exponents
-            .iter()
-            .map(|&gamma| (gamma, steps(10_f64.powf(gamma)).log10()))
-            .collect(),
-        label: Some(name.to_owned()).filter(|name| !name.is_empty()),
+    let curve = |line: Line, steps: &dyn Fn(f64) -> f64| {
+        let point = |&gamma: &f64| (gamma, steps(10_f64.powf(gamma)).log10());
+        Curve::new(line, exponents.iter().map(point).collect())
     };
     let mut curves = Vec::new();
     macro_rules! observed {
         ($($name:literal: $method:ident),*) => {$(
             let method = $method::new().rtol(TOLERANCE).atol(TOLERANCE);
             let steps = |gamma| friction::work(&method, gamma).accepted as f64;
-            curves.push(curve($name, line($name), &steps));
+            curves.push(Curve { label: Some($name.to_owned()), ..curve(line($name), &steps) });
         )*};
     }
     macro_rules! predicted {
         ($($name:literal: $method:ident),*) => {$(
             let method = $method::new().rtol(TOLERANCE).atol(TOLERANCE);
             let steps = |gamma| friction::stable_steps(&method, gamma);
-            let mut limit = curve("", PREDICTED, &steps);
+            let mut limit = curve(PREDICTED, &steps);
             // with so few steps, the error limits them
             limit.points.retain(|point| point.1 > 1.0);
             curves.push(limit);
@@ -126,9 +121,8 @@ pub(crate) fn horizon() -> Result<Figure, StabilityError> {
             .collect()
     };
     let observed = Curve {
-        line: line("Vern7"),
-        points: points(&|tolerance| chaos::horizon(tolerance, STARTS)),
         label: Some("Vern7".to_owned()),
+        ..Curve::new(line("Vern7"), points(&|tolerance| chaos::horizon(tolerance, STARTS)))
     };
     let predicted = Curve::new(
         PREDICTED,

@@ -106,9 +106,8 @@ fn modes() -> Result<Vec<Curve>, StabilityError> {
         let above = spectrum.eigenvalues().filter(|eigenvalue| eigenvalue.im >= 0.0);
         let fastest = above.max_by(|a, b| a.norm().total_cmp(&b.norm())).unwrap_or_default() * H;
         Ok(Curve {
-            line: Line::solid(INK).marked(Marker::Circle),
-            points: vec![(fastest.re, fastest.im)],
             label: Some(format!("γ = {gamma}")),
+            ..Curve::new(Line::solid(INK).marked(Marker::Circle), vec![(fastest.re, fastest.im)])
         })
     };
     FRICTIONS.into_iter().map(fastest).collect()

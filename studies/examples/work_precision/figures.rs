@@ -170,9 +170,8 @@ impl Panels {
                 Some((falling((self.error.1)(measured)?), cost.log10()))
             };
             Curve {
-                line: line(&series.name),
-                points: series.measured().filter_map(point).collect(),
                 label: Some(series.name.trim_end_matches(LANES).to_owned()),
+                ..Curve::new(line(&series.name), series.measured().filter_map(point).collect())
             }
         };
         let [least, most] = self.decades;
