@@ -99,6 +99,14 @@ impl Figure {
         self
     }
 
+    /// Height of a plot over its width.
+    pub(crate) fn aspect(&self) -> f64 {
+        let rows = self.rows.len() as f64;
+        let heads: f64 = self.rows.iter().map(Row::head).sum();
+        let height = f64::from(self.size.1) - MARGIN - head(&self.legend) - FOOTER - heads;
+        (height / rows - self.caption() - TICKS) / (self.column() - LABELS - RIGHT)
+    }
+
     /// Width of a panel with its labels, in pixels.
     fn column(&self) -> f64 {
         (f64::from(self.size.0) - 2.0 * MARGIN) / self.columns.len() as f64
@@ -212,7 +220,7 @@ impl Row {
         if self.legend.is_empty() { 0.0 } else { LEGEND }
     }
 
-    fn title(&self, column: &Column) -> String {
+    pub(crate) fn title(&self, column: &Column) -> String {
         let parts = [&self.caption, &column.title];
         parts
             .map(String::as_str)
@@ -268,7 +276,7 @@ impl Axis {
 
     /// Round numbers on the axis, at most `ticks`. On less than two decades these are powers of ten, their double and
     /// their fivefold.
-    fn marks(&self) -> Vec<f64> {
+    pub(crate) fn marks(&self) -> Vec<f64> {
         let (start, end) = (self.range.start, self.range.end);
         if self.is_short() {
             let decades = start.floor() as i32..=end as i32;
@@ -296,7 +304,7 @@ impl Axis {
     }
 
     /// Label of a tick: a number with a true minus sign, or a power of ten.
-    fn tick(&self, value: f64) -> String {
+    pub(crate) fn tick(&self, value: f64) -> String {
         // The sum removes rounding errors of steps like 0.1, and turns -0 into 0.
         let value = (value * 1e9).round() / 1e9 + 0.0;
         let exponent = match self.scale {
@@ -355,6 +363,8 @@ impl Curve {
             line,
             points,
             label: None,
+            name: None,
+            notes: Vec::new(),
         }
     }
 }

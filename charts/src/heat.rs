@@ -167,7 +167,7 @@ impl Map {
     }
 
     /// Colour of the step that contains a value: that of the middle of the step.
-    fn color(&self, value: f64) -> RGBColor {
+    pub(crate) fn color(&self, value: f64) -> RGBColor {
         if value.is_nan() {
             return if self.palette == Palette::Signed {
                 MISSING

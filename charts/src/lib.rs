@@ -1,4 +1,4 @@
-//! Charts in one style, written as SVG and as PNG.
+//! Charts in one style, written as SVG and as PNG, and in reports as pages whose charts show values.
 #![forbid(unsafe_code)]
 #![allow(missing_docs, reason = "fields and functions whose names say what they are")]
 
@@ -14,5 +14,6 @@ pub mod methods;
 pub mod page;
 mod palette;
 pub mod panels;
+pub mod report;
 mod scale;
 mod typeset;

@@ -153,7 +153,7 @@ impl Line {
 
 impl Marker {
     /// Corners of the mark about its point; all marks have about the same area as a circle of radius 0.7.
-    fn corners(self) -> Vec<(f64, f64)> {
+    pub(crate) fn corners(self) -> Vec<(f64, f64)> {
         let regular = |count: u32, radius: f64, turn: f64| {
             let corner = |n: u32| {
                 let (sin, cos) = (TAU * (f64::from(n) / f64::from(count) + turn)).sin_cos();
