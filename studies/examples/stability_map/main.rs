@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release -p studies --example stability_map` computes and draws them on all cores, in about a minute of
 //! processor time. `-- --size N` computes N cells along each side of a map instead of 270; most of the time is
-//! proportional to the square of N.
+//! proportional to the square of N. A page with all charts shows values where the pointer hovers.
 
 mod amplitude;
 mod friction;
@@ -18,6 +18,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use charts::page::Picture;
+use charts::report::Report;
 
 const OUT: &str = "out/stability_map";
 /// Default number of cells along each side of a map.
@@ -59,16 +60,35 @@ fn run(size: usize) -> Result<(), Box<dyn Error>> {
     let folder = Path::new(OUT);
     let frictions = friction::measure(size)?;
     println!("{frictions}\n");
-    let mut files = vec![frictions.atlas().save_png(&folder.join("friction"))?];
     let starts = starts::measure(size)?;
     println!("{starts}\n");
-    files.push(starts.atlas().save_png(&folder.join("starts"))?);
     let amplitudes = amplitude::measure(size)?;
     println!("{amplitudes}\n");
-    files.extend(amplitudes.figure().save(&folder.join("exponents"))?);
     let sections = sections::measure()?;
     println!("{sections}\n");
-    files.push(sections.figure().save_png(&folder.join("sections"))?);
+
+    let (friction, start, amplitude, section) = (
+        frictions.atlas(),
+        starts.atlas(),
+        amplitudes.figure(),
+        sections.figure(),
+    );
+    let mut files = vec![
+        friction.save_png(&folder.join("friction"))?,
+        start.save_png(&folder.join("starts"))?,
+        section.save_png(&folder.join("sections"))?,
+    ];
+    files.extend(amplitude.save(&folder.join("exponents"))?);
+    let report = Report::new("Stability of the double pendulum")
+        .chart(&start)
+        .listing(&starts.to_string())
+        .chart(&friction)
+        .listing(&frictions.to_string())
+        .chart(&amplitude)
+        .listing(&amplitudes.to_string())
+        .chart(&section)
+        .listing(&sections.to_string());
+    files.push(report.save(&folder.join("index"))?);
     for path in files {
         println!("{}", path.display());
     }

@@ -89,6 +89,7 @@ pub(crate) fn friction() -> Figure {
             let method = $method::new().rtol(TOLERANCE).atol(TOLERANCE);
             let steps = |gamma| friction::stable_steps(&method, gamma);
             let mut limit = curve(PREDICTED, &steps);
+            limit.name = Some(concat!("stability limit of ", $name, ", predicted").to_owned());
             // with so few steps, the error limits them
             limit.points.retain(|point| point.1 > 1.0);
             curves.push(limit);

@@ -2,17 +2,17 @@
 //!
 //! `cargo run --release -p studies --example where_methods_fail` runs the cases of the test of the same name, prints
 //! them as a table, and draws regions of stability, the energy over time, steps over friction, and the horizon of
-//! prediction. It takes half a minute.
+//! prediction. A page with all of them shows values where the pointer hovers. It takes half a minute.
 
 mod figures;
 mod regions;
 mod table;
 
 use std::error::Error;
-use std::fs;
 use std::path::Path;
 
 use charts::page::Picture;
+use charts::report::Report;
 use testbed::where_methods_fail;
 use testbed::where_methods_fail::row::{Row, Size};
 
@@ -24,18 +24,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", table::markdown(&rows));
 
     let folder = Path::new(OUT);
-    let mut files = Vec::new();
-    for (stem, figure) in [
+    let charts = [
         ("regions", regions::figure()?),
         ("energy", figures::energy()),
         ("friction", figures::friction()),
         ("horizon", figures::horizon()?),
-    ] {
+    ];
+    let mut report = Report::new("Where methods fail").text(
+        "Each failure is first predicted, from the coefficients of the method or from the generated Jacobian, and then \
+        observed.",
+    );
+    let mut files = Vec::new();
+    for (stem, figure) in &charts {
         files.extend(figure.save(&folder.join(stem))?);
+        report = report.chart(figure);
     }
-    let page = folder.join("table.txt");
-    fs::write(&page, table::text(&rows)).map_err(|error| format!("cannot write {}: {error}", page.display()))?;
-    files.push(page);
+    let report = report.heading("All cases").listing(&table::text(&rows));
+    files.push(report.save(&folder.join("index"))?);
     for path in files {
         println!("{}", path.display());
     }

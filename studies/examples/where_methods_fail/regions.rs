@@ -58,7 +58,10 @@ pub(crate) fn figure() -> Result<Figure, StabilityError> {
         let distance = |point: &&(f64, f64)| (point.0 - near.0).hypot(point.1 - near.1);
         let nearest = border.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
         curves.extend(nearest.map(|&point| Curve::note(line.color, point, name)));
-        curves.push(Curve::new(line, border));
+        curves.push(Curve {
+            name: Some(name.to_owned()),
+            ..Curve::new(line, border)
+        });
     }
     curves.extend(modes()?);
     let axis = |label: &str, range: &Range<f64>| Axis {

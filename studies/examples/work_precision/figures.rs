@@ -2,9 +2,10 @@
 
 use pendulum_core::accuracy::{Measured, MethodRuns};
 
-use crate::methods::{LANES, Measurement, line};
+use crate::methods::{FIXED, LANES, Measurement};
 use crate::scenes::{NEIGHBOURS, Scene};
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::methods::line;
 use charts::page::GRID;
 
 /// Scenes with their measurements; each scene is a row of panels.
@@ -162,16 +163,20 @@ impl Panels {
     fn curves(&self, scene: &Scene, measurement: &Measurement) -> Vec<Curve> {
         let falling = |error: f64| -error.log10().max(ERRORS[0]);
         let curve = |(n, series): (usize, &MethodRuns)| {
+            let name = series.name.trim_end_matches(LANES);
             let point = |(setting, measured): (f64, &Measured)| {
                 let cost = match self.cost.1 {
                     Cost::Time => 1e6 * measured.minimum,
                     Cost::Operations => measurement.flops(n, setting)? as f64,
                 };
-                Some((falling((self.error.1)(measured)?), cost.log10()))
+                let point = (falling((self.error.1)(measured)?), cost.log10());
+                Some((point, note(name, setting, measured)))
             };
+            let (points, notes) = series.measured().filter_map(point).unzip();
             Curve {
-                label: Some(series.name.trim_end_matches(LANES).to_owned()),
-                ..Curve::new(line(&series.name), series.measured().filter_map(point).collect())
+                label: Some(name.to_owned()),
+                notes,
+                ..Curve::new(line(name), points)
             }
         };
         let [least, most] = self.decades;
@@ -188,4 +193,18 @@ impl Panels {
             .filter(|(_, series)| (self.shows)(series));
         std::iter::once(unknown).chain(shown.map(curve)).collect()
     }
+}
+
+/// Setting of a run, and its work.
+fn note(method: &str, setting: f64, measured: &Measured) -> String {
+    let setting = if FIXED.contains(&method) {
+        format!("step of {setting:.4} s")
+    } else {
+        format!("tolerance {setting:.1e}")
+    };
+    let work = measured.work.map(|work| {
+        let steps = work.accepted + work.rejected;
+        format!("; {steps} steps, {} evaluations", work.evaluations)
+    });
+    setting + &work.unwrap_or_default()
 }

@@ -1,8 +1,8 @@
 //! Work-precision study: errors of all methods over time and operations, and errors of simpler models over their cost.
 //!
 //! `cargo run --release -p studies --example work_precision` measures a regular, a chaotic and a stiff motion of the
-//! double pendulum, and the small-motion model over the amplitude. It prints the tables of the book, and writes charts,
-//! tables and a page with all of them. It takes half a minute.
+//! double pendulum, and the small-motion model over the amplitude. It prints the tables of the book, and writes charts
+//! and a page with all charts and tables, on which hovering shows values. It takes half a minute.
 
 mod figures;
 mod methods;
@@ -12,7 +12,6 @@ mod simpler;
 mod table;
 
 use std::error::Error;
-use std::fs;
 use std::path::Path;
 
 use charts::page::Picture;
@@ -32,22 +31,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     let simpler = simpler::measure()?;
 
     let folder = Path::new(OUT);
-    let mut files = Vec::new();
-    for (stem, figure) in [
+    let charts = [
         ("methods", figures::methods(&measured[..2])),
         ("lanes", figures::lanes(&measured[..2])),
         ("dense_and_energy", figures::dense_and_energy(&measured[..2])),
         ("stiff", figures::stiff(&measured[2..])),
         ("simpler_models", simpler.figure()),
-    ] {
+    ];
+    let mut files = Vec::new();
+    for (stem, figure) in &charts {
         files.extend(figure.save(&folder.join(stem))?);
     }
     let table = [&measured[..2], &measured[2..]].map(table::markdown).join("\n\n");
     println!("{table}\n\n{simpler}\n");
-    let page = folder.join("index.html");
-    fs::write(&page, page::page(&measured, &simpler, &table))
-        .map_err(|error| format!("cannot write {}: {error}", page.display()))?;
-    files.push(page);
+    let page = page::page(&charts, &measured, &simpler, &table);
+    files.push(page.save(&folder.join("index"))?);
     for path in files {
         println!("{}", path.display());
     }

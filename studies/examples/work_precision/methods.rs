@@ -5,12 +5,12 @@ use pendulum_core::prelude::*;
 use pendulum_core::{Operations, Statistics};
 
 use crate::scenes::{DoublePendulum, Scene};
-use charts::chart::Line;
-use charts::methods;
 use testbed::counted::Counted;
 
 /// Suffix of the method's name in the rows of ensembles.
 pub(crate) const LANES: &str = ", lanes";
+/// Methods whose settings are step sizes; those of others are tolerances.
+pub(crate) const FIXED: [&str; 3] = ["Rk4", "Gauss4", "Gauss6"];
 
 const ROUNDS: usize = 21;
 
@@ -130,11 +130,6 @@ pub(crate) fn measure_stiff(scene: &Scene) -> Measurement {
         .method("Radau9", tolerances(), |tol| Radau9::new().rtol(tol).atol(tol))
         .method("Radau13", tolerances(), |tol| Radau13::new().rtol(tol).atol(tol))
         .run()
-}
-
-/// Line style of a method, alone or in lanes.
-pub(crate) fn line(name: &str) -> Line {
-    methods::line(name.trim_end_matches(LANES))
 }
 
 /// Tolerances from 1e-3 to 3e-14, two per decade. Not smaller, since the reference between the points has 1e-14 itself.
