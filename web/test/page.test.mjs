@@ -4,14 +4,12 @@ import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { launched, watched } from "../browser.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const file = resolve(process.env.PAGE ?? join(here, "../../out/pendulum.html"));
 const url = pathToFileURL(file).href;
-const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const pictures = join(dirname(file), "pictures");
-const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 const PENDULUM = `pub Pendulum {
     params { m: kg = 1, l: m = 1, g: m/s^2 = 9.81 }
     gravity: [0, -g, 0],
@@ -24,22 +22,13 @@ mkdirSync(pictures, { recursive: true });
 let browser;
 
 before(async () => {
-  browser = await chromium.launch({ executablePath, args });
+  browser = await launched();
 });
 after(() => browser?.close());
 
 /** Opens the page and waits until a mechanism moves. Errors and requests of the page fail the test at its end. */
 async function opened(t, { hash = "", init, still = false, ...options } = {}) {
-  const context = await browser.newContext({ viewport: { width: 1300, height: 1000 }, ...options });
-  const page = await context.newPage();
-  const faults = [];
-  page.on("pageerror", (error) => faults.push(String(error)));
-  page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
-  page.on("request", (request) => /^(file|blob|data):/.test(request.url()) || faults.push(request.url()));
-  t.after(async () => {
-    await context.close();
-    assert.deepEqual(faults, []);
-  });
+  const page = await watched(t, browser, options);
   if (init) await page.addInitScript(init);
   await page.goto(url + hash);
   if (!still) await moves(page);
