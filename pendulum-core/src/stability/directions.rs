@@ -2,15 +2,19 @@
 
 use nalgebra::{DMatrix, SMatrix};
 
+use crate::layout::StateLayout;
 use crate::system::System;
 
 /// Number of admissible directions of a state: the number of active components, less the surplus of positions over
 /// rates.
 pub(super) fn dimension<const N: usize>(system: &(impl System<f64, N> + ?Sized)) -> usize {
-    match system.layout() {
-        Some(layout) => system.active() - layout.positions() + layout.rates().min(layout.positions()),
-        None => system.active(),
-    }
+    system
+        .layout()
+        .map_or(system.active(), |layout| dimension_of(layout, system.active()))
+}
+
+fn dimension_of(layout: StateLayout<'_>, active: usize) -> usize {
+    active - layout.positions() + layout.rates().min(layout.positions())
 }
 
 /// Admissible directions of a state as orthonormal columns: first directions of the positions, `q' = K(q) v`, then
@@ -23,11 +27,20 @@ pub(super) fn directions<const N: usize>(
     system: &(impl System<f64, N> + ?Sized),
     jacobian: &SMatrix<f64, N, N>,
 ) -> Option<DMatrix<f64>> {
-    let (all, positions) = (dimension(system), system.layout()?.positions());
+    directions_of(system.layout()?, system.active(), jacobian)
+}
+
+/// [`directions`] of a state with this layout and number of active components.
+pub(crate) fn directions_of<const N: usize>(
+    layout: StateLayout<'_>,
+    active: usize,
+    jacobian: &SMatrix<f64, N, N>,
+) -> Option<DMatrix<f64>> {
+    let (all, positions) = (dimension_of(layout, active), layout.positions());
     if all == N {
         return None;
     }
-    let rates = all - (system.active() - positions);
+    let rates = all - (active - positions);
     let by_rates = DMatrix::from_fn(positions, rates, |i, j| jacobian[(i, positions + j)]);
     let along = by_rates.qr().q();
     Some(DMatrix::from_fn(N, all, |i, j| {

@@ -58,6 +58,7 @@ mod transition;
 
 pub use branch::{Bifurcation, BifurcationKind, Branch, BranchEnd, BranchPoint};
 pub use continuation::Continuation;
+pub(crate) use directions::directions_of;
 pub use equilibria::{Equilibria, equilibria};
 pub use equilibrium::{Equilibrium, Stability, equilibrium};
 pub use error::StabilityError;
@@ -70,4 +71,5 @@ pub use resting::{Resting, resting};
 pub use section::section;
 pub use shooting::Shooting;
 pub use spectrum::{Eigenmode, Spectrum};
+pub(crate) use spectrum::{Pair, pairs};
 pub use transition::transition;

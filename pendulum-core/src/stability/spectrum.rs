@@ -37,7 +37,7 @@ impl<const N: usize> Spectrum<N> {
     /// [`StabilityError::NotFinite`] if an entry is not finite, and [`StabilityError::NoConvergence`] if the algorithm
     /// does not converge.
     pub fn of(matrix: &SMatrix<f64, N, N>) -> Result<Self, StabilityError> {
-        let modes = modes(&DMatrix::from_column_slice(N, N, matrix.as_slice()))?;
+        let modes = pairs(&DMatrix::from_column_slice(N, N, matrix.as_slice()))?;
         let modes = modes.into_iter().map(|mode| mode.placed(|shape| shape)).collect();
         Ok(Self { modes })
     }
@@ -45,7 +45,7 @@ impl<const N: usize> Spectrum<N> {
     /// Like [`of`](Self::of), restricted to the invariant subspace spanned by the orthonormal columns of `basis`.
     pub(super) fn along(matrix: &SMatrix<f64, N, N>, basis: &DMatrix<f64>) -> Result<Self, StabilityError> {
         let lifted = basis.map(Complex::from);
-        let modes = modes(&(basis.transpose() * (matrix * basis)))?;
+        let modes = pairs(&(basis.transpose() * (matrix * basis)))?;
         let modes = modes
             .into_iter()
             .map(|mode| mode.placed(|shape| &lifted * shape))
@@ -88,13 +88,13 @@ impl<const N: usize> Eigenmode<N> {
     }
 }
 
-/// An eigenvalue with an eigenvector of any length.
+/// An eigenvalue with an eigenvector of any length and of unit norm; see [`Eigenmode`].
 #[derive(Clone, Debug)]
-struct Pair {
-    eigenvalue: Complex<f64>,
-    shape: DVector<Complex<f64>>,
+pub(crate) struct Pair {
+    pub(crate) eigenvalue: Complex<f64>,
+    pub(crate) shape: DVector<Complex<f64>>,
     condition: f64,
-    uncertainty: f64,
+    pub(crate) uncertainty: f64,
 }
 
 impl Pair {
@@ -114,8 +114,8 @@ impl Pair {
     }
 }
 
-/// Modes in descending order of the real part.
-fn modes(matrix: &DMatrix<f64>) -> Result<Vec<Pair>, StabilityError> {
+/// Modes in the order of [`Spectrum::modes`].
+pub(crate) fn pairs(matrix: &DMatrix<f64>) -> Result<Vec<Pair>, StabilityError> {
     if matrix.iter().any(|entry| !entry.is_finite()) {
         return Err(StabilityError::NotFinite);
     }

@@ -5,6 +5,7 @@
 mod auto;
 mod bifurcations;
 mod continuation;
+mod control;
 mod events;
 mod failures;
 mod hostile;

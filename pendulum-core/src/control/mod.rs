@@ -1,0 +1,56 @@
+//! Design of controllers: linear models, linear-quadratic regulators, Kalman filters, controllability, observability.
+//!
+//! A mechanism with inputs is linearized about an equilibrium, and weights of state and inputs give the law:
+//!
+//! ```
+//! use pendulum_core::control::linearize;
+//! use pendulum_core::prelude::*;
+//!
+//! mechanism! {
+//!     /// A pole on a cart; the angle is 0 upright.
+//!     pub CartPole {
+//!         input push: N,
+//!         gravity: [0, -9.81, 0],
+//!         body slider on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: push }
+//!         body rod on slider {
+//!             solids: [rod(0.2, [0, 0, 0], [0, 0.6, 0])], joint: revolute(z), coordinate: theta,
+//!         }
+//!     }
+//! }
+//!
+//! let model = CartPole::new(CartPoleParams {})?;
+//! let weights = SMatrix::from_diagonal(&[1.0, 10.0, 1.0, 1.0].into());
+//! let regulator = linearize(&model, 0.0, [0.0; 4], [0.0])?.lqr(&weights, &SMatrix::from([[0.1]]))?;
+//! let balanced = model.with_law(regulator.law);
+//! let end = Vern7::new().solve(&balanced, 0.0, 20.0, [0.0, 0.5, 0.0, 0.0])?.end();
+//! assert!(end.amax() < 1e-4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | | |
+//! |---|---|
+//! | [`linearize`] | `A`, `B` by the generated derivatives, `C`, `D` of [any outputs](StateSpace::with_outputs) |
+//! | [`StateSpace::discretize`] | the model from sample to sample, with inputs held between them |
+//! | [`StateSpace::lqr`] | the linear-quadratic regulator, continuous or sampled |
+//! | [`StateSpace::kalman`] | the stationary Kalman filter, continuous or sampled |
+//! | [`StateSpace::controllability`], [`StateSpace::observability`] | each mode with its margin, and the direction that is lost |
+//!
+//! A model that cannot be stabilized is an error with each mode that the inputs do not reach: its eigenvalue, and its
+//! direction in the names of the model.
+
+mod error;
+mod estimator;
+mod exponential;
+mod modes;
+mod reach;
+mod regulator;
+mod riccati;
+mod schur;
+mod state_space;
+mod weights;
+
+pub use error::ControlError;
+pub use estimator::Estimator;
+pub use modes::{LostMode, LostModes, ModeMargin, PbhTest};
+pub use regulator::{LinearLaw, Regulator};
+pub use state_space::{StateSpace, linearize};
