@@ -52,6 +52,11 @@ impl Mode {
 /// Length below which the part of a vector of unit length outside of a subspace counts as zero.
 pub(super) const NEGLIGIBLE: f64 = 1e-10;
 
+/// Entry of a matrix, relative to the largest in its row or column, that is put down to rounding errors.
+const NOISE: f64 = 1e-12;
+/// The same relative to the largest entry of the matrix.
+const LEAST: f64 = 1e-16;
+
 /// True if a mode of a matrix of norm `size` decays by more than rounding errors.
 pub(super) fn decays(mode: &Mode, size: f64, is_discrete: bool) -> bool {
     let margin = if is_discrete {
@@ -67,18 +72,10 @@ const ULPS: f64 = 100.0;
 
 /// Modes of `A` that the inputs do not reach by `B`: those of the quotient by the controllable subspace.
 ///
-/// A test by eigenvalues alone fails where a mode that is not reached shares its eigenvalue with one that is. The
-/// subspace is computed in the given units of the state and in those that balance `A`, and the larger one counts: units
-/// that differ by many orders of magnitude hide what is reached, and so does the balance of a nilpotent matrix. `None`
-/// if the eigenvalues do not converge.
+/// A test by eigenvalues alone fails where a mode that is not reached shares its eigenvalue with one that is. `None` if
+/// the eigenvalues do not converge.
 pub(super) fn unreached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Option<Vec<Mode>> {
-    let given = Separated::new(a, b, DVector::repeat(a.nrows(), 1.0));
-    let balanced = Separated::new(a, b, balance_parlett_reinsch(&mut a.clone()).map(f64::recip));
-    if given.reached < balanced.reached {
-        balanced.modes()
-    } else {
-        given.modes()
-    }
+    Separated::new(a, b).modes()
 }
 
 /// A matrix and an orthonormal basis whose first vectors span the controllable subspace.
@@ -94,10 +91,13 @@ struct Separated {
 
 impl Separated {
     /// The subspace grows by `A` times its last directions until nothing new is found, as in the staircase form (P. Van
-    /// Dooren, IEEE Trans. Autom. Control 26 (1981) 111). Each input is scaled to an effect of 1.
-    fn new(a: &DMatrix<f64>, b: &DMatrix<f64>, scales: DVector<f64>) -> Self {
+    /// Dooren, IEEE Trans. Autom. Control 26 (1981) 111). The state is balanced, and each input is scaled to an effect
+    /// of 1, since units that differ by many orders of magnitude hide what is reached. Rounding errors are removed
+    /// first: they would decide about the balance of a matrix without eigenvalues other than zero.
+    fn new(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Self {
         let n = a.nrows();
-        let a = DMatrix::from_fn(n, n, |i, j| a[(i, j)] * scales[i] / scales[j]);
+        let mut a = without_noise(a);
+        let scales = balance_parlett_reinsch(&mut a).map(f64::recip);
         let size = a.norm();
         let effects = b.column_iter().map(|column| column.component_mul(&scales));
         let mut columns: Vec<_> = effects
@@ -138,6 +138,21 @@ impl Separated {
         };
         Some(pairs(&quotient.transpose()).ok()?.into_iter().map(placed).collect())
     }
+}
+
+/// Replaces entries by zero that are as small as rounding errors.
+fn without_noise(a: &DMatrix<f64>) -> DMatrix<f64> {
+    let rows: Vec<f64> = a.row_iter().map(|row| row.amax()).collect();
+    let columns: Vec<f64> = a.column_iter().map(|column| column.amax()).collect();
+    let least = LEAST * a.amax();
+    DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| {
+        let noise = NOISE * rows[i].max(columns[j]);
+        if a[(i, j)].abs() > noise.max(least) {
+            a[(i, j)]
+        } else {
+            0.0
+        }
+    })
 }
 
 /// Extends an orthonormal basis by vectors, the longest remainder first, until all remainders are shorter than `least`.

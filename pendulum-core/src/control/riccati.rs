@@ -40,8 +40,12 @@ pub(super) enum Obstacle {
     NoConvergence(f64),
 }
 
-/// Most steps of Newton's method.
+/// Maximum number of sweeps over the rows of the balance.
+const SWEEPS: usize = 50;
+/// Maximum number of steps of Newton's method.
 const STEPS: usize = 12;
+/// Relative residual above which a step of Newton's method may increase it.
+const ROUGH: f64 = 1e-6;
 /// Relative residual above which the solution is refused.
 const REFUSED: f64 = 1e-10;
 
@@ -257,11 +261,6 @@ impl Problem {
         best
     }
 }
-
-/// Most sweeps over the rows in [`Problem::normalized`].
-const SWEEPS: usize = 50;
-/// Relative residual above which a step of Newton's method may increase it.
-const ROUGH: f64 = 1e-6;
 
 /// Directions that a positive semidefinite matrix weights, as columns of unit length.
 fn range(q: &DMatrix<f64>) -> DMatrix<f64> {
