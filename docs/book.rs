@@ -23,6 +23,7 @@ pages! {
     flip_map: "src/recipes/flip-map.md",
     experiment_design: "src/recipes/experiment-design.md",
     identification: "src/recipes/identification.md",
+    kalman_filter: "src/recipes/kalman-filter.md",
     linkages: "src/recipes/linkages.md",
     quadrotor: "src/recipes/quadrotor.md",
     magnets: "src/recipes/magnets.md",

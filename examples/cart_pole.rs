@@ -8,6 +8,7 @@ use std::path::Path;
 
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, GREEN, Picture, VERMILION};
+use pendulum_core::control::linearize;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::equilibrium;
 
@@ -26,26 +27,19 @@ mechanism! {
     }
 }
 
-type Matrix = SMatrix<f64, 4, 4>;
-type Gain = SMatrix<f64, 1, 4>;
-
 /// End time, in seconds.
 const T_END: f64 = 6.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let model = CartPole::new(CartPoleParams::default())?;
-    let upright = SVector::zeros();
-    let rest = CartPoleInputs { push: 0.0 };
-    let a = model.eval_with_jacobian(0.0, &upright, &rest).1;
-    let b = model.input_jacobian(0.0, &upright, &rest);
-    let weights = Matrix::from_diagonal(&[1.0, 10.0, 1.0, 1.0].into());
-    let k = lqr(&a, &b, &weights, 0.1).ok_or("the model cannot be balanced")?;
+    let weights = SMatrix::from_diagonal(&[1.0, 10.0, 1.0, 1.0].into());
+    let upright = linearize(&model, 0.0, [0.0; 4], [0.0])?;
+    let law = upright.lqr(&weights, &SMatrix::from([[0.1]]))?.law;
+    let k = law.gain;
     println!("push = -K x with K = {k:.3}");
 
-    let closed = model
-        .with_inputs(|_t, x| CartPoleInputs { push: -(k * x)[0] })
-        .with_derivative(|_t, _x| -k);
-    let balance = equilibrium(&closed, upright)?;
+    let closed = model.with_law(law);
+    let balance = equilibrium(&closed, upright.x0)?;
     println!("upright is {:?} with modes of", balance.stability());
     for mode in balance.spectrum.modes() {
         println!(
@@ -86,28 +80,4 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{}", path.display());
     }
     Ok(())
-}
-
-/// Gain `K` for which `u = -K x` minimises the integral of `x . Q x + r u^2`; `None` if there is no stabilising one.
-///
-/// The solution `P` of the Riccati equation follows from the sign of the Hamiltonian matrix (J. D. Roberts, Int. J.
-/// Control 32 (1980) 677).
-fn lqr(a: &Matrix, b: &SMatrix<f64, 4, 1>, q: &Matrix, r: f64) -> Option<Gain> {
-    let mut sign = SMatrix::<f64, 8, 8>::zeros();
-    sign.fixed_view_mut::<4, 4>(0, 0).copy_from(a);
-    sign.fixed_view_mut::<4, 4>(0, 4).copy_from(&(-b * b.transpose() / r));
-    sign.fixed_view_mut::<4, 4>(4, 0).copy_from(&-q);
-    sign.fixed_view_mut::<4, 4>(4, 4).copy_from(&-a.transpose());
-    for _ in 0..40 {
-        sign = 0.5 * (sign + sign.try_inverse()?);
-    }
-    // [W12; W22 + I] P = -[W11 + I; W21], by least squares.
-    let mut left = sign.fixed_columns::<4>(4).into_owned();
-    let mut right = -sign.fixed_columns::<4>(0);
-    for i in 0..4 {
-        left[(4 + i, i)] += 1.0;
-        right[(i, i)] -= 1.0;
-    }
-    let normal = (left.transpose() * left).cholesky()?;
-    Some(b.transpose() * normal.solve(&(left.transpose() * right)) / r)
 }

@@ -8,6 +8,7 @@ mod canonical;
 mod clamp;
 mod closed_loops;
 mod compile_errors;
+mod control;
 mod double_pendulum;
 mod drives;
 mod emitted_c;
