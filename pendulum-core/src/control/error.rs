@@ -78,7 +78,8 @@ impl<const N: usize> fmt::Display for ControlError<N> {
             ),
             Self::Sampled { period } => write!(
                 f,
-                "the model is already one from sample to sample, with a period of {period} s; discretize the continuous one"
+                "the model is already one from sample to sample, with a period of {period} s; discretize the \
+                 continuous one"
             ),
             Self::NotSymmetric {
                 what,
@@ -127,8 +128,8 @@ impl<const N: usize> fmt::Display for ControlError<N> {
             Self::NoConvergence { residual } => write!(
                 f,
                 "no stabilizing solution of the Riccati equation was found: its relative residual is {residual:.1e}; \
-                 some mode may be almost out of reach (see `StateSpace::controllability`), or the weights may differ by \
-                 too many orders of magnitude"
+                 some mode may be almost out of reach (see `StateSpace::controllability`), or the weights may differ \
+                 by too many orders of magnitude"
             ),
         }
     }

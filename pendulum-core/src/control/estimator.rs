@@ -11,8 +11,8 @@ use super::{ControlError, LostModes, StateSpace};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Estimator<const N: usize, const P: usize> {
-    /// The gain `L`, one column per output. With the estimate `z` of `x - x0`, and the output `e = y0 + C z + D du` that
-    /// it predicts:
+    /// The gain `L`, one column per output. With the estimate `z` of `x - x0`, and the output `e = y0 + C z + D du`
+    /// that it predicts:
     ///
     /// | | estimate |
     /// |---|---|
@@ -34,9 +34,9 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
     ///
     /// # Errors
     /// [`ControlError::NotSymmetric`] and [`ControlError::NotPositive`] unless `W` is symmetric and positive
-    /// semidefinite, and `V` is symmetric and positive definite. [`ControlError::Undetectable`] with each mode that does
-    /// not decay and that no output shows. [`ControlError::Undisturbed`] with each mode on the limit of stability that
-    /// the noise does not drive. [`ControlError::NotFinite`] and [`ControlError::NoConvergence`].
+    /// semidefinite, and `V` is symmetric and positive definite. [`ControlError::Undetectable`] with each mode that
+    /// does not decay and that no output shows. [`ControlError::Undisturbed`] with each mode on the limit of stability
+    /// that the noise does not drive. [`ControlError::NotFinite`] and [`ControlError::NoConvergence`].
     pub fn kalman(&self, w: &SMatrix<f64, N, N>, v: &SMatrix<f64, P, P>) -> Result<Estimator<N, P>, ControlError<N>> {
         self.require_finite()?;
         let (a, basis) = self.restricted();

@@ -33,7 +33,7 @@
 //! | [`StateSpace::discretize`] | the model from sample to sample, with inputs held between them |
 //! | [`StateSpace::lqr`] | the linear-quadratic regulator, continuous or sampled |
 //! | [`StateSpace::kalman`] | the stationary Kalman filter, continuous or sampled |
-//! | [`StateSpace::controllability`], [`StateSpace::observability`] | each mode with its margin, and the direction that is lost |
+//! | [`StateSpace::controllability`], [`StateSpace::observability`] | the margin of each mode, and what is lost |
 //!
 //! A model that cannot be stabilized is an error with each mode that the inputs do not reach: its eigenvalue, and its
 //! direction in the names of the model.

@@ -36,8 +36,8 @@ pub struct PbhTest<const N: usize> {
     /// Each mode with its margin, in the order of [`Spectrum::modes`](crate::stability::Spectrum::modes).
     pub margins: Vec<ModeMargin>,
     /// Modes that are lost, by a separation of the controllable or observable subspace, after scaling of states and
-    /// inputs to similar effects. A direction that is outside of it by less than 1e-10 counts as inside. An entry of `A`
-    /// counts as zero below 1e-12 of the largest in its row or column, or 1e-16 of the largest of all.
+    /// inputs to similar effects. A direction that is outside of it by less than 1e-10 counts as inside. An entry of
+    /// `A` counts as zero below 1e-12 of the largest in its row or column, or 1e-16 of the largest of all.
     pub lost: LostModes<N>,
 }
 

@@ -181,8 +181,8 @@ fn remove(direction: &DVector<f64>, vector: &mut DVector<f64>) {
     vector.axpy(-direction.dot(vector), direction, 1.0);
 }
 
-/// Smallest singular value of `[A - lambda I, B]` for each eigenvalue of `A`: the norm of the smallest change of `A` and
-/// `B` after which the inputs do not reach a mode with this eigenvalue.
+/// Smallest singular value of `[A - lambda I, B]` for each eigenvalue of `A`: the norm of the smallest change of `A`
+/// and `B` after which the inputs do not reach a mode with this eigenvalue.
 pub(super) fn margins(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Option<Vec<(Complex<f64>, f64)>> {
     let n = a.nrows();
     let margin = |pair: Pair| {

@@ -50,11 +50,11 @@ impl<const N: usize, const M: usize> InputLaw<N, M> for LinearLaw<N, M> {
 
 impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
     /// Linear-quadratic regulator: the law `u = u0 - K (x - x0)` that minimizes the integral of
-    /// `dx . Q dx + du . R du`, or the sum over the samples of a model with a [period](Self::period). The inputs of such
-    /// a law have to be held between samples.
+    /// `dx . Q dx + du . R du`, or the sum over the samples of a model with a [period](Self::period). The inputs of
+    /// such a law have to be held between samples.
     ///
-    /// The units of `Q` are those of a cost over squares of the state. Reciprocals of squares of the largest permissible
-    /// deviations are a good start (A. E. Bryson, Y.-C. Ho, "Applied Optimal Control" (1975), 5.2).
+    /// The units of `Q` are those of a cost over squares of the state. Reciprocals of squares of the largest
+    /// permissible deviations are a good start (A. E. Bryson, Y.-C. Ho, "Applied Optimal Control" (1975), 5.2).
     ///
     /// The stable subspace of the Hamiltonian matrix (A. J. Laub, IEEE Trans. Autom. Control 24 (1979) 913) gives a
     /// first solution of the Riccati equation, and Newton's method reduces its residual to rounding errors. A sampled

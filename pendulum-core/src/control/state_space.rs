@@ -202,8 +202,8 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
     /// 1179 for the exponential.
     ///
     /// # Errors
-    /// [`ControlError::Period`] if the period is not positive and finite, [`ControlError::Sampled`] if the model has one
-    /// already, and [`ControlError::NotFinite`] if an entry is not finite, as after growth over a long period.
+    /// [`ControlError::Period`] if the period is not positive and finite, [`ControlError::Sampled`] if the model has
+    /// one already, and [`ControlError::NotFinite`] if an entry is not finite, as after growth over a long period.
     pub fn discretize(&self, period: f64) -> Result<Self, ControlError<N>> {
         if let Some(period) = self.period {
             return Err(ControlError::Sampled { period });
