@@ -226,8 +226,7 @@ fn spent_by_radau<const N: usize>() -> Option<Operations> {
     let draws = (1..40).flat_map(|h| (1..60).map(move |given| (0.05 * f64::from(h), 0.02 * f64::from(given))));
     draws.into_iter().find_map(|(h, given)| {
         let model = Charged::<N>::new(1.0, given);
-        let mut scheme =
-            OneStep::<_, Counted, N>::scheme(&<RadauIIA>::default(), &model, Some(tolerance)).expect("valid");
+        let mut scheme = OneStep::<_, Counted, N>::scheme(&RadauIIA::<3, 1>, &model, Some(tolerance)).expect("valid");
         let hold = Hold::default();
         let mode = InMode::new(&model, &hold);
         let mut work = Statistics::default();

@@ -63,13 +63,13 @@ fn tried<const N: usize, const M: usize>(random: &mut Random, worst: &mut Worst,
     }
 }
 
-/// All 1,000 pairs, and as many for each of the other spreads of units, with `PENDULUM_THOROUGH` set.
+/// 1,008 pairs in units of four spreads with `PENDULUM_THOROUGH` set, and a ninth of them without.
 #[test]
 fn residuals_are_rounding_errors() {
     let rounds = if std::env::var_os("PENDULUM_THOROUGH").is_some() {
-        36
+        9
     } else {
-        2
+        1
     };
     for rough in [0.0, 1.0, 2.0, 3.0] {
         let (mut worst, mut random) = (Worst::default(), Random(1));
