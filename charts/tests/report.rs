@@ -171,7 +171,7 @@ fn text_stays_text() {
         assert!(html.contains(&format!("<{tag}>{written}</{tag}>")), "{tag}");
     }
     assert!(html.contains("<p><code>a&lt;b></code> &amp; more</p>"));
-    assert!(html.contains("<tr><td>a</td><td><code>b&lt;c</code></td></tr>\n<tr><td>1</td><td>2</td></tr>"));
+    assert!(html.contains("<tr><th>a</th><th><code>b&lt;c</code></th></tr>\n<tr><td>1</td><td>2</td></tr>"));
 }
 
 #[test]

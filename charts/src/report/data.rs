@@ -1,6 +1,6 @@
 //! Data of charts, as `report.js` reads it.
 //!
-//! Places of points are those of the axes: logarithms on all but linear ones.
+//! Coordinates are those of the axes: values, logarithms on `Decades`, negated ones on `Falling`.
 
 use serde_json::{Value, json};
 
@@ -97,7 +97,14 @@ impl Key {
         let points = curve.points.iter().map(|&(x, y)| json!([short(x, 7), short(y, 7)]));
         let points: Vec<Value> = points.collect();
         let line = self.line(curve.line);
-        json!({ "name": name, "label": curve.label, "entry": entry, "line": line, "points": points, "notes": curve.notes })
+        json!({
+            "name": name,
+            "label": curve.label,
+            "entry": entry,
+            "line": line,
+            "points": points,
+            "notes": curve.notes,
+        })
     }
 
     /// Entry of a curve in the legend: that of its name, or else of its line. Others are added, but for single points,

@@ -1,6 +1,6 @@
 //! Reports: pages in the style of the page in `web`, on whose charts hovering, a tap or the arrow keys show values.
 //!
-//! A page is one file, which asks for nothing from elsewhere. It carries the data of its charts, and `report.js` draws
+//! A page is one file, which loads nothing else. It carries the data of its charts, and `report.js` draws
 //! them in the size and the colours of the screen.
 
 mod data;
@@ -40,18 +40,22 @@ impl Report {
         self.with(&format!("<p>{}</p>", with_code(text)))
     }
 
-    /// Adds a table in Markdown.
+    /// Adds a table in Markdown: a row of headings, a rule, and rows of cells.
     #[must_use]
     pub fn table(self, markdown: &str) -> Self {
-        let rows = markdown.lines().filter(|line| !line.starts_with("|---"));
-        let row = |line: &str| {
+        let row = |line: &str, tag: &str| {
             let cells = line.trim_start_matches('|').trim_end_matches('|').split('|');
             let cells: String = cells
-                .map(|cell| format!("<td>{}</td>", with_code(cell.trim())))
+                .map(|cell| format!("<{tag}>{}</{tag}>", with_code(cell.trim())))
                 .collect();
             format!("<tr>{cells}</tr>\n")
         };
-        let rows: String = rows.map(row).collect();
+        let rows: String = markdown
+            .lines()
+            .enumerate()
+            .filter(|&(n, _)| n != 1)
+            .map(|(n, line)| row(line, if n == 0 { "th" } else { "td" }))
+            .collect();
         self.with(&format!("<div class=\"wide\"><table>\n{rows}</table></div>"))
     }
 
@@ -115,7 +119,7 @@ impl Report {
     }
 }
 
-/// Colours, letters and controls of all pages.
+/// Colours, fonts and controls of all pages.
 const LOOK: &str = include_str!("../../../web/page/look.css");
 const STYLE: &str = include_str!("report.css");
 const SCRIPT: &str = include_str!("report.js");

@@ -41,6 +41,7 @@ function digits(value) {
 /** Number that stands at a place of an axis, as text. */
 function number({ scale }, place) {
   if (Number.isNaN(place)) return "none";
+  if (!Number.isFinite(place)) return place > 0 ? "∞" : "−∞";
   return digits(scale === "linear" ? place : 10 ** (scale === "falling" ? -place : place));
 }
 
@@ -253,7 +254,7 @@ class Panel {
     if (lifted !== chosen?.curve) this.draw();
     this.mark.hidden = this.values.hidden = !chosen;
     if (!chosen) return;
-    const { name, rows, note } = this.told();
+    const { name, rows, note } = this.described();
     const line = chosen.curve && symbol(this.chart.lines[chosen.curve.line]).canvas;
     this.values.replaceChildren(
       ...(name ? [element("strong", {}, ...(line ? [line] : []), name)] : []),
@@ -265,7 +266,7 @@ class Panel {
   }
 
   /** Name, values with their labels, and note of the choice. */
-  told() {
+  described() {
     const { x, y, map } = this.data;
     if (map) {
       const [column, row] = [this.chosen.column, this.chosen.row];

@@ -9,8 +9,8 @@ use crate::real::Float;
 use crate::tableau::{Eigenpair, Eigenpairs};
 
 /// Factored matrix of the iteration, `G d_i - h sum_j a_ij F d_j`. The eigenvectors of `a_ij` decouple the stages,
-/// which leaves a real and complex matrices of the size of the state (E. Hairer, G. Wanner, "Solving Ordinary
-/// Differential Equations II", IV.8).
+/// which leaves a complex matrix of the size of the state per pair, and for an odd number of stages a real one
+/// (E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II", IV.8).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pencil<T, const STAGES: usize, const PAIRS: usize, const N: usize> {
     real: Option<Lu<T, N>>,
@@ -55,8 +55,8 @@ impl<T: Float, const STAGES: usize, const PAIRS: usize, const N: usize> Pencil<T
         PAIRS + usize::from(self.real.is_some())
     }
 
-    /// Solves for the `d_i` that the matrix maps to the residuals `r_i`. `active` is an argument, and not stored, so that
-    /// it is a constant to the compiler.
+    /// Solves for the `d_i` that the matrix maps to the residuals `r_i`. `active` is an argument, and not stored, so
+    /// that it is a constant to the compiler.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn solve(
         &self,

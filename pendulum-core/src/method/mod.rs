@@ -311,8 +311,8 @@ pub type Radau9 = Adaptive<RadauIIA<5, 2>>;
 /// The method Radau IIA of order 13, for stiff systems and the tightest tolerances; see [`Adaptive`] for its settings,
 /// and [`RadauIIA`].
 ///
-/// Seven evaluations an iteration; dense output and error estimate of order 7. At loose tolerances the iterations of its
-/// long steps converge slowly or not at all.
+/// Seven evaluations an iteration; dense output and error estimate of order 7. At loose tolerances the iterations of
+/// its long steps converge slowly or not at all.
 pub type Radau13 = Adaptive<RadauIIA<7, 3>>;
 
 /// The Gauss-Legendre method of order 4 in canonical variables, with a fixed step; see [`Gauss`].

@@ -123,6 +123,7 @@ where
             tolerance,
             start: zero,
             end: zero,
+            next: None,
             matrix: Matrix {
                 jacobian: SMatrix::from_element(T::default()),
                 is_current: false,
@@ -150,6 +151,8 @@ pub struct RadauStages<T, const STAGES: usize, const PAIRS: usize, const N: usiz
     start: SVector<T, N>,
     /// Derivative at the end of the last attempt.
     end: SVector<T, N>,
+    /// Jacobian at the end of the last attempt, unless the present one serves the next step as well.
+    next: Option<SMatrix<T, N, N>>,
     matrix: Matrix<T, STAGES, PAIRS, N>,
     iteration: Iteration<T, STAGES, N>,
     /// True for the first step, and after a rejected one.
@@ -180,8 +183,14 @@ where
         work.evaluations += 1;
         work.jacobians += 1;
         let (slope, jacobian) = system.rhs_and_jacobian(t, x);
-        (self.jacobian, self.is_current, self.factored) = (jacobian, true, None);
+        self.set(jacobian);
         slope
+    }
+
+    /// Continues with the Jacobian at the start of the next step.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn set(&mut self, jacobian: SMatrix<T, N, N>) {
+        (self.jacobian, self.is_current, self.factored) = (jacobian, true, None);
     }
 
     /// Factors the matrix for a step of length `h`, unless it has been for the same length.
@@ -432,13 +441,17 @@ where
         } = self;
         let h = t_new - t;
         let solved = loop {
-            let pencil = matrix.factor(h, system.active(), work)?;
-            iteration.predict::<PAIRS>(h);
-            let step = ((t, x), t_new);
-            let solved = if const { N <= SHORT } {
-                iteration.solve(system, step, *tolerance, pencil, work)
-            } else {
-                iteration.solve(&Called(system), step, *tolerance, pencil, work)
+            let solved = match matrix.factor(h, system.active(), work) {
+                Ok(pencil) => {
+                    iteration.predict::<PAIRS>(h);
+                    let step = ((t, x), t_new);
+                    if const { N <= SHORT } {
+                        iteration.solve(system, step, *tolerance, pencil, work)
+                    } else {
+                        iteration.solve(&Called(system), step, *tolerance, pencil, work)
+                    }
+                }
+                Err(stalled) => Err(stalled),
             };
             if solved.is_ok() || matrix.is_current {
                 break solved;
@@ -464,13 +477,14 @@ where
     ) -> Option<&SVector<T, N>> {
         // steps of fixed length are solved to the level of rounding, where slow convergence would leave an error
         let is_slow = self.tolerance.is_none() || self.iteration.rate > T::from_f64(KEEPS_JACOBIAN);
-        self.end = if is_slow {
-            self.matrix.renew(system, t, x, work)
+        work.evaluations += 1;
+        if is_slow {
+            work.jacobians += 1;
+            let (slope, jacobian) = system.rhs_and_jacobian(t, x);
+            (self.end, self.next) = (slope, Some(jacobian));
         } else {
-            self.matrix.is_current = false;
-            work.evaluations += 1;
-            system.rhs(t, x)
-        };
+            (self.end, self.next) = (system.rhs(t, x), None);
+        }
         Some(&self.end)
     }
 
@@ -482,6 +496,10 @@ where
         let powers = const { &Self::TABLEAU.powers };
         *coefficients = core::array::from_fn(|power| combined(&powers[power], rises));
         *h = step.h;
+        match self.next {
+            Some(jacobian) => self.matrix.set(jacobian),
+            None => self.matrix.is_current = false,
+        }
         (self.start, self.is_doubtful) = (self.end, false);
     }
 

@@ -156,8 +156,8 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
             let t_new = control.plan(&mut pace.h, (t, self.t1), steps, proposed.take())?;
             let outcome = self.attempt_and_advance(model, t_new, is_within_tolerance);
             let failure = outcome.err();
-            let choice = (C::PROPOSES, self.scheme.keeps_length());
-            let verdict = control.judge(&mut pace, (t, t_new), outcome, choice);
+            let kept = self.scheme.keeps_length();
+            let verdict = control.judge(&mut pace, (t, t_new), outcome, C::PROPOSES, kept);
             if let Ok(true) = verdict {
                 if let Steps::Controlled { pace: before, .. } = &mut self.steps {
                     *before = pace;

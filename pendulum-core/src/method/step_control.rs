@@ -139,7 +139,7 @@ impl<T: Float> StepControl<T> {
     }
 
     /// Decides from the mean square of its error if the step from `t` to `t_new` is accepted, and chooses the length of
-    /// the next attempt.
+    /// the next attempt: the same if the change is within the range `kept`.
     ///
     /// # Errors
     /// The reason to stop, if the next attempt would be shorter than the minimum step.
@@ -149,7 +149,8 @@ impl<T: Float> StepControl<T> {
         pace: &mut Pace<T>,
         (t, t_new): (T, T),
         outcome: Result<T, StepFailure>,
-        (method_proposes, kept): (bool, (f64, f64)),
+        method_proposes: bool,
+        kept: (f64, f64),
     ) -> Result<bool, Reason> {
         let mean_square = outcome.unwrap_or(T::from_f64(f64::NAN));
         let judged = self.judged(&mut pace.controller, (t, t_new), mean_square, method_proposes);
@@ -319,17 +320,17 @@ mod tests {
         assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(5.0)).h, 5.0);
         assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(500.0)).h, 100.0);
         assert_eq!(
-            CONTROL.judge(&mut pace, (0.0, 5.0), Ok(0.0), (true, (1.0, 1.0))),
+            CONTROL.judge(&mut pace, (0.0, 5.0), Ok(0.0), true, (1.0, 1.0)),
             Ok(true)
         );
         assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(500.0)).h, 10.0);
         assert_eq!(
-            CONTROL.judge(&mut pace, (5.0, 15.0), Ok(1e9), (true, (1.0, 1.0))),
+            CONTROL.judge(&mut pace, (5.0, 15.0), Ok(1e9), true, (1.0, 1.0)),
             Ok(false)
         );
         assert_eq!(pace.h, 2.0, "a rejected one is shortened like any other");
         assert_eq!(
-            CONTROL.judge(&mut pace, (5.0, 7.0), Ok(1e-9), (false, (1.0, 1.0))),
+            CONTROL.judge(&mut pace, (5.0, 7.0), Ok(1e-9), false, (1.0, 1.0)),
             Ok(true)
         );
         assert_eq!(pace.h, 2.0, "without proposals there is no growth after a rejection");
@@ -341,7 +342,7 @@ mod tests {
             let mut pace = CONTROL.start();
             pace.set_order(order);
             assert_eq!(
-                CONTROL.judge(&mut pace, (0.0, 1.0), Ok(4.0), (false, (1.0, 1.0))),
+                CONTROL.judge(&mut pace, (0.0, 1.0), Ok(4.0), false, (1.0, 1.0)),
                 Ok(false)
             );
             // 0.9 e^-alpha for an error of 2
@@ -377,8 +378,7 @@ mod tests {
     #[test]
     fn an_attempt_is_hopeless_if_the_next_would_be_too_short() {
         let control = StepControl { h_min: 0.5, ..CONTROL };
-        let judge =
-            |t_new: f64, outcome| control.judge(&mut control.start(), (3.0, t_new), outcome, (false, (1.0, 1.0)));
+        let judge = |t_new: f64, outcome| control.judge(&mut control.start(), (3.0, t_new), outcome, false, (1.0, 1.0));
         // a large error shortens the next attempt to a fifth, a failed one to a quarter
         assert_eq!(judge(5.5, Ok(1e9)), Ok(false));
         assert_eq!(judge(0.5, Ok(1e9)), Ok(false));
@@ -390,7 +390,7 @@ mod tests {
         let mut pace = control.start();
         assert_eq!(
             (
-                control.judge(&mut pace, (3.0, 83.0), Ok(0.0), (false, (1.0, 1.0))),
+                control.judge(&mut pace, (3.0, 83.0), Ok(0.0), false, (1.0, 1.0)),
                 pace.h
             ),
             (Ok(true), 100.0)

@@ -73,7 +73,7 @@ mod tests {
             let is_within = found.iter().zip(&most).all(|(found, most)| found <= most);
             assert!(is_within, "{found:?}, and not {most:?}");
         };
-        // some rounding errors of numbers up to 1, of the eigenvectors (4, 29 and 157), and of the polynomials' coefficients
+        // some rounding errors of numbers up to 1, of eigenvectors, and of the coefficients of polynomials
         within(worst(&radau_iia5::TABLEAU), [3e-16, 2e-15, 2e-14]);
         within(worst(&radau_iia9::TABLEAU), [3e-16, 1e-14, 1e-12]);
         within(worst(&radau_iia13::TABLEAU), [3e-16, 1e-13, 2e-11]);

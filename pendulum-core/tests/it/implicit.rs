@@ -288,7 +288,7 @@ fn relaxation_of_van_der_pol() {
 }
 
 /// The Jacobian serves several steps, and a step that hardly changes in length has the matrix of the last one. SciPy's
-/// Radau, of order 5, takes 855 Jacobians and 1984 factorizations.
+/// Radau, of order 5, takes 855 Jacobians and 1984 factorizations. Real and complex matrices count as one each.
 #[test]
 fn matrices_are_kept_along_the_relaxation_of_van_der_pol() {
     const EPSILON: f64 = 1e-6;
@@ -309,9 +309,9 @@ fn matrices_are_kept_along_the_relaxation_of_van_der_pol() {
         assert!(error < 1e-9, "{error:e}");
         assert!(work.jacobians <= most[0] && work.factorizations <= most[1], "{work:?}");
     }
-    check(Radau5::new().rtol(1e-9).atol(1e-9), &oscillator, [900, 3000]);
-    check(Radau9::new().rtol(1e-9).atol(1e-9), &oscillator, [400, 1500]);
-    check(Radau13::new().rtol(1e-9).atol(1e-9), &oscillator, [250, 1500]);
+    check(Radau5::new().rtol(1e-9).atol(1e-9), &oscillator, [900, 2600]);
+    check(Radau9::new().rtol(1e-9).atol(1e-9), &oscillator, [320, 1500]);
+    check(Radau13::new().rtol(1e-9).atol(1e-9), &oscillator, [190, 1400]);
 }
 
 #[test]

@@ -7,39 +7,9 @@ use crate::methods::Measurement;
 use crate::scenes::Scene;
 use crate::simpler::Simpler;
 
-/// Text above each chart.
-const TEXTS: [(&str, &str); 5] = [
-    (
-        "methods",
-        "Operations are the additions and multiplications of the model and of the method, counted one by one: those of \
-        power series and of linear systems, too. The control of the step size is not counted.",
-    ),
-    (
-        "lanes",
-        "With AVX-512 eight trajectories share a register, with AVX2 four. Each takes its own steps, and ends bit for \
-        bit where it ends alone.",
-    ),
-    (
-        "dense_and_energy",
-        "Methods differ in their accuracy between the steps: the dense output of `Vern9` stops at 1e-13, because its \
-        weights are large and of both signs. The energy of the small swing is a small difference of large numbers: \
-        rounding stops it at 1e-12.",
-    ),
-    (
-        "stiff",
-        "Friction forces short steps on explicit methods, whatever the tolerance. `Auto` notices and switches to an \
-        implicit method.",
-    ),
-    (
-        "simpler_models",
-        "Where the linear model is good enough, the state at any time is one product with a matrix: nanoseconds \
-        instead of microseconds. Leaving out friction saves no time.",
-    ),
-];
-
-/// Writes the page around the charts, which have their file names.
+/// Writes the page around the charts, which have their file names and the text above them.
 pub(crate) fn page(
-    charts: &[(&str, Figure)],
+    charts: &[(&str, &str, Figure)],
     scenes: &[(&Scene, Measurement)],
     simpler: &Simpler,
     table: &str,
@@ -49,11 +19,8 @@ pub(crate) fn page(
         on one core. Errors are those of the largest component of the state. Runs that failed have no dot; the lists \
         below say why. Errors below 1e-17 are drawn at the edge.",
     );
-    for (stem, chart) in charts {
-        for (_, text) in TEXTS.iter().filter(|(of, _)| of == stem) {
-            page = page.text(text);
-        }
-        page = page.chart(chart);
+    for (_, text, chart) in charts {
+        page = page.text(text).chart(chart);
     }
     page = page.heading("Time to reach an error");
     for block in table.split("\n\n") {
