@@ -17,6 +17,16 @@ pub enum ControlError<const N: usize> {
         /// Name of the matrix or vector.
         what: &'static str,
     },
+    /// A matrix has an entry whose square is too large for a number.
+    TooLarge {
+        /// Name of the matrix.
+        what: &'static str,
+    },
+    /// The model grows too much over a sampling period.
+    Growth {
+        /// The period in s.
+        period: f64,
+    },
     /// The sampling period is not a positive number.
     Period(f64),
     /// The model is already one from sample to sample.
@@ -44,10 +54,12 @@ pub enum ControlError<const N: usize> {
     },
     /// The state about which the model is linearized is no equilibrium.
     NotAtRest {
-        /// Name of the component that changes fastest.
+        /// Name of the component that is furthest from rest.
         component: String,
-        /// Its rate.
+        /// Its rate, or its change per sample.
         rate: f64,
+        /// Sampling period in s; `None` for a continuous model.
+        period: Option<f64>,
     },
     /// No input acts on some modes that do not decay. The directions are left eigenvectors `w`: the inputs do not
     /// change `w . x`.
@@ -68,17 +80,33 @@ pub enum ControlError<const N: usize> {
 impl<const N: usize> fmt::Display for ControlError<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::NotFinite {
+                what: what @ ("Q" | "R" | "W" | "V"),
+            } => write!(
+                f,
+                "{what} has an entry that is infinite or NaN\nhelp: pass finite weights and covariances"
+            ),
             Self::NotFinite { what } => write!(
                 f,
-                "{what} has an entry that is infinite or NaN; check the parameters and the state, which may be singular"
+                "{what} has an entry that is infinite or NaN\nhelp: check the parameters and the state, which may be \
+                 singular"
+            ),
+            Self::TooLarge { what } => write!(
+                f,
+                "{what} has entries above 1e150, whose squares overflow\nhelp: use other units, or check the \
+                 parameters and the state, which may be singular"
+            ),
+            Self::Growth { period } => write!(
+                f,
+                "the model grows beyond the range of numbers within {period} s\nhelp: use a shorter period"
             ),
             Self::Period(period) => write!(
                 f,
-                "the sampling period is {period} s; it has to be positive and finite, such as 0.001"
+                "the sampling period is {period} s\nhelp: use a positive and finite one, such as 0.001"
             ),
             Self::Sampled { period } => write!(
                 f,
-                "the model is already one from sample to sample, with a period of {period} s; discretize the \
+                "the model is already one from sample to sample, with a period of {period} s\nhelp: discretize the \
                  continuous one"
             ),
             Self::NotSymmetric {
@@ -87,7 +115,7 @@ impl<const N: usize> fmt::Display for ControlError<N> {
                 values: [value, mirrored],
             } => write!(
                 f,
-                "{what} is not symmetric: entry ({i}, {j}) is {value}, and entry ({j}, {i}) is {mirrored}; use \
+                "{what} is not symmetric: entry ({i}, {j}) is {value}, and entry ({j}, {i}) is {mirrored}\nhelp: use \
                  ({what} + {what}^T) / 2"
             ),
             Self::NotPositive {
@@ -99,40 +127,76 @@ impl<const N: usize> fmt::Display for ControlError<N> {
                 write!(
                     f,
                     "{what} is not positive {kind}definite: with its diagonal scaled to 1, its smallest eigenvalue is \
-                     {eigenvalue:.3e}; use a diagonal matrix with entries {least}, or C^T W C with such a W"
+                     {eigenvalue:.3e}\nhelp: use a diagonal matrix with entries {least}, or C^T W C with such a W"
                 )
             }
-            Self::NotAtRest { component, rate } => write!(
-                f,
-                "the state is no equilibrium: the rate of {component} is {rate:.3e}; start from one found by \
-                 `stability::equilibrium`, or pass the inputs that hold the state; for a steady motion, design with \
-                 `StateSpace::new(model.a, model.b)`"
-            ),
-            Self::Unstabilizable(modes) => write!(
-                f,
-                "no input acts on {modes}, so the model cannot be stabilized; add an input that acts along it, fix the \
-                 joint, or give it friction"
-            ),
-            Self::Unweighted(modes) => write!(
-                f,
-                "the cost does not depend on {modes}, which does not decay by itself; give its components a weight in Q"
-            ),
-            Self::Undetectable(modes) => write!(
-                f,
-                "no output shows {modes}, so it cannot be estimated; add an output that depends on it"
-            ),
-            Self::Undisturbed(modes) => write!(
-                f,
-                "the process noise does not drive {modes}, which does not decay by itself; give it noise in W"
-            ),
+            Self::NotAtRest {
+                component,
+                rate,
+                period,
+            } => {
+                match period {
+                    None => write!(f, "the state is no equilibrium: the rate of {component} is {rate:.3e}")?,
+                    Some(_) => write!(
+                        f,
+                        "the state is no equilibrium: {component} changes by {rate:.3e} per sample"
+                    )?,
+                }
+                f.write_str(
+                    "\nhelp: start from an equilibrium found by `stability::equilibrium`, or pass the inputs that hold \
+                     the state; for deviations from a steady motion, design with `model.without_drift()`",
+                )
+            }
+            Self::Unstabilizable(modes) => {
+                let them = if modes.modes.len() == 1 { "it" } else { "them" };
+                write!(
+                    f,
+                    "the model cannot be stabilized: no input acts on {modes}\nhelp: add an input that acts along \
+                     {them}, fix the joint, or give it friction"
+                )
+            }
+            Self::Unweighted(modes) => {
+                let (do_not, themselves, their) = words(modes);
+                write!(
+                    f,
+                    "the cost does not depend on {modes}, which {do_not} decay by {themselves}\nhelp: give {their} \
+                     components a weight in Q"
+                )
+            }
+            Self::Undetectable(modes) => {
+                let (they, them) = match modes.modes.len() {
+                    1 => ("it", "it"),
+                    _ => ("they", "them"),
+                };
+                write!(
+                    f,
+                    "no output shows {modes}, so {they} cannot be estimated\nhelp: add an output that depends on {them}"
+                )
+            }
+            Self::Undisturbed(modes) => {
+                let (do_not, themselves, their) = words(modes);
+                write!(
+                    f,
+                    "the process noise does not drive {modes}, which {do_not} decay by {themselves}\nhelp: give {their} \
+                     components noise in W"
+                )
+            }
             Self::NoConvergence { residual } => write!(
                 f,
-                "no stabilizing solution of the Riccati equation was found: its relative residual is {residual:.1e}; \
-                 some mode may be almost out of reach (see `StateSpace::controllability`), or the weights may differ \
-                 by too many orders of magnitude"
+                "no stabilizing solution of the Riccati equation was found: its relative residual is {residual:.1e}\n\
+                 help: check `StateSpace::controllability` and `StateSpace::observability` for a mode that is almost \
+                 lost, and use weights that differ by fewer orders of magnitude"
             ),
         }
     }
 }
 
 impl<const N: usize> Error for ControlError<N> {}
+
+/// Words about one mode, or several.
+fn words<const N: usize>(modes: &LostModes<N>) -> (&'static str, &'static str, &'static str) {
+    match modes.modes.len() {
+        1 => ("does not", "itself", "its"),
+        _ => ("do not", "themselves", "their"),
+    }
+}

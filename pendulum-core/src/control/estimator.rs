@@ -2,6 +2,7 @@
 
 use nalgebra::{Complex, DMatrix, SMatrix};
 
+use super::reach::without_idle;
 use super::riccati::{Obstacle, Problem};
 use super::state_space::along;
 use super::weights::weights;
@@ -16,8 +17,8 @@ pub struct Estimator<const N: usize, const P: usize> {
     ///
     /// | | estimate |
     /// |---|---|
-    /// | continuous | `z' = A z + B du + L (y - e)` |
-    /// | sampled | correction by the measurement, `z + L (y - e)`; prediction of the next sample, `A z + B du` |
+    /// | continuous | `z' = A z + B du + drift + L (y - e)` |
+    /// | sampled | correction by the measurement, `z + L (y - e)`; prediction of the next sample, `A z + B du + drift` |
     pub gain: SMatrix<f64, N, P>,
     /// Covariance of the error of the estimate; for a sampled model, that of the prediction, before the correction.
     pub covariance: SMatrix<f64, N, N>,
@@ -36,13 +37,14 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
     /// [`ControlError::NotSymmetric`] and [`ControlError::NotPositive`] unless `W` is symmetric and positive
     /// semidefinite, and `V` is symmetric and positive definite. [`ControlError::Undetectable`] with each mode that
     /// does not decay and that no output shows. [`ControlError::Undisturbed`] with each mode on the limit of stability
-    /// that the noise does not drive. [`ControlError::NotFinite`] and [`ControlError::NoConvergence`].
+    /// that the noise does not drive. [`ControlError::NotFinite`], [`ControlError::TooLarge`] and
+    /// [`ControlError::NoConvergence`].
     pub fn kalman(&self, w: &SMatrix<f64, N, N>, v: &SMatrix<f64, P, P>) -> Result<Estimator<N, P>, ControlError<N>> {
         self.require_finite()?;
         let (a, basis) = self.restricted();
         let problem = Problem {
+            b: without_idle(&a.transpose(), &along(&basis, &self.c.transpose())),
             a: a.transpose(),
-            b: along(&basis, &self.c.transpose()),
             q: basis.transpose() * weights("W", w, false)? * &basis,
             r: weights("V", v, true)?,
             is_discrete: self.period.is_some(),

@@ -27,9 +27,14 @@ const HALVINGS: f64 = 64.0;
 
 /// Exponential of a square matrix, not finite if it overflows: scaling and squaring of a balanced matrix.
 ///
-/// N. J. Higham, SIAM J. Matrix Anal. Appl. 26 (2005) 1179. `None` if a linear system is singular.
+/// N. J. Higham, SIAM J. Matrix Anal. Appl. 26 (2005) 1179. `None` if a linear system is singular, or squares of
+/// the entries overflow.
 pub(super) fn exponential(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let n = matrix.nrows();
+    // The balance of a matrix with an infinite norm does not end.
+    if !matrix.norm_squared().is_finite() {
+        return None;
+    }
     let mut balanced = matrix.clone();
     let scales = balance_parlett_reinsch(&mut balanced);
     let norm = balanced

@@ -37,7 +37,8 @@ pub struct PbhTest<const N: usize> {
     pub margins: Vec<ModeMargin>,
     /// Modes that are lost, by a separation of the controllable or observable subspace, after scaling of states and
     /// inputs to similar effects. A direction that is outside of it by less than 1e-10 counts as inside. An entry of
-    /// `A` counts as zero below 1e-12 of the largest in its row or column, or 1e-16 of the largest of all.
+    /// `A` counts as zero below 1e-12 of the largest in its row or column, or 1e-16 of the largest of all, and an input
+    /// or output whose scaled effect is below 1e-16 of the largest one counts as absent.
     pub lost: LostModes<N>,
 }
 
@@ -93,6 +94,24 @@ impl<const N: usize> LostModes<N> {
 /// Ratio to the largest component below which components are left out of messages.
 const SHOWN: f64 = 1e-3;
 
+/// Parts of eigenvalues below this are rounding errors in messages, in 1/s or relative to the eigenvalue.
+const ZERO_RATE: f64 = 1e-12;
+
+/// A number with 3 significant digits at most.
+struct Short(f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rounded = format!("{:.2e}", self.0).parse().unwrap_or(self.0);
+        // Zero has no sign.
+        match f64::abs(rounded) {
+            0.0 => f.write_str("0"),
+            1e-3..1e4 => write!(f, "{rounded}"),
+            _ => write!(f, "{rounded:e}"),
+        }
+    }
+}
+
 /// "1 mode: 3.13 1/s along theta + 0.319 dot(theta)"; the second one of a complex pair is left out.
 impl<const N: usize> fmt::Display for LostModes<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -106,10 +125,12 @@ impl<const N: usize> fmt::Display for LostModes<N> {
         for (n, mode) in self.modes.iter().filter(|mode| mode.eigenvalue.im >= 0.0).enumerate() {
             let separator = if n == 0 { ":" } else { "," };
             let Complex { re, im } = mode.eigenvalue;
+            let least = ZERO_RATE * mode.eigenvalue.norm().max(1.0);
+            let [re, im] = [re, im].map(|part| if part.abs() < least { 0.0 } else { part });
             if im == 0.0 {
-                write!(f, "{separator} {re:.4}{unit} along ")?;
+                write!(f, "{separator} {}{unit} along ", Short(re))?;
             } else {
-                write!(f, "{separator} ({re:.4} +- {im:.4}i){unit} along ")?;
+                write!(f, "{separator} ({} +- {}i){unit} along ", Short(re), Short(im))?;
             }
             self.direction(f, &mode.direction)?;
         }
@@ -132,9 +153,11 @@ impl<const N: usize> LostModes<N> {
             };
             f.write_str(sign)?;
             if im.abs() >= SHOWN {
-                write!(f, "({re:.3}{im:+.3}i) ")?;
+                let re = if re.abs() < SHOWN { 0.0 } else { re };
+                let sign = if im < 0.0 { "-" } else { "+" };
+                write!(f, "({}{sign}{}i) ", Short(re), Short(im.abs()))?;
             } else if (re.abs() - 1.0).abs() >= SHOWN {
-                write!(f, "{:.3} ", re.abs())?;
+                write!(f, "{} ", Short(re.abs()))?;
             }
             match self.names.get(index) {
                 Some(name) => f.write_str(name)?,

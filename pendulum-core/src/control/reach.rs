@@ -54,7 +54,7 @@ pub(super) const NEGLIGIBLE: f64 = 1e-10;
 
 /// Entry of a matrix, relative to the largest in its row or column, that is put down to rounding errors.
 const NOISE: f64 = 1e-12;
-/// The same relative to the largest entry of the matrix.
+/// The same relative to the largest entry of the matrix, and for the effect of an input, relative to the largest one.
 const LEAST: f64 = 1e-16;
 
 /// True if a mode of a matrix of norm `size` decays by more than rounding errors.
@@ -153,6 +153,22 @@ fn without_noise(a: &DMatrix<f64>) -> DMatrix<f64> {
             0.0
         }
     })
+}
+
+/// Replaces columns of `B` by zero whose effect on the balanced state is a rounding error beside the largest one, as
+/// that of torques that cancel.
+pub(super) fn without_idle(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let scales = balance_parlett_reinsch(&mut without_noise(a)).map(f64::recip);
+    let effects: Vec<f64> = b
+        .column_iter()
+        .map(|column| column.component_mul(&scales).norm())
+        .collect();
+    let least = LEAST * effects.iter().copied().fold(0.0, f64::max);
+    DMatrix::from_fn(
+        b.nrows(),
+        b.ncols(),
+        |i, j| if effects[j] > least { b[(i, j)] } else { 0.0 },
+    )
 }
 
 /// Extends an orthonormal basis by vectors, the longest remainder first, until all remainders are shorter than `least`.

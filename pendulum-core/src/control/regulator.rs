@@ -2,6 +2,7 @@
 
 use nalgebra::{Complex, DMatrix, SMatrix, SVector};
 
+use super::reach::without_idle;
 use super::riccati::{Obstacle, Problem};
 use super::state_space::along;
 use super::weights::weights;
@@ -76,14 +77,15 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
     /// [`ControlError::NotSymmetric`] and [`ControlError::NotPositive`] unless `Q` is symmetric and positive
     /// semidefinite, and `R` is symmetric and positive definite. [`ControlError::Unstabilizable`] with each mode that
     /// does not decay and that no input acts on. [`ControlError::Unweighted`] with each mode on the limit of stability
-    /// that does not contribute to the cost. [`ControlError::NotFinite`] and [`ControlError::NoConvergence`].
+    /// that does not contribute to the cost. [`ControlError::NotFinite`], [`ControlError::TooLarge`] and
+    /// [`ControlError::NoConvergence`].
     pub fn lqr(&self, q: &SMatrix<f64, N, N>, r: &SMatrix<f64, M, M>) -> Result<Regulator<N, M>, ControlError<N>> {
         self.require_finite()?;
         self.require_rest()?;
         let (a, basis) = self.restricted();
         let problem = Problem {
+            b: without_idle(&a, &along(&basis, &self.b)),
             a,
-            b: along(&basis, &self.b),
             q: basis.transpose() * weights("Q", q, false)? * &basis,
             r: weights("R", r, true)?,
             is_discrete: self.period.is_some(),
@@ -110,19 +112,36 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
     }
 
     /// Rejects a model that drifts away from its state by more than its rounding.
+    ///
+    /// Each component is compared with its own row, since rows have different units. From sample to sample, the
+    /// comparison is that of the mean rates over a period.
     fn require_rest(&self) -> Result<(), ControlError<N>> {
-        let index = self.drift.iamax();
-        let rate = self.drift[index];
-        if rate.abs() <= AT_REST * (1.0 + self.a.norm() * (1.0 + self.x0.norm())) {
+        let change = match self.period {
+            Some(_) => self.a - SMatrix::identity(),
+            None => self.a,
+        };
+        let excess = |i: usize| {
+            let by_state = (0..N)
+                .map(|j| change[(i, j)].abs() * (1.0 + self.x0[j].abs()))
+                .sum::<f64>();
+            let by_inputs = (0..M).map(|m| (self.b[(i, m)] * self.u0[m]).abs()).sum::<f64>();
+            self.drift[i].abs() / (AT_REST * (self.period.unwrap_or(1.0) + by_state + by_inputs))
+        };
+        let Some(index) = (0..N).max_by(|&i, &j| excess(i).total_cmp(&excess(j))) else {
+            return Ok(());
+        };
+        if excess(index) <= 1.0 {
             return Ok(());
         }
         let component = self.names.get(index).cloned();
         Err(ControlError::NotAtRest {
             component: component.unwrap_or_else(|| format!("x[{index}]")),
-            rate,
+            rate: self.drift[index],
+            period: self.period,
         })
     }
 }
 
-/// Rate, relative to those of deviations of the size of the state, below which a state counts as an equilibrium.
+/// Rate below which a component counts as at rest: relative to 1 per s, plus its changes by deviations of the size of
+/// the state, plus those by the inputs.
 const AT_REST: f64 = 1e-6;

@@ -62,10 +62,17 @@ impl Problem {
         // u = L^-T v, so that the cost of v is v . v
         let over = factor.transpose().try_inverse().ok_or_else(none)?;
         let (scaled, scales) = self.normalized(&over);
+        // Iterations of nalgebra may not end where squares overflow.
+        let squares = [&scaled.a, &scaled.b, &scaled.q].map(|matrix| matrix.norm_squared());
+        if !squares.into_iter().all(f64::is_finite) {
+            return Err(none());
+        }
         scaled.check(&scales)?;
         let mut p = scaled.by_schur().ok_or_else(none)?;
         let (residual, closed) = scaled.refine(&mut p).ok_or_else(none)?;
-        if residual > REFUSED || !closed.eigenvalues().iter().all(|&value| self.is_stable(value)) {
+        // A residual that is NaN is refused, too.
+        let is_small = residual <= REFUSED;
+        if !is_small || !closed.eigenvalues().iter().all(|&value| self.is_stable(value)) {
             return Err(Obstacle::NoConvergence(residual));
         }
         let gain = scaled.gain(&p).ok_or_else(none)?;
@@ -96,19 +103,8 @@ impl Problem {
         let mut scales = DVector::repeat(n, 1.0);
         for _ in 0..SWEEPS {
             let mut is_balanced = true;
-            let g = &b * b.transpose();
-            let mut inputs: DVector<f64> = DVector::from_fn(n, |i, _| g[(i, i)]);
             for i in 0..n {
-                let square = |entries: &mut dyn Iterator<Item = (usize, f64)>| {
-                    entries
-                        .filter(|&(k, _)| k != i)
-                        .map(|(_, entry)| entry * entry)
-                        .sum::<f64>()
-                };
-                let column = square(&mut a.column(i).iter().copied().enumerate());
-                let row = square(&mut a.row(i).iter().copied().enumerate());
-                let column = (column + q.column(i).norm_squared()).sqrt();
-                let row = (row + inputs[i] * inputs.sum()).sqrt();
+                let (row, column) = hamiltonian_norms(&a, &b, &q, i);
                 if !(column > 0.0 && row > 0.0 && column.is_finite() && row.is_finite()) {
                     continue;
                 }
@@ -122,7 +118,6 @@ impl Problem {
                     q.column_mut(i).scale_mut(scale);
                     q.row_mut(i).scale_mut(scale);
                     b.row_mut(i).unscale_mut(scale);
-                    inputs[i] /= scale * scale;
                 }
             }
             if is_balanced {
@@ -234,6 +229,9 @@ impl Problem {
                 &image + image.transpose() + fixed
             };
             let terms = self.terms(next.norm());
+            if !terms.is_finite() {
+                break;
+            }
             let relative = if terms > 0.0 { residual.norm() / terms } else { 0.0 };
             let schur = Schur::of(&closed)?;
             let is_stable = schur.eigenvalues().iter().all(|&value| self.is_stable(value));
@@ -260,6 +258,19 @@ impl Problem {
         }
         best
     }
+}
+
+/// Norms of row and column `i` of the Hamiltonian matrix, without the diagonal of `A`, which scales do not change.
+///
+/// The row of `G = B B^T` is bounded by its diagonal, as `g_ik^2 <= g_ii g_kk`: the whole of `G` would have to be
+/// computed after each change of a scale.
+fn hamiltonian_norms(a: &DMatrix<f64>, b: &DMatrix<f64>, q: &DMatrix<f64>, i: usize) -> (f64, f64) {
+    let others = || (0..a.nrows()).filter(|&k| k != i);
+    let row = others().map(|k| a[(i, k)] * a[(i, k)]).sum::<f64>();
+    let column = others().map(|k| a[(k, i)] * a[(k, i)]).sum::<f64>();
+    let row = row + b.row(i).norm_squared() * b.norm_squared();
+    let column = column + q.column(i).norm_squared();
+    (row.sqrt(), column.sqrt())
 }
 
 /// Directions that a positive semidefinite matrix weights, as columns of unit length.

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, SMatrix, SVector};
 
 use super::exponential::held;
-use super::reach::{margins, unreached};
+use super::reach::{margins, unreached, without_idle};
 use super::{ControlError, LostModes, ModeMargin, PbhTest};
 use crate::constraint::MAX_CONSTRAINTS;
 use crate::dual::Dual;
@@ -82,7 +82,8 @@ pub struct StateSpace<const N: usize, const M: usize, const P: usize = 0> {
 /// ```
 ///
 /// # Errors
-/// [`ControlError::NotFinite`] if the state, an input, the right-hand side or a derivative is not finite.
+/// [`ControlError::NotFinite`] if the state, an input, the right-hand side or a derivative is not finite,
+/// [`ControlError::TooLarge`] if the square of a derivative is not.
 pub fn linearize<S, const N: usize, const M: usize>(
     model: &S,
     t: f64,
@@ -147,20 +148,29 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
         let constant = self.x0.map(Dual::constant);
         let given = self.u0.map(Dual::constant);
         let t = Dual::constant(self.t);
-        let by_state = (0..N).map(|n| {
+        let (mut c, mut d) = (SMatrix::<f64, Q, N>::zeros(), SMatrix::<f64, Q, M>::zeros());
+        for n in 0..N {
             let mut x = constant;
             x[n] = Dual::variable(self.x0[n], 0);
-            SVector::from(outputs(t, &x, &given).map(|y| y.slopes[0]))
-        });
-        let c: Vec<_> = by_state.collect();
-        let by_input = (0..M).map(|m| {
+            c.set_column(n, &outputs(t, &x, &given).map(|y| y.slopes[0]).into());
+        }
+        for m in 0..M {
             let mut u = given;
             u[m] = Dual::variable(self.u0[m], 0);
-            SVector::from(outputs(t, &constant, &u).map(|y| y.slopes[0]))
-        });
-        let d: Vec<_> = by_input.collect();
+            d.set_column(m, &outputs(t, &constant, &u).map(|y| y.slopes[0]).into());
+        }
         let y0 = outputs(t, &constant, &given).map(|y| y.value).into();
-        self.replaced(SMatrix::from_columns(&c), SMatrix::from_columns(&d), y0)
+        self.replaced(c, d, y0)
+    }
+
+    /// The model of small deviations from a steady motion, such as that of a vehicle at constant speed: the drift is
+    /// zero, all else is kept. A law designed with it takes the state of the motion at the time as `x0`.
+    #[must_use]
+    pub fn without_drift(self) -> Self {
+        Self {
+            drift: SVector::zeros(),
+            ..self
+        }
     }
 
     /// Replaces the outputs by `y = C dx + D du`.
@@ -203,7 +213,8 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
     ///
     /// # Errors
     /// [`ControlError::Period`] if the period is not positive and finite, [`ControlError::Sampled`] if the model has
-    /// one already, and [`ControlError::NotFinite`] if an entry is not finite, as after growth over a long period.
+    /// one already, [`ControlError::NotFinite`] and [`ControlError::TooLarge`] for entries of the model, and
+    /// [`ControlError::Growth`] if those of the result are too large, as after growth over a long period.
     pub fn discretize(&self, period: f64) -> Result<Self, ControlError<N>> {
         if let Some(period) = self.period {
             return Err(ControlError::Sampled { period });
@@ -212,7 +223,7 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
         self.require_finite()?;
         let driven = DMatrix::from_fn(N, M + 1, |i, j| if j < M { self.b[(i, j)] } else { self.drift[i] });
         let dynamic = DMatrix::from_column_slice(N, N, self.a.as_slice());
-        let (a, b) = held(&dynamic, &driven, period).ok_or(ControlError::NotFinite { what: "A" })?;
+        let (a, b) = held(&dynamic, &driven, period).ok_or(ControlError::Growth { period })?;
         let sampled = Self {
             a: SMatrix::from_column_slice(a.as_slice()),
             b: SMatrix::from_column_slice(&b.as_slice()[..N * M]),
@@ -220,7 +231,7 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
             period: Some(period),
             ..self.clone()
         };
-        sampled.require_finite()?;
+        sampled.require_finite().map_err(|_| ControlError::Growth { period })?;
         Ok(sampled)
     }
 
@@ -228,8 +239,8 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
     /// lost, and how near the others are to it.
     ///
     /// # Errors
-    /// [`ControlError::NotFinite`] if an entry is not finite, and [`ControlError::NoConvergence`] if the eigenvalues do
-    /// not converge.
+    /// [`ControlError::NotFinite`] and [`ControlError::TooLarge`] for entries of the model, and
+    /// [`ControlError::NoConvergence`] if the eigenvalues do not converge.
     pub fn controllability(&self) -> Result<PbhTest<N>, ControlError<N>> {
         self.require_finite()?;
         let (a, basis) = self.restricted();
@@ -254,7 +265,7 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
         basis: &DMatrix<f64>,
     ) -> Result<PbhTest<N>, ControlError<N>> {
         let failed = ControlError::NoConvergence { residual: f64::NAN };
-        let (Some(lost), Some(margins)) = (unreached(a, b), margins(a, b)) else {
+        let (Some(lost), Some(margins)) = (unreached(a, &without_idle(a, b)), margins(a, b)) else {
             return Err(failed);
         };
         let margins = margins.into_iter();
@@ -272,6 +283,7 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
         (along(&basis, &self.a) * &basis, basis)
     }
 
+    /// Rejects entries that are not finite, and those of matrices whose squares are not.
     pub(super) fn require_finite(&self) -> Result<(), ControlError<N>> {
         let entries: [(&'static str, &[f64]); 8] = [
             ("the state", self.x0.as_slice()),
@@ -284,8 +296,16 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
             ("the right-hand side", self.drift.as_slice()),
         ];
         let is_finite = |entries: &[f64]| entries.iter().all(|entry| entry.is_finite());
-        match entries.into_iter().find(|(_, entries)| !is_finite(entries)) {
-            Some((what, _)) => Err(ControlError::NotFinite { what }),
+        if let Some((what, _)) = entries.into_iter().find(|(_, entries)| !is_finite(entries)) {
+            return Err(ControlError::NotFinite { what });
+        }
+        let squares = [
+            ("A", self.a.norm_squared()),
+            ("B", self.b.norm_squared()),
+            ("C", self.c.norm_squared()),
+        ];
+        match squares.into_iter().find(|(_, square)| !square.is_finite()) {
+            Some((what, _)) => Err(ControlError::TooLarge { what }),
             None => Ok(()),
         }
     }

@@ -4,10 +4,12 @@ use nalgebra::{DMatrix, SMatrix};
 
 use super::ControlError;
 
-/// Difference of mirrored entries, relative to the largest, that is put down to rounding errors.
+/// Difference of mirrored entries of a matrix with a unit diagonal that is put down to rounding errors.
 const ASYMMETRY: f64 = 1e-10;
 /// Eigenvalue of a matrix with a unit diagonal, per row, that is put down to rounding errors.
 const INDEFINITE: f64 = 1e-12;
+/// Entry of a matrix with a unit diagonal above which its eigenvalues are not computed, since squares may overflow.
+const LARGE: f64 = 1e100;
 
 /// The symmetric part of a matrix that has to be symmetric and positive semidefinite, or definite.
 ///
@@ -21,25 +23,31 @@ pub(super) fn weights<const N: usize, const K: usize>(
         return Err(ControlError::NotFinite { what });
     }
     let matrix = DMatrix::from_column_slice(K, K, matrix.as_slice());
+    if K == 0 {
+        return Ok(matrix);
+    }
     let largest = matrix.amax();
+    let scales = matrix.diagonal().map(|entry| match (entry.abs(), largest) {
+        (0.0, 0.0) => 1.0,
+        (0.0, largest) => largest.sqrt(),
+        (size, _) => size.sqrt(),
+    });
+    // Divided one by one, since the product of two scales may vanish.
+    let scaled = DMatrix::from_fn(K, K, |i, j| matrix[(i, j)] / scales[i] / scales[j]);
     for (i, j) in (0..K).flat_map(|i| (0..i).map(move |j| (i, j))) {
-        let values = [matrix[(i, j)], matrix[(j, i)]];
-        if (values[0] - values[1]).abs() > ASYMMETRY * largest {
-            let entry = [i, j];
+        if (scaled[(i, j)] - scaled[(j, i)]).abs() > ASYMMETRY {
+            let (entry, values) = ([i, j], [matrix[(i, j)], matrix[(j, i)]]);
             return Err(ControlError::NotSymmetric { what, entry, values });
         }
     }
-    let symmetric = (&matrix + matrix.transpose()) * 0.5;
-    let scales = symmetric.diagonal().map(|entry| {
-        let size = entry.abs().sqrt();
-        if size > 0.0 { size } else { largest.max(1.0).sqrt() }
-    });
-    let scaled = DMatrix::from_fn(K, K, |i, j| symmetric[(i, j)] / (scales[i] * scales[j]));
-    let eigenvalue = scaled
-        .symmetric_eigenvalues()
-        .iter()
-        .copied()
-        .fold(f64::INFINITY, f64::min);
+    let symmetric_part = |matrix: &DMatrix<f64>| (matrix + matrix.transpose()) * 0.5;
+    let crossed = scaled.amax();
+    let eigenvalue = if crossed < LARGE {
+        symmetric_part(&scaled).symmetric_eigenvalues().min()
+    } else {
+        // that of the two rows of the entry
+        1.0 - crossed
+    };
     let rounding = INDEFINITE * K as f64;
     if eigenvalue < -rounding || strictly && eigenvalue <= rounding {
         return Err(ControlError::NotPositive {
@@ -48,5 +56,5 @@ pub(super) fn weights<const N: usize, const K: usize>(
             eigenvalue,
         });
     }
-    Ok(symmetric)
+    Ok(symmetric_part(&matrix))
 }

@@ -88,7 +88,7 @@ impl<const N: usize> Eigenmode<N> {
     }
 }
 
-/// An eigenvalue with an eigenvector of any length and of unit norm; see [`Eigenmode`].
+/// An eigenvalue with an eigenvector of unit norm; see [`Eigenmode`].
 #[derive(Clone, Debug)]
 pub(crate) struct Pair {
     pub(crate) eigenvalue: Complex<f64>,
@@ -116,7 +116,8 @@ impl Pair {
 
 /// Modes in the order of [`Spectrum::modes`].
 pub(crate) fn pairs(matrix: &DMatrix<f64>) -> Result<Vec<Pair>, StabilityError> {
-    if matrix.iter().any(|entry| !entry.is_finite()) {
+    // The balance of a matrix whose squares overflow does not end.
+    if !matrix.norm_squared().is_finite() {
         return Err(StabilityError::NotFinite);
     }
     let mut upper = eigenvalues(matrix)?;

@@ -4,7 +4,7 @@ use pendulum_core::control::{ControlError, LostModes, PbhTest, StateSpace};
 use pendulum_core::nalgebra::{SMatrix, SVector};
 use pendulum_core::stability::Complex;
 
-use super::Random;
+use super::{Random, diagonal};
 
 /// A pair whose inputs do not reach some modes, in units of the state that differ.
 struct Planted<const N: usize, const M: usize> {
@@ -193,12 +193,58 @@ fn margins_are_distances_from_a_lost_mode() {
 }
 
 #[test]
+fn torques_that_cancel_reach_nothing() {
+    // The second torque is a rounding error; the mode that it drives grows.
+    let (a, one) = (diagonal([-1.0, 2.0]), SMatrix::identity());
+    for noise in [0.0, 1e-17] {
+        let model = StateSpace::new(a, diagonal([1.0, noise]));
+        let test = model.controllability().expect("finite");
+        assert_eq!(test.lost.modes.len(), 1, "{noise}");
+        let error = model.lqr(&SMatrix::identity(), &one).expect_err("out of reach");
+        assert!(matches!(error, ControlError::Unstabilizable(_)), "{noise}: {error}");
+        let shown = model.with_output_matrices(diagonal([1.0, noise]), SMatrix::zeros());
+        assert!(!shown.observability().expect("finite").is_complete());
+        let error = shown.kalman(&SMatrix::identity(), &one).expect_err("not shown");
+        assert!(matches!(error, ControlError::Undetectable(_)), "{noise}: {error}");
+    }
+    // Prices of inputs may differ by more.
+    let prices = diagonal([1.0, 1e40]);
+    let regulator = StateSpace::new(a, one)
+        .lqr(&SMatrix::identity(), &prices)
+        .expect("reached");
+    assert!(
+        (regulator.law.gain[(1, 1)] - 4.0).abs() < 1e-12,
+        "{}",
+        regulator.law.gain
+    );
+}
+
+/// The mode of a pole that falls, `sqrt(9.81)` in 1/s, without an input.
+#[test]
+fn messages_have_significant_digits() {
+    let pole = |g: f64| StateSpace::<2, 0>::new(SMatrix::<f64, 2, 2>::new(0.0, 1.0, g, 0.0), SMatrix::zeros());
+    let message = |model: StateSpace<2, 0>| {
+        let one = SMatrix::identity();
+        model.lqr(&one, &SMatrix::identity()).expect_err("it falls").to_string()
+    };
+    assert_eq!(
+        message(pole(9.81)),
+        "the model cannot be stabilized: no input acts on 1 mode: 3.13 1/s along x[0] + 0.319 x[1]\n\
+         help: add an input that acts along it, fix the joint, or give it friction"
+    );
+    assert!(message(pole(0.0)).contains("no input acts on 2 modes: 0 1/s along x[1], 0 1/s along "));
+    assert!(message(pole(0.0)).contains("acts along them"));
+    let slow = StateSpace::<2, 0>::new(diagonal([1e-5, -12345.0]), SMatrix::zeros());
+    assert!(message(slow).contains("1 mode: 1e-5 1/s along x[0]\n"));
+}
+
+#[test]
 fn modes_on_the_limit_of_stability_have_to_be_weighted() {
     // An oscillator at 3 rad/s without damping, and a mass; the cost depends on the mass alone.
     let mut a = SMatrix::<f64, 4, 4>::zeros();
     (a[(0, 1)], a[(1, 0)], a[(2, 3)]) = (1.0, -9.0, 1.0);
     let b = SMatrix::<f64, 4, 1>::new(0.0, 1.0, 0.0, 1.0);
-    let q = super::diagonal([0.0, 0.0, 1.0, 0.0]);
+    let q = diagonal([0.0, 0.0, 1.0, 0.0]);
     let model = StateSpace::new(a, b);
     let Err(ControlError::Unweighted(lost)) = model.lqr(&q, &SMatrix::identity()) else {
         panic!("the oscillator does not contribute")
@@ -209,15 +255,12 @@ fn modes_on_the_limit_of_stability_have_to_be_weighted() {
             .all(|mode| (mode.eigenvalue.im.abs() - 3.0).abs() < 1e-9),
         "{lost}"
     );
-    assert_eq!(
-        lost.to_string(),
-        "2 modes: (0.0000 +- 3.0000i) 1/s along (0.000-0.333i) x[0] + x[1]"
-    );
+    assert_eq!(lost.to_string(), "2 modes: (0 +- 3i) 1/s along (0-0.333i) x[0] + x[1]");
     let sampled = model.discretize(0.1).expect("finite");
     assert!(matches!(sampled.lqr(&q, &SMatrix::identity()), Err(ControlError::Unweighted(lost)) if lost.is_sampled));
     let shown = SMatrix::<f64, 1, 4>::new(1.0, 0.0, 1.0, 0.0);
     let observed = model.with_output_matrices(shown, SMatrix::zeros());
-    let noise = super::diagonal([0.0, 0.0, 0.0, 1.0]);
+    let noise = diagonal([0.0, 0.0, 0.0, 1.0]);
     assert!(matches!(
         observed.kalman(&noise, &SMatrix::identity()),
         Err(ControlError::Undisturbed(_))
