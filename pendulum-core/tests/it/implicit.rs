@@ -257,17 +257,23 @@ fn chemistry_of_robertson() {
     }
 }
 
+/// Relaxation oscillations, with jumps that take 1e-6 of the time between them.
+fn van_der_pol() -> impl Jacobian<f64, 2> {
+    const EPSILON: f64 = 1e-6;
+    of(
+        |x: &SVector<f64, 2>| SVector::from([x[1], ((1.0 - x[0] * x[0]) * x[1] - x[0]) / EPSILON]),
+        |x: &SVector<f64, 2>| {
+            SMatrix::from([
+                [0.0, (-2.0 * x[0] * x[1] - 1.0) / EPSILON],
+                [1.0, (1.0 - x[0] * x[0]) / EPSILON],
+            ])
+        },
+    )
+}
+
 #[test]
 fn relaxation_of_van_der_pol() {
-    const EPSILON: f64 = 1e-6;
-    let rates = |x: &SVector<f64, 2>| SVector::from([x[1], ((1.0 - x[0] * x[0]) * x[1] - x[0]) / EPSILON]);
-    let jacobian = |x: &SVector<f64, 2>| {
-        SMatrix::from([
-            [0.0, (-2.0 * x[0] * x[1] - 1.0) / EPSILON],
-            [1.0, (1.0 - x[0] * x[0]) / EPSILON],
-        ])
-    };
-    let oscillator = of(rates, jacobian);
+    let oscillator = van_der_pol();
     // Computed like the reference of Robertson's problem, with tolerances of 1e-9 and 1e-11.
     let expected = [-1.863_646_006_138_871_6, 0.753_543_268_399_36];
     for tolerance in [1e-5, 1e-7, 1e-9] {
@@ -291,15 +297,7 @@ fn relaxation_of_van_der_pol() {
 /// Radau, of order 5, takes 855 Jacobians and 1984 factorizations. Real and complex matrices count as one each.
 #[test]
 fn matrices_are_kept_along_the_relaxation_of_van_der_pol() {
-    const EPSILON: f64 = 1e-6;
-    let rates = |x: &SVector<f64, 2>| SVector::from([x[1], ((1.0 - x[0] * x[0]) * x[1] - x[0]) / EPSILON]);
-    let jacobian = |x: &SVector<f64, 2>| {
-        SMatrix::from([
-            [0.0, (-2.0 * x[0] * x[1] - 1.0) / EPSILON],
-            [1.0, (1.0 - x[0] * x[0]) / EPSILON],
-        ])
-    };
-    let oscillator = of(rates, jacobian);
+    let oscillator = van_der_pol();
     // Hairer and Wanner's test set, to these digits
     const END: [f64; 2] = [1.706_167_732_170_48, -0.892_809_701_024_795];
     fn check<M: Method<S, f64, 2>, S: System<f64, 2>>(method: M, system: &S, most: [usize; 2]) {
