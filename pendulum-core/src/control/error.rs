@@ -52,7 +52,7 @@ pub enum ControlError<const N: usize> {
         /// Smallest eigenvalue of the matrix after scaling of its diagonal to 1.
         eigenvalue: f64,
     },
-    /// The state about which the model is linearized is no equilibrium.
+    /// The model is linearized about a state that is not an equilibrium.
     NotAtRest {
         /// Name of the component that is furthest from rest.
         component: String,

@@ -3,10 +3,10 @@
 use nalgebra::{Complex, DMatrix, SMatrix};
 
 use super::reach::without_idle;
-use super::riccati::{Obstacle, Problem};
+use super::riccati::Problem;
 use super::state_space::along;
 use super::weights::weights;
-use super::{ControlError, LostModes, StateSpace};
+use super::{ControlError, StateSpace};
 
 /// The stationary Kalman filter of a linear model, computed by [`StateSpace::kalman`].
 #[derive(Clone, Debug, PartialEq)]
@@ -49,17 +49,16 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
             r: weights("V", v, true)?,
             is_discrete: self.period.is_some(),
         };
-        let lost = |modes| LostModes::new(modes, &basis, self.period.is_some(), self.names.clone());
-        let failed = |residual| ControlError::NoConvergence { residual };
-        let solution = problem.solve().map_err(|obstacle| match obstacle {
-            Obstacle::Unreached(modes) => ControlError::Undetectable(lost(modes)),
-            Obstacle::Unweighted(modes) => ControlError::Undisturbed(lost(modes)),
-            Obstacle::NoConvergence(residual) => failed(residual),
-        })?;
+        let solution = self.solved(
+            &problem,
+            &basis,
+            [ControlError::Undetectable, ControlError::Undisturbed],
+        )?;
         let gain = if self.period.is_some() {
             let shown = problem.b.transpose() * &solution.cost;
             let innovation = (&shown * &problem.b + &problem.r).cholesky();
-            innovation.ok_or(failed(f64::NAN))?.solve(&shown).transpose()
+            let innovation = innovation.ok_or(ControlError::NoConvergence { residual: f64::NAN })?;
+            innovation.solve(&shown).transpose()
         } else {
             solution.gain.transpose()
         };

@@ -54,7 +54,8 @@ pub(super) const NEGLIGIBLE: f64 = 1e-10;
 
 /// Entry of a matrix, relative to the largest in its row or column, that is put down to rounding errors.
 const NOISE: f64 = 1e-12;
-/// The same relative to the largest entry of the matrix, and for the effect of an input, relative to the largest one.
+/// Entry, relative to the largest of the matrix, that is put down to rounding errors; also the effect of an input,
+/// relative to the largest effect.
 const LEAST: f64 = 1e-16;
 
 /// True if a mode of a matrix of norm `size` decays by more than rounding errors.

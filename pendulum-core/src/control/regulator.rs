@@ -3,10 +3,10 @@
 use nalgebra::{Complex, DMatrix, SMatrix, SVector};
 
 use super::reach::without_idle;
-use super::riccati::{Obstacle, Problem};
+use super::riccati::Problem;
 use super::state_space::along;
 use super::weights::weights;
-use super::{ControlError, LostModes, StateSpace};
+use super::{ControlError, StateSpace};
 use crate::inputs::InputLaw;
 use crate::real::Real;
 
@@ -90,12 +90,11 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
             r: weights("R", r, true)?,
             is_discrete: self.period.is_some(),
         };
-        let lost = |modes| LostModes::new(modes, &basis, self.period.is_some(), self.names.clone());
-        let solution = problem.solve().map_err(|obstacle| match obstacle {
-            Obstacle::Unreached(modes) => ControlError::Unstabilizable(lost(modes)),
-            Obstacle::Unweighted(modes) => ControlError::Unweighted(lost(modes)),
-            Obstacle::NoConvergence(residual) => ControlError::NoConvergence { residual },
-        })?;
+        let solution = self.solved(
+            &problem,
+            &basis,
+            [ControlError::Unstabilizable, ControlError::Unweighted],
+        )?;
         let (gain, cost): (DMatrix<f64>, DMatrix<f64>) = (
             solution.gain * basis.transpose(),
             &basis * solution.cost * basis.transpose(),

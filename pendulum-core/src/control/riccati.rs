@@ -29,7 +29,7 @@ pub(super) struct Solution {
     pub(super) eigenvalues: Vec<Complex<f64>>,
 }
 
-/// Reason why there is no stabilizing solution, or none was found.
+/// Reason for the lack of a stabilizing solution.
 #[derive(Clone, Debug)]
 pub(super) enum Obstacle {
     /// Modes that do not decay and that no input acts on.

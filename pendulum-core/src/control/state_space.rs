@@ -3,7 +3,8 @@
 use nalgebra::{DMatrix, SMatrix, SVector};
 
 use super::exponential::held;
-use super::reach::{margins, unreached, without_idle};
+use super::reach::{Mode, margins, unreached, without_idle};
+use super::riccati::{Obstacle, Problem, Solution};
 use super::{ControlError, LostModes, ModeMargin, PbhTest};
 use crate::constraint::MAX_CONSTRAINTS;
 use crate::dual::Dual;
@@ -26,7 +27,7 @@ use crate::system::{ActsWith, IntoState};
 pub struct StateSpace<const N: usize, const M: usize, const P: usize = 0> {
     /// Derivative of the rates, or of the next state, with respect to the state.
     pub a: SMatrix<f64, N, N>,
-    /// The same with respect to the inputs.
+    /// Derivative of the rates, or of the next state, with respect to the inputs.
     pub b: SMatrix<f64, N, M>,
     /// Derivative of the outputs with respect to the state.
     pub c: SMatrix<f64, P, N>,
@@ -273,8 +274,29 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
             margins: margins
                 .map(|(eigenvalue, margin)| ModeMargin { eigenvalue, margin })
                 .collect(),
-            lost: LostModes::new(lost, basis, self.period.is_some(), self.names.clone()),
+            lost: self.named(lost, basis),
         })
+    }
+
+    /// Solves a Riccati equation in the directions of `basis`. `lost` are the errors for modes that are not reached,
+    /// and for modes without weight.
+    pub(super) fn solved(
+        &self,
+        problem: &Problem,
+        basis: &DMatrix<f64>,
+        lost: [fn(LostModes<N>) -> ControlError<N>; 2],
+    ) -> Result<Solution, ControlError<N>> {
+        let named = |modes| self.named(modes, basis);
+        problem.solve().map_err(|obstacle| match obstacle {
+            Obstacle::Unreached(modes) => lost[0](named(modes)),
+            Obstacle::Unweighted(modes) => lost[1](named(modes)),
+            Obstacle::NoConvergence(residual) => ControlError::NoConvergence { residual },
+        })
+    }
+
+    /// Modes in the directions of `basis`, in the names of the model.
+    fn named(&self, modes: Vec<Mode>, basis: &DMatrix<f64>) -> LostModes<N> {
+        LostModes::new(modes, basis, self.period.is_some(), self.names.clone())
     }
 
     /// The matrix `A` in admissible directions, and these as columns.
