@@ -15,6 +15,7 @@ pages! {
     embedded: "src/embedded.md",
     getting_started: "src/getting-started.md",
     stability: "src/stability.md",
+    error_and_method: "src/recipes/error-and-method.md",
     driven_pivot: "src/recipes/driven-pivot.md",
     dry_friction: "src/recipes/dry-friction.md",
     cart_pole: "src/recipes/cart-pole.md",

@@ -43,7 +43,7 @@
 //! | [`fit`](https://docs.rs/pendulum-core/latest/pendulum_core/fit) | parameters from measurements, with the feature `fit` |
 //! | [`control`] | linear models, regulators (LQR), Kalman filters, controllability and observability |
 //! | [`stability`] | equilibria, periodic orbits and their bifurcations, chaos, and the limits of methods |
-//! | [`accuracy`] | reference solutions, error norms, and work-precision measurements |
+//! | [`accuracy`] | reference solutions, error estimates, the fastest method for an error, and work-precision measurements |
 //! | [`shapes`] | geometry of a mechanism for drawing |
 //! | [`cost`] | counted operations of generated functions |
 //!
@@ -156,6 +156,8 @@ macro_rules! with_std {
 
 /// Items that most programs need: `use pendulum_core::prelude::*;`.
 pub mod prelude {
+    #[cfg(feature = "std")]
+    pub use crate::accuracy::Refine as _;
     pub use crate::mechanism;
     pub use crate::{
         Auto, Gauss4, Gauss6, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9,

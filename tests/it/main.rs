@@ -18,6 +18,7 @@ mod followers;
 mod forces;
 mod fused;
 mod gauss;
+mod global_errors;
 mod golden;
 mod growth;
 mod mechanisms;

@@ -1,6 +1,9 @@
 //! Accuracy and cost of integrators: reference solutions, error norms, and work-precision measurements on your own
 //! system.
 //!
+//! [`with_error`](Refine::with_error) estimates the error of a solution, and [`tune`] finds the fastest method and setting
+//! for a stated error. A sweep measures everything:
+//!
 //! ```
 //! use pendulum_core::accuracy::{Errors, Problem, Reference, Sweep};
 //! use pendulum_core::prelude::*;
@@ -53,9 +56,13 @@ mod reference;
 mod report;
 mod sweep;
 mod timing;
+mod tune;
+mod with_error;
 
 pub use errors::Errors;
 pub use problem::Problem;
 pub use reference::Reference;
 pub use report::{Failure, Measured, MethodRuns, Report, Run};
 pub use sweep::Sweep;
+pub use tune::{Alternative, Setting, TuneError, Tuned, Tuning, tune};
+pub use with_error::{Refine, SolutionWithError, WithError};

@@ -35,6 +35,9 @@ pub struct Adaptive<F> {
     pub(crate) family: F,
 }
 
+/// Smallest relative tolerance, in ulps.
+const LEAST_ULPS: f64 = 10.0;
+
 impl<F> Adaptive<F> {
     /// Creates the method with default settings.
     ///
@@ -170,6 +173,30 @@ impl<F> Adaptive<F> {
         self
     }
 
+    /// Multiplies the tolerances for numbers of the type `T`, but not below the least possible, and admits ten times as
+    /// many steps.
+    #[cfg(feature = "std")]
+    pub(crate) fn tightened<T: Float>(self, factor: f64) -> Self {
+        let least = LEAST_ULPS * T::EPSILON.to_f64();
+        let (rtol, atol) = self.tolerances::<T>();
+        Self {
+            // what is not valid remains so
+            rtol: Some((factor * rtol).max(least.min(rtol))),
+            atol: Some(factor * atol),
+            max_steps: self.max_steps.saturating_mul(10),
+            ..self
+        }
+    }
+
+    /// Relative and absolute tolerance, with the defaults of the number type.
+    fn tolerances<T: Float>(&self) -> (f64, f64) {
+        let ulp = T::EPSILON.to_f64();
+        (
+            self.rtol.unwrap_or((1e-6_f64).max(100.0 * ulp)),
+            self.atol.unwrap_or((1e-9_f64).max(ulp)),
+        )
+    }
+
     /// Step-size settings of an integration from `t0` to `t1`, with an error estimate of this order, for engines other
     /// than [`Stepper`].
     ///
@@ -200,13 +227,12 @@ impl<F> Adaptive<F> {
 
     pub(crate) fn tolerance<T: Float>(&self) -> Result<Tolerance<T>, Reason> {
         let ulp = T::EPSILON.to_f64();
-        let rtol = self.rtol.unwrap_or((1e-6_f64).max(100.0 * ulp));
-        let atol = self.atol.unwrap_or((1e-9_f64).max(ulp));
+        let (rtol, atol) = self.tolerances::<T>();
         let rule = "a tolerance must be positive and finite";
         require(rtol.is_finite() && rtol > 0.0, "rtol", rtol, rule)?;
         require(atol.is_finite() && atol > 0.0, "atol", atol, rule)?;
         require(
-            rtol >= 10.0 * ulp,
+            rtol >= LEAST_ULPS * ulp,
             "rtol",
             rtol,
             "it must be at least 10 ulps of the number type, below which rounding errors dominate",

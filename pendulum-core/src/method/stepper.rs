@@ -326,6 +326,13 @@ where
         }
     }
 
+    /// Moves the end of the span of a method that chooses its steps. Those of fixed length remain on their grid.
+    pub(crate) fn stop_at(&mut self, t1: T) {
+        if let Steps::Controlled { .. } = self.smooth.steps {
+            self.smooth.t1 = t1;
+        }
+    }
+
     /// End of the span.
     pub(super) fn t1(&self) -> T {
         self.smooth.t1

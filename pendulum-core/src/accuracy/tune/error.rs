@@ -1,0 +1,80 @@
+//! Errors of tuning.
+
+use std::error::Error;
+use std::fmt;
+
+use crate::accuracy::Failure;
+use crate::error::debug_as_display;
+
+debug_as_display! { [] TuneError; }
+
+/// Reason why no method was chosen.
+#[derive(Clone, PartialEq)]
+#[non_exhaustive]
+pub enum TuneError {
+    /// A setting or an argument is invalid.
+    InvalidInput {
+        /// Name of the setting or argument.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// Violated rule.
+        rule: &'static str,
+    },
+    /// No method reached the end of the span.
+    AllFailed {
+        /// Each method with its failure.
+        failures: Vec<(&'static str, Failure)>,
+    },
+    /// The error is smaller than what is known of the motion: two methods with the smallest tolerances differ by more.
+    BelowUncertainty {
+        /// The stated error.
+        error: f64,
+        /// Their largest relative difference at the end, of a pilot run.
+        uncertainty: f64,
+        /// The two methods.
+        methods: [&'static str; 2],
+    },
+    /// No method reaches the error with any setting.
+    NotReached {
+        /// The stated error.
+        error: f64,
+        /// The smallest one that was reached, and by which method.
+        least: (f64, &'static str),
+    },
+}
+
+impl fmt::Display for TuneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
+            Self::AllFailed { failures } => {
+                f.write_str("no method reached the end of the span from each start: ")?;
+                for (n, (name, failure)) in failures.iter().enumerate() {
+                    write!(f, "{}`{name}` {failure}", if n == 0 { "" } else { "; " })?;
+                }
+                Ok(())
+            }
+            Self::BelowUncertainty {
+                error,
+                uncertainty,
+                methods: [a, b],
+            } => write!(
+                f,
+                "an error of {error:.1e} is not reached in `f64`: `{a}` and `{b}` with the smallest tolerances differ by \
+                 {uncertainty:.1e} at the end; state an error well above that, or shorten the span if the motion is \
+                 chaotic"
+            ),
+            Self::NotReached {
+                error,
+                least: (least, name),
+            } => write!(
+                f,
+                "no method reaches an error of {error:.1e}; the smallest one was {least:.1e}, by `{name}`: state a \
+                 larger error, or add methods of higher order"
+            ),
+        }
+    }
+}
+
+impl Error for TuneError {}

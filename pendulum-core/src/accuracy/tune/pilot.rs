@@ -1,0 +1,316 @@
+//! Pilot runs: the setting with which each method keeps within the error, and its time.
+
+use libm::{log, pow, sqrt};
+use nalgebra::SVector;
+
+use super::TuneError;
+use super::candidate::{Candidate, Control, Motion};
+use super::search::{Search, Tried};
+use crate::accuracy::Failure;
+use crate::accuracy::timing::{Timer, in_turns};
+use crate::error::Reason;
+use crate::system::System;
+
+/// Maximum number of starts of the pilot runs.
+const MOST_STARTS: usize = 16;
+/// Smallest error, in ulps: that of a rounded state and of some operations.
+const LEAST_ULPS: f64 = 8.0;
+/// Tolerance of the first runs, and how much smaller that of the second ones is.
+const FIRST: [f64; 2] = [1e-10, 1e-3];
+const SECOND: f64 = 0.01;
+/// Tolerance with which the ends become known, as a fraction of the error and at least.
+const FAR_BELOW: f64 = 1e-3;
+const LEAST: f64 = 1e-14;
+/// Fraction of the error to which the ends have to be known, and with the least tolerance.
+const KNOWN: f64 = 0.1;
+const BARELY_KNOWN: f64 = 0.5;
+/// Range of measured errors in which a search ends, as fractions of the error: from all starts, and from a part.
+const WITHIN: [[f64; 2]; 2] = [[0.25, 0.9], [0.1, 0.4]];
+/// Maximum number of steps of the first pilot runs, and of all.
+const STEPS: [usize; 2] = [4_000, 4_000_000];
+/// Number of steps that a method may take for each of the fastest one.
+const MORE_STEPS: usize = 50;
+/// Ratio to the shortest time up to which methods are timed again, side by side, and how often.
+const CLOSE: f64 = 2.0;
+const ROUNDS: usize = 7;
+
+/// Pilot runs of all candidates.
+pub(super) struct Pilot<'p, 'a, S, const N: usize> {
+    motion: &'p Motion<'a, S>,
+    pub(super) candidates: &'p [Candidate<'a, S, N>],
+    starts: Vec<SVector<f64, N>>,
+    error: f64,
+    /// Range of measured errors in which a search ends.
+    pub(super) within: [f64; 2],
+}
+
+/// A candidate that keeps within the error.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found {
+    /// Index of the candidate.
+    pub(super) candidate: usize,
+    pub(super) value: f64,
+    pub(super) error: f64,
+    pub(super) evaluations: f64,
+    /// In seconds.
+    pub(super) time: f64,
+}
+
+/// Runs of a candidate with one setting, from all starts.
+pub(super) struct Runs<const N: usize> {
+    pub(super) value: f64,
+    pub(super) ends: Vec<SVector<f64, N>>,
+    /// Averages.
+    pub(super) evaluations: f64,
+    pub(super) time: f64,
+    /// Largest number of steps.
+    steps: usize,
+}
+
+/// An adaptive candidate with its runs for two tolerances.
+struct Compared<const N: usize> {
+    candidate: usize,
+    runs: [Runs<N>; 2],
+}
+
+/// A candidate given up: its index and the reason.
+type Dropped = (usize, String);
+
+impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
+    pub(super) fn new(
+        motion: &'p Motion<'a, S>,
+        candidates: &'p [Candidate<'a, S, N>],
+        starts: &[SVector<f64, N>],
+        error: f64,
+    ) -> Result<Self, TuneError> {
+        let (t0, t1) = motion.span;
+        let require = |holds: bool, what, value, rule| match holds {
+            true => Ok(()),
+            false => Err(TuneError::InvalidInput { what, value, rule }),
+        };
+        for (what, t) in [("t0", t0), ("t1", t1)] {
+            require(t.is_finite(), what, t, "a time must be finite")?;
+        }
+        require(t0 != t1, "t1", t1, "the span must not be empty")?;
+        let rule = "there must be at least one start";
+        require(!starts.is_empty(), "starts", 0.0, rule)?;
+        let adaptive = candidates.iter().filter(|method| method.control == Control::Tolerance);
+        let count = adaptive.count();
+        let rule = "at least two methods must be adaptive, since they tell the end states";
+        require(count >= 2, "methods", count as f64, rule)?;
+        let rule = "the scale must be positive and finite";
+        require(
+            motion.scale.is_finite() && motion.scale > 0.0,
+            "scale",
+            motion.scale,
+            rule,
+        )?;
+        let rule = "the error must be at least 8 ulps (1.8e-15), since states are rounded, and below 1";
+        require((LEAST_ULPS * f64::EPSILON..1.0).contains(&error), "error", error, rule)?;
+        let count = starts.len().min(MOST_STARTS);
+        let is_part = starts.len() > MOST_STARTS;
+        Ok(Self {
+            motion,
+            candidates,
+            starts: (0..count).map(|n| starts[n * starts.len() / count]).collect(),
+            error,
+            within: WITHIN[usize::from(is_part)].map(|fraction| fraction * error),
+        })
+    }
+
+    /// Finds the candidates that keep within the error, the fastest first, and those given up.
+    pub(super) fn search(&self) -> Result<(Vec<Found>, Vec<Dropped>), TuneError> {
+        let (compared, mut dropped) = self.compare()?;
+        let ends = self.ends(&compared)?;
+        let steps = compared.iter().map(|of| of.runs[0].steps).min().unwrap_or(STEPS[0]);
+        let search = |candidate, tried, fastest| {
+            let start = self.span() / (4.0 * steps as f64);
+            let mut search = Search {
+                pilot: self,
+                candidate,
+                ends: &ends,
+                most_steps: (MORE_STEPS * steps).max(STEPS[0]),
+                tried,
+            };
+            let found = search.run(start, fastest);
+            let errors = search.tried.iter().map(|tried| tried.error);
+            (found, errors.fold(f64::INFINITY, f64::min))
+        };
+
+        let mut searches: Vec<(usize, Vec<Tried>)> = compared
+            .iter()
+            .map(|of| {
+                let tried = of.runs.iter().map(|runs| Tried::new(runs, self.error_of(runs, &ends)));
+                (of.candidate, tried.collect())
+            })
+            .collect();
+        let target = sqrt(self.within[0] * self.within[1]);
+        searches.sort_by(|(_, a), (_, b)| Tried::time_to(a, target).total_cmp(&Tried::time_to(b, target)));
+        let fixed = (0..self.candidates.len()).filter(|&n| self.candidates[n].control == Control::Step);
+        searches.extend(fixed.map(|n| (n, Vec::new())));
+
+        let (mut found, mut least) = (Vec::<Found>::new(), (f64::INFINITY, ""));
+        for (n, tried) in searches {
+            let fastest = found.iter().map(|found| found.time).fold(f64::INFINITY, f64::min);
+            let (outcome, error) = search(n, tried, fastest);
+            match outcome {
+                Ok(kept) => found.push(kept),
+                Err(why) => dropped.push((n, why)),
+            }
+            if error < least.0 {
+                least = (error, self.candidates[n].name);
+            }
+        }
+        if found.is_empty() {
+            return Err(TuneError::NotReached {
+                error: self.error,
+                least,
+            });
+        }
+        self.time_again(&mut found);
+        Ok((found, dropped))
+    }
+
+    /// Length of the span.
+    pub(super) fn span(&self) -> f64 {
+        (self.motion.span.1 - self.motion.span.0).abs()
+    }
+
+    /// Runs a candidate from all starts.
+    pub(super) fn runs(&self, candidate: usize, value: f64, most_steps: usize) -> Result<Runs<N>, Failure> {
+        let mut runs = Runs {
+            value,
+            ends: Vec::with_capacity(self.starts.len()),
+            evaluations: 0.0,
+            time: 0.0,
+            steps: 0,
+        };
+        let weight = 1.0 / self.starts.len() as f64;
+        for &start in &self.starts {
+            let run = self.candidates[candidate].run(self.motion, value, most_steps, start)?;
+            runs.ends.push(run.end);
+            runs.evaluations += weight * run.statistics.evaluations as f64;
+            runs.time += weight * run.time;
+            runs.steps = runs.steps.max(run.statistics.accepted + run.statistics.rejected);
+        }
+        Ok(runs)
+    }
+
+    /// Largest relative error of runs.
+    pub(super) fn error_of(&self, runs: &Runs<N>, ends: &[SVector<f64, N>]) -> f64 {
+        let pairs = runs.ends.iter().zip(ends);
+        let errors = pairs.map(|(x, known)| {
+            let relative = x.zip_map(known, |x, known| (x - known).abs() / known.abs().max(self.motion.scale));
+            // NaN must not pass for a small error
+            relative
+                .iter()
+                .fold(0.0, |most: f64, &error| if error <= most { most } else { error })
+        });
+        errors.fold(0.0, |most, error| if error <= most { most } else { error })
+    }
+
+    /// Runs all adaptive candidates with two tolerances, and returns those that reach the end with both.
+    fn compare(&self) -> Result<(Vec<Compared<N>>, Vec<Dropped>), TuneError> {
+        let first = self.error.clamp(FIRST[0], FIRST[1]);
+        let mut most = STEPS[0];
+        loop {
+            let (mut compared, mut failures) = (Vec::new(), Vec::new());
+            for (candidate, method) in self.candidates.iter().enumerate() {
+                if method.control == Control::Step {
+                    continue;
+                }
+                let both = self.runs(candidate, first, most).and_then(|first| {
+                    let second = self.runs(candidate, SECOND * first.value, MORE_STEPS * first.steps.max(100))?;
+                    Ok([first, second])
+                });
+                match both {
+                    Ok(runs) => compared.push(Compared { candidate, runs }),
+                    Err(failure) => failures.push((candidate, failure)),
+                }
+            }
+            if compared.len() >= 2 {
+                let why = |(n, failure): (usize, Failure)| (n, failure.to_string());
+                return Ok((compared, failures.into_iter().map(why).collect()));
+            }
+            let could_go_on = |(_, failure): &(usize, Failure)| matches!(failure.reason, Reason::TooManySteps { .. });
+            if most >= STEPS[1] || !failures.iter().any(could_go_on) {
+                let named = |(n, failure): (usize, Failure)| (self.candidates[n].name, failure);
+                return Err(TuneError::AllFailed {
+                    failures: failures.into_iter().map(named).collect(),
+                });
+            }
+            most *= 10;
+        }
+    }
+
+    /// Determines the end states by two methods that agree.
+    fn ends(&self, compared: &[Compared<N>]) -> Result<Vec<SVector<f64, N>>, TuneError> {
+        let mut tolerance = (FAR_BELOW * self.error).max(LEAST);
+        loop {
+            let mut order: Vec<_> = compared.iter().collect();
+            order.sort_by(|a, b| a.time_at(tolerance).total_cmp(&b.time_at(tolerance)));
+            let mut known: Vec<(&Compared<N>, Runs<N>)> = Vec::new();
+            for of in order {
+                // `Auto` is another name of an explicit method where it does not switch
+                let is_another = known.iter().all(|(before, _)| before.runs[0].ends != of.runs[0].ends);
+                if is_another && let Ok(runs) = self.runs(of.candidate, tolerance, STEPS[1]) {
+                    known.push((of, runs));
+                }
+                if known.len() == 2 {
+                    break;
+                }
+            }
+            let uncertainty = match &known[..] {
+                [(_, a), (_, b)] => self.error_of(a, &b.ends),
+                _ => f64::INFINITY,
+            };
+            let enough = if tolerance > LEAST { KNOWN } else { BARELY_KNOWN };
+            if uncertainty <= enough * self.error {
+                return Ok(known.swap_remove(0).1.ends);
+            }
+            if tolerance <= LEAST {
+                let name = |n: usize| known.get(n).map_or("", |(of, _)| self.candidates[of.candidate].name);
+                return Err(TuneError::BelowUncertainty {
+                    error: self.error,
+                    uncertainty,
+                    methods: [name(0), name(1)],
+                });
+            }
+            tolerance = (SECOND * tolerance).max(LEAST);
+        }
+    }
+
+    /// Times the fastest candidates side by side, and sorts all by their times.
+    fn time_again(&self, found: &mut [Found]) {
+        found.sort_by(|a, b| a.time.total_cmp(&b.time));
+        let close = found.partition_point(|of| of.time <= CLOSE * found[0].time);
+        let mut timers: Vec<_> = found[..close]
+            .iter()
+            .map(|of| {
+                Timer::new(move || {
+                    self.runs(of.candidate, of.value, usize::MAX).ok();
+                })
+            })
+            .collect();
+        in_turns(&mut timers, ROUNDS);
+        let count = self.starts.len() as f64;
+        let times: Vec<f64> = timers
+            .iter_mut()
+            .map(|timer| timer.minimum_and_median().0 / count)
+            .collect();
+        drop(timers);
+        for (of, time) in found.iter_mut().zip(times) {
+            of.time = time;
+        }
+        found.sort_by(|a, b| a.time.total_cmp(&b.time));
+    }
+}
+
+impl<const N: usize> Compared<N> {
+    /// Time with a tolerance, extrapolated as a power of it.
+    fn time_at(&self, tolerance: f64) -> f64 {
+        let [a, b] = &self.runs;
+        let growth = log(b.time / a.time).max(0.0) / log(a.value / b.value);
+        b.time * pow(b.value / tolerance, growth)
+    }
+}
