@@ -259,6 +259,22 @@ pub enum Reason {
         /// Size of the jump, in the unit of the component.
         by: f64,
     },
+    /// The inputs before the first command of a [`Sampled`](crate::control::Sampled) controller exceed its limits.
+    StartBeyondLimits {
+        /// Index of the input.
+        input: usize,
+        /// Its value before the first command.
+        start: f64,
+        /// Its limits.
+        limits: [f64; 2],
+    },
+    /// A command of a [`Sampled`](crate::control::Sampled) controller is infinite or NaN.
+    CommandNotFinite {
+        /// Index of the input.
+        input: usize,
+        /// Time of the sample.
+        t: f64,
+    },
     /// The [observer](crate::Observer::is_cancelled) ended the integration.
     Cancelled,
     /// The end was not reached within the maximum number of steps, including rejected ones.
@@ -368,15 +384,30 @@ impl fmt::Display for Reason {
             Self::Jump { component, by } => write!(
                 f,
                 "component {component} of the derivative of the state jumps by {by:.3e} near here, and no step \
-                 across a jump meets the tolerance; if a law switches, make it continuous, as by `clamp` or `tanh`; \
-                 if it is sampled or noisy, solve from one sample to the next with constant inputs; for dry \
+                 across a jump meets the tolerance; if a law is sampled or noisy, run it by `control::Sampled`, which \
+                 steps from sample to sample; if it switches, make it continuous, as by `clamp` or `tanh`; for dry \
                  friction, declare `dry_friction`"
+            ),
+            Self::StartBeyondLimits {
+                input,
+                start,
+                limits: [low, high],
+            } => write!(
+                f,
+                "input {input} is {start:?} before the first command, beyond its limits of {low:?} and {high:?}; pass \
+                 inputs within them to `start`, or check the limits"
+            ),
+            Self::CommandNotFinite { input, t } => write!(
+                f,
+                "the command for input {input} is not finite at t = {t:?}; check the controller, its gains, and that \
+                 the motion does not diverge"
             ),
             Self::Cancelled => f.write_str("the integration was cancelled"),
             Self::TooManySteps { max_steps } => write!(
                 f,
-                "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance, or, \
-                 if the steps are much shorter than the motion requires, use a method for stiff systems, such as `Auto`"
+                "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance; if the steps are \
+                 much shorter than the motion requires, check for a law that jumps, which is run by \
+                 `control::Sampled` if it is sampled, or else use a method for stiff systems, such as `Auto`"
             ),
         }
     }

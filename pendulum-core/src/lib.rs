@@ -62,7 +62,6 @@
 
 #[cfg(feature = "std")]
 pub mod accuracy;
-#[cfg(feature = "std")]
 pub mod control;
 pub mod cost;
 pub mod dense;

@@ -34,6 +34,8 @@ pub enum ControlError<const N: usize> {
         /// Its period in s.
         period: f64,
     },
+    /// The model has no sampling period.
+    Continuous,
     /// A weight or covariance is not symmetric.
     NotSymmetric {
         /// Name of the matrix.
@@ -108,6 +110,10 @@ impl<const N: usize> fmt::Display for ControlError<N> {
                 f,
                 "the model is already one from sample to sample, with a period of {period} s\nhelp: discretize the \
                  continuous one"
+            ),
+            Self::Continuous => f.write_str(
+                "the model is continuous, and a filter in a sampled controller predicts from sample to sample\nhelp: \
+                 use `model.discretize(period)`, also for the law and the filter",
             ),
             Self::NotSymmetric {
                 what,

@@ -38,19 +38,42 @@
 //! A model that cannot be stabilized is an error with each mode that the inputs do not reach: its eigenvalue, and its
 //! direction in the names of the model.
 
+#[cfg(feature = "std")]
 mod error;
+#[cfg(feature = "std")]
 mod estimator;
+#[cfg(feature = "std")]
 mod exponential;
+#[cfg(feature = "std")]
 mod modes;
+#[cfg(feature = "std")]
+mod output_feedback;
+#[cfg(feature = "std")]
 mod reach;
+#[cfg(feature = "std")]
 mod regulator;
+#[cfg(feature = "std")]
 mod riccati;
+mod sampled;
+#[cfg(feature = "std")]
 mod schur;
+#[cfg(feature = "std")]
 mod state_space;
+#[cfg(feature = "std")]
 mod weights;
 
+#[cfg(feature = "std")]
 pub use error::ControlError;
+#[cfg(feature = "std")]
 pub use estimator::Estimator;
+#[cfg(feature = "std")]
 pub use modes::{LostMode, LostModes, ModeMargin, PbhTest};
+#[cfg(feature = "std")]
+pub use output_feedback::{Estimate, OutputFeedback};
+#[cfg(feature = "std")]
 pub use regulator::{LinearLaw, Regulator};
+#[cfg(feature = "std")]
+pub use sampled::SampledSolution;
+pub use sampled::{Components, Controller, Held, MAX_DELAY, Outputs, Pid, PidState, Sample, Sampled, WholeState};
+#[cfg(feature = "std")]
 pub use state_space::{StateSpace, linearize};

@@ -5,9 +5,10 @@ use nalgebra::SVector;
 use super::march::March;
 use super::together::Marches;
 use super::watch::{Unwatched, Watch, Watched};
-use super::{Ensemble, EnsembleError, ObservedEnsemble, check_models, check_observers, conclude};
+use super::{Ensemble, EnsembleError, ObservedEnsemble, Stopped, check_models, check_observers, conclude};
+use crate::error::Reason;
 use crate::event::Event;
-use crate::method::{OneStep, Scheme, check_span};
+use crate::method::{OneStep, Pace, Scheme, check_span};
 use crate::real::lanes::{Isa, LaneElement};
 use crate::solution::Observer;
 use crate::system::Cast;
@@ -90,7 +91,35 @@ where
         x: &mut x,
         stopped: &mut stopped,
         watch,
+        paces: None,
     };
     A::run(isa, march)?;
     conclude(x, stopped)
+}
+
+/// Integrates trajectories over a part of their span, with steps as long as those before: `paces` has them, and receives
+/// those at the end. The final states replace `x`.
+pub(crate) fn go_on<A, M, T, const N: usize>(
+    method: &A,
+    models: &[M],
+    span: (T, T),
+    (x, paces): (&mut [SVector<T, N>], &mut [Option<Pace<T>>]),
+    stopped: &mut Vec<Stopped<T>>,
+) -> Result<(), Reason>
+where
+    A: Marches<M, T, N>,
+    M: Cast<N>,
+    T: LaneElement,
+{
+    let march = March {
+        method,
+        models,
+        span,
+        waiting: 0..x.len(),
+        x,
+        stopped,
+        watch: Unwatched,
+        paces: Some(paces),
+    };
+    A::run(Isa::widest(), march)
 }

@@ -99,7 +99,10 @@ where
         let mut system = Expanded::<M, V, N>::gather(|_| &self.models[0]);
         let (family, tolerance) = (self.method.family(), self.method.within()?);
         let mut scheme = family.stages::<V>(&system, tolerance, W::WATCHES || L::ASKS)?;
-        let start = self.method.steps(scheme.error_order(), self.span)?;
+        let mut start = self.method.steps(scheme.error_order(), self.span)?;
+        if let Pacing::Controlled(control) = &mut start {
+            control.keeps_pace = self.paces.is_some();
+        }
         let mut steps = start;
         let mut leave = L::none();
         let mut members = Members::none();
@@ -397,7 +400,7 @@ where
             if members.index(lane).is_none()
                 && let Some(index) = self.next()
             {
-                members.enter(lane, index, self.span.0, pace);
+                members.enter(lane, index, self.span.0, self.pace(index).unwrap_or(pace));
                 set_lane(x, lane, &self.x[index]);
                 someone_enters = true;
             }
@@ -449,6 +452,7 @@ where
             Pacing::Equal(_) => None,
         };
         if let Some(control) = control
+            && self.pace(index).is_none()
             && const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES }
         {
             let model = model_of(self.models, index).cast::<T>();
@@ -470,6 +474,9 @@ where
     /// Ends a trajectory in the state `x`.
     fn leave(&mut self, members: &mut Members<T>, (lane, index): (usize, usize), x: SVector<T, N>) {
         self.x[index] = x;
+        if let Some(paces) = &mut self.paces {
+            paces[index] = Some(members.pace(lane));
+        }
         members.leave(lane);
         self.watch.finish(index);
     }

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use super::watch::Watch;
 use super::{Stopped, alone};
 use crate::error::Reason;
-use crate::method::{Adaptive, Estimates, Fixed, Grid, Method, StepControl};
+use crate::method::{Adaptive, Estimates, Fixed, Grid, Method, Pace, StepControl};
 use crate::real::Float;
 use crate::step_size::Tolerance;
 use crate::system::Cast;
@@ -24,6 +24,9 @@ pub struct March<'a, A, M, T, W, const N: usize> {
     pub(super) waiting: Range<usize>,
     pub(super) stopped: &'a mut Vec<Stopped<T>>,
     pub(super) watch: W,
+    /// Step sizes at which the trajectories start and end, if they go on after the end of the span: `None` before their
+    /// first step.
+    pub(super) paces: Option<&'a mut [Option<Pace<T>>]>,
 }
 
 impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
@@ -40,7 +43,16 @@ impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
             waiting: self.waiting,
             stopped: self.stopped,
             watch: self.watch,
+            paces: self.paces,
         }
+    }
+
+    /// Step size at which a trajectory goes on, if it has begun in an earlier span.
+    pub(super) fn pace(&self, index: usize) -> Option<Pace<T>>
+    where
+        T: Copy,
+    {
+        self.paces.as_ref().and_then(|paces| paces[index])
     }
 
     /// Integrates all waiting trajectories to their ends, one by one.

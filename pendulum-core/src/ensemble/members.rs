@@ -72,15 +72,20 @@ impl<T: Float> Members<T> {
         (self.alpha[lane], self.last[lane], self.most[lane]) = (alpha, last, most);
     }
 
+    /// Step size of the trajectory in a lane.
+    pub(super) fn pace(&self, lane: usize) -> Pace<T> {
+        Pace {
+            h: self.h[lane],
+            controller: self.controller(lane),
+        }
+    }
+
     /// Progress of the trajectory in a lane, in the state `x`.
     pub(super) fn progress<const N: usize>(&self, lane: usize, x: SVector<T, N>, modes: Modes<T, N>) -> Progress<T, N> {
         Progress {
             t: self.t[lane],
             x,
-            pace: Pace {
-                h: self.h[lane],
-                controller: self.controller(lane),
-            },
+            pace: self.pace(lane),
             steps: self.steps[lane],
             modes,
         }
@@ -198,7 +203,8 @@ impl<T: Float> Members<T> {
         for (lane, &mean_square) in mean_squares.iter().enumerate() {
             let (t, t_new) = (self.t[lane], self.t_new[lane]);
             let mut controller = self.controller(lane);
-            let judged = control.judged(&mut controller, (t, t_new), mean_square, method_proposes);
+            let planned = (&mut controller, self.h[lane]);
+            let judged = control.judged(planned, (t, t_new), mean_square, method_proposes);
             (self.last[lane], self.most[lane]) = (controller.last, controller.most);
             self.h[lane] = judged.h;
             self.steps[lane] += 1;

@@ -18,7 +18,9 @@ use std::fmt;
 use nalgebra::SVector;
 
 pub(crate) use check::{in_lane, set_lane};
+pub(crate) use entry::go_on;
 pub use lanes::{Expanded, InLanes};
+pub(crate) use together::Marches;
 pub use together::Together;
 
 use crate::error::{Reason, debug_as_display};

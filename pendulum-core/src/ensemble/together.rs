@@ -14,6 +14,11 @@ use crate::tableau::{Tsitouras5, Verner7, Verner9};
 
 /// A kind of method for ensembles. By default it integrates trajectories one by one; methods [`InLanes`] override this.
 pub trait Together<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> + Sized {
+    /// True if lanes can continue a trajectory of which they have the state and the step size: a step depends on
+    /// nothing else.
+    #[doc(hidden)]
+    const GOES_ON: bool = false;
+
     /// Integrates with steps controlled by a tolerance.
     #[doc(hidden)]
     fn within_tolerance<W>(_isa: Isa, march: March<'_, Adaptive<Self>, M, T, W, N>) -> Result<(), Reason>
@@ -44,6 +49,8 @@ macro_rules! in_lanes {
             T: LaneElement,
             Self: InLanes<M, T, N>,
         {
+            const GOES_ON: bool = true;
+
             fn within_tolerance<W>(isa: Isa, march: March<'_, Adaptive<Self>, M, T, W, N>) -> Result<(), Reason>
             where
                 Self: Estimates,
@@ -107,6 +114,9 @@ one_by_one! {
 
 /// A method for ensembles.
 pub trait Marches<M: Cast<N>, T: LaneElement, const N: usize>: Paced<T> + Sized {
+    /// True if lanes can continue trajectories: see [`Together::GOES_ON`].
+    const GOES_ON: bool;
+
     /// Integrates trajectories to their ends.
     fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason>;
 }
@@ -117,6 +127,8 @@ where
     F: Together<M, T, N> + Estimates,
     T: LaneElement,
 {
+    const GOES_ON: bool = F::GOES_ON;
+
     fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason> {
         F::within_tolerance(isa, march)
     }
@@ -128,6 +140,8 @@ where
     F: Together<M, T, N>,
     T: LaneElement,
 {
+    const GOES_ON: bool = F::GOES_ON;
+
     fn run<W: Watch<T, N>>(isa: Isa, march: March<'_, Self, M, T, W, N>) -> Result<(), Reason> {
         F::on_grid(isa, march)
     }

@@ -111,6 +111,17 @@ impl<S, L, const M: usize> WithInputs<S, Generic<L>, M> {
     }
 }
 
+impl<S, L, const M: usize> WithInputs<S, L, M> {
+    /// Combines a model with a law in one number type.
+    pub(crate) const fn of(system: S, law: L) -> Self {
+        Self { system, law }
+    }
+
+    pub(crate) const fn law(&self) -> &L {
+        &self.law
+    }
+}
+
 impl<T, S, L, const N: usize, const M: usize> System<T, N> for WithInputs<S, L, M>
 where
     T: Real,

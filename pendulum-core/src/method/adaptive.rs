@@ -220,6 +220,7 @@ impl<F> Adaptive<F> {
             max_steps: self.max_steps,
             error_order,
             tolerance,
+            keeps_pace: false,
         };
         self.check_steps(control.least(t0.abs().max(t1.abs())).to_f64())?;
         Ok(control)

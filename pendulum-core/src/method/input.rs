@@ -27,7 +27,7 @@ pub(crate) fn check_span<T: Float>(t0: T, t1: T) -> Result<(), Reason> {
 }
 
 /// Checks the time span and the initial condition.
-pub(super) fn check_start<T: Float, const N: usize>(t0: T, t1: T, x0: &SVector<T, N>) -> Result<(), Reason> {
+pub(crate) fn check_start<T: Float, const N: usize>(t0: T, t1: T, x0: &SVector<T, N>) -> Result<(), Reason> {
     const { assert!(N > 0, "a state has at least one component") };
     check_span(t0, t1)?;
     check_state(x0)

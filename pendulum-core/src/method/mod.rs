@@ -54,12 +54,12 @@ use nalgebra::SVector;
 pub(crate) use explicit::MAX_DEGREE;
 #[cfg(feature = "std")]
 pub(crate) use input::check_loops;
-pub(crate) use input::require;
+pub(crate) use input::{check_start, place, require};
 pub(crate) use zero::{Known, dip, first_zero, places, root, root_of_line, unseen_bend};
 #[cfg(feature = "std")]
 pub(crate) use {
     grid::Grid,
-    input::{check_span, place},
+    input::check_span,
     rosenbrock::RosenbrockStages,
     scheme::{NonFinite, StepFailure},
     search::Search,

@@ -42,6 +42,8 @@ pub(super) struct Smooth<C, T, const N: usize> {
     pub(super) last: Step<T, N>,
     /// State at the end of the last attempt.
     tried: SVector<T, N>,
+    /// Number of steps before the end was moved last: these do not count towards the maximum.
+    pub(super) before: usize,
     pub(super) statistics: Statistics,
 }
 
@@ -53,6 +55,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
             t1,
             last: Step::at_rest(t, x),
             tried: x,
+            before: 0,
             statistics: Statistics::default(),
         }
     }
@@ -152,7 +155,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         let mut proposed = self.scheme.prepare(&system, t, &self.last.x1, &mut self.statistics);
         pace.set_order(self.scheme.error_order());
         loop {
-            let steps = self.statistics.accepted + self.statistics.rejected;
+            let steps = self.statistics.accepted + self.statistics.rejected - self.before;
             let t_new = control.plan(&mut pace.h, (t, self.t1), steps, proposed.take())?;
             let outcome = self.attempt_and_advance(model, t_new, is_within_tolerance);
             let failure = outcome.err();

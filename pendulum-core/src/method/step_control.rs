@@ -26,6 +26,9 @@ pub struct StepControl<T> {
     pub error_order: usize,
     /// Tolerance of the errors.
     pub tolerance: Tolerance<T>,
+    /// True if the integration goes on after the end of its span: a step that the end cuts short does not shorten the
+    /// next one.
+    pub(crate) keeps_pace: bool,
 }
 
 /// Step-size state of one trajectory.
@@ -40,6 +43,8 @@ pub(crate) struct Pace<T> {
 const LEAST_ULPS: f64 = 4.0;
 /// Factor by which the last step may be longer than planned.
 const STRETCH: f64 = 1.01;
+/// Fraction of the planned length below which a step was cut short by the end of the span, not by rounding.
+const CUT_SHORT: f64 = 0.99;
 /// Maximum growth of a proposed step over the last one. A step no longer than the time since the last jump of the
 /// right-hand side passes at most one jump, which the derivative at its end then reveals.
 const GROW_PROPOSED: f64 = 2.0;
@@ -153,7 +158,7 @@ impl<T: Float> StepControl<T> {
         kept: (f64, f64),
     ) -> Result<bool, Reason> {
         let mean_square = outcome.unwrap_or(T::from_f64(f64::NAN));
-        let judged = self.judged(&mut pace.controller, (t, t_new), mean_square, method_proposes);
+        let judged = self.judged((&mut pace.controller, pace.h), (t, t_new), mean_square, method_proposes);
         let (least, most) = (T::from_f64(kept.0) * pace.h, T::from_f64(kept.1) * pace.h);
         if !(judged.is_accepted && least <= judged.h && judged.h <= most) {
             pace.h = judged.h;
@@ -164,12 +169,12 @@ impl<T: Float> StepControl<T> {
         Ok(judged.is_accepted)
     }
 
-    /// Like [`judge`](Self::judge), but takes a mean square that is NaN for a failed attempt. Without branches, so that
-    /// it vectorizes over lanes.
+    /// Like [`judge`](Self::judge), but takes a mean square that is NaN for a failed attempt, and the planned length of
+    /// the step. Without branches, so that it vectorizes over lanes.
     #[inline(always)]
     pub(crate) fn judged(
         &self,
-        controller: &mut PiController,
+        (controller, planned): (&mut PiController, T),
         (t, t_new): (T, T),
         mean_square: T,
         method_proposes: bool,
@@ -181,7 +186,10 @@ impl<T: Float> StepControl<T> {
         } else {
             factor
         };
-        let h = (t_new - t).abs() * T::from_f64(factor);
+        let length = (t_new - t).abs();
+        let h = length * T::from_f64(factor);
+        let is_cut_short = self.keeps_pace & (length < T::from_f64(CUT_SHORT) * planned) & (h > length);
+        let h = if is_accepted & is_cut_short { h.max(planned) } else { h };
         Judged {
             is_accepted,
             h: if is_accepted { h.min(self.h_max) } else { h },
@@ -250,6 +258,7 @@ mod tests {
         max_steps: 1000,
         error_order: 4,
         tolerance: Tolerance { rtol: 0.0, atol: 1.0 },
+        keeps_pace: false,
     };
 
     #[test]

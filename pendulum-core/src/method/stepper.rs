@@ -11,6 +11,7 @@ use nalgebra::SVector;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::hybrid::{self, Ambiguity, InMode, MAX_CONSTRAINTS, Mode, Modes};
+use crate::method::grid::Grid;
 use crate::method::input::{place, require};
 use crate::method::scheme::Scheme;
 use crate::method::smooth::{Smooth, Steps};
@@ -237,6 +238,28 @@ where
             (self.smooth.steps, self.modes) = (steps, modes);
             _ = self.begin();
         })
+    }
+
+    /// Moves the end of the span to `t1`, ahead of the point reached, and continues with steps as long as before. If the
+    /// right-hand side `jumps` there, the stepper restarts. The number of steps is counted anew.
+    pub(crate) fn go_on_to(&mut self, t1: T, jumps: bool) -> Result<(), Reason> {
+        let (t, x) = (self.t(), self.x());
+        if let Steps::Equal(grid) = &mut self.smooth.steps {
+            *grid = Grid::new(grid.h().to_f64(), t, t1)?;
+        }
+        self.smooth.t1 = t1;
+        self.smooth.before = self.smooth.statistics.accepted + self.smooth.statistics.rejected;
+        if jumps || self.system.hybrid().is_none() {
+            self.restart(t, x)?;
+        }
+        Ok(())
+    }
+
+    /// Declares that the integration [goes on](Self::go_on_to) after the end of its span.
+    pub(crate) fn keep_pace(&mut self) {
+        if let Steps::Controlled { control, .. } = &mut self.smooth.steps {
+            control.keeps_pace = true;
+        }
     }
 
     /// The system.

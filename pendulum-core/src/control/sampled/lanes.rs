@@ -1,0 +1,220 @@
+//! Sampled controllers of many trajectories at once, in lanes.
+
+use nalgebra::SVector;
+
+use super::held::Holding;
+use super::legs::{Leg, Legs};
+use super::run::Run;
+use super::{Controller, Held, Outputs, Sampled};
+use crate::ensemble::{EnsembleError, Marches, Stopped, check_models, conclude, go_on};
+use crate::error::Reason;
+use crate::inputs::{CastControlled, WithInputs};
+use crate::method::{Method, Pace, check_span, place};
+use crate::real::lanes::LaneElement;
+
+impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
+    /// Integrates from each of the states `starts` at `t0` to `t1` under this controller, in lanes, and returns the final
+    /// states.
+    ///
+    /// Pass one model per start, or a single model for all. Each trajectory has its own noise, that of the
+    /// [`member`](Self::member) with its index. Each final state is bit for bit that of [`end`](Self::end). Explicit
+    /// methods and Rosenbrock methods run in lanes; others, and all methods for [hybrid](crate::hybrid) systems,
+    /// integrate one trajectory after the other.
+    ///
+    /// ```
+    /// use pendulum_core::control::{Pid, Sampled};
+    /// use pendulum_core::prelude::*;
+    ///
+    /// mechanism! {
+    ///     pub Cart {
+    ///         params { m: kg = 2 }
+    ///         input push: N,
+    ///         body cart on ground { mass: m, joint: prismatic(x), coordinate: s, torque: push }
+    ///     }
+    /// }
+    ///
+    /// let carts = [1.0, 2.0, 3.0].map(|m| Cart::new(CartParams { m }).unwrap());
+    /// let sampled = Sampled::of_components(Pid::new(20.0, 0.0, 10.0), 0.01, [Cart::S]).noise([1e-3]);
+    /// let starts = [SVector::from([1.0, 0.0]); 3];
+    /// let ends = sampled.ensemble(&Tsit5::new(), &carts, 0.0, 10.0, &starts)?;
+    /// assert_eq!(ends[1], sampled.member(1).end(&Tsit5::new(), &carts[1], 0.0, 10.0, starts[1])?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`EnsembleError::InvalidInput`] if there is neither one model nor one for each start, or if times or settings
+    /// are invalid. [`EnsembleError::Stopped`] lists the trajectories that stopped early, and holds the final states of
+    /// the others.
+    pub fn ensemble<A, S, T, const N: usize>(
+        &self,
+        method: &A,
+        models: &[S],
+        t0: T,
+        t1: T,
+        starts: &[SVector<T, N>],
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
+    where
+        A: Marches<Holding<S, M>, T, N> + Method<WithInputs<S::In<T>, Held<T, M>, M>, T, N>,
+        C: Controller<T, P, M>,
+        W: Outputs<T, N, P>,
+        S: CastControlled<N, M, In<T>: Clone> + Clone,
+        T: LaneElement,
+    {
+        const {
+            assert!(
+                !T::HAS_SLOPES,
+                "`Sampled::end` carries derivatives, one trajectory after the other"
+            )
+        };
+        check_span(t0, t1)?;
+        self.check((t0, t1))?;
+        self.outputs.check()?;
+        method.check((t0, t1), false)?;
+        let holding = models.iter().cloned().map(|system| Holding {
+            system,
+            inputs: self.start,
+        });
+        let holding: Vec<_> = holding.collect();
+        check_models(&holding, starts)?;
+        let mut ends = starts.to_vec();
+        let mut stopped = Vec::new();
+        if S::HYBRID || !A::GOES_ON {
+            for (index, x) in ends.iter_mut().enumerate() {
+                let model = models[index.min(models.len() - 1)].cast();
+                match self.end_of(method, &model, (t0, t1), *x, self.member.wrapping_add(index as u64)) {
+                    Ok(end) => *x = end,
+                    Err(halt) => {
+                        *x = halt.x;
+                        stopped.push(Stopped::new(index, halt.t, halt.reason));
+                    }
+                }
+            }
+            return conclude(ends, stopped);
+        }
+        let mut flock = Flock::start(self, holding, t0, &mut ends, &mut stopped);
+        let mut legs = Legs::new((t0, t1), self.period, self.delay);
+        while let Some(leg) = legs.next() {
+            flock.command(self, (&leg, &legs), &mut ends, &mut stopped);
+            if leg.from != leg.to {
+                flock.integrate(method, &leg, &mut ends, &mut stopped)?;
+            }
+        }
+        flock.leave(|_| true, &mut ends);
+        conclude(ends, stopped)
+    }
+}
+
+/// The trajectories that have not stopped, each at the same place of all lists.
+struct Flock<S, T, B, const N: usize, const M: usize> {
+    /// Index of the trajectory.
+    index: Vec<usize>,
+    models: Vec<Holding<S, M>>,
+    x: Vec<SVector<T, N>>,
+    paces: Vec<Option<Pace<T>>>,
+    runs: Vec<Run<T, B, M>>,
+}
+
+impl<S, T, B, const N: usize, const M: usize> Flock<S, T, B, N, M>
+where
+    S: CastControlled<N, M> + Clone,
+    T: LaneElement,
+    B: Copy,
+{
+    /// All trajectories whose start is valid. The others stop.
+    fn start<C, W, const P: usize>(
+        sampled: &Sampled<C, W, P, M>,
+        models: Vec<Holding<S, M>>,
+        t0: T,
+        ends: &mut [SVector<T, N>],
+        stopped: &mut Vec<Stopped<T>>,
+    ) -> Self
+    where
+        C: Controller<T, P, M, State = B>,
+    {
+        let mut flock = Self {
+            index: Vec::new(),
+            models: Vec::new(),
+            x: Vec::new(),
+            paces: Vec::new(),
+            runs: Vec::new(),
+        };
+        for (index, start) in ends.iter().enumerate() {
+            let model = &models[index.min(models.len() - 1)];
+            match place(&crate::system::Cast::cast::<T>(model), t0, start) {
+                Ok(x) => {
+                    flock.index.push(index);
+                    flock.models.push(model.clone());
+                    flock.x.push(x);
+                    flock.paces.push(None);
+                    flock.runs.push(sampled.run(sampled.member.wrapping_add(index as u64)));
+                }
+                Err(reason) => stopped.push(Stopped::new(index, t0, reason)),
+            }
+        }
+        flock
+    }
+
+    /// Takes the samples at the start of a leg, and sets the inputs during it.
+    fn command<C, W, const P: usize>(
+        &mut self,
+        sampled: &Sampled<C, W, P, M>,
+        (leg, legs): (&Leg<T>, &Legs<T>),
+        ends: &mut [SVector<T, N>],
+        stopped: &mut Vec<Stopped<T>>,
+    ) where
+        C: Controller<T, P, M, State = B>,
+        W: Outputs<T, N, P>,
+    {
+        let before = stopped.len();
+        for (place, run) in self.runs.iter_mut().enumerate() {
+            if leg.samples
+                && let Err(reason) = sampled.sample(run, (leg, legs), &self.x[place])
+            {
+                stopped.push(Stopped::new(self.index[place], leg.from, reason));
+            }
+            self.models[place].inputs = run.inputs(leg).map(|input| input.to_f64());
+        }
+        self.remove(&stopped[before..], ends);
+    }
+
+    /// Integrates over a leg.
+    fn integrate<A>(
+        &mut self,
+        method: &A,
+        leg: &Leg<T>,
+        ends: &mut [SVector<T, N>],
+        stopped: &mut Vec<Stopped<T>>,
+    ) -> Result<(), Reason>
+    where
+        A: Marches<Holding<S, M>, T, N>,
+    {
+        let before = stopped.len();
+        let going = (&mut self.x[..], &mut self.paces[..]);
+        go_on(method, &self.models, (leg.from, leg.to), going, stopped)?;
+        for stopped in &mut stopped[before..] {
+            stopped.index = self.index[stopped.index];
+        }
+        self.remove(&stopped[before..], ends);
+        Ok(())
+    }
+
+    fn remove(&mut self, stopped: &[Stopped<T>], ends: &mut [SVector<T, N>]) {
+        if !stopped.is_empty() {
+            self.leave(|index| stopped.iter().any(|stopped| stopped.index == index), ends);
+        }
+    }
+
+    /// Ends the trajectories whose index `leaves`, in their states.
+    fn leave(&mut self, leaves: impl Fn(usize) -> bool, ends: &mut [SVector<T, N>]) {
+        for place in (0..self.index.len()).rev() {
+            if leaves(self.index[place]) {
+                ends[self.index[place]] = self.x[place];
+                self.index.swap_remove(place);
+                self.models.swap_remove(place);
+                self.x.swap_remove(place);
+                self.paces.swap_remove(place);
+                self.runs.swap_remove(place);
+            }
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! Recorded trajectories of sampled controllers.
+
+use nalgebra::SVector;
+
+use super::trajectory::{Driven, Witness};
+use super::{Controller, Held, Outputs, Sample, Sampled};
+use crate::dense::Dense;
+use crate::error::{Reason, SolveError};
+use crate::hybrid::{Ambiguity, Impact, Mode};
+use crate::inputs::{Controlled, WithInputs};
+use crate::method::{Method, Scheme, Stepper, follow};
+use crate::real::Float;
+use crate::solution::{Observer, Solution};
+use crate::statistics::Statistics;
+use crate::step_size::Tolerance;
+use crate::system::{IntoState, System};
+
+/// A trajectory under a [`Sampled`] controller.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SampledSolution<T, const N: usize, const P: usize, const M: usize> {
+    /// The motion, with dense output; its steps end at each sample and at each change of the inputs.
+    pub trajectory: Solution<T, N>,
+    /// The samples, in the order of time.
+    pub samples: Vec<Sample<T, P, M>>,
+    /// Inputs until the first command acts.
+    pub start: [T; M],
+}
+
+impl<T: Float, const N: usize, const P: usize, const M: usize> SampledSolution<T, N, P, M> {
+    /// Inputs that act on the model at the time `t`; where they change, those after the change.
+    #[must_use]
+    pub fn inputs_at(&self, t: T) -> [T; M] {
+        let acting = self.samples.partition_point(|sample| sample.acts_from <= t);
+        acting
+            .checked_sub(1)
+            .map_or(self.start, |last| self.samples[last].inputs)
+    }
+}
+
+impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
+    /// Integrates `model` under this controller from the state `x0` at `t0` to `t1`, and records the trajectory and the
+    /// samples.
+    ///
+    /// # Errors
+    /// Errors of [`end`](Self::end), with the solution up to the last good state.
+    pub fn solve<A, S, T, const N: usize>(
+        &self,
+        method: &A,
+        model: &S,
+        t0: T,
+        t1: T,
+        x0: impl IntoState<T, N>,
+    ) -> Result<SampledSolution<T, N, P, M>, SolveError<T, N>>
+    where
+        A: Method<WithInputs<S, Held<T, M>, M>, T, N>,
+        C: Controller<T, P, M>,
+        W: Outputs<T, N, P>,
+        S: Controlled<T, N, M> + Clone,
+        T: Float,
+    {
+        let x0 = x0.into_state();
+        let mut trajectory = Solution::start(t0, x0);
+        let mut samples = Vec::new();
+        match self.follow(method, model, (t0, t1), x0, &mut trajectory, |sample| {
+            samples.push(sample)
+        }) {
+            Ok(_) => Ok(SampledSolution {
+                trajectory,
+                samples,
+                start: self.start.map(T::from_f64),
+            }),
+            Err(reason) => Err(SolveError {
+                reason,
+                solution: Box::new(trajectory),
+            }),
+        }
+    }
+
+    /// Integrates `model` under this controller from the state `x0` over `span`, passes the trajectory to an observer
+    /// and each sample to a function, and returns the final state. Only these store anything.
+    ///
+    /// # Errors
+    /// Errors of [`end`](Self::end), and [`Reason::Cancelled`]. The observer has then received the trajectory up to the
+    /// last good state.
+    pub fn follow<A, S, T, const N: usize>(
+        &self,
+        method: &A,
+        model: &S,
+        span: (T, T),
+        x0: impl IntoState<T, N>,
+        observer: &mut impl Observer<T, N>,
+        sample: impl FnMut(Sample<T, P, M>),
+    ) -> Result<SVector<T, N>, Reason>
+    where
+        A: Method<WithInputs<S, Held<T, M>, M>, T, N>,
+        C: Controller<T, P, M>,
+        W: Outputs<T, N, P>,
+        S: Controlled<T, N, M> + Clone,
+        T: Float,
+    {
+        let x0 = x0.into_state();
+        method
+            .tolerance()
+            .into_iter()
+            .for_each(|tolerance| observer.within(tolerance));
+        let mut recorder = Recorder {
+            legs: Legwise {
+                observer,
+                has_started: false,
+                mode: None,
+                has_jumped: false,
+                is_known: false,
+            },
+            sample,
+            work: Statistics::default(),
+        };
+        let ended = self.drive(method, model, span, x0, self.member, &mut recorder);
+        let work = recorder.work;
+        observer.finish(work);
+        ended.map(|(x, _)| x).map_err(|halt| halt.reason)
+    }
+}
+
+/// Passes a trajectory and its samples on.
+struct Recorder<'o, O, F, T> {
+    legs: Legwise<'o, O, T>,
+    sample: F,
+    work: Statistics,
+}
+
+impl<S, T, O, F, const N: usize, const P: usize, const M: usize> Witness<Driven<S, T, M>, T, N, P, M>
+    for Recorder<'_, O, F, T>
+where
+    S: Controlled<T, N, M>,
+    T: Float,
+    O: Observer<T, N>,
+    F: FnMut(Sample<T, P, M>),
+{
+    fn leg<C: Scheme<Driven<S, T, M>, T, N>>(
+        &mut self,
+        stepper: &mut Stepper<'_, C, Driven<S, T, M>, T, N>,
+        x0: SVector<T, N>,
+    ) -> Result<(), Reason>
+    where
+        Driven<S, T, M>: System<T, N>,
+    {
+        let ended = follow(stepper, x0, &[], &mut self.legs);
+        self.work = stepper.statistics();
+        ended.map(drop).map_err(|early| early.reason)
+    }
+
+    fn sample(&mut self, sample: Sample<T, P, M>) {
+        (self.sample)(sample);
+    }
+}
+
+/// Observer of a trajectory in parts: it passes on the start of the first one only, and no mode that goes on.
+struct Legwise<'o, O, T> {
+    observer: &'o mut O,
+    has_started: bool,
+    /// Last mode that was passed on, and its start.
+    mode: Option<(T, Mode)>,
+    /// True if the state jumped right before.
+    has_jumped: bool,
+    /// True if the mode and its impacts were passed on before.
+    is_known: bool,
+}
+
+impl<O: Observer<T, N>, T: Float, const N: usize> Observer<T, N> for Legwise<'_, O, T> {
+    fn start(&mut self, t: T, x: &SVector<T, N>) {
+        if !self.has_started {
+            self.observer.start(t, x);
+        }
+        self.has_started = true;
+    }
+
+    fn looks_into(&self, t0: T, t1: T) -> bool {
+        self.observer.looks_into(t0, t1)
+    }
+
+    fn keeps_all(&self) -> bool {
+        self.observer.keeps_all()
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.observer.is_cancelled()
+    }
+
+    fn within(&mut self, tolerance: Tolerance<T>) {
+        self.observer.within(tolerance);
+    }
+
+    fn step(&mut self, dense: &Dense<'_, T, N>) {
+        self.observer.step(dense);
+        (self.has_jumped, self.is_known) = (false, false);
+    }
+
+    fn jump(&mut self, t: T, x: SVector<T, N>) {
+        self.observer.jump(t, x);
+        self.has_jumped = true;
+    }
+
+    fn mode(&mut self, from: T, mode: Mode) {
+        self.is_known = !self.has_jumped && self.mode.is_some_and(|(_, before)| before == mode);
+        if !self.is_known {
+            self.observer.mode(from, mode);
+            self.mode = Some((from, mode));
+        }
+    }
+
+    fn impact(&mut self, impact: Impact<T, N>) {
+        if !self.is_known {
+            self.observer.impact(impact);
+        }
+    }
+
+    fn ambiguity(&mut self, ambiguity: Ambiguity<T>) {
+        if !self.is_known {
+            self.observer.ambiguity(ambiguity);
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Trajectories of sampled controllers, one at a time.
+
+use nalgebra::SVector;
+
+use super::legs::Legs;
+use super::{Controller, Held, Outputs, Sample, Sampled};
+use crate::error::Reason;
+use crate::inputs::{Controlled, WithInputs};
+use crate::method::{Method, Stepper, check_start, place};
+use crate::real::Float;
+use crate::statistics::Statistics;
+use crate::system::IntoState;
+
+/// A model with held inputs.
+pub(super) type Driven<S, T, const M: usize> = WithInputs<S, Held<T, M>, M>;
+
+/// Premature end of a trajectory.
+pub(super) struct Halt<T, const N: usize> {
+    pub(super) reason: Reason,
+    pub(super) t: T,
+    pub(super) x: SVector<T, N>,
+}
+
+/// Receives the parts of a trajectory.
+pub(super) trait Witness<S, T: Float, const N: usize, const P: usize, const M: usize> {
+    /// Integrates a leg to its end. The stepper was created, or restarted, in the state `x0`.
+    fn leg<C: crate::method::Scheme<S, T, N>>(
+        &mut self,
+        stepper: &mut Stepper<'_, C, S, T, N>,
+        x0: SVector<T, N>,
+    ) -> Result<(), Reason>
+    where
+        S: crate::system::System<T, N>;
+
+    /// Receives a sample.
+    fn sample(&mut self, _sample: Sample<T, P, M>) {}
+}
+
+/// Records nothing.
+struct Unseen;
+
+impl<S, T: Float, const N: usize, const P: usize, const M: usize> Witness<S, T, N, P, M> for Unseen {
+    fn leg<C: crate::method::Scheme<S, T, N>>(
+        &mut self,
+        stepper: &mut Stepper<'_, C, S, T, N>,
+        _x0: SVector<T, N>,
+    ) -> Result<(), Reason>
+    where
+        S: crate::system::System<T, N>,
+    {
+        stepper.run().map(drop)
+    }
+}
+
+impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
+    /// Integrates `model` under this controller from the state `x0` at `t0` to `t1`, and returns the final state.
+    /// Records nothing, and allocates nothing on the heap.
+    ///
+    /// # Errors
+    /// [`Reason::InvalidInput`] and [`Reason::StartBeyondLimits`] for settings out of range,
+    /// [`Reason::CommandNotFinite`], and errors of [`Stepper::step`].
+    pub fn end<A, S, T, const N: usize>(
+        &self,
+        method: &A,
+        model: &S,
+        t0: T,
+        t1: T,
+        x0: impl IntoState<T, N>,
+    ) -> Result<SVector<T, N>, Reason>
+    where
+        A: Method<WithInputs<S, Held<T, M>, M>, T, N>,
+        C: Controller<T, P, M>,
+        W: Outputs<T, N, P>,
+        S: Controlled<T, N, M> + Clone,
+        T: Float,
+    {
+        self.end_of(method, model, (t0, t1), x0.into_state(), self.member)
+            .map_err(|halt| halt.reason)
+    }
+
+    /// Final state of a member of an ensemble.
+    pub(super) fn end_of<A, S, T, const N: usize>(
+        &self,
+        method: &A,
+        model: &S,
+        span: (T, T),
+        x0: SVector<T, N>,
+        member: u64,
+    ) -> Result<SVector<T, N>, Halt<T, N>>
+    where
+        A: Method<WithInputs<S, Held<T, M>, M>, T, N>,
+        C: Controller<T, P, M>,
+        W: Outputs<T, N, P>,
+        S: Controlled<T, N, M> + Clone,
+        T: Float,
+    {
+        self.drive(method, model, span, x0, member, &mut Unseen).map(|(x, _)| x)
+    }
+
+    /// Integrates leg by leg. Returns the final state and the work.
+    #[allow(clippy::type_complexity, reason = "a state and the work")]
+    pub(super) fn drive<A, S, T, O, const N: usize>(
+        &self,
+        method: &A,
+        model: &S,
+        span: (T, T),
+        x0: SVector<T, N>,
+        member: u64,
+        witness: &mut O,
+    ) -> Result<(SVector<T, N>, Statistics), Halt<T, N>>
+    where
+        A: Method<Driven<S, T, M>, T, N>,
+        C: Controller<T, P, M>,
+        W: Outputs<T, N, P>,
+        S: Controlled<T, N, M> + Clone,
+        T: Float,
+        O: Witness<Driven<S, T, M>, T, N, P, M>,
+    {
+        let halt = |t, x| move |reason| Halt { reason, t, x };
+        let system = WithInputs::of(model.clone(), Held::new(self.start.map(T::from_f64)));
+        let checked = check_start(span.0, span.1, &x0)
+            .and_then(|()| self.check(span))
+            .and_then(|()| self.outputs.check())
+            .and_then(|()| place(&system, span.0, &x0));
+        let mut x = checked.map_err(halt(span.0, x0))?;
+        let mut run = self.run(member);
+        let mut legs = Legs::new(span, self.period, self.delay);
+        let mut stepper = None;
+        while let Some(leg) = legs.next() {
+            if leg.samples {
+                let sample = self.sample(&mut run, (&leg, &legs), &x).map_err(halt(leg.from, x))?;
+                witness.sample(sample);
+            }
+            if leg.from == leg.to {
+                continue;
+            }
+            let (before, inputs) = (system.law().get(), run.inputs(&leg));
+            system.law().set(inputs);
+            let stepper = match &mut stepper {
+                None => {
+                    let first = method
+                        .stepper(&system, leg.from, leg.to, x)
+                        .map_err(halt(leg.from, x))?;
+                    let first = stepper.insert(first);
+                    first.keep_pace();
+                    first
+                }
+                Some(stepper) => {
+                    let jumps = inputs != before;
+                    stepper.go_on_to(leg.to, jumps).map_err(halt(leg.from, x))?;
+                    stepper
+                }
+            };
+            let ended = witness.leg(stepper, x);
+            x = stepper.x();
+            ended.map_err(halt(stepper.t(), x))?;
+        }
+        let work = stepper.map_or_else(Statistics::default, |stepper| stepper.statistics());
+        Ok((x, work))
+    }
+}
