@@ -28,6 +28,7 @@ mod points;
 mod quaternions;
 mod random_mechanisms;
 mod robots;
+mod sampled;
 mod sensitivities;
 mod sincos;
 mod states;

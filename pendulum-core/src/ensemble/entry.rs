@@ -92,18 +92,20 @@ where
         stopped: &mut stopped,
         watch,
         paces: None,
+        goes_on: false,
     };
     A::run(isa, march)?;
     conclude(x, stopped)
 }
 
 /// Integrates trajectories over a part of their span, with steps as long as those before: `paces` has them, and receives
-/// those at the end. The final states replace `x`.
+/// those at the end. The final states replace `x`. `goes_on` is false for the first part.
 pub(crate) fn go_on<A, M, T, const N: usize>(
     method: &A,
     models: &[M],
     span: (T, T),
     (x, paces): (&mut [SVector<T, N>], &mut [Option<Pace<T>>]),
+    goes_on: bool,
     stopped: &mut Vec<Stopped<T>>,
 ) -> Result<(), Reason>
 where
@@ -120,6 +122,7 @@ where
         stopped,
         watch: Unwatched,
         paces: Some(paces),
+        goes_on,
     };
     A::run(Isa::widest(), march)
 }

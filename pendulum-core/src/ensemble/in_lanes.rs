@@ -418,6 +418,9 @@ where
                 self.alone(index..index + 1);
                 continue;
             }
+            if self.goes_on && t0 != t1 {
+                return Some(index);
+            }
             let model = model_of(self.models, index).cast::<T>();
             match place(&model, t0, &self.x[index]) {
                 Ok(x) => {

@@ -27,6 +27,8 @@ pub struct March<'a, A, M, T, W, const N: usize> {
     /// Step sizes at which the trajectories start and end, if they go on after the end of the span: `None` before their
     /// first step.
     pub(super) paces: Option<&'a mut [Option<Pace<T>>]>,
+    /// True if the trajectories come from an earlier span.
+    pub(super) goes_on: bool,
 }
 
 impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
@@ -44,6 +46,7 @@ impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
             stopped: self.stopped,
             watch: self.watch,
             paces: self.paces,
+            goes_on: self.goes_on,
         }
     }
 

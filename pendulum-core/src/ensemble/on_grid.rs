@@ -61,7 +61,8 @@ where
         for (number, states) in self.x.chunks_mut(V::LANES).enumerate() {
             let first = number * V::LANES;
             let before = failed.len();
-            for (lane, state) in states.iter_mut().enumerate() {
+            let unplaced = if self.goes_on { 0 } else { states.len() };
+            for (lane, state) in states.iter_mut().enumerate().take(unplaced) {
                 let model = model_of(self.models, first + lane).cast::<T>();
                 match place(&model, grid.t0(), state) {
                     Ok(placed) => *state = placed,

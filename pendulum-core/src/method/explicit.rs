@@ -283,6 +283,8 @@ where
     S: System<T, N> + ?Sized,
     T: Lanes,
 {
+    const LEAVES_END: bool = true;
+
     #[inline(always)]
     fn error_order(&self) -> usize {
         B::TABLEAU.order_hat

@@ -33,13 +33,19 @@ impl<T: Float> Grid<T> {
             h: T::from_f64(h),
             reached: 0,
         };
-        require(
-            grid.h >= T::from_f64(LEAST_ULPS) * T::EPSILON * grid.largest(),
-            "h",
-            h,
-            "the step is below the resolution of the time; lengthen it, or count time from a closer origin",
-        )?;
+        grid.check()?;
         Ok(grid)
+    }
+
+    /// Checks that the times resolve the step.
+    #[inline]
+    fn check(&self) -> Result<(), Reason> {
+        require(
+            self.h >= T::from_f64(LEAST_ULPS) * T::EPSILON * self.largest(),
+            "h",
+            self.h.to_f64(),
+            "the step is below the resolution of the time; lengthen it, or count time from a closer origin",
+        )
     }
 
     /// Advances by one step, and returns the time there.
@@ -47,6 +53,13 @@ impl<T: Float> Grid<T> {
     pub(crate) fn next(&mut self) -> T {
         self.reached += 1;
         self.time(self.reached)
+    }
+
+    /// Starts anew at the time `t`, towards another end.
+    #[inline]
+    pub(crate) fn go_on_to(&mut self, t: T, t1: T) -> Result<(), Reason> {
+        (self.t0, self.t1, self.reached) = (t, t1, 0);
+        self.check()
     }
 
     /// Moves to the time `t` within the span: the next time lies after it.

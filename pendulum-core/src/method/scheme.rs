@@ -37,6 +37,9 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
     /// True if each lane has its own, variable order.
     const ORDERS_DIFFER: bool = false;
 
+    /// True if a step is complete without [`arrive`](Self::arrive), where the next one [begins](Self::begin) anew.
+    const LEAVES_END: bool = false;
+
     /// Order `q` of the error estimate: the estimate falls as `h^(q + 1)`.
     fn error_order(&self) -> usize;
 
@@ -194,6 +197,15 @@ impl NonFinite {
     pub(crate) fn at_start(self) -> Reason {
         let Self(component) = self;
         Reason::NonFinite { component, h: None }
+    }
+
+    /// The reason not to continue from a point that a step of the length `h` reached.
+    #[cold]
+    pub(crate) fn after(reason: Reason, h: f64) -> Reason {
+        match reason {
+            Reason::NonFinite { component, h: None } => Reason::NonFinite { component, h: Some(h) },
+            other => other,
+        }
     }
 }
 

@@ -44,6 +44,8 @@ pub(super) struct Smooth<C, T, const N: usize> {
     tried: SVector<T, N>,
     /// Number of steps before the end was moved last: these do not count towards the maximum.
     pub(super) before: usize,
+    /// True if nothing needs the derivative at the end of the span: the right-hand side may jump there.
+    pub(super) leaves_end: bool,
     pub(super) statistics: Statistics,
 }
 
@@ -56,6 +58,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
             last: Step::at_rest(t, x),
             tried: x,
             before: 0,
+            leaves_end: false,
             statistics: Statistics::default(),
         }
     }
@@ -218,7 +221,8 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
     {
         let end = (t_new, &self.tried);
         let system = InMode::new(system, &modes.hold);
-        if let Some(slope) = self.scheme.arrive(&system, end, &mut self.statistics) {
+        let leaves = const { C::LEAVES_END } && self.leaves_end && t_new == self.t1;
+        if !leaves && let Some(slope) = self.scheme.arrive(&system, end, &mut self.statistics) {
             NonFinite::check(slope)?;
         }
         let step = Step::new((self.last.t1, self.last.x1), (t_new, self.tried));

@@ -11,9 +11,8 @@ use nalgebra::SVector;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::hybrid::{self, Ambiguity, InMode, MAX_CONSTRAINTS, Mode, Modes};
-use crate::method::grid::Grid;
 use crate::method::input::{place, require};
-use crate::method::scheme::Scheme;
+use crate::method::scheme::{NonFinite, Scheme};
 use crate::method::smooth::{Smooth, Steps};
 #[cfg(feature = "std")]
 use crate::method::step_control::{Pace, StepControl};
@@ -241,25 +240,33 @@ where
     }
 
     /// Moves the end of the span to `t1`, ahead of the point reached, and continues with steps as long as before. If the
-    /// right-hand side `jumps` there, the stepper restarts. The number of steps is counted anew.
+    /// right-hand side `jumps` there, a hybrid system enters the mode that follows. The number of steps is counted anew.
+    #[inline]
     pub(crate) fn go_on_to(&mut self, t1: T, jumps: bool) -> Result<(), Reason> {
-        let (t, x) = (self.t(), self.x());
         if let Steps::Equal(grid) = &mut self.smooth.steps {
-            *grid = Grid::new(grid.h().to_f64(), t, t1)?;
+            grid.go_on_to(self.smooth.last.t1, t1)?;
         }
         self.smooth.t1 = t1;
         self.smooth.before = self.smooth.statistics.accepted + self.smooth.statistics.rejected;
-        if jumps || self.system.hybrid().is_none() {
-            self.restart(t, x)?;
+        if self.system.hybrid().is_none() {
+            let step = self.smooth.last;
+            self.begin()
+                .map(drop)
+                .map_err(|reason| NonFinite::after(reason, step.h.to_f64()))?;
+        } else if jumps {
+            self.restart(self.t(), self.x())?;
         }
         Ok(())
     }
 
-    /// Declares that the integration [goes on](Self::go_on_to) after the end of its span.
-    pub(crate) fn keep_pace(&mut self) {
+    /// Declares whether the integration [goes on](Self::go_on_to) after the end of its span, and whether the dense
+    /// output of the last step may be requested.
+    #[inline]
+    pub(crate) fn is_to_go_on(&mut self, goes_on: bool, is_dense: bool) {
         if let Steps::Controlled { control, .. } = &mut self.smooth.steps {
-            control.keeps_pace = true;
+            control.keeps_pace = goes_on;
         }
+        self.smooth.leaves_end = goes_on && !is_dense && self.system.hybrid().is_none();
     }
 
     /// The system.

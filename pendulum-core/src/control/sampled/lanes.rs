@@ -112,6 +112,8 @@ struct Flock<S, T, B, const N: usize, const M: usize> {
     x: Vec<SVector<T, N>>,
     paces: Vec<Option<Pace<T>>>,
     runs: Vec<Run<T, B, M>>,
+    /// True after the first leg.
+    goes_on: bool,
 }
 
 impl<S, T, B, const N: usize, const M: usize> Flock<S, T, B, N, M>
@@ -137,6 +139,7 @@ where
             x: Vec::new(),
             paces: Vec::new(),
             runs: Vec::new(),
+            goes_on: false,
         };
         for (index, start) in ends.iter().enumerate() {
             let model = &models[index.min(models.len() - 1)];
@@ -190,7 +193,8 @@ where
     {
         let before = stopped.len();
         let going = (&mut self.x[..], &mut self.paces[..]);
-        go_on(method, &self.models, (leg.from, leg.to), going, stopped)?;
+        go_on(method, &self.models, (leg.from, leg.to), going, self.goes_on, stopped)?;
+        self.goes_on = true;
         for stopped in &mut stopped[before..] {
             stopped.index = self.index[stopped.index];
         }

@@ -34,11 +34,15 @@ pub(super) struct Leg<T> {
 /// The parts of a span. Times are multiples of the period, without accumulated rounding errors.
 #[derive(Clone, Debug)]
 pub(super) struct Legs<T> {
-    span: (T, T),
+    t0: T,
+    t1: T,
     period: f64,
     /// Delay in whole periods, and the rest.
     lag: (usize, f64),
-    slack: T,
+    /// Latest time before the end.
+    latest: T,
+    /// Start of the next leg.
+    from: T,
     sample: usize,
     /// True if the next leg starts within a period.
     is_within: bool,
@@ -47,47 +51,52 @@ pub(super) struct Legs<T> {
 impl<T: Float> Legs<T> {
     pub(super) fn new((t0, t1): (T, T), period: f64, delay: f64) -> Self {
         Self {
-            span: (t0, t1),
+            t0,
+            t1,
             period,
             lag: lag(delay, period),
-            slack: T::from_f64(SLACK_ULPS) * T::EPSILON * t0.abs().max(t1.abs()),
+            latest: t1 - T::from_f64(SLACK_ULPS) * T::EPSILON * t0.abs().max(t1.abs()),
+            from: t0,
             sample: 0,
             is_within: false,
         }
     }
 
     /// Time at which the command of a sample acts.
+    #[inline(always)]
     pub(super) fn acts_from(&self, sample: usize) -> T {
-        self.span.0 + T::from_f64(self.period * ((sample + self.lag.0) as f64 + self.lag.1))
+        self.t0 + T::from_f64(self.period * ((sample + self.lag.0) as f64 + self.lag.1))
     }
 
     /// Time of a sample plus a fraction of the period, at most the end.
+    #[inline(always)]
     fn time(&self, sample: usize, fraction: f64) -> T {
-        let (t0, t1) = self.span;
-        let t = t0 + T::from_f64(self.period * (sample as f64 + fraction));
-        if t1 - t <= self.slack { t1 } else { t }
+        let t = self.t0 + T::from_f64(self.period * (sample as f64 + fraction));
+        if t < self.latest { t } else { self.t1 }
     }
 }
 
 impl<T: Float> Iterator for Legs<T> {
     type Item = Leg<T>;
 
+    #[inline(always)]
     fn next(&mut self) -> Option<Leg<T>> {
-        let (sample, (whole, rest), samples) = (self.sample, self.lag, !self.is_within);
-        let from = self.time(sample, if samples { 0.0 } else { rest });
-        if from == self.span.1 {
+        let (from, sample, (whole, rest), samples) = (self.from, self.sample, self.lag, !self.is_within);
+        if from == self.t1 {
             return None;
         }
         self.is_within = samples && rest > 0.0;
-        let (to, lag) = if self.is_within {
-            (self.time(sample, rest), whole + 1)
+        let lag = if self.is_within {
+            self.from = self.time(sample, rest);
+            whole + 1
         } else {
             self.sample += 1;
-            (self.time(sample + 1, 0.0), whole)
+            self.from = self.time(sample + 1, 0.0);
+            whole
         };
         Some(Leg {
             from,
-            to,
+            to: self.from,
             sample,
             samples,
             lag,

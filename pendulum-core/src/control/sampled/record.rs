@@ -137,6 +137,8 @@ where
     O: Observer<T, N>,
     F: FnMut(Sample<T, P, M>),
 {
+    const IS_DENSE: bool = true;
+
     fn leg<C: Scheme<Driven<S, T, M>, T, N>>(
         &mut self,
         stepper: &mut Stepper<'_, C, Driven<S, T, M>, T, N>,

@@ -34,6 +34,8 @@ pub struct Sample<T, const P: usize, const M: usize> {
 pub(super) struct Run<T, S, const M: usize> {
     state: S,
     noise: Noise,
+    /// True without noise, and without a resolution of measurements.
+    is_exact: bool,
     /// Inputs commanded by the last samples, at the number of each modulo the length.
     commanded: [[T; M]; KEPT],
     start: [T; M],
@@ -49,12 +51,16 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         Run {
             state: self.controller.start(T::from_f64(self.period)),
             noise: Noise::new(self.seed, member),
+            is_exact: [&self.noise[..], &self.input_noise, &self.resolution]
+                .iter()
+                .all(|deviations| deviations.iter().all(|&deviation| deviation == 0.0)),
             commanded: [start; KEPT],
             start,
         }
     }
 
     /// Takes a sample at the start of a leg, in the state `x`.
+    #[inline(always)]
     pub(super) fn sample<T, const N: usize>(
         &self,
         run: &mut Run<T, C::State, M>,
@@ -68,11 +74,8 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
     {
         let (t, k) = (leg.from, leg.sample);
         let mut measured = self.outputs.outputs(t, x);
-        for (p, measured) in measured.iter_mut().enumerate() {
-            if self.noise[p] > 0.0 {
-                *measured += T::from_f64(self.noise[p] * run.noise.normal(k, 2 * p));
-            }
-            *measured = rounded(*measured, self.resolution[p]);
+        if !run.is_exact {
+            self.disturb(&mut measured, run.noise, k);
         }
         let command = self.controller.sample(t, &measured, &mut run.state);
         let mut sent = command;
@@ -85,8 +88,12 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         }
         self.controller.sent(&command, &sent, &mut run.state);
         let mut inputs = sent;
-        for (m, input) in inputs.iter_mut().enumerate() {
-            if self.input_noise[m] > 0.0 {
+        if !run.is_exact {
+            for (m, input) in inputs
+                .iter_mut()
+                .enumerate()
+                .filter(|&(m, _)| self.input_noise[m] > 0.0)
+            {
                 *input += T::from_f64(self.input_noise[m] * run.noise.normal(k, 2 * m + 1));
             }
         }
@@ -102,8 +109,22 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
     }
 }
 
+impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
+    /// Adds noise to measurements, and rounds them.
+    #[inline(never)]
+    fn disturb<T: Float>(&self, measured: &mut SVector<T, P>, noise: Noise, sample: usize) {
+        for (p, measured) in measured.iter_mut().enumerate() {
+            if self.noise[p] > 0.0 {
+                *measured += T::from_f64(self.noise[p] * noise.normal(sample, 2 * p));
+            }
+            *measured = rounded(*measured, self.resolution[p]);
+        }
+    }
+}
+
 impl<T: Copy, S, const M: usize> Run<T, S, M> {
     /// Inputs during a leg.
+    #[inline(always)]
     pub(super) fn inputs(&self, leg: &Leg<T>) -> [T; M] {
         let acts = leg.sample.checked_sub(leg.lag);
         acts.map_or(self.start, |sample| self.commanded[sample % KEPT])
@@ -111,6 +132,7 @@ impl<T: Copy, S, const M: usize> Run<T, S, M> {
 }
 
 /// The nearest multiple of `step`, without derivatives, or the number itself if `step` is 0.
+#[inline(always)]
 fn rounded<T: Float>(number: T, step: f64) -> T {
     if step == 0.0 {
         return number;

@@ -23,6 +23,9 @@ pub(super) struct Halt<T, const N: usize> {
 
 /// Receives the parts of a trajectory.
 pub(super) trait Witness<S, T: Float, const N: usize, const P: usize, const M: usize> {
+    /// True if the dense output of a step may be requested.
+    const IS_DENSE: bool;
+
     /// Integrates a leg to its end. The stepper was created, or restarted, in the state `x0`.
     fn leg<C: crate::method::Scheme<S, T, N>>(
         &mut self,
@@ -40,6 +43,9 @@ pub(super) trait Witness<S, T: Float, const N: usize, const P: usize, const M: u
 struct Unseen;
 
 impl<S, T: Float, const N: usize, const P: usize, const M: usize> Witness<S, T, N, P, M> for Unseen {
+    const IS_DENSE: bool = false;
+
+    #[inline]
     fn leg<C: crate::method::Scheme<S, T, N>>(
         &mut self,
         stepper: &mut Stepper<'_, C, S, T, N>,
@@ -125,7 +131,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let mut x = checked.map_err(halt(span.0, x0))?;
         let mut run = self.run(member);
         let mut legs = Legs::new(span, self.period, self.delay);
-        let mut stepper = None;
+        let mut stepper: Option<Stepper<'_, A::Scheme, _, T, N>> = None;
         while let Some(leg) = legs.next() {
             if leg.samples {
                 let sample = self.sample(&mut run, (&leg, &legs), &x).map_err(halt(leg.from, x))?;
@@ -134,23 +140,18 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
             if leg.from == leg.to {
                 continue;
             }
-            let (before, inputs) = (system.law().get(), run.inputs(&leg));
+            let inputs = run.inputs(&leg);
+            let jumps = inputs != system.law().get();
             system.law().set(inputs);
             let stepper = match &mut stepper {
+                Some(stepper) => stepper.go_on_to(leg.to, jumps).map(|()| stepper),
                 None => {
-                    let first = method
-                        .stepper(&system, leg.from, leg.to, x)
-                        .map_err(halt(leg.from, x))?;
-                    let first = stepper.insert(first);
-                    first.keep_pace();
-                    first
-                }
-                Some(stepper) => {
-                    let jumps = inputs != before;
-                    stepper.go_on_to(leg.to, jumps).map_err(halt(leg.from, x))?;
-                    stepper
+                    let first = method.stepper(&system, leg.from, leg.to, x);
+                    first.map(|first| stepper.insert(first))
                 }
             };
+            let stepper = stepper.map_err(halt(leg.from, x))?;
+            stepper.is_to_go_on(leg.to != span.1, O::IS_DENSE);
             let ended = witness.leg(stepper, x);
             x = stepper.x();
             ended.map_err(halt(stepper.t(), x))?;
