@@ -31,6 +31,7 @@ pages! {
     pictures: "src/recipes/pictures.md",
     poincare_section: "src/recipes/poincare-section.md",
     points: "src/recipes/points.md",
+    sampled_pid: "src/recipes/sampled-pid.md",
     saturation: "src/recipes/saturation.md",
     stiff_friction: "src/recipes/stiff-friction.md",
     run_time: "src/recipes/run-time.md",

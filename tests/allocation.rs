@@ -8,6 +8,7 @@ use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
 use pendulum_core::Reason;
+use pendulum_core::control::{Pid, Sampled};
 use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::Isa;
@@ -127,6 +128,34 @@ fn steps_do_not_allocate() {
     testbed::each_without_estimate!(fixed);
     testbed::each_without_estimate!(longer);
     testbed::each_adaptive!(adaptive);
+}
+
+mechanism! {
+    /// A pendulum with a motor.
+    pub Driven {
+        input motor: N m,
+        gravity: [0, -9.81, 0],
+        body bob on ground {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, torque: motor, dry_friction: 0.5,
+        }
+    }
+}
+
+#[test]
+fn sampled_controllers_do_not_allocate() {
+    let model = Driven::new(DrivenParams {}).expect("physical");
+    let pid = Pid::new(40.0, 60.0, 6.0).set_point(1.0);
+    let sampled = Sampled::of_components(pid, 0.01, [Driven::ANGLE]);
+    let sampled = sampled
+        .delay(0.025)
+        .noise([1e-3])
+        .resolution([1e-3])
+        .limits([-9.0], [9.0]);
+    let integrate = || {
+        let end = sampled.end(&Vern7::new(), &model, 0.0, 5.0, [0.0, 0.0]);
+        assert!((end.expect("a motion")[0] - 1.0).abs() < 0.1);
+    };
+    assert_eq!(allocations(integrate), 0);
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod devices;
 mod exact;
 mod lanes;
 mod modes;
+mod refused;
 
 use pendulum_core::control::LinearLaw;
 use pendulum_core::prelude::*;

@@ -13,8 +13,8 @@ use crate::method::{Method, Pace, check_span, place};
 use crate::real::lanes::LaneElement;
 
 impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
-    /// Integrates from each of the states `starts` at `t0` to `t1` under this controller, in lanes, and returns the final
-    /// states.
+    /// Integrates from each of the states `starts` at `t0` to `t1` under this controller, in lanes, and returns the
+    /// final states.
     ///
     /// Pass one model per start, or a single model for all. Each trajectory has its own noise, that of the
     /// [`member`](Self::member) with its index. Each final state is bit for bit that of [`end`](Self::end). Explicit

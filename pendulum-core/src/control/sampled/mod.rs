@@ -34,9 +34,9 @@ const LEAST_ULPS: f64 = 16.0;
 /// resolution, a delay, actuators with limits, a resolution and noise.
 ///
 /// At each sample it measures the outputs of the model, and computes a command. The inputs of the model take its value
-/// after the delay, and hold it. The motion between two changes of the inputs is smooth, so that it is integrated at the
-/// full order of the method, with steps that end at each change and at each sample. Methods keep the length of their
-/// steps from sample to sample, and `max_steps` limits the number of steps between two samples.
+/// after the delay, and hold it. Between two changes of the inputs the motion is smooth: it is integrated at the full
+/// order of the method, with steps that end at each change and at each sample. Methods keep the length of their steps
+/// from sample to sample, and `max_steps` limits the number of steps between two samples.
 ///
 /// ```
 /// use pendulum_core::control::{Pid, Sampled};

@@ -9,8 +9,8 @@ use crate::real::Float;
 /// `kp (b r - y) + integral of ki (r - y) - kd dy/dt`, with the set point `r` and its weight `b`.
 ///
 /// The derivative is that of the measurement, so that changes of the set point do not kick, and is filtered:
-/// `kd s / (1 + filter s)`, discretized by backward differences. Where the command is limited, the integral follows what
-/// was sent, `(sent - command) / tracking` per s: no windup, by back-calculation.
+/// `kd s / (1 + filter s)`, discretized by backward differences. Where the command is limited, the integral follows
+/// what was sent, `(sent - command) / tracking` per s: no windup, by back-calculation.
 ///
 /// K. J. Åström, R. M. Murray, "Feedback Systems", 2nd ed. (2020), 11.5.
 ///
@@ -28,8 +28,8 @@ pub struct Pid {
 }
 
 impl Pid {
-    /// Creates a controller with the gains of its proportional, integral and derivative parts. The gain `ki` is per s of
-    /// the integral, `kd` per rate of the measurement.
+    /// Creates a controller with the gains of its proportional, integral and derivative parts: of the error, of its
+    /// integral over time, and of the rate of the measurement.
     #[must_use]
     pub const fn new(kp: f64, ki: f64, kd: f64) -> Self {
         Self {
