@@ -15,7 +15,7 @@ use crate::real::Float;
 /// use pendulum_core::prelude::*;
 ///
 /// mechanism! {
-///     pub Heater {
+///     pub Cart {
 ///         input push: N,
 ///         body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, torque: push }
 ///     }
@@ -42,9 +42,9 @@ use crate::real::Float;
 ///     }
 /// }
 ///
-/// let heater = Heater::new(HeaterParams {})?;
-/// let sampled = Sampled::of_components(BackAndForth, 0.01, [Heater::S]);
-/// let motion = sampled.solve(&Tsit5::new(), &heater, 0.0, 3.0, [0.0, 0.0])?;
+/// let cart = Cart::new(CartParams {})?;
+/// let sampled = Sampled::of_components(BackAndForth, 0.01, [Cart::S]);
+/// let motion = sampled.solve(&Tsit5::new(), &cart, 0.0, 3.0, [0.0, 0.0])?;
 /// let turn = motion.samples.iter().find(|sample| sample.sent == [-1.0]).unwrap();
 /// assert!((turn.t - 2.01).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

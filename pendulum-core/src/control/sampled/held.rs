@@ -6,8 +6,8 @@ use core::fmt;
 use nalgebra::{SMatrix, SVector};
 
 #[cfg(feature = "std")]
-use crate::inputs::CastControlled;
-use crate::inputs::{ControlLaw, LawJacobian, WithInputs};
+use crate::inputs::{CastControlled, WithInputs};
+use crate::inputs::{ControlLaw, LawJacobian};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 #[cfg(feature = "std")]

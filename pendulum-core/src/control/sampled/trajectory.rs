@@ -15,6 +15,7 @@ use crate::system::IntoState;
 pub(super) type Driven<S, T, const M: usize> = WithInputs<S, Held<T, M>, M>;
 
 /// Premature end of a trajectory.
+#[cfg_attr(not(feature = "std"), allow(dead_code, reason = "only ensembles return the place"))]
 pub(super) struct Halt<T, const N: usize> {
     pub(super) reason: Reason,
     pub(super) t: T,
