@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use parquet::file::reader::SerializedFileReader;
 use parquet::record::RowAccessor;
+use pendulum_core::control::{Pid, Sampled};
 use pendulum_core::prelude::*;
 use pendulum_core::stability::Lyapunov;
 use pendulum_sweep::{Arguments, Axis, Draw, Ends, Failure, Job, Sweep, SweepError, Table, Task};
@@ -608,6 +609,40 @@ fn trajectories_keep_times_extrema_and_events() -> Outcome {
         "{:?}",
         table.failures()
     );
+    Ok(())
+}
+
+#[test]
+fn sampled_controllers_have_gains_and_seeds_by_the_point() -> Outcome {
+    mechanism! {
+        pub Cart { input push: N, body cart on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: push } }
+    }
+    let cart = Cart::new(CartParams {})?;
+    let sampled = |gain, seed| {
+        let pid = Pid::new(gain, 0.0, 4.0).set_point(1.0);
+        let sampled = Sampled::of_components(pid, 0.01, [Cart::S]).limits([-5.0], [5.0]);
+        sampled.noise([1e-3]).seed(seed)
+    };
+    let axes = [
+        Axis::linear("gain", "N/m", 4.0, 16.0, 4),
+        Axis::linear("seed", "1", 0.0, 7.0, 8),
+    ];
+    let method = Tsit5::new();
+    let table = Sweep::grid("gains", axes)
+        .each([("s", "m")], |[gain, seed]| {
+            let end = sampled(gain, seed as u64).end(&method, &cart, 0.0, 3.0, [0.0, 0.0])?;
+            Ok([end[0]])
+        })
+        .quiet()
+        .run()?;
+    assert_eq!((table["s"].len(), table.failures().len()), (32, 0));
+    for row in 0..32 {
+        let alone = sampled(table["gain"][row], table["seed"][row] as u64);
+        let ends = alone.ensemble(&method, &[cart], 0.0, 3.0, &[[0.0, 0.0].into()])?;
+        assert_eq!(table["s"][row], ends[0][0]);
+    }
+    let different = |rows: [usize; 2]| table["s"][rows[0]] != table["s"][rows[1]];
+    assert!(different([0, 1]) && different([0, 8]));
     Ok(())
 }
 

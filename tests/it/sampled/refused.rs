@@ -111,6 +111,13 @@ fn spans_and_components_are_checked() {
         ),
         "{missing:?}"
     );
+    let long = sampled
+        .solve(&Rk4::new(0.01), &cart(), 0.0, 1.1e5, [1.0, 0.0])
+        .expect_err("too much to store");
+    assert!(
+        long.to_string().contains("more than ten million samples to store"),
+        "{long}"
+    );
     assert_eq!(
         sampled.end(&Rk4::new(0.01), &cart(), 1.0, 1.0, [1.0, 0.5]),
         Ok(SVector::from([1.0, 0.5]))

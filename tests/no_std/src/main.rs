@@ -8,6 +8,7 @@
 use core::panic::PanicInfo;
 
 use pendulum_core::Reason;
+use pendulum_core::control::{Pid, Sampled};
 use pendulum_core::prelude::*;
 
 mechanism! {
@@ -102,11 +103,14 @@ fn controlled() -> Result<u8, Reason> {
     });
     let mut stepper = Rk4::new(0.01).stepper(&braked, 0.0, 1.0, [0.0_f32, 1.0])?;
     let end = stepper.run()?;
-    Ok(if (end[Cart::DOT_S] - 0.135_335).abs() < 1e-5 {
-        0
-    } else {
-        31
-    })
+    if !((end[Cart::DOT_S] - 0.135_335).abs() < 1e-5) {
+        return Ok(31);
+    }
+    // with a period, a delay and noise
+    let pid = Pid::new(20.0, 0.0, 10.0).set_point(1.0);
+    let sampled = Sampled::of_components(pid, 0.01, [Cart::S]).delay(0.005).noise([1e-4]);
+    let end = sampled.end(&Rk4::new(0.01), &cart, 0.0, 5.0, [0.0, 0.0])?;
+    Ok(if (end[Cart::S] - 1.0).abs() < 0.01 { 0 } else { 32 })
 }
 
 #[unsafe(no_mangle)]
