@@ -406,8 +406,8 @@ impl fmt::Display for Reason {
             Self::TooManySteps { max_steps } => write!(
                 f,
                 "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance; if the steps are \
-                 much shorter than the motion requires, check for a law that jumps, which is run by \
-                 `control::Sampled` if it is sampled, or else use a method for stiff systems, such as `Auto`"
+                 much shorter than the motion requires, run a law that samples by `control::Sampled`, or use a method \
+                 for stiff systems, such as `Auto`"
             ),
         }
     }

@@ -33,8 +33,7 @@ use crate::real::Real;
 /// ```
 ///
 /// A method meets a jump of held inputs, or a kink of interpolated ones, at each sample. Steps as long as the intervals
-/// between the samples are a good choice, such as those of [`Rk4`](crate::Rk4). A table of evenly spaced samples that
-/// are held is a controller for [`Sampled`](crate::control::Sampled), whose steps end at each of them.
+/// between the samples are a good choice, such as those of [`Rk4`](crate::Rk4).
 #[derive(Clone)]
 pub struct TimeTable<const M: usize> {
     pieces: Arc<Pieces<M>>,

@@ -259,14 +259,20 @@ where
         Ok(())
     }
 
-    /// Declares whether the integration [goes on](Self::go_on_to) after the end of its span, and whether the dense
-    /// output of the last step may be requested.
+    /// Keeps the length of steps that the end of the span cuts short, for an integration that
+    /// [goes on](Self::go_on_to) after it.
     #[inline]
-    pub(crate) fn is_to_go_on(&mut self, goes_on: bool, is_dense: bool) {
+    pub(crate) fn keep_pace(&mut self) {
         if let Steps::Controlled { control, .. } = &mut self.smooth.steps {
-            control.keeps_pace = goes_on;
+            control.keeps_pace = true;
         }
-        self.smooth.leaves_end = goes_on && !is_dense && self.system.hybrid().is_none();
+    }
+
+    /// Sets whether steps may leave out the derivative at the end of the span. The dense output of the last one is then
+    /// not available.
+    #[inline]
+    pub(crate) fn leave_end(&mut self, leaves: bool) {
+        self.smooth.leaves_end = leaves && self.system.hybrid().is_none();
     }
 
     /// The system.

@@ -142,7 +142,8 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
                 continue;
             }
             let inputs = run.inputs(&leg);
-            let jumps = inputs != system.law().get();
+            let before = system.law().get();
+            let jumps = (0..M).any(|m| inputs[m] != before[m] || !inputs[m].has_same_slopes(&before[m]));
             system.law().set(inputs);
             let stepper = match &mut stepper {
                 Some(stepper) => stepper.go_on_to(leg.to, jumps).map(|()| stepper),
@@ -152,7 +153,8 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
                 }
             };
             let stepper = stepper.map_err(halt(leg.from, x))?;
-            stepper.is_to_go_on(leg.to != span.1, O::IS_DENSE);
+            stepper.keep_pace();
+            stepper.leave_end(leg.to != span.1 && !O::IS_DENSE);
             let ended = witness.leg(stepper, x);
             x = stepper.x();
             ended.map_err(halt(stepper.t(), x))?;
