@@ -8,7 +8,7 @@ use crate::dense::Dense;
 use crate::error::{Reason, SolveError};
 use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::inputs::{Controlled, WithInputs};
-use crate::method::{Method, Scheme, Stepper, follow, require};
+use crate::method::{Method, Scheme, Stepper, check_start, follow, require};
 use crate::real::Float;
 use crate::solution::{Observer, Solution};
 use crate::statistics::Statistics;
@@ -65,8 +65,10 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let x0 = x0.into_state();
         let count = (t1 - t0).to_f64() / self.period;
         let rule = "more than ten million samples to store; lengthen the period, or use `end`, which stores none";
-        let fits = !(MOST_KEPT..f64::INFINITY).contains(&count);
-        require(fits, "period", self.period, rule).map_err(|reason| SolveError::at_start(reason, t0, x0))?;
+        check_start(t0, t1, &x0)
+            .and_then(|()| self.check((t0, t1)))
+            .and_then(|()| require(count <= MOST_KEPT, "period", self.period, rule))
+            .map_err(|reason| SolveError::at_start(reason, t0, x0))?;
         let mut trajectory = Solution::start(t0, x0);
         let mut samples = Vec::new();
         match self.follow(method, model, (t0, t1), x0, &mut trajectory, |sample| {
