@@ -36,7 +36,7 @@ pub struct LinearLaw<const N: usize, const M: usize> {
 }
 
 impl<const N: usize, const M: usize> InputLaw<N, M> for LinearLaw<N, M> {
-    #[inline]
+    #[inline(always)]
     fn inputs<T: Real>(&self, _t: T, x: &SVector<T, N>) -> [T; M] {
         let mut inputs = self.u0.map(T::from_f64);
         for n in 0..N {

@@ -45,7 +45,8 @@ pub trait LawJacobian<T: Real, const N: usize, const M: usize>: ControlLaw<T, N,
 /// Its derivatives come from [dual numbers](crate::dual) and are exact to rounding errors. The closed loop runs with
 /// stiff methods, in [`Auto`](crate::Auto), in [`stability`](crate::stability), and in the lanes of an
 /// [`ensemble`](crate::Ensemble). The models of an ensemble share one law; to sweep over gains, make them parameters of
-/// the scene and write the feedback as a `torque`.
+/// the scene and write the feedback as a `torque`. Mark `inputs` as `#[inline(always)]` for ensembles: a function that
+/// is called does not use the instructions of the lanes.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
