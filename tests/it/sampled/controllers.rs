@@ -92,18 +92,20 @@ fn a_limited_integral_does_not_wind_up() {
 fn errors_of_an_estimate_have_the_covariance_that_the_filter_predicts() {
     let (period, push, error) = (0.05, 2.0, 0.02);
     let model = Cart::new(CartParams::default()).expect("physical");
-    let linear = linearize(&model, 0.0, [0.0; 2], [0.0]).unwrap();
+    let linear = linearize(&model, 0.0, [0.0; 2], [0.0]).expect("regular");
     let linear = linear
         .with_outputs(|_t, x, _u| [x[Cart::S]])
         .discretize(period)
-        .unwrap();
+        .expect("regular");
     let law = linear
         .lqr(&SMatrix::from_diagonal(&[100.0, 1.0].into()), &SMatrix::from([[0.1]]))
-        .unwrap()
+        .expect("regular")
         .law;
     let disturbance = linear.b * linear.b.transpose() * (push * push);
-    let filter = linear.kalman(&disturbance, &SMatrix::from([[error * error]])).unwrap();
-    let controller = linear.output_feedback(&law, &filter).unwrap();
+    let filter = linear
+        .kalman(&disturbance, &SMatrix::from([[error * error]]))
+        .expect("regular");
+    let controller = linear.output_feedback(&law, &filter).expect("regular");
     let sampled = Sampled::of_components(controller, period, [Cart::S])
         .noise([error])
         .input_noise([push])
@@ -117,7 +119,7 @@ fn errors_of_an_estimate_have_the_covariance_that_the_filter_predicts() {
     let mut spread = SMatrix::<f64, 2, 2>::zeros();
     let count = motion.samples.len() as f64;
     for sample in &motion.samples {
-        let x = motion.trajectory.at(sample.t).unwrap();
+        let x = motion.trajectory.at(sample.t).expect("regular");
         covariance += (x - estimate) * (x - estimate).transpose() / count;
         spread += x * x.transpose() / count;
         estimate += filter.gain * (sample.measured[0] - estimate[0]);
@@ -161,16 +163,22 @@ fn tight() -> Tsit5 {
 #[test]
 fn a_filter_knows_what_was_sent() {
     // under limits the estimate converges to the state without noise
-    let linear = linearize(&cart(), 0.0, [0.5, 0.0], [4.0]).unwrap();
-    let linear = linear.with_outputs(|_t, x, _u| [x[Cart::S]]).discretize(0.02).unwrap();
+    let linear = linearize(&cart(), 0.0, [0.5, 0.0], [4.0]).expect("regular");
+    let linear = linear
+        .with_outputs(|_t, x, _u| [x[Cart::S]])
+        .discretize(0.02)
+        .expect("regular");
     let law = linear
         .lqr(&SMatrix::from_diagonal(&[1e4, 1.0].into()), &SMatrix::from([[0.1]]))
-        .unwrap()
+        .expect("regular")
         .law;
     let filter = linear
         .kalman(&SMatrix::from_diagonal(&[1e-8, 1.0].into()), &SMatrix::from([[1e-6]]))
-        .unwrap();
-    let controller = linear.output_feedback(&law, &filter).unwrap().guess([0.0, 1.0]);
+        .expect("regular");
+    let controller = linear
+        .output_feedback(&law, &filter)
+        .expect("regular")
+        .guess([0.0, 1.0]);
     let sampled = Sampled::of_components(controller, 0.02, [Cart::S]).limits([-5.0], [5.0]);
     let motion = sampled
         .solve(&tight(), &cart(), 0.0, 20.0, [-2.0, 3.0])
@@ -178,7 +186,7 @@ fn a_filter_knows_what_was_sent() {
     let late = &motion.samples[50..];
     assert!(late.iter().any(|sample| sample.sent != sample.command));
     for sample in late {
-        let x = motion.trajectory.at(sample.t).unwrap();
+        let x = motion.trajectory.at(sample.t).expect("regular");
         let exact = law.u0[0] - (law.gain * (x - law.x0))[0];
         assert!(
             (sample.command[0] - exact).abs() < 1e-3,

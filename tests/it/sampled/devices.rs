@@ -57,7 +57,7 @@ fn measurements_and_commands_are_rounded_to_their_resolution() {
     let is_multiple = |number: f64, step: f64| (number / step).round() * step == number;
     let mut limited = 0;
     for sample in &motion.samples {
-        let x = motion.trajectory.at(sample.t).unwrap();
+        let x = motion.trajectory.at(sample.t).expect("regular");
         for n in 0..4 {
             let step = [angle, angle, 0.0, 0.0][n];
             assert!((sample.measured[n] - x[n]).abs() <= 0.5 * step + 1e-12);
@@ -87,7 +87,7 @@ fn noise_has_its_deviation_and_is_a_function_of_seed_and_member() {
     let square = |number: &dyn Fn(usize) -> f64| {
         ((0..first.samples.len()).map(|k| number(k).powi(2)).sum::<f64>() / count).sqrt()
     };
-    let x = |k: usize| first.trajectory.at(first.samples[k].t).unwrap();
+    let x = |k: usize| first.trajectory.at(first.samples[k].t).expect("regular");
     let [measured, input] = [
         square(&|k| first.samples[k].measured[0] - x(k)[0]) / 0.02,
         square(&|k| first.samples[k].inputs[0] - first.samples[k].sent[0]) / 0.5,

@@ -25,17 +25,18 @@ impl<T, const N: usize> Observer<T, N> for Work {
     }
 }
 
+type Law = Box<dyn Fn(f64, &SVector<f64, 4>) -> RobotInputs>;
+
 /// Final state of a loop over the samples, each interval of which is solved by itself.
 fn by_hand<A>(method: &A, period: f64, samples: usize) -> SVector<f64, 4>
 where
-    A: for<'a> Method<WithInputs<Robot, Box<dyn Fn(f64, &SVector<f64, 4>) -> RobotInputs>, 2>, f64, 4>,
+    A: for<'a> Method<WithInputs<Robot, Law, 2>, f64, 4>,
 {
     let mut x = SVector::from(START);
     for k in 0..samples {
         let [t, end] = [k, k + 1].map(|k| k as f64 * period);
         let [shoulder, elbow] = HOLD.inputs(t, &x);
-        let held: Box<dyn Fn(f64, &SVector<f64, 4>) -> RobotInputs> =
-            Box::new(move |_t, _x| RobotInputs { shoulder, elbow });
+        let held: Law = Box::new(move |_t, _x| RobotInputs { shoulder, elbow });
         x = method
             .solve(&robot().with_inputs(held), t, end, x)
             .expect("a motion")
@@ -72,7 +73,7 @@ fn a_record_has_the_end_and_is_held_between_samples() {
         assert_eq!(sample.t, 1.0 + 0.03 * k as f64);
         assert_eq!(
             (sample.measured, sample.acts_from),
-            (motion.trajectory.at(sample.t).unwrap(), sample.t)
+            (motion.trajectory.at(sample.t).expect("regular"), sample.t)
         );
         assert_eq!(sample.command, HOLD.inputs(sample.t, &sample.measured));
         assert_eq!([sample.sent, sample.inputs], [sample.command; 2]);
@@ -87,7 +88,7 @@ fn a_record_has_the_end_and_is_held_between_samples() {
         .solve(&held, t, t + h, motion.samples[10].measured)
         .expect("a motion")
         .end();
-    assert!((motion.trajectory.at(t + h).unwrap() - expected).amax() < 1e-7);
+    assert!((motion.trajectory.at(t + h).expect("regular") - expected).amax() < 1e-7);
 }
 
 /// Evaluations of 10 s at 1 kHz, relative to those of 10,000 plain steps.
@@ -193,9 +194,9 @@ fn a_linear_motion_is_that_of_the_discretized_model() {
     use pendulum_core::control::linearize;
     let (period, law) = (0.05, super::HOLD_CART);
     let linear = linearize(&cart(), 0.0, [0.0; 2], [0.0])
-        .unwrap()
+        .expect("regular")
         .discretize(period)
-        .unwrap();
+        .expect("regular");
     let mut x = SVector::from([1.0, 0.0]);
     for k in 0..100 {
         let inputs: [f64; 1] = law.inputs(k as f64 * period, &x);

@@ -152,15 +152,15 @@ fn a_command_that_is_not_finite_is_named_with_its_time() {
 #[test]
 fn a_filter_needs_a_discretized_model() {
     let linear = linearize(&cart(), 0.0, [0.0; 2], [0.0])
-        .unwrap()
+        .expect("regular")
         .with_outputs(|_t, x, _u| [x[Cart::S]]);
     let law = linear
         .lqr(&nalgebra::SMatrix::identity(), &nalgebra::SMatrix::identity())
-        .unwrap()
+        .expect("regular")
         .law;
     let filter = linear
         .kalman(&nalgebra::SMatrix::identity(), &nalgebra::SMatrix::identity())
-        .unwrap();
+        .expect("regular");
     let error = linear.output_feedback(&law, &filter).expect_err("continuous");
     assert_eq!(error, ControlError::Continuous);
     assert!(error.to_string().contains("help: use `model.discretize(period)`"));
