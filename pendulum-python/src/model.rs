@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::Ordering;
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
-use pendulum_runtime::{Event, Lyapunov, Method, Options, ResultShape, Robot, Stability, Stopped};
+use pendulum_runtime::{Choice, Event, Lyapunov, Method, Options, ResultShape, Robot, Stability, Stopped};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -438,6 +438,35 @@ impl Model {
         });
         let found = signals.instead_of(py, found)?;
         Ok((found.values, found.uncertainty))
+    }
+
+    /// Methods that keep within an error, the fastest first: name, settings, error, evaluations, time.
+    #[allow(clippy::type_complexity, reason = "a row")]
+    fn tune(
+        &self,
+        py: Python<'_>,
+        span: [f64; 2],
+        starts: Vec<Vec<f64>>,
+        error: f64,
+        scale: f64,
+    ) -> PyResult<Vec<(&'static str, [Option<f64>; 3], f64, f64, f64)>> {
+        let signals = Signals::new();
+        let found = signals.run(py, &self.0, || {
+            let cancel = || signals.is_cancelled();
+            self.0.tune_unless(span, &starts, (error, scale), &cancel)
+        });
+        let found = signals.instead_of(py, found)?;
+        let row = |choice: Choice| {
+            let Choice {
+                method,
+                error,
+                evaluations,
+                time,
+                ..
+            } = choice;
+            (method.name(), method.settings(), error, evaluations, time)
+        };
+        Ok(found.into_iter().map(row).collect())
     }
 
     /// States as rows, and derivatives as a list of matrices.

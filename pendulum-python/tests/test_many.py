@@ -62,6 +62,22 @@ def test_chaos(double):
     assert 0.0 < exponents.horizon(1e-9, 1.0) < 100.0
 
 
+def test_tuned_methods_keep_within_the_error(double):
+    starts = np.outer([0.5, 1.0], START)
+    choices = double.tune((0, 3), starts, 1e-7)
+    assert choices[0].time == min(choice.time for choice in choices)
+    for choice in choices:
+        assert (choice.h is None) != (choice.rtol is None)
+        for start in starts:
+            end = double.solve((0, 3), start, **choice.settings).end[1]
+            known = double.solve((0, 3), start, rtol=1e-13, atol=1e-13).end[1]
+            assert (np.abs(end - known) <= 1e-7 * np.maximum(1.0, np.abs(known))).all()
+    with pytest.raises(ValueError, match="at least 8 ulps"):
+        double.tune((0, 3), starts, 1e-17)
+    with pytest.raises(ValueError, match="4 are needed"):
+        double.tune((0, 3), [0.0], 1e-7)
+
+
 def test_derivatives(double):
     found = double.sensitivity([0, 0.5, 1], START, ["l", "a"], rtol=1e-11, atol=1e-11)
     assert found.y.shape == (4, 3) and found.derivatives.shape == (4, 2, 3)

@@ -9,6 +9,7 @@ use crate::model::Model;
 use crate::padded::Padded;
 use crate::sensitivity::{self, Sensitivity};
 use crate::stability::{self, Equilibrium, Exponents, Lyapunov, Resting};
+use crate::tune::{self, Choice, Kinds};
 use crate::worker;
 
 /// Function that ends a computation when it returns true.
@@ -28,6 +29,14 @@ pub(crate) trait Analyses {
         cancel: &Cancel<'_>,
     ) -> Result<Sensitivity, Error>;
     fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error>;
+    fn tune(
+        &self,
+        span: [f64; 2],
+        starts: &[Vec<f64>],
+        goal: (f64, f64),
+        kinds: Kinds,
+        cancel: &Cancel<'_>,
+    ) -> Result<Vec<Choice>, Error>;
 }
 
 impl<const N: usize> Analyses for Padded<f64, N> {
@@ -56,6 +65,17 @@ impl<const N: usize> Analyses for Padded<f64, N> {
 
     fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error> {
         fit::fit(self, fit, experiments)
+    }
+
+    fn tune(
+        &self,
+        span: [f64; 2],
+        starts: &[Vec<f64>],
+        goal: (f64, f64),
+        kinds: Kinds,
+        cancel: &Cancel<'_>,
+    ) -> Result<Vec<Choice>, Error> {
+        tune::tune(self, span, starts, goal, kinds, cancel)
     }
 }
 
@@ -164,5 +184,36 @@ impl Model {
                 .try_for_each(|x| self.check_state(x))?;
         }
         worker::on_all(|| self.engine.fit(fit, experiments))
+    }
+
+    /// Finds the methods and settings with which trajectories from the starts end with at most this `error`, the fastest
+    /// first. Errors are relative to the larger of the size of each component and `scale`, which is usually 1. Methods
+    /// take part for which `generate` has the functions: `jacobian`, `taylor`, `canonical`.
+    ///
+    /// # Errors
+    /// If a start has another length, and those of [`Tuning::run`](pendulum_core::accuracy::Tuning::run).
+    pub fn tune(&self, span: [f64; 2], starts: &[Vec<f64>], error: f64, scale: f64) -> Result<Vec<Choice>, Error> {
+        self.tune_unless(span, starts, (error, scale), &|| false)
+    }
+
+    /// Like [`tune`](Self::tune), unless `cancel` becomes true.
+    ///
+    /// # Errors
+    /// See [`tune`](Self::tune).
+    pub fn tune_unless(
+        &self,
+        span: [f64; 2],
+        starts: &[Vec<f64>],
+        goal: (f64, f64),
+        cancel: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Vec<Choice>, Error> {
+        starts.iter().try_for_each(|start| self.check_state(start))?;
+        let has = |routine| self.needs("a method", routine, routine).is_ok();
+        let kinds = Kinds {
+            implicit: has("jacobian"),
+            series: self.check_method(&Method::new("Taylor")?).is_ok(),
+            canonical: has("canonical"),
+        };
+        self.run(|| self.engine.tune(span, starts, goal, kinds, cancel))
     }
 }

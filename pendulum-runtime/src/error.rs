@@ -3,6 +3,8 @@
 use std::fmt;
 
 #[cfg(feature = "full")]
+use pendulum_core::accuracy::TuneError;
+#[cfg(feature = "full")]
 use pendulum_core::fit::FitError;
 use pendulum_core::stability::StabilityError;
 use pendulum_core::tape::ModelError;
@@ -77,6 +79,9 @@ pub enum Error {
     /// A fit could not begin.
     #[cfg(feature = "full")]
     Fit(FitError),
+    /// No method keeps within an error.
+    #[cfg(feature = "full")]
+    Tune(TuneError),
 }
 
 impl Error {
@@ -150,6 +155,8 @@ impl fmt::Display for Error {
             Self::Sample(error) => error.fmt(f),
             #[cfg(feature = "full")]
             Self::Fit(error) => error.fmt(f),
+            #[cfg(feature = "full")]
+            Self::Tune(error) => error.fmt(f),
         }
     }
 }
@@ -178,4 +185,6 @@ from! {
     SampleError => Sample
     #[cfg(feature = "full")]
     FitError => Fit
+    #[cfg(feature = "full")]
+    TuneError => Tune
 }

@@ -25,7 +25,7 @@
 //! components, so that each method exists for five lengths; longer states are refused.
 //!
 //! # Features
-//! - `full`, on by default: all methods, states of up to 64 components, stability, sensitivities and fits. Without it a
+//! - `full`, on by default: all methods, states of up to 64 components, stability, sensitivities, fits and tuning. Without it a
 //!   build is small, as in a web page: `Rk4`, `Gauss6`, `Vern9`, `Taylor`, `Rodas5P` and `Auto`, of which `Rk4`
 //!   integrates ensembles in lanes, and 32 components.
 
@@ -46,6 +46,8 @@ mod sensitivity;
 mod solve;
 #[cfg(feature = "full")]
 mod stability;
+#[cfg(feature = "full")]
+mod tune;
 mod worker;
 
 pub use declaration::{Declaration, DeclarationError, Problem, Robot};
@@ -60,6 +62,8 @@ pub use sensitivity::Sensitivity;
 pub use solve::{Event, Impact, Motion, Occurrence, Options, Stopped};
 #[cfg(feature = "full")]
 pub use stability::{Equilibrium, Exponents, Lyapunov, Resting};
+#[cfg(feature = "full")]
+pub use tune::Choice;
 pub use worker::while_waiting;
 
 pub use nalgebra;

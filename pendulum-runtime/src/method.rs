@@ -116,6 +116,12 @@ impl Method {
         Self::NAMES[self.kind as usize]
     }
 
+    /// Relative and absolute tolerance and the length of fixed steps, as far as they are set.
+    #[must_use]
+    pub fn settings(&self) -> [Option<f64>; 3] {
+        [self.rtol, self.atol, self.h]
+    }
+
     /// True if the method takes steps of a fixed length.
     #[must_use]
     pub fn is_fixed(&self) -> bool {

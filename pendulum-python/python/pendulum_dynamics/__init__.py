@@ -20,6 +20,7 @@ from ._native import DeclarationError
 from .model import METHODS, Event, Model
 from .results import (
     Animation,
+    Choice,
     Ensemble,
     Equilibria,
     Equilibrium,
@@ -37,6 +38,7 @@ __version__ = "0.1.0"
 __all__ = [
     "METHODS",
     "Animation",
+    "Choice",
     "DeclarationError",
     "Ensemble",
     "Equilibria",

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _native
 from .results import (
     Animation,
+    Choice,
     Ensemble,
     Equilibria,
     Equilibrium,
@@ -599,6 +600,33 @@ class Model:
         settings = _method(method, rtol=rtol, atol=atol)
         x, derivatives = self._native.sensitivity(settings, times, _vector("x0", x0), names)
         return Sensitivity(t=times, y=x.T, derivatives=np.array(derivatives).transpose(1, 2, 0), by=names)
+
+    def tune(self, t_span: Sequence[float], x0: ArrayLike, error: float, *, scale: float = 1.0) -> list[Choice]:
+        """The methods and settings that keep within an error at the end of a span, the fastest first.
+
+        ``model.solve(t_span, x0, **choices[0].settings)`` integrates by the fastest one. Pilot runs measure errors and
+        times; those of two methods with tolerances far below the error tell the true end. Methods take part for which
+        ``generate`` has the functions: ``jacobian``, ``taylor``, ``canonical``.
+
+        Parameters
+        ----------
+        x0
+            Initial states, of shape ``(m, n)``, or one of shape ``(n,)``; of many, sixteen are tried.
+        error
+            Largest error of a component at the end, relative to the larger of its size and ``scale``.
+        scale
+            Size of a component, in its unit, below which errors are relative to this size.
+
+        Raises
+        ------
+        ValueError
+            If no method reaches the error, for example where a motion is chaotic.
+        """
+        starts = np.atleast_2d(_numbers("x0", x0))
+        found = self._native.tune(_span(t_span), starts.tolist(), float(error), float(scale))
+        return [
+            Choice(method, rtol, atol, h, reached, nfev, time) for method, (rtol, atol, h), reached, nfev, time in found
+        ]
 
     def fit(
         self,

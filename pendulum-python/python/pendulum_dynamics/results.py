@@ -256,6 +256,40 @@ class Equilibrium:
     eigenvalues: NDArray[np.complex128]
 
 
+@dataclass(frozen=True)
+class Choice:
+    """A method with the settings by which it keeps within an error.
+
+    Attributes
+    ----------
+    method
+        Name of the method.
+    rtol, atol
+        Tolerances; ``None`` for a method with fixed steps.
+    h
+        Length of fixed steps, in s; ``None`` for a method with tolerances.
+    error
+        Largest relative error at the end of the pilot runs.
+    nfev
+        Number of evaluations of the right-hand side for a trajectory, on average.
+    time
+        Time for a trajectory, on average, in s.
+    """
+
+    method: str
+    rtol: float | None
+    atol: float | None
+    h: float | None
+    error: float
+    nfev: float
+    time: float
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """Arguments of ``Model.solve`` and ``Model.ensemble``."""
+        return {"method": self.method, "rtol": self.rtol, "atol": self.atol, "h": self.h}
+
+
 class Interrupted(KeyboardInterrupt):
     """Ctrl-C during an integration.
 

@@ -50,6 +50,48 @@ fn exponents_are_those_of_the_linearisation() {
 }
 
 #[test]
+fn tuned_methods_keep_within_the_error() {
+    let model = Model::parse(DAMPED).expect("valid");
+    let starts = [vec![0.8, 0.1], vec![2.0, 0.0]];
+    let choices = model.tune([0.0, 2.5], &starts, 1e-7, 1.0).expect("regular");
+    assert!(
+        choices.windows(2).all(|pair| pair[0].time <= pair[1].time),
+        "{choices:?}"
+    );
+    for start in &starts {
+        let end = |method: &Method| {
+            model
+                .solve(method, [0.0, 2.5], start)
+                .expect("regular")
+                .end()
+                .1
+                .to_vec()
+        };
+        let known = end(&method());
+        for choice in &choices {
+            let off = end(&choice.method)
+                .iter()
+                .zip(&known)
+                .any(|(x, known)| (x - known).abs() > 1e-7 * known.abs().max(1.0));
+            assert!(!off, "{choice:?}");
+        }
+    }
+    let refused = |starts: &[Vec<f64>], error| {
+        model
+            .tune([0.0, 2.5], starts, error, 1.0)
+            .expect_err("refused")
+            .to_string()
+    };
+    assert!(refused(&starts, 1e-17).contains("at least 8 ulps"));
+    assert!(refused(&[], 1e-7).contains("at least one start"));
+    assert!(refused(&[vec![0.8]], 1e-7).contains("2 are needed"));
+    let cancelled = model
+        .tune_unless([0.0, 2.5], &starts, (1e-7, 1.0), &|| true)
+        .expect_err("cancelled");
+    assert!(cancelled.to_string().contains("cancelled"), "{cancelled}");
+}
+
+#[test]
 fn derivatives_agree_with_differences() {
     let model = Model::parse(DAMPED).expect("valid");
     let (times, start) = ([0.0, 1.0, 2.5], [0.8, 0.1]);

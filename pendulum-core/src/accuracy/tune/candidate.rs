@@ -41,6 +41,8 @@ pub(super) struct Motion<'a, S> {
     pub(super) span: (f64, f64),
     /// Size of a component below which its error is absolute.
     pub(super) scale: f64,
+    /// Ends the runs when it returns true.
+    pub(super) cancel: Option<&'a (dyn Fn() -> bool + Sync)>,
 }
 
 /// A method for any setting: a relative tolerance or a step.
@@ -96,6 +98,10 @@ impl<'a, S: System<f64, N>, const N: usize> Candidate<'a, S, N> {
                 let stepper = make(value, motion.scale).stepper(motion.system, t0, t1, x0);
                 let mut stepper = stepper.map_err(|reason| Failure { t: t0, reason })?;
                 for _ in 0..most {
+                    if motion.cancel.is_some_and(|cancel| cancel()) {
+                        let (t, reason) = (stepper.t(), Reason::Cancelled);
+                        return Err(Failure { t, reason });
+                    }
                     match stepper.step() {
                         Ok(Some(_)) => {}
                         Ok(None) => return Ok((stepper.x(), stepper.statistics())),

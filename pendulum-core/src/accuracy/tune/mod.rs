@@ -89,6 +89,7 @@ impl<'a, S: System<f64, N>, const N: usize> Tuning<'a, S, N> {
                 system,
                 span,
                 scale: 1.0,
+                cancel: None,
             },
             starts: starts.to_vec(),
             error,
@@ -101,6 +102,14 @@ impl<'a, S: System<f64, N>, const N: usize> Tuning<'a, S, N> {
     #[must_use]
     pub fn scale(mut self, scale: f64) -> Self {
         self.motion.scale = scale;
+        self
+    }
+
+    /// Ends the search when `cancel` returns true, which is asked at each step: all methods then fail with
+    /// [`Reason::Cancelled`](crate::Reason::Cancelled).
+    #[must_use]
+    pub fn cancel(mut self, cancel: &'a (dyn Fn() -> bool + Sync)) -> Self {
+        self.motion.cancel = Some(cancel);
         self
     }
 
