@@ -79,7 +79,8 @@ pub(crate) struct Param {
     /// Documentation of the field.
     pub docs: Vec<String>,
     pub name: Ident,
-    pub unit: Read<Unit>,
+    /// Unit; none if it is missing.
+    pub unit: Option<Read<Unit>>,
     /// Value unless the user gives one.
     pub default: Option<Read<Expr>>,
 }
@@ -97,7 +98,8 @@ pub(crate) struct Input {
     /// Documentation of the field.
     pub docs: Vec<String>,
     pub name: Ident,
-    pub unit: Read<Unit>,
+    /// Unit; none if it is missing.
+    pub unit: Option<Read<Unit>>,
 }
 
 /// `state name { unit: unit, rate: e }`

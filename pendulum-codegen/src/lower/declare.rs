@@ -1,5 +1,7 @@
 //! Declarations of a scene: parameters, inputs, named expressions and coordinates.
 
+use syn::Ident;
+
 use super::Lower;
 use super::components::Unrated;
 use super::expr::Place;
@@ -16,29 +18,27 @@ use crate::units::Unit;
 
 impl<'g> Lower<'g> {
     pub(super) fn parameters(&mut self, params: &[ast::Param]) -> Vec<Parameter<'g>> {
+        let mut units = Vec::new();
         for param in params {
-            self.names.declare(
-                &mut self.errors,
-                Kind::Parameter,
-                &param.name,
-                (measure(&param.unit), None),
-            );
+            let unit = self.unit("parameter", &param.name, param.unit.as_ref(), "kg");
+            self.names
+                .declare(&mut self.errors, Kind::Parameter, &param.name, (measure(&unit), None));
             self.spans.parameters.push(param.name.span());
+            units.push(unit);
         }
         let mut parameters = Vec::new();
-        for param in params {
+        for (param, unit) in params.iter().zip(units) {
             let name = param.name.to_string();
-            let unit = self.read(&param.unit).cloned().unwrap_or_default();
             // no parameter has a value yet, so defaults consist of numbers only
             let default = param
                 .default
                 .as_ref()
-                .and_then(|default| self.default(&name, &param.unit, default).ok());
+                .and_then(|default| self.default(&name, &unit, default).ok());
             let symbol = self.graph.symbol(&name, SymbolKind::Parameter(parameters.len()));
             parameters.push(Parameter {
                 name,
                 docs: param.docs.clone(),
-                unit,
+                unit: unit.unwrap_or_default(),
                 default: default.and_then(Expr::constant),
                 symbol,
             });
@@ -49,7 +49,31 @@ impl<'g> Lower<'g> {
         parameters
     }
 
-    fn default(&mut self, name: &str, unit: &Read<Unit>, default: &Read<ast::Expr>) -> Result<Expr<'g>, Reported> {
+    /// Unit of a parameter, an input or a state. It may be missing only in a scene without units; the message shows the
+    /// unit `such` as an example.
+    fn unit(&mut self, kind: &str, name: &Ident, unit: Option<&Read<Unit>>, such: &str) -> Result<Unit, Reported> {
+        match unit {
+            Some(unit) => self.read(unit).cloned(),
+            None if !self.has_units => Ok(Unit::default()),
+            None => {
+                let fact = format_args!("{kind} `{name}` has no unit");
+                let key = if kind == "state" {
+                    "unit".to_owned()
+                } else {
+                    name.to_string()
+                };
+                let help = format_args!("write `{key}: {such}`, or `{key}: 1` for a plain number");
+                Err(self.errors.at(Code::MissingUnit, name.span(), fact, help))
+            }
+        }
+    }
+
+    fn default(
+        &mut self,
+        name: &str,
+        unit: &Result<Unit, Reported>,
+        default: &Read<ast::Expr>,
+    ) -> Result<Expr<'g>, Reported> {
         let place = Place {
             most: Level::Constant,
             unit: unit.as_ref().ok().map(|unit| unit.text.clone().into()),
@@ -78,19 +102,19 @@ impl<'g> Lower<'g> {
         let mut inputs = Vec::new();
         for input in declared {
             let name = input.name.to_string();
-            let unit = self.read(&input.unit).cloned().unwrap_or_default();
+            let unit = self.unit("input", &input.name, input.unit.as_ref(), "N");
             self.spans.inputs.push(input.name.span());
             let symbol = self.graph.symbol(&name, SymbolKind::Input(inputs.len()));
             self.names.declare(
                 &mut self.errors,
                 Kind::Input,
                 &input.name,
-                (measure(&input.unit), Some(symbol)),
+                (measure(&unit), Some(symbol)),
             );
             inputs.push(Input {
                 name,
                 docs: input.docs.clone(),
-                unit,
+                unit: unit.unwrap_or_default(),
                 symbol,
             });
         }
@@ -103,20 +127,16 @@ impl<'g> Lower<'g> {
         for state in declared {
             let name = state.name.to_string();
             let unit = match (&state.unit, state.unread) {
-                (Some(unit), _) => self.read(unit).cloned(),
                 (None, Some(reported)) => Err(reported),
-                (None, None) => {
-                    let fact = format_args!("state `{name}` has no unit");
-                    let help = "write `unit: A`, or `unit: 1` for a plain number";
-                    Err(self.errors.at(Code::MissingUnit, state.name.span(), fact, help))
-                }
+                (unit, _) => self.unit("state", &state.name, unit.as_ref(), "A"),
             };
-            let measure = unit
-                .as_ref()
-                .map_or(Measure::Unknown, |unit| Measure::in_dimension(unit.dimension));
             let symbol = self.graph.symbol(&name, SymbolKind::State(states.len()));
-            self.names
-                .declare(&mut self.errors, Kind::State, &state.name, (measure, Some(symbol)));
+            self.names.declare(
+                &mut self.errors,
+                Kind::State,
+                &state.name,
+                (measure(&unit), Some(symbol)),
+            );
             states.push(State {
                 name,
                 docs: state.docs.clone(),
@@ -139,7 +159,7 @@ impl<'g> Lower<'g> {
                 }
                 continue;
             };
-            let has_unit = state.unit.as_ref().is_some_and(Result::is_ok);
+            let has_unit = matches!(state.unit, Some(Ok(_)));
             let place = Place {
                 unit: has_unit.then(|| own.unit.rate().into()),
                 ..Place::moving(format!("the rate of `{}`", state.name))
@@ -227,7 +247,7 @@ impl<'g> Lower<'g> {
 }
 
 /// Measure of a declared quantity.
-fn measure(unit: &Read<Unit>) -> Measure {
+fn measure(unit: &Result<Unit, Reported>) -> Measure {
     unit.as_ref()
         .map_or(Measure::Unknown, |unit| Measure::in_dimension(unit.dimension))
 }

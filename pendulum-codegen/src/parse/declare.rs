@@ -41,8 +41,8 @@ pub(super) fn param(input: ParseStream, errors: &mut Errors) -> syn::Result<Para
         errors.at(Code::NotInLanguage, word.span(), fact, "leave it out");
     }
     let name = identifier(input, "the name of a parameter", "name: unit = default")?;
-    let unit = unit(input, "parameter", &name, "kg");
-    if input.peek(Token![:]) && unit.is_ok() {
+    let unit = unit(input);
+    if input.peek(Token![:]) && matches!(unit, Some(Ok(_))) {
         let help = format!("write `{name}: unit = default`");
         errors.at(
             Code::Syntax,
@@ -71,8 +71,8 @@ pub(super) fn param(input: ParseStream, errors: &mut Errors) -> syn::Result<Para
 /// `name: unit`, after the word `input`
 pub(super) fn input(input: ParseStream, docs: Vec<String>, errors: &mut Errors) -> syn::Result<Input> {
     let name = identifier(input, "the name of an input", "input push: N")?;
-    let unit = unit(input, "input", &name, "N");
-    if input.peek(Token![=]) && unit.is_ok() {
+    let unit = unit(input);
+    if input.peek(Token![=]) && matches!(unit, Some(Ok(_))) {
         let help = "leave it out: the value is given at each evaluation";
         let fact = format_args!("input `{name}` has no default");
         errors.at(Code::Syntax, input.span(), fact, help);
@@ -150,16 +150,12 @@ fn valued<T>(
     value.inspect_err(|_| skip_to(input, |input| input.peek(Token![,])))
 }
 
-/// `: unit` after the name of a parameter or an input; messages show the unit `such` as an example
-fn unit(input: ParseStream, kind: &str, name: &Ident, such: &str) -> Read<Unit> {
-    if input.parse::<Option<Token![:]>>()?.is_some() {
-        return read(input, |input| input.peek(Token![=]));
+/// `: unit` after the name of a parameter or an input, if it is there
+fn unit(input: ParseStream) -> Option<Read<Unit>> {
+    if input.peek(Token![:]) {
+        let unit = input.parse::<Token![:]>();
+        return Some(unit.and_then(|_| read(input, |input| input.peek(Token![=]))));
     }
     skip_to(input, |input| input.peek(Token![=]) || input.peek(Token![,]));
-    Err(at(
-        Code::MissingUnit,
-        name.span(),
-        format_args!("{kind} `{name}` has no unit"),
-        format_args!("write `{name}: {such}`, or `{name}: 1` for a plain number"),
-    ))
+    None
 }
