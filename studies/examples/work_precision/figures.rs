@@ -2,7 +2,9 @@
 
 use pendulum_core::accuracy::{Measured, MethodRuns};
 
-use crate::methods::{FIXED, LANES, Measurement};
+use testbed::work::{FIXED, Measurement};
+
+use crate::methods::LANES;
 use crate::scenes::{NEIGHBOURS, Scene};
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
 use charts::methods::line;

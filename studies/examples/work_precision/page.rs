@@ -3,7 +3,8 @@
 use charts::chart::Figure;
 use charts::report::Report;
 
-use crate::methods::Measurement;
+use testbed::work::Measurement;
+
 use crate::scenes::Scene;
 use crate::simpler::Simpler;
 

@@ -4,9 +4,7 @@ use std::error::Error;
 
 use pendulum_core::accuracy::{Problem, Reference};
 use pendulum_core::prelude::*;
-use pendulum_core::{Operations, Statistics};
-use testbed::counted::{Counted, spent};
-use testbed::trajectories;
+use testbed::{trajectories, work};
 
 mechanism! {
     /// Two identical plates on joints with equal friction: Williams (2023), Eq. 22.
@@ -30,17 +28,7 @@ mechanism! {
     }
 }
 
-/// Motion on which methods are measured.
-pub(crate) struct Scene {
-    pub name: &'static str,
-    pub title: &'static str,
-    pub model: DoublePendulum,
-    pub x0: SVector<f64, 4>,
-    pub t1: f64,
-    pub reference: Reference<'static, 4>,
-    /// Unit of energy errors: the initial energy above hanging at rest, in joules.
-    pub energy: f64,
-}
+pub(crate) type Scene = work::Scene<DoublePendulum, 4>;
 
 /// A regular motion, a chaotic one, and a stiff one.
 pub(crate) fn scenes() -> Result<[Scene; 3], Box<dyn Error>> {
@@ -102,35 +90,19 @@ fn scene(
         t1,
         // the digits are rounded to doubles
         reference: reference.with_points([(t1, end)], f64::EPSILON * end.amax()),
-        energy: model.energy(0.0, &x0) - model.energy(0.0, &SVector::zeros()),
     })
 }
 
-impl Scene {
-    pub(crate) fn problem(&self) -> Problem<'_, DoublePendulum, 4> {
-        Problem::new(&self.model, 0.0, self.t1, self.x0, &self.reference).energy(self.energy)
-    }
+/// The problem, with energies in units of the initial energy above hanging at rest.
+pub(crate) fn problem(scene: &Scene) -> Problem<'_, DoublePendulum, 4> {
+    let energy = |x| scene.model.energy(0.0, x);
+    scene.problem().energy(energy(&scene.x0) - energy(&SVector::zeros()))
+}
 
-    /// Counts the operations of a method from the start to the end; `None` if it does not reach the end.
-    pub(crate) fn count(
-        &self,
-        method: &impl Method<DoublePendulum<Counted>, Counted, 4>,
-    ) -> Option<(Operations, Statistics)> {
-        let model = self.model.cast::<Counted>();
-        let mut work = None;
-        let operations = spent(|| {
-            let stepper = method.stepper(&model, Counted(0.0), Counted(self.t1), self.x0.map(Counted));
-            let end = stepper.map(|mut stepper| stepper.run().map(|_| stepper.statistics()));
-            work = end.ok().and_then(Result::ok);
-        });
-        work.map(|work| (operations, work))
-    }
-
-    /// Initial states close to the one of the scene.
-    pub(crate) fn neighbours(&self) -> Vec<SVector<f64, 4>> {
-        let shift = |n: u32| SVector::from([1e-4 * f64::from(n), 0.0, 0.0, 0.0]);
-        (1..NEIGHBOURS).map(|n| self.x0 + shift(n)).collect()
-    }
+/// Initial states close to the one of the scene.
+pub(crate) fn neighbours(scene: &Scene) -> Vec<SVector<f64, 4>> {
+    let shift = |n: u32| SVector::from([1e-4 * f64::from(n), 0.0, 0.0, 0.0]);
+    (1..NEIGHBOURS).map(|n| scene.x0 + shift(n)).collect()
 }
 
 /// Number of trajectories of an ensemble.

@@ -2,7 +2,8 @@
 
 use pendulum_core::accuracy::Measured;
 
-use crate::methods::Measurement;
+use testbed::work::Measurement;
+
 use crate::scenes::Scene;
 
 /// Target errors.

@@ -7,4 +7,5 @@ mod every_failure;
 mod paper_audit;
 mod solve_accuracy;
 mod stability;
+mod twelve_problems;
 mod where_methods_fail;

@@ -1,0 +1,65 @@
+//! Measurement of all methods on each problem.
+
+use pendulum_core::{Cast, Jacobian, Rk4, TaylorSeries};
+use testbed::adaptive;
+use testbed::counted::Counted;
+use testbed::problems::Visitor;
+use testbed::work::{Measurement, Scene, Study, steps};
+
+/// Problems with the measurements of the methods that solve them.
+#[derive(Default)]
+pub(crate) struct Measured(pub(crate) Vec<Problem>);
+
+pub(crate) struct Problem {
+    pub(crate) name: &'static str,
+    pub(crate) title: &'static str,
+    pub(crate) t1: f64,
+    /// Largest component of the state at the end.
+    pub(crate) size: f64,
+    /// Uncertainty of the end, relative to it.
+    pub(crate) uncertainty: f64,
+    pub(crate) measurement: Measurement,
+}
+
+const ROUNDS: usize = 9;
+
+impl Visitor for Measured {
+    fn visit<S, const N: usize>(&mut self, scene: Scene<S, N>, is_stiff: bool)
+    where
+        S: Cast<N, In<f64> = S> + Jacobian<f64, N> + TaylorSeries<f64, N>,
+        S::In<Counted>: Jacobian<Counted, N> + TaylorSeries<Counted, N>,
+    {
+        eprintln!("measuring: {} ..", scene.title);
+        let study = Study::of(&scene, scene.problem(), ROUNDS);
+        let measurement = if is_stiff {
+            adaptive!(study, tolerances(); Auto Rodas4 Rodas5P Radau5 Radau9 Radau13).run()
+        } else {
+            let study = study.method("Rk4", steps(scene.t1 / 50.0, scene.t1 / 2e4), Rk4::new);
+            adaptive!(study, tolerances();
+                Rk45 Tsit5 Vern7 Vern9 Taylor Auto Rodas5P Radau5 Radau9 Radau13)
+            .run()
+        };
+        let size = scene.reference.at(scene.t1).expect("the end").amax();
+        self.0.push(Problem {
+            name: scene.name,
+            title: scene.title,
+            t1: scene.t1,
+            size,
+            uncertainty: scene.reference.uncertainty(scene.t1) / size,
+            measurement,
+        });
+    }
+}
+
+/// From 1e-3 to 1e-13: references have 1e-14.
+fn tolerances() -> impl Iterator<Item = f64> + Clone {
+    (6..=26).map(|n| 10.0_f64.powf(-0.5 * f64::from(n)))
+}
+
+impl Problem {
+    /// Fastest setting of each method for a relative error, with its time; methods that do not reach it are left out.
+    pub(crate) fn to_reach(&self, error: f64) -> impl Iterator<Item = (&str, f64)> {
+        let found = self.measurement.report.time_to_reach(error * self.size);
+        found.filter_map(|(name, found)| Some((name, found?.1.minimum)))
+    }
+}
