@@ -27,7 +27,6 @@ macro_rules! debug_as_display {
     )* };
 }
 
-#[cfg(feature = "std")]
 pub(crate) use debug_as_display;
 
 debug_as_display! {

@@ -49,6 +49,7 @@ mod error;
 mod estimator;
 #[cfg(feature = "std")]
 mod exponential;
+mod ilqr;
 #[cfg(feature = "std")]
 mod modes;
 #[cfg(feature = "std")]
@@ -71,6 +72,7 @@ mod weights;
 pub use error::ControlError;
 #[cfg(feature = "std")]
 pub use estimator::Estimator;
+pub use ilqr::{CostDerivatives, Ilqr, IlqrError, Objective, Pass, Predictive, PredictiveState, Quadratic, Solved};
 #[cfg(feature = "std")]
 pub use modes::{LostMode, LostModes, ModeMargin, PbhTest};
 #[cfg(feature = "std")]

@@ -1,6 +1,7 @@
 //! Linear models, regulators and filters against published cases, closed forms and their own equations.
 
 mod discretize;
+mod ilqr;
 mod lost;
 mod published;
 mod random;

@@ -1,0 +1,281 @@
+//! The search for the best motion: passes, their line search and their damping.
+
+use nalgebra::SVector;
+
+use super::backward::{Backward, Promise};
+use super::forward::Forward;
+use super::{Ilqr, IlqrError, Objective};
+use crate::error::Name;
+use crate::inputs::Controlled;
+use crate::real::Float;
+use crate::real::lanes::Isa;
+use crate::system::IntoState;
+
+/// Maximum number of halvings of the change of the inputs.
+const HALVINGS: usize = 8;
+/// Share of the promised decrease that a step has to reach.
+const SUFFICIENT: f64 = 1e-2;
+/// Factor by which the damping changes, more at each change in the same direction.
+const DAMPING_FACTOR: f64 = 2.0;
+/// Least damping that is not zero.
+const LEAST_DAMPING: f64 = 1e-6;
+/// Damping after which the search ends.
+const LARGEST_DAMPING: f64 = 1e8;
+/// Decrease of the cost put down to rounding, in ulps.
+const ROUNDING_ULPS: f64 = 64.0;
+
+/// A motion that [`Ilqr::solve`] has found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Solved<T> {
+    /// Cost of the motion.
+    pub cost: T,
+    /// Number of backward passes.
+    pub iterations: usize,
+}
+
+/// One pass over the motion, [`Ilqr::pass`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Pass<T> {
+    /// Cost of the motion after the pass.
+    pub cost: T,
+    /// Its cost before, with the inputs and gains of the last pass.
+    pub cost_before: T,
+    /// Share of the change of the inputs that was taken: 1, a half, and so on; 0 if none decreases the cost.
+    pub share: T,
+}
+
+/// Strength of the damping, which grows after failures and decays after successes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Damping<T> {
+    value: T,
+    factor: T,
+}
+
+impl<T: Float> Damping<T> {
+    pub(super) fn none() -> Self {
+        Self {
+            value: T::default(),
+            factor: T::from_f64(1.0),
+        }
+    }
+
+    fn grow(&mut self) {
+        let by = T::from_f64(DAMPING_FACTOR);
+        self.factor = by.max(self.factor * by);
+        self.value = T::from_f64(LEAST_DAMPING).max(self.value * self.factor);
+    }
+
+    fn decay(&mut self) {
+        let by = T::from_f64(1.0 / DAMPING_FACTOR);
+        self.factor = by.min(self.factor * by);
+        self.value *= self.factor;
+        if self.value < T::from_f64(LEAST_DAMPING) {
+            self.value = T::default();
+        }
+    }
+}
+
+impl<C, T: Float, const N: usize, const M: usize, const K: usize> Ilqr<C, T, N, M, K>
+where
+    C: Objective<T, N, M>,
+{
+    /// Searches for the motion of least cost from the state `x0` at `t0`, beginning with the inputs of the last motion,
+    /// or those of [`start`](Self::start).
+    ///
+    /// The motion found is a local minimum: other starts may lead to others.
+    ///
+    /// # Errors
+    /// Settings out of range, [`IlqrError::Diverged`], [`IlqrError::NotConvex`], [`IlqrError::NoDecrease`] and
+    /// [`IlqrError::TooManyIterations`]. In the last two cases the best motion is kept.
+    pub fn solve<S>(&mut self, model: &S, t0: T, x0: impl IntoState<T, N>) -> Result<Solved<T>, IlqrError>
+    where
+        S: Controlled<T, N, M>,
+    {
+        let x0 = x0.into_state();
+        self.check(model, t0, &x0)?;
+        self.damping = Damping::none();
+        let mut cost = self.follow(model, t0, &x0)?;
+        let mut decrease = T::default();
+        for iterations in 1..=self.max_iterations {
+            let promise = self.backward(model, t0)?;
+            let negligible = self.tolerance.max(T::from_f64(ROUNDING_ULPS) * T::EPSILON) * cost.abs();
+            if self.damping.value == T::default() && promise.of(T::from_f64(1.0)) <= negligible {
+                return Ok(Solved { cost, iterations });
+            }
+            match self.line_search(model, t0, &x0, (cost, promise)) {
+                Some((next, share)) => {
+                    decrease = cost - next;
+                    cost = next;
+                    if share == T::from_f64(1.0) {
+                        self.damping.decay();
+                    }
+                }
+                None => {
+                    self.damping.grow();
+                    if self.damping.value > T::from_f64(LARGEST_DAMPING) {
+                        let promised = promise.of(T::from_f64(1.0)).to_f64();
+                        let cost = cost.to_f64();
+                        return Err(IlqrError::NoDecrease {
+                            iterations,
+                            cost,
+                            promised,
+                        });
+                    }
+                }
+            }
+        }
+        Err(IlqrError::TooManyIterations {
+            iterations: self.max_iterations,
+            cost: cost.to_f64(),
+            decrease: decrease.to_f64(),
+        })
+    }
+
+    /// Improves the motion by one backward and one forward pass, from the state `x0` at `t0`: an iteration of
+    /// [`solve`](Self::solve) for the time between two samples.
+    ///
+    /// The motion before the pass follows the last one by its gains, so that it does not run away where that is
+    /// unstable.
+    ///
+    /// # Errors
+    /// Settings out of range, [`IlqrError::Diverged`] and [`IlqrError::NotConvex`]. The last motion is kept.
+    pub fn pass<S>(&mut self, model: &S, t0: T, x0: impl IntoState<T, N>) -> Result<Pass<T>, IlqrError>
+    where
+        S: Controlled<T, N, M>,
+    {
+        let x0 = x0.into_state();
+        self.check(model, t0, &x0)?;
+        let cost_before = self.follow(model, t0, &x0)?;
+        let promise = self.backward(model, t0)?;
+        if promise.of(T::from_f64(1.0)) <= T::from_f64(ROUNDING_ULPS) * T::EPSILON * cost_before.abs() {
+            return Ok(Pass {
+                cost: cost_before,
+                cost_before,
+                share: T::default(),
+            });
+        }
+        let (cost, share) = match self.line_search(model, t0, &x0, (cost_before, promise)) {
+            Some((cost, share)) => {
+                self.damping.decay();
+                (cost, share)
+            }
+            None => {
+                self.damping.grow();
+                (cost_before, T::default())
+            }
+        };
+        Ok(Pass {
+            cost,
+            cost_before,
+            share,
+        })
+    }
+
+    /// The motion by the inputs and gains of the last one.
+    fn follow<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>) -> Result<T, IlqrError>
+    where
+        S: Controlled<T, N, M>,
+    {
+        match self.forward(model, t0, x0, T::default()) {
+            Ok(cost) => {
+                self.plan = self.trial;
+                Ok(cost)
+            }
+            Err(node) => Err(IlqrError::Diverged {
+                node,
+                t: self.time(t0, node).to_f64(),
+            }),
+        }
+    }
+
+    fn backward<S>(&mut self, model: &S, t0: T) -> Result<Promise<T>, IlqrError>
+    where
+        S: Controlled<T, N, M>,
+    {
+        let damping = self.damping.value;
+        Isa::run_routine(Backward { t0, damping }, self, model)
+    }
+
+    fn forward<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>, share: T) -> Result<T, usize>
+    where
+        S: Controlled<T, N, M>,
+    {
+        Isa::run_routine(Forward { t0, x0: *x0, share }, self, model)
+    }
+
+    /// Takes the largest share of the change of the inputs that decreases the cost enough. Returns the cost and the
+    /// share, or `None` if there is none.
+    fn line_search<S>(
+        &mut self,
+        model: &S,
+        t0: T,
+        x0: &SVector<T, N>,
+        (cost, promise): (T, Promise<T>),
+    ) -> Option<(T, T)>
+    where
+        S: Controlled<T, N, M>,
+    {
+        let mut share = T::from_f64(1.0);
+        for _ in 0..=HALVINGS {
+            let promised = promise.of(share);
+            if let Ok(next) = self.forward(model, t0, x0, share)
+                && promised > T::default()
+                && cost - next >= T::from_f64(SUFFICIENT) * promised
+            {
+                self.plan = self.trial;
+                self.change = [[T::default(); M]; K];
+                return Some((next, share));
+            }
+            share *= T::from_f64(0.5);
+        }
+        None
+    }
+
+    /// Checks the settings for a model and a start.
+    pub(super) fn check<S>(&self, model: &S, t0: T, x0: &SVector<T, N>) -> Result<(), IlqrError>
+    where
+        S: Controlled<T, N, M>,
+    {
+        if let Some(constraint) = model.constraints().first() {
+            let constraint = Name::from(constraint.name);
+            return Err(IlqrError::ModeSwitches { constraint });
+        }
+        let mut bodies = None;
+        model.gaps(t0, x0, &mut |[a, b], _| bodies = Some([Name::from(a), Name::from(b)]));
+        if let Some(bodies) = bodies {
+            return Err(IlqrError::ClosedLoop { bodies });
+        }
+        if !(self.h.is_finite() && self.h > T::default()) {
+            return Err(IlqrError::Step(self.h.to_f64()));
+        }
+        if !(self.tolerance >= T::default() && self.tolerance < T::from_f64(1.0)) {
+            return Err(IlqrError::Tolerance(self.tolerance.to_f64()));
+        }
+        if !(t0.is_finite() && x0.iter().all(|component| component.is_finite())) {
+            return Err(IlqrError::NotFinite { what: "the state" });
+        }
+        for input in 0..M {
+            let (low, high) = (self.low[input], self.high[input]);
+            let limits = [low, high].map(T::to_f64);
+            let are_in_order = low <= high;
+            if !are_in_order {
+                return Err(IlqrError::Limits { input, limits });
+            }
+            for node in 0..K {
+                let value = self.plan.u[node][input];
+                if !(value.is_finite() && low <= value && value <= high) {
+                    let value = value.to_f64();
+                    return Err(IlqrError::StartBeyondLimits {
+                        input,
+                        node,
+                        value,
+                        limits,
+                    });
+                }
+            }
+        }
+        self.cost.check()
+    }
+}
