@@ -27,6 +27,7 @@ pages! {
     kalman_filter: "src/recipes/kalman-filter.md",
     linkages: "src/recipes/linkages.md",
     quadrotor: "src/recipes/quadrotor.md",
+    model_predictive_control: "src/recipes/model-predictive-control.md",
     magnets: "src/recipes/magnets.md",
     pictures: "src/recipes/pictures.md",
     poincare_section: "src/recipes/poincare-section.md",

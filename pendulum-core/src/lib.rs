@@ -41,7 +41,7 @@
 //! | [`error`] | errors |
 //! | [`sensitivity`] | derivatives of trajectories by initial conditions and parameters |
 //! | [`fit`](https://docs.rs/pendulum-core/latest/pendulum_core/fit) | parameters from measurements, with the feature `fit` |
-//! | [`control`] | linear models, regulators (LQR), Kalman filters, controllability and observability; sampled controllers |
+//! | [`control`] | linear models, LQR, Kalman filters, controllability; motions of least cost; sampled controllers |
 //! | [`stability`] | equilibria, periodic orbits and their bifurcations, chaos, and the limits of methods |
 //! | [`accuracy`] | reference solutions, error estimates, the fastest method for an error, and work-precision measurements |
 //! | [`shapes`] | geometry of a mechanism for drawing |
@@ -50,9 +50,10 @@
 //! # Without `std`
 //!
 //! With `default-features = false` the crate is `no_std` and uses no heap. Generated models and the [`Stepper`] of
-//! every method work in this mode, and [sampled controllers](control::Sampled); trajectories and lists do not. The
-//! default feature `std` adds [`Method::solve`], [`solution`], [`event`], [`ensemble`], [`sensitivity`], the design of
-//! [`control`], [`stability`], [`accuracy`], [`shapes`], and the detection of instruction sets at run time.
+//! every method work in this mode, [iterative LQR](control::Ilqr), and [sampled controllers](control::Sampled);
+//! trajectories and lists do not. The default feature `std` adds [`Method::solve`], [`solution`], [`event`],
+//! [`ensemble`], [`sensitivity`], the design of linear [`control`], [`stability`], [`accuracy`], [`shapes`], and the
+//! detection of instruction sets at run time.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(

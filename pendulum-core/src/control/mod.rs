@@ -1,5 +1,5 @@
 //! Design of controllers: linear models, linear-quadratic regulators, Kalman filters, controllability, observability;
-//! and controllers that sample.
+//! motions of least cost, and controllers that sample.
 //!
 //! A mechanism with inputs is linearized about an equilibrium, and weights of state and inputs give the law:
 //!
@@ -35,13 +35,14 @@
 //! | [`StateSpace::lqr`] | the linear-quadratic regulator, continuous or sampled |
 //! | [`StateSpace::kalman`] | the stationary Kalman filter, continuous or sampled |
 //! | [`StateSpace::controllability`], [`StateSpace::observability`] | the margin of each mode, and what is lost |
+//! | [`Ilqr`] | iterative LQR: motions of least cost within limits of the inputs, also for model-predictive control |
 //! | [`Sampled`] | runs a [`Controller`] at the times of a clock: delay, limits, resolution, noise |
 //! | [`Pid`], [`StateSpace::output_feedback`] | ready controllers: PID without windup, a law on the estimate of a filter |
 //!
 //! A model that cannot be stabilized is an error with each mode that the inputs do not reach: its eigenvalue, and its
 //! direction in the names of the model.
 //!
-//! Without the feature `std`, the module has [`Sampled`] and its controllers alone.
+//! Without the feature `std`, the module has [`Ilqr`], [`Sampled`] and its controllers alone.
 
 #[cfg(feature = "std")]
 mod error;
