@@ -8,7 +8,7 @@ use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
 use pendulum_core::Reason;
-use pendulum_core::control::{Pid, Sampled};
+use pendulum_core::control::{Ilqr, Pid, Quadratic, Sampled};
 use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::Isa;
@@ -156,6 +156,33 @@ fn sampled_controllers_do_not_allocate() {
         assert!((end.expect("a motion")[0] - 1.0).abs() < 0.1);
     };
     assert_eq!(allocations(integrate), 0);
+}
+
+mechanism! {
+    /// A pendulum with a motor, and without friction.
+    pub Frictionless {
+        input motor: N m,
+        gravity: [0, -9.81, 0],
+        body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, torque: motor }
+    }
+}
+
+#[test]
+fn iterative_lqr_does_not_allocate() {
+    let model = Frictionless::new(FrictionlessParams {}).expect("physical");
+    let cost = Quadratic::diagonal([1.0, 0.1], [0.1]).end(SMatrix::identity());
+    let work = || {
+        let mut ilqr = Ilqr::<_, _, 2, 1, 40>::new(0.02, cost).limits([-9.0], [9.0]);
+        ilqr.solve(&model, 0.0, [1.0, 0.0]).expect("a motion");
+        ilqr.shift();
+        ilqr.pass(&model, 0.02, [0.9, -0.1]).expect("a motion");
+        let error = ilqr.limits([9.0], [-9.0]).pass(&model, 0.0, [1.0, 0.0]);
+        error.expect_err("reversed");
+        let sampled = Sampled::new(ilqr.controller(model).expect("in range"), 0.02);
+        let end = sampled.end(&Vern7::new(), &model, 0.0, 1.0, [1.0, 0.0]);
+        assert!(end.expect("a motion").norm() < 1.0);
+    };
+    assert_eq!(allocations(work), 0);
 }
 
 #[test]

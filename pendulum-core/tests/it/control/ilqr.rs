@@ -166,9 +166,12 @@ fn a_warm_start_needs_fewer_iterations() {
     assert!(ilqr.end().amax() < 0.1);
     assert!(ilqr.inputs().iter().all(|[motor]| motor.abs() <= 2.0));
     assert!(ilqr.inputs().iter().any(|[motor]| motor.abs() == 2.0));
-    let after = ilqr.states()[1];
+    let (before, after) = (ilqr, ilqr.states()[1]);
     ilqr.shift();
-    assert_eq!(ilqr.states()[0], after);
+    assert_eq!((ilqr.states()[0], ilqr.states()[149]), (after, *before.end()));
+    assert_eq!(ilqr.inputs()[..149], before.inputs()[1..]);
+    assert_eq!(ilqr.inputs()[149], before.inputs()[149]);
+    assert_eq!((ilqr.gain(7), ilqr.gain(149)), (before.gain(8), before.gain(149)));
     let warm = ilqr
         .solve(&arm(), 0.02, after + SVector::from([1e-3, -1e-3]))
         .expect("a motion");
@@ -261,6 +264,26 @@ fn a_predictive_controller_swings_an_arm_up_and_holds_it() {
         assert!(motion.trajectory.end().amax() < 1e-2, "{}", motion.trajectory.end());
         assert!(motion.samples.iter().all(|sample| sample.command == sample.sent));
     }
+}
+
+#[test]
+fn a_predictive_controller_moves_its_plan_on_with_the_time() {
+    let mut by_hand = swing_up();
+    let controller = by_hand.controller(arm()).expect("in range");
+    let mut state = controller.start(0.02);
+    let mut x = SVector::from([PI, 0.0]);
+    // the last sample is three steps late
+    for (t, shifts) in [(0.0, 0), (0.02, 1), (0.04, 1), (0.12, 4)] {
+        let command = controller.sample(t, &x, &mut state);
+        (0..shifts).for_each(|_| by_hand.shift());
+        by_hand.pass(&arm(), t, x).expect("a motion");
+        assert_eq!(state.ilqr, by_hand, "at {t} s");
+        assert_eq!((command, state.failure), (by_hand.inputs()[0], None));
+        x += SVector::from([0.01, -0.02]);
+    }
+    let command = controller.sample(0.14, &SVector::from([f64::NAN, 0.0]), &mut state);
+    assert!(command[0].is_nan());
+    assert!(matches!(state.failure, Some(IlqrError::NotFinite { .. })));
 }
 
 #[test]
