@@ -5,7 +5,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::boxed::minimize;
+use super::boxed::{Factor, minimize};
 use super::cost::dot;
 use super::matrix::{plus, plus_product, product, scaled, transposed};
 use super::step::{StepDerivatives, step_derivatives};
@@ -58,6 +58,10 @@ where
             let (t, x, u) = (ilqr.time(self.t0, k), &ilqr.plan.x[k], &ilqr.plan.u[k]);
             let StepDerivatives { a, b } = step_derivatives(model, (t, h), x, u);
             let of_cost = ilqr.cost.running_derivatives(t, x, u);
+            // Damping would hide it, and the search run away.
+            if Factor::new(&of_cost.uu, [true; M]).is_none() {
+                return Err(IlqrError::NotConvex { node: k });
+            }
 
             let (to_a, to_b) = (transposed(&a), transposed(&b));
             let by_b = product(&hessian, &b);

@@ -112,8 +112,8 @@ impl fmt::Display for IlqrError {
                 limits: [low, high],
             } => write!(
                 f,
-                "the limits of input {input} are {low} and {high}\nhelp: pass the lower one first, `limits(low, high)`, \
-                 and infinity for none"
+                "the limits of input {input} are {low} and {high}\nhelp: pass the lower one first, `limits(low, high)`; \
+                 without a limit, infinity"
             ),
             Self::StartBeyondLimits {
                 input,
@@ -149,7 +149,7 @@ impl fmt::Display for IlqrError {
             }
             Self::NotConvex { node } => write!(
                 f,
-                "the cost to go is not convex in the inputs of node {node}\nhelp: return second derivatives without \
+                "the cost is not convex in the inputs of node {node}\nhelp: return second derivatives without \
                  negative eigenvalues, such as 2 J^T J for a sum of squares; check that they are finite"
             ),
             Self::Diverged { node, t } => write!(

@@ -8,8 +8,8 @@ use crate::inputs::Controlled;
 use crate::real::Float;
 use crate::real::lanes::Routine;
 
-/// The motion from the state `x0` at `t0`, into `trial`: the inputs of the plan, plus the share `share` of their change,
-/// plus the gains times the deviation from the plan.
+/// The motion from the state `x0` at `t0`, into `trial`: the inputs of the plan, plus a share of their change, plus the
+/// gains times the deviation from the plan.
 ///
 /// Returns its cost, or the number of steps with a finite state.
 pub(super) struct Forward<T, const N: usize> {

@@ -186,8 +186,8 @@ impl<C, T: Float, const N: usize, const M: usize, const K: usize> Ilqr<C, T, N, 
         &self.plan.end
     }
 
-    /// The law `u + G (x - x_k)` at the node `node`, within the limits: its gain `G`, of the last backward pass. Rows of
-    /// inputs at a limit are 0.
+    /// Gain `G` of the law `u + G (x - x_k)` at the node `node`, of the last backward pass. Rows of inputs at a limit
+    /// are 0.
     ///
     /// # Panics
     /// If there is no such node.

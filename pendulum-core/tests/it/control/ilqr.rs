@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use pendulum_core::control::{Controller, Ilqr, IlqrError, LinearLaw, Quadratic, Sampled, linearize};
+use pendulum_core::control::{
+    Controller, CostDerivatives, Ilqr, IlqrError, LinearLaw, Objective, Quadratic, Sampled, linearize,
+};
 use pendulum_core::nalgebra::SMatrix;
 use pendulum_core::prelude::*;
 use pendulum_core::{CastControlled, InputLaw};
@@ -228,7 +230,7 @@ fn two_rods_on_a_cart_swing_up_from_any_start_around_rest() {
     let regulator = upright.lqr(&weights, &SMatrix::from([[0.1]])).expect("reached");
     let cost = Quadratic::diagonal([0.1, 0.1, 0.1, 0.01, 0.01, 0.01], [0.01]).end(regulator.cost);
     let mut random = Random(1);
-    // All 20 take half a minute without optimization.
+    // All 20 take about a minute without optimization.
     let starts = if cfg!(debug_assertions) { 2 } else { 20 };
     for start in 0..starts {
         let [s, a, b, ds, da, db] = random.matrix::<6, 1>().into();
@@ -284,6 +286,62 @@ fn a_predictive_controller_moves_its_plan_on_with_the_time() {
     let command = controller.sample(0.14, &SVector::from([f64::NAN, 0.0]), &mut state);
     assert!(command[0].is_nan());
     assert!(matches!(state.failure, Some(IlqrError::NotFinite { .. })));
+}
+
+/// A cost that is the same after each turn of the arm; `effort` is the weight of the motor.
+#[derive(Clone, Copy)]
+struct Upright {
+    effort: f64,
+}
+
+impl Objective<f64, 2, 1> for Upright {
+    fn running(&self, _t: f64, _x: &SVector<f64, 2>, [motor]: &[f64; 1]) -> f64 {
+        self.effort * motor * motor
+    }
+
+    fn running_derivatives(&self, _t: f64, _x: &SVector<f64, 2>, [motor]: &[f64; 1]) -> CostDerivatives<f64, 2, 1> {
+        CostDerivatives {
+            x: SVector::zeros(),
+            u: SVector::from([2.0 * self.effort * motor]),
+            xx: SMatrix::zeros(),
+            xu: SMatrix::zeros(),
+            uu: SMatrix::from([[2.0 * self.effort]]),
+        }
+    }
+
+    fn end(&self, _t: f64, x: &SVector<f64, 2>) -> f64 {
+        100.0 * (2.0 - 2.0 * x[0].cos() + x[1] * x[1])
+    }
+
+    /// The residuals are `sin`, `1 - cos` and the rate, so that `J^T J` is the identity.
+    fn end_derivatives(&self, _t: f64, x: &SVector<f64, 2>) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
+        (SVector::from([200.0 * x[0].sin(), 200.0 * x[1]]), diagonal([200.0; 2]))
+    }
+}
+
+#[test]
+fn other_costs_lead_to_the_nearest_turn() {
+    for turns in [-1.0, 0.0, 3.0] {
+        let mut ilqr = Ilqr::<_, _, 2, 1, 150>::new(0.02, Upright { effort: 0.1 })
+            .limits([-2.0], [2.0])
+            .start([0.5]);
+        ilqr.solve(&arm(), 0.0, [PI * (1.0 + 2.0 * turns), 0.0])
+            .expect("a motion");
+        let [angle, rate] = (*ilqr.end()).into();
+        assert!(1.0 - angle.cos() < 5e-3 && rate.abs() < 0.1, "{angle} and {rate}");
+        assert!((angle - 2.0 * PI * turns).abs() < 7.0, "{angle}");
+    }
+}
+
+#[test]
+fn a_cost_that_is_not_convex_is_refused() {
+    let mut ilqr = Ilqr::<_, _, 2, 1, 150>::new(0.02, Upright { effort: -1e3 });
+    let error = ilqr.solve(&arm(), 0.0, [0.1, 0.0]).expect_err("refused");
+    assert!(matches!(error, IlqrError::NotConvex { .. }), "{error}");
+    assert!(
+        error.to_string().contains("\nhelp: return second derivatives"),
+        "{error}"
+    );
 }
 
 #[test]
