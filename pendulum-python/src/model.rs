@@ -453,7 +453,7 @@ impl Model {
         let signals = Signals::new();
         let found = signals.run(py, &self.0, || {
             let cancel = || signals.is_cancelled();
-            self.0.tune_unless(span, &starts, (error, scale), &cancel)
+            self.0.tune_unless(span, &starts, error, scale, &cancel)
         });
         let found = signals.instead_of(py, found)?;
         let row = |choice: Choice| {

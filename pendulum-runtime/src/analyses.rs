@@ -33,7 +33,7 @@ pub(crate) trait Analyses {
         &self,
         span: [f64; 2],
         starts: &[Vec<f64>],
-        goal: (f64, f64),
+        error_and_scale: (f64, f64),
         kinds: Kinds,
         cancel: &Cancel<'_>,
     ) -> Result<Vec<Choice>, Error>;
@@ -71,11 +71,11 @@ impl<const N: usize> Analyses for Padded<f64, N> {
         &self,
         span: [f64; 2],
         starts: &[Vec<f64>],
-        goal: (f64, f64),
+        error_and_scale: (f64, f64),
         kinds: Kinds,
         cancel: &Cancel<'_>,
     ) -> Result<Vec<Choice>, Error> {
-        tune::tune(self, span, starts, goal, kinds, cancel)
+        tune::tune(self, span, starts, error_and_scale, kinds, cancel)
     }
 }
 
@@ -187,13 +187,13 @@ impl Model {
     }
 
     /// Finds the methods and settings with which trajectories from the starts end with at most this `error`, the fastest
-    /// first. Errors are relative to the larger of the size of each component and `scale`, which is usually 1. Methods
-    /// take part for which `generate` has the functions: `jacobian`, `taylor`, `canonical`.
+    /// first. It takes as long as some thousand trajectories. Errors are relative to the larger of the size of each
+    /// component and `scale`, which is usually 1. Methods take part for which `generate` has the functions: `jacobian`, `taylor`, `canonical`.
     ///
     /// # Errors
     /// If a start has another length, and those of [`Tuning::run`](pendulum_core::accuracy::Tuning::run).
     pub fn tune(&self, span: [f64; 2], starts: &[Vec<f64>], error: f64, scale: f64) -> Result<Vec<Choice>, Error> {
-        self.tune_unless(span, starts, (error, scale), &|| false)
+        self.tune_unless(span, starts, error, scale, &|| false)
     }
 
     /// Like [`tune`](Self::tune), unless `cancel` becomes true.
@@ -204,7 +204,8 @@ impl Model {
         &self,
         span: [f64; 2],
         starts: &[Vec<f64>],
-        goal: (f64, f64),
+        error: f64,
+        scale: f64,
         cancel: &(dyn Fn() -> bool + Sync),
     ) -> Result<Vec<Choice>, Error> {
         starts.iter().try_for_each(|start| self.check_state(start))?;
@@ -214,6 +215,6 @@ impl Model {
             series: self.check_method(&Method::new("Taylor")?).is_ok(),
             canonical: has("canonical"),
         };
-        self.run(|| self.engine.tune(span, starts, goal, kinds, cancel))
+        self.run(|| self.engine.tune(span, starts, (error, scale), kinds, cancel))
     }
 }

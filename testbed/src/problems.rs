@@ -23,7 +23,7 @@ mechanism! {
     /// A star in the field of a galaxy (M. Henon, C. Heiles, Astron. J. 69 (1964) 73).
     pub HenonHeiles {
         units: none,
-        generate: [rhs, jacobian, energy, taylor, canonical],
+        generate: [rhs, jacobian, energy, taylor],
         potential: (x^2 + y^2)/2 + x^2*y - y^3/3,
         body slide on ground { joint: prismatic(x), coordinate: x }
         body star on slide { mass: 1, joint: prismatic(y), coordinate: y }
@@ -51,7 +51,7 @@ mechanism! {
     /// Seven stars of masses 1 to 7 in a plane.
     pub Pleiades {
         units: none,
-        generate: [rhs, jacobian, energy, taylor, canonical],
+        generate: [rhs, jacobian, energy, taylor],
         body slide1 on ground { joint: prismatic(x), coordinate: x1 }
         body star1 on slide1 { mass: 1, joint: prismatic(y), coordinate: y1 }
         body slide2 on ground { joint: prismatic(x), coordinate: x2 }

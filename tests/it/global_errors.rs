@@ -341,6 +341,13 @@ fn steps_are_tuned_as_tolerances_are() {
 }
 
 #[test]
+fn a_motion_at_rest_is_tuned() {
+    let model = double_pendulum(0.1);
+    let tuned = tune(&model, (0.0, 5.0), &[SVector::zeros()], 1e-8).expect("at rest");
+    assert_eq!(tuned.chosen().error, 0.0);
+}
+
+#[test]
 fn what_cannot_be_tuned_is_refused() {
     let model = double_pendulum(0.0);
     let starts = [[2.0, 2.5, 0.0, 0.0]].map(SVector::from);
@@ -362,13 +369,19 @@ fn what_cannot_be_tuned_is_refused() {
     let scaled = Tuning::new(&model, (0.0, 1.0), &starts, 1e-6).explicit().scale(0.0);
     assert!(error_of(scaled.run()).contains("the scale must be positive"));
 
+    assert!(refused((0.0, 1.0), &[SVector::repeat(f64::NAN)], 1e-6).contains("must be finite"));
+    let cancelled = Tuning::new(&model, (0.0, 1.0), &starts, 1e-6)
+        .explicit()
+        .cancel(&|| true);
+    assert_eq!(error_of(cancelled.run()), "the search for a method was cancelled");
+
     let explodes = FnSystem(|_t: f64, x: &SVector<f64, 4>| x.component_mul(x));
     let starts = [SVector::repeat(1.0)];
     let error = Tuning::new(&explodes, (0.0, 2.0), &starts, 1e-6)
         .explicit()
         .run()
         .expect_err("infinite at 1");
-    let TuneError::AllFailed { failures } = &error else {
+    let TuneError::TooFewSucceeded { failures } = &error else {
         panic!("{error}")
     };
     let names: Vec<_> = failures.iter().map(|(name, _)| *name).collect();

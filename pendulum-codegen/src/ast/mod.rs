@@ -11,7 +11,7 @@ pub(crate) use body::{
 };
 pub(crate) use expr::{Expr, ExprKind, Measured, Operator, Read, Vector};
 
-use crate::error::Reported;
+use crate::error::{Code, Reported, at};
 use crate::units::Unit;
 
 /// A whole declaration.
@@ -83,6 +83,13 @@ pub(crate) struct Param {
     pub unit: Option<Read<Unit>>,
     /// Value unless the user gives one.
     pub default: Option<Read<Expr>>,
+}
+
+/// Error: a parameter, an input or a state has no unit. The help writes it after `key`, with the example `such`.
+pub(crate) fn without_unit(kind: &str, name: &Ident, key: &str, such: &str) -> syn::Error {
+    let fact = format_args!("{kind} `{name}` has no unit");
+    let help = format_args!("write `{key}: {such}`, or `{key}: 1` for a plain number");
+    at(Code::MissingUnit, name.span(), fact, help)
 }
 
 /// `let name = value,`

@@ -1,7 +1,5 @@
 //! Declarations of a scene: parameters, inputs, named expressions and coordinates.
 
-use syn::Ident;
-
 use super::Lower;
 use super::components::Unrated;
 use super::expr::Place;
@@ -20,7 +18,9 @@ impl<'g> Lower<'g> {
     pub(super) fn parameters(&mut self, params: &[ast::Param]) -> Vec<Parameter<'g>> {
         let mut units = Vec::new();
         for param in params {
-            let unit = self.unit("parameter", &param.name, param.unit.as_ref(), "kg");
+            let unit = self.unit(param.unit.as_ref(), || {
+                ast::without_unit("parameter", &param.name, &param.name.to_string(), "kg")
+            });
             self.names
                 .declare(&mut self.errors, Kind::Parameter, &param.name, (measure(&unit), None));
             self.spans.parameters.push(param.name.span());
@@ -49,22 +49,13 @@ impl<'g> Lower<'g> {
         parameters
     }
 
-    /// Unit of a parameter, an input or a state. It may be missing only in a scene without units; the message shows the
-    /// unit `such` as an example.
-    fn unit(&mut self, kind: &str, name: &Ident, unit: Option<&Read<Unit>>, such: &str) -> Result<Unit, Reported> {
+    /// Unit of a parameter, an input or a state, which may be missing in a scene without units; `missing` is the error
+    /// elsewhere.
+    fn unit(&mut self, unit: Option<&Read<Unit>>, missing: impl FnOnce() -> syn::Error) -> Result<Unit, Reported> {
         match unit {
             Some(unit) => self.read(unit).cloned(),
             None if !self.has_units => Ok(Unit::default()),
-            None => {
-                let fact = format_args!("{kind} `{name}` has no unit");
-                let key = if kind == "state" {
-                    "unit".to_owned()
-                } else {
-                    name.to_string()
-                };
-                let help = format_args!("write `{key}: {such}`, or `{key}: 1` for a plain number");
-                Err(self.errors.at(Code::MissingUnit, name.span(), fact, help))
-            }
+            None => Err(self.errors.push(missing())),
         }
     }
 
@@ -102,7 +93,9 @@ impl<'g> Lower<'g> {
         let mut inputs = Vec::new();
         for input in declared {
             let name = input.name.to_string();
-            let unit = self.unit("input", &input.name, input.unit.as_ref(), "N");
+            let unit = self.unit(input.unit.as_ref(), || {
+                ast::without_unit("input", &input.name, &name, "N")
+            });
             self.spans.inputs.push(input.name.span());
             let symbol = self.graph.symbol(&name, SymbolKind::Input(inputs.len()));
             self.names.declare(
@@ -128,7 +121,7 @@ impl<'g> Lower<'g> {
             let name = state.name.to_string();
             let unit = match (&state.unit, state.unread) {
                 (None, Some(reported)) => Err(reported),
-                (unit, _) => self.unit("state", &state.name, unit.as_ref(), "A"),
+                (unit, _) => self.unit(unit.as_ref(), || ast::without_unit("state", &state.name, "unit", "A")),
             };
             let symbol = self.graph.symbol(&name, SymbolKind::State(states.len()));
             self.names.declare(

@@ -7,7 +7,7 @@ use syn::{Ident, Token, token};
 
 use super::token::{braces, brackets, identifier, list, parentheses};
 use super::{docs, read, skip_to};
-use crate::ast::{Event, Expr, Input, Let, Output, OutputValue, Param, Read};
+use crate::ast::{Event, Expr, Input, Let, Output, OutputValue, Param, Read, without_unit};
 use crate::error::{Code, Errors, at};
 use crate::units::Unit;
 
@@ -41,7 +41,7 @@ pub(super) fn param(input: ParseStream, errors: &mut Errors) -> syn::Result<Para
         errors.at(Code::NotInLanguage, word.span(), fact, "leave it out");
     }
     let name = identifier(input, "the name of a parameter", "name: unit = default")?;
-    let unit = unit(input);
+    let unit = unit(input, "parameter", &name, "kg");
     if input.peek(Token![:]) && matches!(unit, Some(Ok(_))) {
         let help = format!("write `{name}: unit = default`");
         errors.at(
@@ -71,7 +71,7 @@ pub(super) fn param(input: ParseStream, errors: &mut Errors) -> syn::Result<Para
 /// `name: unit`, after the word `input`
 pub(super) fn input(input: ParseStream, docs: Vec<String>, errors: &mut Errors) -> syn::Result<Input> {
     let name = identifier(input, "the name of an input", "input push: N")?;
-    let unit = unit(input);
+    let unit = unit(input, "input", &name, "N");
     if input.peek(Token![=]) && matches!(unit, Some(Ok(_))) {
         let help = "leave it out: the value is given at each evaluation";
         let fact = format_args!("input `{name}` has no default");
@@ -151,11 +151,15 @@ fn valued<T>(
 }
 
 /// `: unit` after the name of a parameter or an input, if it is there
-fn unit(input: ParseStream) -> Option<Read<Unit>> {
+fn unit(input: ParseStream, kind: &str, name: &Ident, such: &str) -> Option<Read<Unit>> {
     if input.peek(Token![:]) {
-        let unit = input.parse::<Token![:]>();
-        return Some(unit.and_then(|_| read(input, |input| input.peek(Token![=]))));
+        let colon = input.parse::<Token![:]>();
+        return Some(colon.and_then(|_| read(input, |input| input.peek(Token![=]))));
+    }
+    let is_end = |input: ParseStream| input.is_empty() || input.peek(Token![=]) || input.peek(Token![,]);
+    if is_end(input) {
+        return None;
     }
     skip_to(input, |input| input.peek(Token![=]) || input.peek(Token![,]));
-    None
+    Some(Err(without_unit(kind, name, &name.to_string(), such)))
 }

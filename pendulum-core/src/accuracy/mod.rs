@@ -47,7 +47,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Errors are the maximum over the components of the state, in their units. Compare times only within one run of a
+//! Errors are the maximum over the components of the state, in their units, but for [`tune`], whose errors are relative.
+//! Compare times only within one run of a
 //! sweep, and only in release builds.
 
 mod errors;

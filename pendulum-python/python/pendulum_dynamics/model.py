@@ -605,8 +605,8 @@ class Model:
         """The methods and settings that keep within an error at the end of a span, the fastest first.
 
         ``model.solve(t_span, x0, **choices[0].settings)`` integrates by the fastest one. Pilot runs measure errors and
-        times; those of two methods with tolerances far below the error tell the true end. Methods take part for which
-        ``generate`` has the functions: ``jacobian``, ``taylor``, ``canonical``.
+        times, as long as some thousand trajectories; those of two methods with tolerances far below the error tell the
+        true end. Methods take part for which ``generate`` has the functions: ``jacobian``, ``taylor``, ``canonical``.
 
         Parameters
         ----------

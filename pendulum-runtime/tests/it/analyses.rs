@@ -86,7 +86,7 @@ fn tuned_methods_keep_within_the_error() {
     assert!(refused(&[], 1e-7).contains("at least one start"));
     assert!(refused(&[vec![0.8]], 1e-7).contains("2 are needed"));
     let cancelled = model
-        .tune_unless([0.0, 2.5], &starts, (1e-7, 1.0), &|| true)
+        .tune_unless([0.0, 2.5], &starts, 1e-7, 1.0, &|| true)
         .expect_err("cancelled");
     assert!(cancelled.to_string().contains("cancelled"), "{cancelled}");
 }

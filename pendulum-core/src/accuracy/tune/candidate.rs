@@ -1,6 +1,5 @@
 //! Methods to choose from.
 
-use std::fmt;
 use std::time::Instant;
 
 use nalgebra::SVector;
@@ -13,7 +12,7 @@ use crate::statistics::Statistics;
 use crate::step_size::Estimates;
 use crate::system::System;
 
-/// A method with the setting that decides its accuracy. Printed as code: `Vern9::new().rtol(2e-9).atol(2e-9)`.
+/// Setting that decides the accuracy of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Setting {
@@ -152,15 +151,6 @@ impl<'a, S: System<f64, N>, const N: usize> Candidate<'a, S, N> {
                 atol: value * scale,
             },
             Control::Step => Setting::Step(value),
-        }
-    }
-}
-
-impl fmt::Display for Setting {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Tolerance { rtol, atol } => write!(f, "new().rtol({rtol:e}).atol({atol:e})"),
-            Self::Step(h) => write!(f, "new({h:?})"),
         }
     }
 }

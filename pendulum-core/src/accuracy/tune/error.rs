@@ -21,11 +21,13 @@ pub enum TuneError {
         /// Violated rule.
         rule: &'static str,
     },
-    /// No method reached the end of the span.
-    AllFailed {
-        /// Each method with its failure.
+    /// Fewer than two methods reached the end of the span.
+    TooFewSucceeded {
+        /// Each of the others with its failure.
         failures: Vec<(&'static str, Failure)>,
     },
+    /// The search was [cancelled](crate::accuracy::Tuning::cancel).
+    Cancelled,
     /// The error is smaller than what is known of the motion: two methods with the smallest tolerances differ by more.
     BelowUncertainty {
         /// The stated error.
@@ -48,13 +50,16 @@ impl fmt::Display for TuneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
-            Self::AllFailed { failures } => {
-                f.write_str("no method reached the end of the span from each start: ")?;
+            Self::TooFewSucceeded { failures } => {
+                f.write_str(
+                    "fewer than two methods reached the end of the span from each start, and two have to agree on it: ",
+                )?;
                 for (n, (name, failure)) in failures.iter().enumerate() {
                     write!(f, "{}`{name}` {failure}", if n == 0 { "" } else { "; " })?;
                 }
                 Ok(())
             }
+            Self::Cancelled => f.write_str("the search for a method was cancelled"),
             Self::BelowUncertainty {
                 error,
                 uncertainty,

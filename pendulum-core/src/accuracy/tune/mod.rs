@@ -27,7 +27,7 @@ use crate::{Auto, Gauss4, Gauss6, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Ro
 /// most this `error`, relative to the larger of the size of each component and 1. It tries all adaptive methods and
 /// [`Rk4`]; [`Tuning`] makes another choice of methods, and another scale than 1.
 ///
-/// Pilot runs from the `starts` measure errors and times: from all of them, or from sixteen if there are more. Hence the
+/// The search takes as long as some thousand trajectories, on one core. Pilot runs from the `starts` measure errors and times: from all of them, or from sixteen if there are more. Hence the
 /// error is that of these trajectories, and of others that are like them. Two methods with tolerances far below the
 /// error tell the end states.
 ///
@@ -105,8 +105,7 @@ impl<'a, S: System<f64, N>, const N: usize> Tuning<'a, S, N> {
         self
     }
 
-    /// Ends the search when `cancel` returns true, which is asked at each step: all methods then fail with
-    /// [`Reason::Cancelled`](crate::Reason::Cancelled).
+    /// Ends the search with [`TuneError::Cancelled`] when `cancel` returns true, which is asked at each step.
     #[must_use]
     pub fn cancel(mut self, cancel: &'a (dyn Fn() -> bool + Sync)) -> Self {
         self.motion.cancel = Some(cancel);
@@ -178,8 +177,8 @@ impl<'a, S: System<f64, N>, const N: usize> Tuning<'a, S, N> {
     /// Chooses the method and its setting.
     ///
     /// # Errors
-    /// [`TuneError::InvalidInput`] if there are no starts or no adaptive methods, or if a time, a state, the error or
-    /// the scale is out of range; [`TuneError::AllFailed`] if no method reaches the end;
+    /// [`TuneError::InvalidInput`] if there are no starts or fewer than two adaptive methods, or if a time, a start, the
+    /// error or the scale is out of range; [`TuneError::TooFewSucceeded`] if fewer than two reach the end;
     /// [`TuneError::BelowUncertainty`] and [`TuneError::NotReached`] if the error is too small.
     pub fn run(self) -> Result<Tuned<'a, S, N>, TuneError> {
         let pilot = Pilot::new(&self.motion, &self.candidates, &self.starts, self.error)?;
@@ -210,7 +209,7 @@ pub struct Tuned<'a, S, const N: usize> {
     value: f64,
 }
 
-/// A method that keeps within the error.
+/// A method that keeps within the error. Printed as code: `Vern9::new().rtol(2e-9).atol(2e-9)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Alternative {
@@ -264,10 +263,22 @@ impl Alternative {
     }
 }
 
+impl fmt::Display for Alternative {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.setting {
+            Setting::Tolerance { rtol, atol } => write!(f, "{}::new().rtol({rtol:e}).atol({atol:e})", self.name),
+            Setting::Step(h) => write!(f, "{}::new({h:?})", self.name),
+        }
+    }
+}
+
 impl<S, const N: usize> fmt::Display for Tuned<'_, S, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let code = |of: &Alternative| format!("{}::{}", of.name, of.setting);
-        let width = self.alternatives.iter().map(|of| code(of).len()).fold(6, usize::max);
+        let width = self
+            .alternatives
+            .iter()
+            .map(|of| of.to_string().len())
+            .fold(6, usize::max);
         write!(
             f,
             "{:<width$}  {:>8} {:>11} {:>9}",
@@ -278,7 +289,7 @@ impl<S, const N: usize> fmt::Display for Tuned<'_, S, N> {
             write!(
                 f,
                 "\n{:<width$}  {error:>8.1e} {evaluations:>11.0} {time:>9.1}",
-                code(of)
+                of.to_string()
             )?;
         }
         for (name, why) in &self.dropped {

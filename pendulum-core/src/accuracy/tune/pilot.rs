@@ -15,14 +15,19 @@ use crate::system::System;
 const MOST_STARTS: usize = 16;
 /// Smallest error, in ulps: that of a rounded state and of some operations.
 const LEAST_ULPS: f64 = 8.0;
-/// Tolerance of the first runs, and how much smaller that of the second ones is.
+/// Range of the tolerance of the first runs.
 const FIRST: [f64; 2] = [1e-10, 1e-3];
-const SECOND: f64 = 0.01;
-/// Tolerance with which the ends become known, as a fraction of the error and at least.
+/// Ratio of the tolerance of the next runs to that of the last ones.
+const TIGHTER: f64 = 0.01;
+/// Tolerance with which the ends become known, as a fraction of the error.
 const FAR_BELOW: f64 = 1e-3;
+/// Least tolerance with which the ends become known.
 const LEAST: f64 = 1e-14;
-/// Fraction of the error to which the ends have to be known, and with the least tolerance.
+/// Largest one, below those of the pilot runs.
+const MOST: f64 = 1e-6;
+/// Fraction of the error to which the ends have to be known.
 const KNOWN: f64 = 0.1;
+/// Fraction that is enough with the least tolerance.
 const BARELY_KNOWN: f64 = 0.5;
 /// Range of measured errors in which a search ends, as fractions of the error: from all starts, and from a part.
 const WITHIN: [[f64; 2]; 2] = [[0.25, 0.9], [0.1, 0.4]];
@@ -30,8 +35,9 @@ const WITHIN: [[f64; 2]; 2] = [[0.25, 0.9], [0.1, 0.4]];
 const STEPS: [usize; 2] = [4_000, 4_000_000];
 /// Number of steps that a method may take for each of the fastest one.
 const MORE_STEPS: usize = 50;
-/// Ratio to the shortest time up to which methods are timed again, side by side, and how often.
+/// Ratio to the shortest time up to which methods are timed again, side by side.
 const CLOSE: f64 = 2.0;
+/// Number of these timings.
 const ROUNDS: usize = 7;
 
 /// Pilot runs of all candidates.
@@ -107,6 +113,9 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
         )?;
         let rule = "the error must be at least 8 ulps (1.8e-15), since states are rounded, and below 1";
         require((LEAST_ULPS * f64::EPSILON..1.0).contains(&error), "error", error, rule)?;
+        let infinite = starts.iter().flatten().find(|component| !component.is_finite());
+        let rule = "all components of a start must be finite";
+        infinite.map_or(Ok(()), |&component| require(false, "starts", component, rule))?;
         let count = starts.len().min(MOST_STARTS);
         let is_part = starts.len() > MOST_STARTS;
         Ok(Self {
@@ -153,6 +162,7 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
         for (n, tried) in searches {
             let fastest = found.iter().map(|found| found.time).fold(f64::INFINITY, f64::min);
             let (outcome, error) = search(n, tried, fastest);
+            self.check_cancelled()?;
             match outcome {
                 Ok(kept) => found.push(kept),
                 Err(why) => dropped.push((n, why)),
@@ -168,6 +178,7 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
             });
         }
         self.time_again(&mut found);
+        self.check_cancelled()?;
         Ok((found, dropped))
     }
 
@@ -196,17 +207,22 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
         Ok(runs)
     }
 
-    /// Largest relative error of runs.
+    /// Largest relative error of runs, whose ends are finite.
     pub(super) fn error_of(&self, runs: &Runs<N>, ends: &[SVector<f64, N>]) -> f64 {
-        let pairs = runs.ends.iter().zip(ends);
-        let errors = pairs.map(|(x, known)| {
-            let relative = x.zip_map(known, |x, known| (x - known).abs() / known.abs().max(self.motion.scale));
-            // NaN must not pass for a small error
-            relative
-                .iter()
-                .fold(0.0, |most: f64, &error| if error <= most { most } else { error })
-        });
-        errors.fold(0.0, |most, error| if error <= most { most } else { error })
+        let relative = |(x, known): (&SVector<f64, N>, &SVector<f64, N>)| {
+            let scale = self.motion.scale;
+            x.zip_map(known, |x, known| (x - known).abs() / known.abs().max(scale))
+                .max()
+        };
+        runs.ends.iter().zip(ends).map(relative).fold(0.0, f64::max)
+    }
+
+    /// Fails if the search is cancelled.
+    fn check_cancelled(&self) -> Result<(), TuneError> {
+        match self.motion.cancel {
+            Some(cancel) if cancel() => Err(TuneError::Cancelled),
+            _ => Ok(()),
+        }
     }
 
     /// Runs all adaptive candidates with two tolerances, and returns those that reach the end with both.
@@ -220,7 +236,7 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
                     continue;
                 }
                 let both = self.runs(candidate, first, most).and_then(|first| {
-                    let second = self.runs(candidate, SECOND * first.value, MORE_STEPS * first.steps.max(100))?;
+                    let second = self.runs(candidate, TIGHTER * first.value, MORE_STEPS * first.steps.max(100))?;
                     Ok([first, second])
                 });
                 match both {
@@ -228,14 +244,16 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
                     Err(failure) => failures.push((candidate, failure)),
                 }
             }
+            self.check_cancelled()?;
             if compared.len() >= 2 {
                 let why = |(n, failure): (usize, Failure)| (n, failure.to_string());
                 return Ok((compared, failures.into_iter().map(why).collect()));
             }
-            let could_go_on = |(_, failure): &(usize, Failure)| matches!(failure.reason, Reason::TooManySteps { .. });
+            let many = Reason::TooManySteps { max_steps: most };
+            let could_go_on = |(_, failure): &(usize, Failure)| failure.reason == many;
             if most >= STEPS[1] || !failures.iter().any(could_go_on) {
                 let named = |(n, failure): (usize, Failure)| (self.candidates[n].name, failure);
-                return Err(TuneError::AllFailed {
+                return Err(TuneError::TooFewSucceeded {
                     failures: failures.into_iter().map(named).collect(),
                 });
             }
@@ -245,38 +263,46 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
 
     /// Determines the end states by two methods that agree.
     fn ends(&self, compared: &[Compared<N>]) -> Result<Vec<SVector<f64, N>>, TuneError> {
-        let mut tolerance = (FAR_BELOW * self.error).max(LEAST);
+        let mut tolerance = (FAR_BELOW * self.error).clamp(LEAST, MOST);
         loop {
             let mut order: Vec<_> = compared.iter().collect();
             order.sort_by(|a, b| a.time_at(tolerance).total_cmp(&b.time_at(tolerance)));
             let mut known: Vec<(&Compared<N>, Runs<N>)> = Vec::new();
+            let mut failures = Vec::new();
             for of in order {
                 // `Auto` is another name of an explicit method where it does not switch
                 let is_another = known.iter().all(|(before, _)| before.runs[0].ends != of.runs[0].ends);
-                if is_another && let Ok(runs) = self.runs(of.candidate, tolerance, STEPS[1]) {
-                    known.push((of, runs));
+                if !is_another {
+                    continue;
+                }
+                match self.runs(of.candidate, tolerance, STEPS[1]) {
+                    Ok(runs) => known.push((of, runs)),
+                    Err(failure) => failures.push((self.candidates[of.candidate].name, failure)),
                 }
                 if known.len() == 2 {
                     break;
                 }
             }
-            let uncertainty = match &known[..] {
-                [(_, a), (_, b)] => self.error_of(a, &b.ends),
-                _ => f64::INFINITY,
+            self.check_cancelled()?;
+            let Some((first, best)) = known.first() else {
+                return Err(TuneError::TooFewSucceeded { failures });
             };
+            // all others are the same, as at rest
+            let alone = (*first, first.runs[1].ends.clone());
+            let (second, other) = known.get(1).map_or(alone, |(of, runs)| (of, runs.ends.clone()));
+            let uncertainty = self.error_of(best, &other);
             let enough = if tolerance > LEAST { KNOWN } else { BARELY_KNOWN };
             if uncertainty <= enough * self.error {
                 return Ok(known.swap_remove(0).1.ends);
             }
             if tolerance <= LEAST {
-                let name = |n: usize| known.get(n).map_or("", |(of, _)| self.candidates[of.candidate].name);
                 return Err(TuneError::BelowUncertainty {
                     error: self.error,
                     uncertainty,
-                    methods: [name(0), name(1)],
+                    methods: [first, second].map(|of| self.candidates[of.candidate].name),
                 });
             }
-            tolerance = (SECOND * tolerance).max(LEAST);
+            tolerance = (TIGHTER * tolerance).max(LEAST);
         }
     }
 

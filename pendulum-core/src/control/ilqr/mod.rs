@@ -29,7 +29,7 @@ use search::Damping;
 /// samples of a controller, and [`controller`](Self::controller) does that for [`Sampled`](crate::control::Sampled).
 ///
 /// The value holds the motion and its gains, in `K` nodes of fixed size: nothing is allocated, and everything works
-/// without `std`. The next search begins with the last motion, which [`shift`](Self::shift) moves on by a step.
+/// without `std`. A value takes about `K (2 N + 3 M + N M)` numbers, and a search some of them on the stack. The next search begins with the last motion, which [`shift`](Self::shift) moves on by a step.
 ///
 /// ```
 /// use pendulum_core::control::{Ilqr, Quadratic};
@@ -145,10 +145,10 @@ impl<C, T: Float, const N: usize, const M: usize, const K: usize> Ilqr<C, T, N, 
         self
     }
 
-    /// Sets the maximum number of iterations of [`solve`](Self::solve). Default: 500.
+    /// Sets the maximum number of iterations of [`solve`](Self::solve), at least one. Default: 500.
     #[must_use]
     pub fn max_iterations(mut self, iterations: usize) -> Self {
-        self.max_iterations = iterations;
+        self.max_iterations = iterations.max(1);
         self
     }
 

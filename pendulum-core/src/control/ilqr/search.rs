@@ -81,8 +81,8 @@ impl<C, T: Float, const N: usize, const M: usize, const K: usize> Ilqr<C, T, N, 
 where
     C: Objective<T, N, M>,
 {
-    /// Searches for the motion of least cost from the state `x0` at `t0`, beginning with the inputs of the last motion,
-    /// or those of [`start`](Self::start).
+    /// Searches for the motion of least cost from the state `x0` at `t0`, beginning with the inputs and gains of the last
+    /// motion, or the inputs of [`start`](Self::start).
     ///
     /// The motion found is a local minimum: other starts may lead to others.
     ///
@@ -97,11 +97,15 @@ where
         self.check(model, t0, &x0)?;
         self.damping = Damping::none();
         let mut cost = self.follow(model, t0, &x0)?;
+        let ulps = T::from_f64(ROUNDING_ULPS) * T::EPSILON;
+        // where the least cost is zero, that of rounding errors of the motion remains
+        let least = ulps * T::EPSILON * cost.abs();
         let mut decrease = T::default();
         for iterations in 1..=self.max_iterations {
             let promise = self.backward(model, t0)?;
-            let negligible = self.tolerance.max(T::from_f64(ROUNDING_ULPS) * T::EPSILON) * cost.abs();
-            if self.damping.value == T::default() && promise.of(T::from_f64(1.0)) <= negligible {
+            let promised = promise.of(T::from_f64(1.0));
+            let is_converged = self.damping.value == T::default() && promised <= self.tolerance * cost.abs();
+            if is_converged || promised <= ulps * cost.abs() + least {
                 return Ok(Solved { cost, iterations });
             }
             match self.line_search(model, t0, &x0, (cost, promise)) {
@@ -115,8 +119,7 @@ where
                 None => {
                     self.damping.grow();
                     if self.damping.value > T::from_f64(LARGEST_DAMPING) {
-                        let promised = promise.of(T::from_f64(1.0)).to_f64();
-                        let cost = cost.to_f64();
+                        let (cost, promised) = (cost.to_f64(), promised.to_f64());
                         return Err(IlqrError::NoDecrease {
                             iterations,
                             cost,
@@ -150,6 +153,7 @@ where
         let cost_before = self.follow(model, t0, &x0)?;
         let promise = self.backward(model, t0)?;
         if promise.of(T::from_f64(1.0)) <= T::from_f64(ROUNDING_ULPS) * T::EPSILON * cost_before.abs() {
+            self.damping.decay();
             return Ok(Pass {
                 cost: cost_before,
                 cost_before,

@@ -90,7 +90,7 @@ pub struct Sampled<C, W, const P: usize, const M: usize> {
 
 impl<C, const N: usize, const M: usize> Sampled<C, WholeState, N, M> {
     /// Creates a controller of a model with `N` state components and `M` inputs that measures the whole state, with the
-    /// period `period` in s. It is exact until the other settings say otherwise: no delay, no limits, no noise.
+    /// period `period` in s. By default there is no delay, no limit, no rounding and no noise.
     #[must_use]
     pub const fn new(controller: C, period: f64) -> Self {
         Self::with(controller, period, WholeState)

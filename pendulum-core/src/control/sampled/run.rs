@@ -80,11 +80,14 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let command = self.controller.sample(t, &measured, &mut run.state);
         let mut sent = command;
         for (input, sent) in sent.iter_mut().enumerate() {
-            if !sent.is_finite() {
+            let (low, high) = (T::from_f64(self.low[input]), T::from_f64(self.high[input]));
+            let command = *sent;
+            *sent = rounded(command, self.input_resolution[input])
+                .at_least(low)
+                .at_most(high);
+            if !(command.is_finite() && sent.is_finite()) {
                 return Err(Reason::CommandNotFinite { input, t: t.to_f64() });
             }
-            let (low, high) = (T::from_f64(self.low[input]), T::from_f64(self.high[input]));
-            *sent = rounded(*sent, self.input_resolution[input]).at_least(low).at_most(high);
         }
         self.controller.sent(&command, &sent, &mut run.state);
         let mut inputs = sent;
