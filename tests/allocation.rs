@@ -14,7 +14,7 @@ use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::Isa;
 use testbed::mechanisms::Tree;
 use testbed::methods::Promise;
-use testbed::scenes::{DoublePendulum, DoublePendulumParams};
+use testbed::scenes::{DoublePendulum, double_pendulum};
 
 struct Counting;
 
@@ -48,15 +48,6 @@ fn allocations(work: impl FnOnce()) -> usize {
     COUNT.get() - before
 }
 
-fn pendulum(gamma: f64) -> DoublePendulum {
-    let params = DoublePendulumParams {
-        gamma1: gamma,
-        gamma2: gamma,
-        ..Default::default()
-    };
-    DoublePendulum::new(params).expect("physical")
-}
-
 const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
 
 #[test]
@@ -67,7 +58,7 @@ fn the_count_counts() {
 
 #[test]
 fn the_functions_of_a_model_do_not_allocate() {
-    let model = pendulum(0.1);
+    let model = double_pendulum(0.1);
     let x = SVector::from(START);
     let evaluate = || {
         std::hint::black_box((model.rhs(0.0, &x), model.jacobian(0.0, &x)));
@@ -108,7 +99,7 @@ where
 #[test]
 fn steps_do_not_allocate() {
     fn fixed<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
-        let steps = walk(&Fixed::<F>::new(0.01), &pendulum(0.0), 2.0, START);
+        let steps = walk(&Fixed::<F>::new(0.01), &double_pendulum(0.0), 2.0, START);
         assert!(steps >= 200, "{promise:?}: {steps}");
     }
     // more states than the shortcuts are for
@@ -120,7 +111,7 @@ fn steps_do_not_allocate() {
     }
     fn adaptive<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(promise: &Promise) {
         for gamma in [0.0, 100.0] {
-            let steps = walk(&Adaptive::<F>::new(), &pendulum(gamma), 10.0, START);
+            let steps = walk(&Adaptive::<F>::new(), &double_pendulum(gamma), 10.0, START);
             assert!(steps > 10, "{promise:?}: {steps}");
         }
     }
@@ -188,7 +179,7 @@ fn iterative_lqr_does_not_allocate() {
 #[test]
 fn errors_of_a_stepper_do_not_allocate() {
     fn check<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(promise: &Promise) {
-        let (model, method) = (pendulum(0.0), Adaptive::<F>::new().max_steps(10));
+        let (model, method) = (double_pendulum(0.0), Adaptive::<F>::new().max_steps(10));
         let fail = || {
             let mut stepper = method.stepper(&model, 0.0, 50.0, START).expect("valid");
             let reason = stepper.run().expect_err("a long time");

@@ -14,8 +14,8 @@
 //! The Jacobian of the model itself is the generated one in every case. With an [`InputLaw`] the closed loop also runs
 //! in other number types, and therefore in an [`ensemble`](crate::Ensemble).
 //!
-//! A law that samples, and holds its values, jumps at each sample. [`control::Sampled`](crate::control::Sampled) runs it
-//! with steps that end there.
+//! A law that samples, and holds its values, jumps at each sample. [`control::Sampled`](crate::control::Sampled) runs
+//! it with steps that end there.
 
 mod law;
 #[cfg(feature = "std")]
@@ -77,9 +77,9 @@ pub trait Controlled<T: Real, const N: usize, const M: usize>:
 
     /// Closes the loop with a law for the inputs. The result is a [`System`](crate::System).
     ///
-    /// The law is a function of time and state only: its closure cannot modify its captures. A controller with a state of
-    /// its own runs by [`Sampled`](crate::control::Sampled), and the integral of a continuous one is a `state` of the
-    /// scene. The Jacobian of the closed loop requires the derivative of the law: see [`WithInputs`].
+    /// The law is a function of time and state only: its closure cannot modify its captures. A controller with a state
+    /// of its own runs by [`Sampled`](crate::control::Sampled), and the integral of a continuous one is a `state` of
+    /// the scene. The Jacobian of the closed loop requires the derivative of the law: see [`WithInputs`].
     #[inline]
     fn with_inputs<F>(&self, inputs: F) -> WithInputs<Self, F, M>
     where

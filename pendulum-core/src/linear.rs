@@ -400,12 +400,12 @@ pub(crate) fn square<T: Real, const N: usize>(vector: &SVector<T, N>) -> T {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::{Complex, Field, Lu, Singular};
     use crate::real::Float;
 
-    /// Pseudorandom number between -1 and 1.
-    fn noise(seed: &mut u64) -> f64 {
+    /// Pseudorandom number between -1 and 1 (the generator of MMIX).
+    pub(crate) fn noise(seed: &mut u64) -> f64 {
         *seed = seed
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1_442_695_040_888_963_407);

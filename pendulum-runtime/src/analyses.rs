@@ -33,7 +33,8 @@ pub(crate) trait Analyses {
         &self,
         span: [f64; 2],
         starts: &[Vec<f64>],
-        error_and_scale: (f64, f64),
+        error: f64,
+        scale: f64,
         kinds: Kinds,
         cancel: &Cancel<'_>,
     ) -> Result<Vec<Choice>, Error>;
@@ -71,11 +72,12 @@ impl<const N: usize> Analyses for Padded<f64, N> {
         &self,
         span: [f64; 2],
         starts: &[Vec<f64>],
-        error_and_scale: (f64, f64),
+        error: f64,
+        scale: f64,
         kinds: Kinds,
         cancel: &Cancel<'_>,
     ) -> Result<Vec<Choice>, Error> {
-        tune::tune(self, span, starts, error_and_scale, kinds, cancel)
+        tune::tune(self, span, starts, error, scale, kinds, cancel)
     }
 }
 
@@ -186,9 +188,10 @@ impl Model {
         worker::on_all(|| self.engine.fit(fit, experiments))
     }
 
-    /// Finds the methods and settings with which trajectories from the starts end with at most this `error`, the fastest
-    /// first. It takes as long as some thousand trajectories. Errors are relative to the larger of the size of each
-    /// component and `scale`, which is usually 1. Methods take part for which `generate` has the functions: `jacobian`, `taylor`, `canonical`.
+    /// Finds the methods and settings with which trajectories from the starts end with at most this `error`, the
+    /// fastest first. It takes as long as some thousand trajectories. Errors are relative to the larger of the size of
+    /// each component and `scale`, which is usually 1. Methods take part for which `generate` has the functions:
+    /// `jacobian`, `taylor`, `canonical`.
     ///
     /// # Errors
     /// If a start has another length, and those of [`Tuning::run`](pendulum_core::accuracy::Tuning::run).
@@ -215,6 +218,6 @@ impl Model {
             series: self.check_method(&Method::new("Taylor")?).is_ok(),
             canonical: has("canonical"),
         };
-        self.run(|| self.engine.tune(span, starts, (error, scale), kinds, cancel))
+        self.run(|| self.engine.tune(span, starts, error, scale, kinds, cancel))
     }
 }

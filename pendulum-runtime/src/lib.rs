@@ -25,9 +25,9 @@
 //! components, so that each method exists for five lengths; longer states are refused.
 //!
 //! # Features
-//! - `full`, on by default: all methods, states of up to 64 components, stability, sensitivities, fits and tuning. Without it a
-//!   build is small, as in a web page: `Rk4`, `Gauss6`, `Vern9`, `Taylor`, `Rodas5P` and `Auto`, of which `Rk4`
-//!   integrates ensembles in lanes, and 32 components.
+//! - `full`, on by default: all methods, states of up to 64 components, stability, sensitivities, fits and tuning.
+//!   Without it a build is small, as in a web page: `Rk4`, `Gauss6`, `Vern9`, `Taylor`, `Rodas5P` and `Auto`, of which
+//!   `Rk4` integrates ensembles in lanes, and 32 components.
 
 #![forbid(unsafe_code)]
 

@@ -34,7 +34,8 @@ pub(crate) fn tune<const N: usize>(
     model: &Padded<f64, N>,
     span: [f64; 2],
     starts: &[Vec<f64>],
-    (error, scale): (f64, f64),
+    error: f64,
+    scale: f64,
     kinds: Kinds,
     cancel: &Cancel<'_>,
 ) -> Result<Vec<Choice>, Error> {

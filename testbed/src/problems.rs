@@ -1,9 +1,9 @@
-//! Twelve problems on which methods are measured: three motions of the double pendulum, three of celestial mechanics, three
-//! stiff ones of chemistry and electronics, and three mechanisms.
+//! Twelve problems on which methods are measured: three motions of the double pendulum, three of celestial mechanics,
+//! three stiff ones of chemistry and electronics, and three mechanisms.
 //!
-//! E. Hairer, S. P. Norsett, G. Wanner, "Solving Ordinary Differential Equations I" (1993), II.0 and II.10, has the orbits;
-//! E. Hairer, G. Wanner, "II" (1996), IV.1 and IV.10, the stiff problems; F. Mazzia, C. Magherini, "Test Set for Initial
-//! Value Problem Solvers", release 2.4 (2008), the final states of most.
+//! E. Hairer, S. P. Norsett, G. Wanner, "Solving Ordinary Differential Equations I" (1993), II.0 and II.10, has the
+//! orbits; E. Hairer, G. Wanner, "II" (1996), IV.1 and IV.10, the stiff problems; F. Mazzia, C. Magherini, "Test Set
+//! for Initial Value Problem Solvers", release 2.4 (2008), the final states of most.
 
 use std::error::Error;
 
@@ -15,7 +15,7 @@ use serde_json::Value;
 use crate::counted::Counted;
 use crate::linkages::{Andrews, AndrewsParams};
 use crate::motions::motion;
-use crate::scenes::{DoublePendulum, DoublePendulumParams};
+use crate::scenes::double_pendulum;
 use crate::trajectories;
 use crate::work::Scene;
 
@@ -31,8 +31,8 @@ mechanism! {
 }
 
 mechanism! {
-    /// A satellite between the earth and the moon, in coordinates that turn with them (R. F. Arenstorf, Amer. J. Math. 85
-    /// (1963) 27).
+    /// A satellite between the earth and the moon, in coordinates that turn with them (R. F. Arenstorf, Amer. J. Math.
+    /// 85 (1963) 27).
     pub Arenstorf {
         units: none,
         params { moon = 0.012277471 }
@@ -163,19 +163,12 @@ pub trait Visitor {
 /// # Errors
 /// If a problem cannot be solved.
 pub fn each(visitor: &mut impl Visitor) -> Result<(), Box<dyn Error>> {
-    let pendulum = |gamma| {
-        DoublePendulum::new(DoublePendulumParams {
-            gamma1: gamma,
-            gamma2: gamma,
-            ..Default::default()
-        })
-    };
     let known = |name: &str, t| (t, SVector::from(trajectories::scene(name).state(t)));
     let four = 4_f64.to_radians();
     let regular = problem(
         "regular",
         "double pendulum, small swing",
-        pendulum(0.1)?,
+        double_pendulum(0.1),
         [0.0, four, 0.0, 0.0],
         20.0,
     );
@@ -183,7 +176,7 @@ pub fn each(visitor: &mut impl Visitor) -> Result<(), Box<dyn Error>> {
     let chaotic = problem(
         "chaotic",
         "double pendulum, large swing",
-        pendulum(0.0)?,
+        double_pendulum(0.0),
         [2.0, 2.5, 0.0, 0.0],
         10.0,
     );
@@ -191,7 +184,7 @@ pub fn each(visitor: &mut impl Visitor) -> Result<(), Box<dyn Error>> {
     let stiff = problem(
         "stiff",
         "double pendulum, stiff axles",
-        pendulum(1e4)?,
+        double_pendulum(1e4),
         [1.0, -1.0, 0.0, 0.0],
         5.0,
     );

@@ -36,3 +36,13 @@ pendulum_core::mechanism! {
         }
     }
 }
+
+/// The scene with this friction of both axles.
+pub fn double_pendulum(gamma: f64) -> DoublePendulum {
+    let params = DoublePendulumParams {
+        gamma1: gamma,
+        gamma2: gamma,
+        ..Default::default()
+    };
+    DoublePendulum::new(params).expect("physical")
+}

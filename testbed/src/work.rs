@@ -1,7 +1,7 @@
 //! Errors, times and operations of methods on a problem.
 
 use nalgebra::SVector;
-use pendulum_core::accuracy::{Problem, Reference, Report, Sweep};
+use pendulum_core::accuracy::{Measured, Problem, Reference, Report, Sweep};
 use pendulum_core::{Cast, Method, Operations, Statistics, System};
 
 use crate::counted::{Counted, spent};
@@ -120,6 +120,23 @@ macro_rules! adaptive {
             pendulum_core::$method::new().rtol(tol).atol(tol)
         }))*
     };
+}
+
+/// Tolerances from 1e-3 down to `least`, two per decade.
+pub fn tolerances(least: f64) -> impl Iterator<Item = f64> + Clone {
+    let tolerance = |n: u32| 10.0_f64.powf(-0.5 * f64::from(n));
+    (6..)
+        .map(tolerance)
+        .take_while(move |&tolerance| tolerance > 0.9 * least)
+}
+
+/// Setting of a run, in words, with its work.
+pub fn note(setting: &str, measured: &Measured) -> String {
+    let work = measured.work.map(|work| {
+        let steps = work.accepted + work.rejected;
+        format!("; {steps} steps, {} evaluations", work.evaluations)
+    });
+    format!("{setting}{}", work.unwrap_or_default())
 }
 
 /// Step sizes that decrease from `first` by the square root of two, down to `least`.

@@ -7,17 +7,8 @@ use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
 use pendulum_core::{Occurrence, Reason, Solution, Statistics};
 use testbed::methods::Promise;
-use testbed::scenes::{DoublePendulum, DoublePendulumParams};
+use testbed::scenes::{DoublePendulum, double_pendulum};
 use testbed::trajectories::scene;
-
-fn pendulum(gamma: f64) -> DoublePendulum {
-    let params = DoublePendulumParams {
-        gamma1: gamma,
-        gamma2: gamma,
-        ..Default::default()
-    };
-    DoublePendulum::new(params).expect("physical")
-}
 
 const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
 
@@ -38,7 +29,7 @@ mechanism! {
 /// The large swing at a tenth of the tolerances compared with it; it is itself compared with the reference.
 fn swing() -> Solution<f64, 4> {
     let method = Taylor::new().rtol(3e-15).atol(3e-15);
-    let solution = method.solve(&pendulum(0.0), 0.0, 2.0, START).expect("regular");
+    let solution = method.solve(&double_pendulum(0.0), 0.0, 2.0, START).expect("regular");
     assert_abs_diff_eq!(solution.end(), reference("large_swing", 2.0), epsilon = 1e-13);
     solution
 }
@@ -46,7 +37,7 @@ fn swing() -> Solution<f64, 4> {
 #[test]
 fn errors_fall_with_the_order() {
     fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
-        let (model, exact) = (pendulum(0.0), reference("large_swing", 2.0));
+        let (model, exact) = (double_pendulum(0.0), reference("large_swing", 2.0));
         let error = |h: f64| {
             let mut stepper = Fixed::<F>::new(h).stepper(&model, 0.0, 2.0, START).expect("valid");
             (stepper.run().expect("regular") - exact).amax()
@@ -66,7 +57,7 @@ fn errors_fall_with_the_order() {
 #[test]
 fn dense_errors_fall_with_their_order() {
     fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
-        let (model, swing) = (pendulum(0.0), swing());
+        let (model, swing) = (double_pendulum(0.0), swing());
         let start = swing.at(0.5).expect("within");
         // error of one step, whose order is higher by one
         let error = |h: f64| {
@@ -111,7 +102,7 @@ fn end<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(
 fn errors_fall_with_the_tolerance() {
     fn check<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(promise: &Promise) {
         for (name, gamma, t) in [("large_swing", 0.0, 2.0), ("paper_gamma_0.1", 0.1, 20.0)] {
-            let (model, start) = (pendulum(gamma), SVector::from(scene(name).start::<4>()));
+            let (model, start) = (double_pendulum(gamma), SVector::from(scene(name).start::<4>()));
             let error = |tolerance| (end::<F>(&model, tolerance, (0.0, t), start) - reference(name, t)).amax();
             let errors = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12].map(error);
             // the tolerance bounds the error of a step; errors of many steps add up, to 14 tolerances in the worst
@@ -133,7 +124,7 @@ fn errors_fall_with_the_tolerance() {
 fn forth_and_back_returns_to_the_start() {
     fn check<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(promise: &Promise) {
         for (name, gamma) in [("large_swing", 0.0), ("paper_gamma_0.1", 0.1)] {
-            let (model, start) = (pendulum(gamma), SVector::from(scene(name).start::<4>()));
+            let (model, start) = (double_pendulum(gamma), SVector::from(scene(name).start::<4>()));
             let there = end::<F>(&model, 1e-10, (0.0, 2.0), start);
             let back = end::<F>(&model, 1e-10, (2.0, 0.0), there);
             let error = (back - start).amax();
@@ -145,7 +136,7 @@ fn forth_and_back_returns_to_the_start() {
     }
     testbed::each_adaptive!(check);
     fn check_fixed<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
-        let (model, method) = (pendulum(0.0), Fixed::<F>::new(0.5 * promise.h));
+        let (model, method) = (double_pendulum(0.0), Fixed::<F>::new(0.5 * promise.h));
         let there = method
             .stepper(&model, 0.0, 2.0, START)
             .expect("valid")
@@ -167,7 +158,7 @@ fn forth_and_back_returns_to_the_start() {
 fn single_precision_reaches_its_own_accuracy() {
     fn check(promise: &Promise, method: &impl Method<DoublePendulum<f32>, f32, 4>, most: f64) {
         let start = scene("paper_gamma_0.1").start::<4>().map(|x| x as f32);
-        let model = pendulum(0.1).cast::<f32>();
+        let model = double_pendulum(0.1).cast::<f32>();
         let mut stepper = method.stepper(&model, 0.0, 5.0, start).expect("valid");
         let error = stepper.run().expect("regular").cast::<f64>() - reference("paper_gamma_0.1", 5.0);
         assert!(error.amax() < most, "{promise:?}: {error}");
@@ -208,12 +199,14 @@ fn the_last_point_is_the_end_exactly() {
     }
     fn fixed<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for (t0, t1, h, steps) in SPANS {
-            let solution = Fixed::<F>::new(h).solve(&pendulum(0.1), t0, t1, REST).expect("regular");
+            let solution = Fixed::<F>::new(h)
+                .solve(&double_pendulum(0.1), t0, t1, REST)
+                .expect("regular");
             ordered(&solution, t0, t1, promise);
             assert_eq!(solution.t().len(), steps + 1, "{promise:?} to {t1} by {h}");
         }
         let still = Fixed::<F>::new(0.1)
-            .solve(&pendulum(0.1), 3.0, 3.0, REST)
+            .solve(&double_pendulum(0.1), 3.0, 3.0, REST)
             .expect("nothing to do");
         assert_eq!(
             (still.t(), still.last(), still.statistics()),
@@ -224,7 +217,7 @@ fn the_last_point_is_the_end_exactly() {
         for (t0, t1, ..) in SPANS {
             ordered(
                 &Adaptive::<F>::new()
-                    .solve(&pendulum(0.1), t0, t1, REST)
+                    .solve(&double_pendulum(0.1), t0, t1, REST)
                     .expect("regular"),
                 t0,
                 t1,
@@ -232,7 +225,7 @@ fn the_last_point_is_the_end_exactly() {
             );
         }
         let still = Adaptive::<F>::new()
-            .solve(&pendulum(0.1), 3.0, 3.0, REST)
+            .solve(&double_pendulum(0.1), 3.0, 3.0, REST)
             .expect("nothing to do");
         assert_eq!(
             (still.t(), still.last(), still.statistics()),

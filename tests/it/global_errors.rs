@@ -5,7 +5,7 @@ use pendulum_core::accuracy::{Alternative, Setting, SolutionWithError, TuneError
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, Reason, TaylorSeries};
 use testbed::random::{Random, share};
-use testbed::scenes::{DoublePendulum, DoublePendulumParams};
+use testbed::scenes::{DoublePendulum, double_pendulum};
 
 mechanism! {
     /// A driven pole on a sprung cart.
@@ -31,15 +31,6 @@ mechanism! {
         body slide on ground { mass: 0.1, joint: prismatic(x), coordinate: x, dry_friction: mu }
         body ball on slide { mass: 1, joint: prismatic(y), coordinate: y, spring: (20, 0) }
     }
-}
-
-fn double_pendulum(gamma: f64) -> DoublePendulum {
-    let params = DoublePendulumParams {
-        gamma1: gamma,
-        gamma2: gamma,
-        ..Default::default()
-    };
-    DoublePendulum::new(params).expect("physical")
 }
 
 /// A motion over a span, with the exact state at its end.
@@ -243,8 +234,8 @@ where
         .map_or(f64::INFINITY, |(_, evaluations)| evaluations)
 }
 
-/// Tunes for some starts, and returns the stated and the true error of the choice, and its evaluations over those of the
-/// best tolerance of a sweep.
+/// Tunes for some starts, and returns the stated and the true error of the choice, and its evaluations over those of
+/// the best tolerance of a sweep.
 fn tuned<S>(model: &S, random: &mut Random) -> Option<(f64, f64, f64)>
 where
     S: Jacobian<f64, 4> + TaylorSeries<f64, 4> + Copy,

@@ -22,7 +22,7 @@ mod driven {
 }
 
 use driven::{Driven, DrivenParams};
-use testbed::scenes::{DoublePendulum, DoublePendulumParams};
+use testbed::scenes::{DoublePendulum, double_pendulum};
 use testbed::trajectories::scene;
 
 #[test]
@@ -39,16 +39,6 @@ fn the_generated_derivative_by_time_is_that_of_the_right_hand_side() {
         assert!(exact.amax() > 0.1 && exact[0] == 0.0, "{exact}");
     }
     assert_eq!(Driven::<f64>::COST["time_derivative"].operations.sincos, 2);
-}
-
-/// Eq. 22 with friction that damps all velocities within milliseconds.
-fn stiff(gamma: f64) -> DoublePendulum {
-    let params = DoublePendulumParams {
-        gamma1: gamma,
-        gamma2: gamma,
-        ..Default::default()
-    };
-    DoublePendulum::new(params).expect("physical")
 }
 
 const START: [f64; 4] = [1.0, -1.0, 0.0, 0.0];
@@ -77,7 +67,7 @@ fn solve(system: &DoublePendulum, tolerance: f64, t1: f64) -> [Solution<f64, 4>;
 #[test]
 fn a_stiff_trajectory_agrees_with_its_reference() {
     let reference = scene("stiff_axles").points();
-    let system = stiff(1e4);
+    let system = double_pendulum(1e4);
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
         for solution in solve(&system, tolerance, 5.0) {
             let mut worst = 0.0_f64;

@@ -156,10 +156,10 @@ fn unit(input: ParseStream, kind: &str, name: &Ident, such: &str) -> Option<Read
         let colon = input.parse::<Token![:]>();
         return Some(colon.and_then(|_| read(input, |input| input.peek(Token![=]))));
     }
-    let is_end = |input: ParseStream| input.is_empty() || input.peek(Token![=]) || input.peek(Token![,]);
-    if is_end(input) {
+    let is_next = |input: ParseStream| input.peek(Token![=]) || input.peek(Token![,]);
+    if input.is_empty() || is_next(input) {
         return None;
     }
-    skip_to(input, |input| input.peek(Token![=]) || input.peek(Token![,]));
+    skip_to(input, is_next);
     Some(Err(without_unit(kind, name, &name.to_string(), such)))
 }

@@ -1,8 +1,8 @@
 //! Accuracy and cost of integrators: reference solutions, error norms, and work-precision measurements on your own
 //! system.
 //!
-//! [`with_error`](Refine::with_error) estimates the error of a solution, and [`tune`] finds the fastest method and setting
-//! for a stated error. A sweep measures everything:
+//! [`with_error`](Refine::with_error) estimates the error of a solution, and [`tune`] finds the fastest method and
+//! setting for a stated error. A sweep measures everything:
 //!
 //! ```
 //! use pendulum_core::accuracy::{Errors, Problem, Reference, Sweep};
@@ -47,9 +47,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Errors are the maximum over the components of the state, in their units, but for [`tune`], whose errors are relative.
-//! Compare times only within one run of a
-//! sweep, and only in release builds.
+//! Errors are the maximum over the components of the state, in their units; those of [`tune`] are relative. Compare
+//! times only within one run of a sweep, and only in release builds.
 
 mod errors;
 mod problem;

@@ -44,9 +44,9 @@ pub trait Refine: Sized {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// An estimate near the rounding errors, with tolerances below 1e-13 or after many turns, tells only their magnitude,
-/// because those of the second integration are as large. Errors common to both are not seen, such as a pulse that both
-/// step over.
+/// Near the rounding errors, with tolerances below 1e-13 or after many turns, an estimate is right in magnitude only,
+/// because the errors of the second integration are as large. Errors common to both are not seen, such as a pulse that
+/// both step over.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithError<A>(A);
 
@@ -86,8 +86,8 @@ impl<A: Refine> WithError<A> {
     /// Like [`Method::solve`], with an estimate of the error.
     ///
     /// # Errors
-    /// Errors of [`Method::solve`]. If only the second integration stops, the error contains the point at which it does,
-    /// instead of a solution.
+    /// Errors of [`Method::solve`]. If only the second integration stops, the error contains the point at which it
+    /// does, instead of a solution.
     pub fn solve<S, T, const N: usize>(
         &self,
         system: &S,

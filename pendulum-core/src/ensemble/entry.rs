@@ -98,8 +98,8 @@ where
     conclude(x, stopped)
 }
 
-/// Integrates trajectories over a part of their span, with steps as long as those before: `paces` has them, and receives
-/// those at the end. The final states replace `x`. `goes_on` is false for the first part.
+/// Integrates trajectories over a part of their span, with steps as long as those before: `paces` has them, and
+/// receives those at the end. The final states replace `x`. `goes_on` is false for the first part.
 pub(crate) fn go_on<A, M, T, const N: usize>(
     method: &A,
     models: &[M],

@@ -280,7 +280,7 @@ fn alone<A, M, T, W, const N: usize>(
 }
 
 /// Returns the model of trajectory `i`.
-fn model_of<M>(models: &[M], i: usize) -> &M {
+pub(crate) fn model_of<M>(models: &[M], i: usize) -> &M {
     if let [model] = models { model } else { &models[i] }
 }
 

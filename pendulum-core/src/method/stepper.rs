@@ -239,8 +239,9 @@ where
         })
     }
 
-    /// Moves the end of the span to `t1`, ahead of the point reached, and continues with steps as long as before. If the
-    /// right-hand side `jumps` there, a hybrid system enters the mode that follows. The number of steps is counted anew.
+    /// Moves the end of the span to `t1`, ahead of the point reached, and continues with steps as long as before. If
+    /// the right-hand side `jumps` there, a hybrid system enters the mode that follows. The number of steps is counted
+    /// anew.
     #[inline]
     pub(crate) fn go_on_to(&mut self, t1: T, jumps: bool) -> Result<(), Reason> {
         if let Steps::Equal(grid) = &mut self.smooth.steps {

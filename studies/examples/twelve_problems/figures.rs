@@ -4,7 +4,7 @@ use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
 use charts::methods::line;
 use charts::page::GRID;
 use pendulum_core::accuracy::{Measured, MethodRuns};
-use testbed::work::FIXED;
+use testbed::work::{self, FIXED};
 
 use crate::measure::Problem;
 
@@ -17,7 +17,7 @@ const RATIOS: [f64; 2] = [-8.0, 6.0];
 /// Number of problems in a figure.
 const TOGETHER: usize = 3;
 
-/// What is drawn over the error.
+/// Quantity drawn over the error.
 #[derive(Clone, Copy)]
 enum Cost {
     Time,
@@ -164,9 +164,5 @@ fn note(method: &str, setting: f64, measured: &Measured) -> String {
     } else {
         format!("tolerance {setting:.1e}")
     };
-    let work = measured.work.map(|work| {
-        let steps = work.accepted + work.rejected;
-        format!("; {steps} steps, {} evaluations", work.evaluations)
-    });
-    setting + &work.unwrap_or_default()
+    work::note(&setting, measured)
 }

@@ -1,9 +1,9 @@
-//! Methods on twelve problems: errors over time, operations and tolerance. Left out are `Gauss4` and `Gauss6`, and on stiff
-//! problems the explicit methods.
+//! Methods on twelve problems: errors over time, operations and tolerance. Left out are `Gauss4` and `Gauss6`, and on
+//! stiff problems the explicit methods.
 //!
-//! `cargo run --release -p studies --features long --example twelve_problems` builds for ten minutes and runs for four. It
-//! prints a table of the fastest methods, and writes charts, a page on which hovering shows values, and all measurements
-//! as JSON.
+//! `cargo run --release -p studies --features long --example twelve_problems` builds for ten minutes and runs for four.
+//! It prints a table of the fastest methods, and writes charts, a page on which hovering shows values, and all
+//! measurements as JSON.
 
 mod figures;
 mod json;

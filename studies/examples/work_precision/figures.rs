@@ -2,7 +2,7 @@
 
 use pendulum_core::accuracy::{Measured, MethodRuns};
 
-use testbed::work::{FIXED, Measurement};
+use testbed::work::{self, FIXED, Measurement};
 
 use crate::methods::LANES;
 use crate::scenes::{NEIGHBOURS, Scene};
@@ -204,9 +204,5 @@ fn note(method: &str, setting: f64, measured: &Measured) -> String {
     } else {
         format!("tolerance {setting:.1e}")
     };
-    let work = measured.work.map(|work| {
-        let steps = work.accepted + work.rejected;
-        format!("; {steps} steps, {} evaluations", work.evaluations)
-    });
-    setting + &work.unwrap_or_default()
+    work::note(&setting, measured)
 }

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt;
 
 use crate::accuracy::Failure;
-use crate::error::debug_as_display;
+use crate::error::{Reason, debug_as_display};
 
 debug_as_display! { [] TuneError; }
 
@@ -13,14 +13,7 @@ debug_as_display! { [] TuneError; }
 #[non_exhaustive]
 pub enum TuneError {
     /// A setting or an argument is invalid.
-    InvalidInput {
-        /// Name of the setting or argument.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-        /// Violated rule.
-        rule: &'static str,
-    },
+    InvalidInput(Reason),
     /// Fewer than two methods reached the end of the span.
     TooFewSucceeded {
         /// Each of the others with its failure.
@@ -49,7 +42,7 @@ pub enum TuneError {
 impl fmt::Display for TuneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
+            Self::InvalidInput(reason) => reason.fmt(f),
             Self::TooFewSucceeded { failures } => {
                 f.write_str(
                     "fewer than two methods reached the end of the span from each start, and two have to agree on it: ",
@@ -83,3 +76,9 @@ impl fmt::Display for TuneError {
 }
 
 impl Error for TuneError {}
+
+impl From<Reason> for TuneError {
+    fn from(reason: Reason) -> Self {
+        Self::InvalidInput(reason)
+    }
+}

@@ -13,6 +13,7 @@ pub use candidate::Setting;
 use candidate::{Candidate, Motion};
 pub use error::TuneError;
 use pilot::{Found, Pilot};
+use search::Tried;
 
 use crate::accuracy::Failure;
 use crate::error::SolveError;
@@ -23,13 +24,13 @@ use crate::system::{Canonical, IntoState, Jacobian, System};
 use crate::taylor::TaylorSeries;
 use crate::{Auto, Gauss4, Gauss6, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
 
-/// Chooses the fastest method, and its tolerance or step, for trajectories whose states at the end of the `span` have at
-/// most this `error`, relative to the larger of the size of each component and 1. It tries all adaptive methods and
+/// Chooses the fastest method, and its tolerance or step, for trajectories whose states at the end of the `span` have
+/// at most this `error`, relative to the larger of the size of each component and 1. It tries all adaptive methods and
 /// [`Rk4`]; [`Tuning`] makes another choice of methods, and another scale than 1.
 ///
-/// The search takes as long as some thousand trajectories, on one core. Pilot runs from the `starts` measure errors and times: from all of them, or from sixteen if there are more. Hence the
-/// error is that of these trajectories, and of others that are like them. Two methods with tolerances far below the
-/// error tell the end states.
+/// Pilot runs from the `starts` measure errors and times: from all of them, or from sixteen if there are more. Hence
+/// the error is that of these trajectories, and of others that are like them. Two methods with tolerances far below the
+/// error tell the end states. The search takes as long as some thousand trajectories, on one core.
 ///
 /// ```
 /// use pendulum_core::accuracy::tune;
@@ -177,13 +178,13 @@ impl<'a, S: System<f64, N>, const N: usize> Tuning<'a, S, N> {
     /// Chooses the method and its setting.
     ///
     /// # Errors
-    /// [`TuneError::InvalidInput`] if there are no starts or fewer than two adaptive methods, or if a time, a start, the
-    /// error or the scale is out of range; [`TuneError::TooFewSucceeded`] if fewer than two reach the end;
+    /// [`TuneError::InvalidInput`] if there are no starts or fewer than two adaptive methods, or if a time, a start,
+    /// the error or the scale is out of range; [`TuneError::TooFewSucceeded`] if fewer than two reach the end;
     /// [`TuneError::BelowUncertainty`] and [`TuneError::NotReached`] if the error is too small.
     pub fn run(self) -> Result<Tuned<'a, S, N>, TuneError> {
         let pilot = Pilot::new(&self.motion, &self.candidates, &self.starts, self.error)?;
         let (found, dropped) = pilot.search()?;
-        let (chosen, scale) = (found[0].candidate, self.motion.scale);
+        let ((chosen, Tried { value, .. }), scale) = (found[0], self.motion.scale);
         let alternatives = found
             .iter()
             .map(|found| Alternative::of(found, &self.candidates, scale));
@@ -191,7 +192,7 @@ impl<'a, S: System<f64, N>, const N: usize> Tuning<'a, S, N> {
         Ok(Tuned {
             alternatives: alternatives.collect(),
             dropped: dropped.into_iter().map(|(n, why)| (names(n), why)).collect(),
-            value: found[0].value,
+            value,
             method: self.candidates.into_iter().nth(chosen).expect("one of them"),
             motion: self.motion,
         })
@@ -251,14 +252,18 @@ impl<S: System<f64, N>, const N: usize> Tuned<'_, S, N> {
 }
 
 impl Alternative {
-    fn of<S: System<f64, N>, const N: usize>(found: &Found, candidates: &[Candidate<'_, S, N>], scale: f64) -> Self {
-        let candidate = &candidates[found.candidate];
+    fn of<S: System<f64, N>, const N: usize>(
+        (candidate, kept): &Found,
+        candidates: &[Candidate<'_, S, N>],
+        scale: f64,
+    ) -> Self {
+        let candidate = &candidates[*candidate];
         Self {
             name: candidate.name,
-            setting: candidate.setting(found.value, scale),
-            error: found.error,
-            evaluations: found.evaluations,
-            time: found.time,
+            setting: candidate.setting(kept.value, scale),
+            error: kept.error,
+            evaluations: kept.evaluations,
+            time: kept.time,
         }
     }
 }

@@ -9,6 +9,7 @@ use super::search::{Search, Tried};
 use crate::accuracy::Failure;
 use crate::accuracy::timing::{Timer, in_turns};
 use crate::error::Reason;
+use crate::method::{check_span, require};
 use crate::system::System;
 
 /// Maximum number of starts of the pilot runs.
@@ -50,17 +51,8 @@ pub(super) struct Pilot<'p, 'a, S, const N: usize> {
     pub(super) within: [f64; 2],
 }
 
-/// A candidate that keeps within the error.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Found {
-    /// Index of the candidate.
-    pub(super) candidate: usize,
-    pub(super) value: f64,
-    pub(super) error: f64,
-    pub(super) evaluations: f64,
-    /// In seconds.
-    pub(super) time: f64,
-}
+/// A candidate that keeps within the error: its index and setting.
+pub(super) type Found = (usize, Tried);
 
 /// Runs of a candidate with one setting, from all starts.
 pub(super) struct Runs<const N: usize> {
@@ -90,18 +82,11 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
         error: f64,
     ) -> Result<Self, TuneError> {
         let (t0, t1) = motion.span;
-        let require = |holds: bool, what, value, rule| match holds {
-            true => Ok(()),
-            false => Err(TuneError::InvalidInput { what, value, rule }),
-        };
-        for (what, t) in [("t0", t0), ("t1", t1)] {
-            require(t.is_finite(), what, t, "a time must be finite")?;
-        }
+        check_span(t0, t1)?;
         require(t0 != t1, "t1", t1, "the span must not be empty")?;
         let rule = "there must be at least one start";
         require(!starts.is_empty(), "starts", 0.0, rule)?;
-        let adaptive = candidates.iter().filter(|method| method.control == Control::Tolerance);
-        let count = adaptive.count();
+        let count = of_kind(candidates, Control::Tolerance).count();
         let rule = "at least two methods must be adaptive, since they tell the end states";
         require(count >= 2, "methods", count as f64, rule)?;
         let rule = "the scale must be positive and finite";
@@ -155,16 +140,15 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
             .collect();
         let target = sqrt(self.within[0] * self.within[1]);
         searches.sort_by(|(_, a), (_, b)| Tried::time_to(a, target).total_cmp(&Tried::time_to(b, target)));
-        let fixed = (0..self.candidates.len()).filter(|&n| self.candidates[n].control == Control::Step);
-        searches.extend(fixed.map(|n| (n, Vec::new())));
+        searches.extend(of_kind(self.candidates, Control::Step).map(|n| (n, Vec::new())));
 
         let (mut found, mut least) = (Vec::<Found>::new(), (f64::INFINITY, ""));
         for (n, tried) in searches {
-            let fastest = found.iter().map(|found| found.time).fold(f64::INFINITY, f64::min);
+            let fastest = found.iter().map(|(_, kept)| kept.time).fold(f64::INFINITY, f64::min);
             let (outcome, error) = search(n, tried, fastest);
             self.check_cancelled()?;
             match outcome {
-                Ok(kept) => found.push(kept),
+                Ok(kept) => found.push((n, kept)),
                 Err(why) => dropped.push((n, why)),
             }
             if error < least.0 {
@@ -231,10 +215,7 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
         let mut most = STEPS[0];
         loop {
             let (mut compared, mut failures) = (Vec::new(), Vec::new());
-            for (candidate, method) in self.candidates.iter().enumerate() {
-                if method.control == Control::Step {
-                    continue;
-                }
+            for candidate in of_kind(self.candidates, Control::Tolerance) {
                 let both = self.runs(candidate, first, most).and_then(|first| {
                     let second = self.runs(candidate, TIGHTER * first.value, MORE_STEPS * first.steps.max(100))?;
                     Ok([first, second])
@@ -288,9 +269,9 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
                 return Err(TuneError::TooFewSucceeded { failures });
             };
             // all others are the same, as at rest
-            let alone = (*first, first.runs[1].ends.clone());
-            let (second, other) = known.get(1).map_or(alone, |(of, runs)| (of, runs.ends.clone()));
-            let uncertainty = self.error_of(best, &other);
+            let alone = (*first, &first.runs[1].ends);
+            let (second, other) = known.get(1).map_or(alone, |(of, runs)| (*of, &runs.ends));
+            let uncertainty = self.error_of(best, other);
             let enough = if tolerance > LEAST { KNOWN } else { BARELY_KNOWN };
             if uncertainty <= enough * self.error {
                 return Ok(known.swap_remove(0).1.ends);
@@ -308,13 +289,13 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
 
     /// Times the fastest candidates side by side, and sorts all by their times.
     fn time_again(&self, found: &mut [Found]) {
-        found.sort_by(|a, b| a.time.total_cmp(&b.time));
-        let close = found.partition_point(|of| of.time <= CLOSE * found[0].time);
+        found.sort_by(|(_, a), (_, b)| a.time.total_cmp(&b.time));
+        let close = found.partition_point(|(_, kept)| kept.time <= CLOSE * found[0].1.time);
         let mut timers: Vec<_> = found[..close]
             .iter()
-            .map(|of| {
+            .map(|&(candidate, kept)| {
                 Timer::new(move || {
-                    self.runs(of.candidate, of.value, usize::MAX).ok();
+                    self.runs(candidate, kept.value, usize::MAX).ok();
                 })
             })
             .collect();
@@ -325,11 +306,16 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
             .map(|timer| timer.minimum_and_median().0 / count)
             .collect();
         drop(timers);
-        for (of, time) in found.iter_mut().zip(times) {
-            of.time = time;
+        for ((_, kept), time) in found.iter_mut().zip(times) {
+            kept.time = time;
         }
-        found.sort_by(|a, b| a.time.total_cmp(&b.time));
+        found.sort_by(|(_, a), (_, b)| a.time.total_cmp(&b.time));
     }
+}
+
+/// Indices of the candidates with this kind of setting.
+fn of_kind<S, const N: usize>(candidates: &[Candidate<'_, S, N>], kind: Control) -> impl Iterator<Item = usize> {
+    (0..candidates.len()).filter(move |&n| candidates[n].control == kind)
 }
 
 impl<const N: usize> Compared<N> {

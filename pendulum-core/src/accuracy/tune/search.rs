@@ -4,7 +4,7 @@ use libm::{log, pow, sqrt};
 use nalgebra::SVector;
 
 use super::candidate::Control;
-use super::pilot::{Found, Pilot, Runs};
+use super::pilot::{Pilot, Runs};
 use crate::error::Reason;
 use crate::system::System;
 
@@ -19,7 +19,7 @@ const FINE: [f64; 2] = [1.7, 1.1];
 /// Largest ratio of a setting to the last one.
 const STRIDE: f64 = 1e3;
 /// Factors of larger settings that are tried at the end.
-const CHANCES: [f64; 2] = [2.5, 8.0];
+const LARGER: [f64; 2] = [2.5, 8.0];
 /// Exponent of the error over the setting, before two errors are known, and its range: over tolerances and steps.
 const EXPONENTS: [[f64; 3]; 2] = [[1.0, 0.4, 2.0], [4.0, 2.0, 10.0]];
 
@@ -29,8 +29,10 @@ pub(super) struct Tried {
     pub(super) value: f64,
     /// Infinite if the runs failed.
     pub(super) error: f64,
-    evaluations: f64,
-    time: f64,
+    /// Evaluations of a trajectory, on average.
+    pub(super) evaluations: f64,
+    /// Time of a trajectory, on average, in seconds.
+    pub(super) time: f64,
 }
 
 /// Search for the setting with which a candidate keeps within the error.
@@ -71,7 +73,7 @@ impl<S: System<f64, N>, const N: usize> Search<'_, '_, '_, S, N> {
     ///
     /// # Errors
     /// The reason why the candidate is given up.
-    pub(super) fn run(&mut self, start: f64, fastest: f64) -> Result<Found, String> {
+    pub(super) fn run(&mut self, start: f64, fastest: f64) -> Result<Tried, String> {
         let [least, most] = self.pilot.within;
         if self.tried.is_empty() {
             self.attempt(start)?;
@@ -91,13 +93,7 @@ impl<S: System<f64, N>, const N: usize> Search<'_, '_, '_, S, N> {
             match (kept, next) {
                 (_, Some(value)) => self.attempt(value)?,
                 (Some(kept), None) => {
-                    return Ok(Found {
-                        candidate: self.candidate,
-                        value: kept.value,
-                        error: kept.error,
-                        evaluations: kept.evaluations,
-                        time: kept.time,
-                    });
+                    return Ok(kept);
                 }
                 (None, None) => {
                     let smallest = self.tried.iter().map(|tried| tried.error).fold(f64::INFINITY, f64::min);
@@ -108,9 +104,9 @@ impl<S: System<f64, N>, const N: usize> Search<'_, '_, '_, S, N> {
     }
 
     /// Largest setting that is accurate enough.
-    fn kept(&self) -> Option<&Tried> {
+    fn kept(&self) -> Option<Tried> {
         let most = self.pilot.within[1];
-        let enough = self.tried.iter().filter(|tried| tried.error <= most);
+        let enough = self.tried.iter().copied().filter(|tried| tried.error <= most);
         enough.max_by(|a, b| a.value.total_cmp(&b.value))
     }
 
@@ -122,6 +118,7 @@ impl<S: System<f64, N>, const N: usize> Search<'_, '_, '_, S, N> {
         let larger = self
             .tried
             .iter()
+            .copied()
             .filter(|tried| kept.is_none_or(|kept| tried.value > kept.value));
         let coarse = larger.min_by(|a, b| a.value.total_cmp(&b.value));
         if let (Some(kept), Some(coarse)) = (kept, coarse)
@@ -172,10 +169,10 @@ impl<S: System<f64, N>, const N: usize> Search<'_, '_, '_, S, N> {
     /// A larger setting than the one found: errors do not grow evenly, and may be small there by chance.
     fn larger(&self) -> Option<f64> {
         let kept = self.kept()?;
-        if self.is_fixed() || self.tried.len() >= TRIES + CHANCES.len() {
+        if self.is_fixed() || self.tried.len() >= TRIES + LARGER.len() {
             return None;
         }
-        let values = CHANCES.map(|factor| rounded(kept.value * factor).min(TOLERANCES[1]));
+        let values = LARGER.map(|factor| rounded(kept.value * factor).min(TOLERANCES[1]));
         values.into_iter().find(|&value| {
             let (low, high) = (value / FINE[0], value * FINE[0]);
             value > kept.value && !self.tried.iter().any(|tried| low < tried.value && tried.value < high)

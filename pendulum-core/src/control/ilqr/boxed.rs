@@ -186,14 +186,7 @@ mod tests {
     use nalgebra::{SMatrix, SVector};
 
     use super::minimize;
-
-    /// Pseudorandom number between -1 and 1 (the generator of MMIX).
-    fn number(seed: &mut u64) -> f64 {
-        *seed = seed
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
+    use crate::linear::tests::noise;
 
     /// The minimum among all choices of the inputs that are held at a limit.
     fn by_enumeration(
@@ -224,13 +217,13 @@ mod tests {
     fn minima_in_a_box_are_those_of_an_enumeration() {
         let mut seed = 1;
         for case in 0..1000 {
-            let factor = SMatrix::<f64, 3, 3>::from_fn(|_, _| number(&mut seed));
+            let factor = SMatrix::<f64, 3, 3>::from_fn(|_, _| noise(&mut seed));
             let matrix = factor * factor.transpose() + SMatrix::identity() * 0.01;
-            let slope = SVector::<f64, 3>::from_fn(|_, _| number(&mut seed));
-            let low = [(); 3].map(|()| number(&mut seed));
+            let slope = SVector::<f64, 3>::from_fn(|_, _| noise(&mut seed));
+            let low = [(); 3].map(|()| noise(&mut seed));
             // some boxes are flat
-            let high = [0, 1, 2].map(|m| low[m] + number(&mut seed).max(0.0));
-            let start = [(); 3].map(|()| number(&mut seed));
+            let high = [0, 1, 2].map(|m| low[m] + noise(&mut seed).max(0.0));
+            let start = [(); 3].map(|()| noise(&mut seed));
             let found = minimize(&matrix, &slope.into(), [&low, &high], &start).expect("convex");
             let (value, at) = by_enumeration(&matrix, &slope, [&low, &high]);
             let found = SVector::from(found.at);

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::IlqrError;
 use super::boxed::Factor;
-use super::matrix::{product, zeros};
+use super::matrix::{product, scaled, zeros};
 use crate::real::Float;
 
 /// Difference of mirrored entries of a matrix with a unit diagonal that is put down to rounding, in ulps.
@@ -118,7 +118,8 @@ impl<T: Float, const N: usize, const M: usize> Objective<T, N, M> for Quadratic<
     #[inline(always)]
     fn running_derivatives(&self, _t: T, x: &SVector<T, N>, u: &[T; M]) -> CostDerivatives<T, N, M> {
         let (dx, du) = (minus(x, &self.goal), minus(&(*u).into(), &self.rest.into()));
-        let (xx, uu) = (doubled(&self.q), doubled(&self.r));
+        let two = T::from_f64(2.0);
+        let (xx, uu) = (scaled(two, &self.q), scaled(two, &self.r));
         CostDerivatives {
             x: product(&xx, &dx),
             u: product(&uu, &du),
@@ -136,7 +137,7 @@ impl<T: Float, const N: usize, const M: usize> Objective<T, N, M> for Quadratic<
 
     #[inline(always)]
     fn end_derivatives(&self, _t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        let xx = doubled(&self.end);
+        let xx = scaled(T::from_f64(2.0), &self.end);
         (product(&xx, &minus(x, &self.goal)), xx)
     }
 
@@ -173,16 +174,16 @@ fn check_weights<T: Float, const K: usize>(
             scales[i] = entry.sqrt();
         }
     }
-    let mut scaled = *matrix;
+    let mut unit = *matrix;
     for i in 0..K {
         for j in 0..K {
-            scaled[(i, j)] = matrix[(i, j)] / scales[i] / scales[j];
+            unit[(i, j)] = matrix[(i, j)] / scales[i] / scales[j];
         }
     }
     for i in 0..K {
         for j in 0..i {
             let values = [matrix[(i, j)], matrix[(j, i)]].map(T::to_f64);
-            if (scaled[(i, j)] - scaled[(j, i)]).abs() > T::from_f64(ASYMMETRY_ULPS) * T::EPSILON {
+            if (unit[(i, j)] - unit[(j, i)]).abs() > T::from_f64(ASYMMETRY_ULPS) * T::EPSILON {
                 let entry = [i, j];
                 return Err(IlqrError::NotSymmetric { what, entry, values });
             }
@@ -190,9 +191,9 @@ fn check_weights<T: Float, const K: usize>(
     }
     let rounding = T::from_f64(INDEFINITE_ULPS * K as f64) * T::EPSILON;
     for i in 0..K {
-        scaled[(i, i)] += if strictly { -rounding } else { rounding };
+        unit[(i, i)] += if strictly { -rounding } else { rounding };
     }
-    match Factor::new(&scaled, [true; K]) {
+    match Factor::new(&unit, [true; K]) {
         Some(_) => Ok(()),
         None => Err(IlqrError::NotPositive { what, strictly }),
     }
@@ -210,15 +211,4 @@ pub(super) fn dot<T: Float, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>
         sum = a.data.0[0][n].mul_add(b.data.0[0][n], sum);
     }
     sum
-}
-
-#[inline(always)]
-fn doubled<T: Float, const K: usize>(matrix: &SMatrix<T, K, K>) -> SMatrix<T, K, K> {
-    let mut result = *matrix;
-    for j in 0..K {
-        for i in 0..K {
-            result.data.0[j][i] += matrix.data.0[j][i];
-        }
-    }
-    result
 }

@@ -29,7 +29,8 @@ use search::Damping;
 /// samples of a controller, and [`controller`](Self::controller) does that for [`Sampled`](crate::control::Sampled).
 ///
 /// The value holds the motion and its gains, in `K` nodes of fixed size: nothing is allocated, and everything works
-/// without `std`. A value takes about `K (2 N + 3 M + N M)` numbers, and a search some of them on the stack. The next search begins with the last motion, which [`shift`](Self::shift) moves on by a step.
+/// without `std`. It has about `K (2 N + 3 M + N M)` numbers, of which a search puts some on the stack. The next search
+/// begins with the last motion, which [`shift`](Self::shift) moves on by a step.
 ///
 /// ```
 /// use pendulum_core::control::{Ilqr, Quadratic};

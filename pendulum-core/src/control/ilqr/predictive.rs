@@ -12,7 +12,7 @@ use crate::real::Float;
 ///
 /// Measurements are the whole state. The plan moves on with the time, by whole steps, so that the period of the samples
 /// is best that of the steps. A command that cannot be computed is NaN, at which [`Sampled`](crate::control::Sampled)
-/// stops. [`Ilqr::pass`] from the last state of its solution then tells why.
+/// stops. [`Ilqr::pass`] from the last state of its solution returns the reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Predictive<S, I> {
     model: S,

@@ -81,8 +81,8 @@ impl<C, T: Float, const N: usize, const M: usize, const K: usize> Ilqr<C, T, N, 
 where
     C: Objective<T, N, M>,
 {
-    /// Searches for the motion of least cost from the state `x0` at `t0`, beginning with the inputs and gains of the last
-    /// motion, or the inputs of [`start`](Self::start).
+    /// Searches for the motion of least cost from the state `x0` at `t0`, beginning with the inputs and gains of the
+    /// last motion, or the inputs of [`start`](Self::start).
     ///
     /// The motion found is a local minimum: other starts may lead to others.
     ///

@@ -6,11 +6,12 @@ use super::held::Holding;
 use super::legs::{Leg, Legs};
 use super::run::Run;
 use super::{Controller, Held, Outputs, Sampled};
-use crate::ensemble::{EnsembleError, Marches, Stopped, check_models, conclude, go_on};
+use crate::ensemble::{EnsembleError, Marches, Stopped, check_models, conclude, go_on, model_of};
 use crate::error::Reason;
 use crate::inputs::{CastControlled, WithInputs};
 use crate::method::{Method, Pace, check_span, place};
 use crate::real::lanes::LaneElement;
+use crate::system::Cast;
 
 impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
     /// Integrates from each of the states `starts` at `t0` to `t1` under this controller, in lanes, and returns the
@@ -80,7 +81,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let mut stopped = Vec::new();
         if S::HYBRID || !A::GOES_ON {
             for (index, x) in ends.iter_mut().enumerate() {
-                let model = models[index.min(models.len() - 1)].cast();
+                let model = model_of(models, index).cast();
                 match self.end_of(method, &model, (t0, t1), *x, self.member.wrapping_add(index as u64)) {
                     Ok(end) => *x = end,
                     Err(halt) => {
@@ -142,8 +143,8 @@ where
             goes_on: false,
         };
         for (index, start) in ends.iter().enumerate() {
-            let model = &models[index.min(models.len() - 1)];
-            match place(&crate::system::Cast::cast::<T>(model), t0, start) {
+            let model = model_of(&models, index);
+            match place(&Cast::cast::<T>(model), t0, start) {
                 Ok(x) => {
                     flock.index.push(index);
                     flock.models.push(model.clone());

@@ -6,10 +6,10 @@ use super::legs::Legs;
 use super::{Controller, Held, Outputs, Sample, Sampled};
 use crate::error::Reason;
 use crate::inputs::{Controlled, WithInputs};
-use crate::method::{Method, Stepper, check_start, place};
+use crate::method::{Method, Scheme, Stepper, check_start, place};
 use crate::real::Float;
 use crate::statistics::Statistics;
-use crate::system::IntoState;
+use crate::system::{IntoState, System};
 
 /// A model with held inputs.
 pub(super) type Driven<S, T, const M: usize> = WithInputs<S, Held<T, M>, M>;
@@ -28,13 +28,13 @@ pub(super) trait Witness<S, T: Float, const N: usize, const P: usize, const M: u
     const IS_DENSE: bool;
 
     /// Integrates a leg to its end. The stepper was created, or restarted, in the state `x0`.
-    fn leg<C: crate::method::Scheme<S, T, N>>(
+    fn leg<C: Scheme<S, T, N>>(
         &mut self,
         stepper: &mut Stepper<'_, C, S, T, N>,
         x0: SVector<T, N>,
     ) -> Result<(), Reason>
     where
-        S: crate::system::System<T, N>;
+        S: System<T, N>;
 
     /// Receives a sample.
     fn sample(&mut self, _sample: Sample<T, P, M>) {}
@@ -47,13 +47,13 @@ impl<S, T: Float, const N: usize, const P: usize, const M: usize> Witness<S, T, 
     const IS_DENSE: bool = false;
 
     #[inline]
-    fn leg<C: crate::method::Scheme<S, T, N>>(
+    fn leg<C: Scheme<S, T, N>>(
         &mut self,
         stepper: &mut Stepper<'_, C, S, T, N>,
         _x0: SVector<T, N>,
     ) -> Result<(), Reason>
     where
-        S: crate::system::System<T, N>,
+        S: System<T, N>,
     {
         stepper.run().map(drop)
     }
@@ -149,11 +149,14 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
                 Some(stepper) => stepper.go_on_to(leg.to, jumps).map(|()| stepper),
                 None => {
                     let first = method.stepper(&system, leg.from, leg.to, x);
-                    first.map(|first| stepper.insert(first))
+                    first.map(|first| {
+                        let first = stepper.insert(first);
+                        first.keep_pace();
+                        first
+                    })
                 }
             };
             let stepper = stepper.map_err(halt(leg.from, x))?;
-            stepper.keep_pace();
             stepper.leave_end(leg.to != span.1 && !O::IS_DENSE);
             let ended = witness.leg(stepper, x);
             x = stepper.x();

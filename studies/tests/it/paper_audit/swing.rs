@@ -10,7 +10,7 @@ use pendulum_core::tableau::DormandPrince5;
 use testbed::fit::{ModalFit, eigenvalues_of, fit};
 use testbed::printed::Pendulum;
 use testbed::random::Random;
-use testbed::scenes::{DoublePendulum, DoublePendulumParams};
+use testbed::scenes::{DoublePendulum, double_pendulum};
 
 /// Frictions of Fig. 2, in N m s.
 const FRICTIONS: [f64; 3] = [0.1, 0.4, 1.0];
@@ -20,15 +20,6 @@ const END: f64 = 20.0;
 const AMPLITUDE: f64 = 4.0;
 
 type Samples = Vec<(f64, SVector<f64, 4>)>;
-
-fn model(gamma: f64) -> DoublePendulum {
-    let params = DoublePendulumParams {
-        gamma1: gamma,
-        gamma2: gamma,
-        ..Default::default()
-    };
-    DoublePendulum::new(params).expect("physical")
-}
 
 /// Initial condition at rest with the upper plate hanging.
 fn start(degrees: f64) -> SVector<f64, 4> {
@@ -47,7 +38,7 @@ fn samples_from(system: &impl System<f64, 4>, start: SVector<f64, 4>) -> Samples
 }
 
 fn modes(gamma: f64, samples: &Samples) -> ModalFit {
-    let rest = equilibrium(&model(gamma), SVector::zeros()).expect("it hangs");
+    let rest = equilibrium(&double_pendulum(gamma), SVector::zeros()).expect("it hangs");
     fit(&rest.spectrum, samples)
 }
 
@@ -57,7 +48,7 @@ fn modes(gamma: f64, samples: &Samples) -> ModalFit {
 fn fig_2_is_two_damped_modes() {
     for gamma in FRICTIONS {
         let residual = |degrees: f64| {
-            let samples = samples(&model(gamma), degrees);
+            let samples = samples(&double_pendulum(gamma), degrees);
             modes(gamma, &samples).residual(&samples).to_degrees()
         };
         let (one, four) = (residual(0.25 * AMPLITUDE), residual(AMPLITUDE));
@@ -77,7 +68,7 @@ fn fig_2_is_two_damped_modes() {
 fn fig_2_has_the_eigenvalues_of_the_jacobian() {
     for gamma in FRICTIONS {
         let error = |degrees: f64| {
-            let samples = samples(&model(gamma), degrees);
+            let samples = samples(&double_pendulum(gamma), degrees);
             let seen = eigenvalues_of(&samples).expect("two modes");
             let modes = modes(gamma, &samples).modes;
             assert_eq!((seen.len(), modes.len()), (2, 2));
@@ -104,7 +95,10 @@ fn fig_2_hardly_depends_on_eq_22b() {
     for gamma in FRICTIONS {
         let paper = Pendulum::paper(gamma, gamma);
         let printed = FnSystem(|_t, x: &SVector<f64, 4>| paper.eq22b_printed(x));
-        let (right, printed) = (samples(&model(gamma), AMPLITUDE), samples(&printed, AMPLITUDE));
+        let (right, printed) = (
+            samples(&double_pendulum(gamma), AMPLITUDE),
+            samples(&printed, AMPLITUDE),
+        );
         let apart = right
             .iter()
             .zip(&printed)
@@ -122,7 +116,7 @@ fn fig_2_hardly_depends_on_eq_22b() {
 #[test]
 fn fig_2_is_not_chaotic() {
     for gamma in FRICTIONS {
-        let model = model(gamma);
+        let model = double_pendulum(gamma);
         let exponent = Lyapunov::new()
             .transient(200.0)
             .duration(2000.0)
@@ -145,7 +139,7 @@ fn fig_2_is_not_chaotic() {
 /// exponentially. `examples/paper_audit` covers the amplitudes in between.
 #[test]
 fn without_friction_only_the_largest_swings_are_chaotic() {
-    let model = model(0.0);
+    let model = double_pendulum(0.0);
     for (degrees, chaotic) in [
         (AMPLITUDE, false),
         (45.0, false),
@@ -176,7 +170,7 @@ fn without_friction_only_the_largest_swings_are_chaotic() {
 #[test]
 fn released_at_the_same_angle_plates_do_not_stay_in_phase() {
     let angle = AMPLITUDE.to_radians();
-    let samples = samples_from(&model(0.1), SVector::from([angle, angle, 0.0, 0.0]));
+    let samples = samples_from(&double_pendulum(0.1), SVector::from([angle, angle, 0.0, 0.0]));
     let most = |value: fn(&SVector<f64, 4>) -> f64| samples.iter().map(|(_, x)| value(x)).fold(0.0, f64::max);
     let difference = most(|x| (x[0] - x[1]).abs()).to_degrees();
     // the smaller of two angles with opposite signs
@@ -196,7 +190,9 @@ fn released_at_the_same_angle_plates_do_not_stay_in_phase() {
 /// Order of convergence of the error after 20 s, for a swing large enough to excite all its terms.
 fn order<M: Method<DoublePendulum, f64, 4>>(method: fn(f64) -> M, exact: &SVector<f64, 4>) -> f64 {
     let [long, short] = [0.04, 0.02].map(|h| {
-        let solution = method(h).solve(&model(0.1), 0.0, END, start(60.0)).expect("regular");
+        let solution = method(h)
+            .solve(&double_pendulum(0.1), 0.0, END, start(60.0))
+            .expect("regular");
         (solution.end() - exact).norm()
     });
     (long / short).log2()
@@ -207,7 +203,7 @@ fn order<M: Method<DoublePendulum, f64, 4>>(method: fn(f64) -> M, exact: &SVecto
 /// method by 16.
 #[test]
 fn ode45_is_no_fourth_order_runge_kutta_method() {
-    let (_, exact) = samples(&model(0.1), 60.0)[200];
+    let (_, exact) = samples(&double_pendulum(0.1), 60.0)[200];
     let dormand_prince = order(Fixed::<Explicit<DormandPrince5, 7>>::new, &exact);
     let runge_kutta = order(Rk4::new, &exact);
     println!("Section 4: order of the method of ode45 {dormand_prince:.2}, of Runge and Kutta {runge_kutta:.2}");
@@ -222,7 +218,7 @@ fn no_damped_motion_is_periodic() {
     let mut random = Random::new(6);
     let (mut error, mut largest) = (0.0_f64, 0.0_f64);
     for gamma in [1e-3, 0.1, 0.4, 1.0] {
-        let model = model(gamma);
+        let model = double_pendulum(gamma);
         for _ in 0..1000 {
             let x = SVector::from([3.2, 3.2, 5.0, 5.0].map(|most| random.between(-most, most)));
             let rate = model.rhs(0.0, &x);
