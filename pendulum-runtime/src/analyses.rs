@@ -1,5 +1,6 @@
 //! Analyses of models: equilibria, exponents, derivatives and fits.
 
+use nalgebra::DMatrix;
 use pendulum_core::sensitivity::Variable;
 
 use crate::error::Error;
@@ -28,6 +29,7 @@ pub(crate) trait Analyses {
         by: &[Variable],
         cancel: &Cancel<'_>,
     ) -> Result<Sensitivity, Error>;
+    fn output_slopes(&self, x: &[f64]) -> DMatrix<f64>;
     fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error>;
     fn tune(
         &self,
@@ -62,6 +64,10 @@ impl<const N: usize> Analyses for Padded<f64, N> {
         cancel: &Cancel<'_>,
     ) -> Result<Sensitivity, Error> {
         sensitivity::sensitivity(self, method, times, x0, (by, cancel))
+    }
+
+    fn output_slopes(&self, x: &[f64]) -> DMatrix<f64> {
+        sensitivity::output_slopes(self, x)
     }
 
     fn fit(&self, fit: &Fit, experiments: &[Experiment]) -> Result<Fitted, Error> {

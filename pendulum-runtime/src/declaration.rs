@@ -135,6 +135,19 @@ impl Declaration {
         }))
     }
 
+    /// Text of the declaration.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Another text, with the files of this declaration.
+    pub(crate) fn with_text(&self, text: &str) -> Self {
+        Self {
+            text: text.to_owned(),
+            ..self.clone()
+        }
+    }
+
     /// Compiles the declaration.
     pub(crate) fn program(&self) -> Result<Program, DeclarationError> {
         worker::alone(|| {
@@ -180,7 +193,7 @@ impl Declaration {
 }
 
 /// Declaration without `mechanism! { .. }` around it, as it stands in Rust.
-fn unwrapped(tokens: TokenStream) -> TokenStream {
+pub(crate) fn unwrapped(tokens: TokenStream) -> TokenStream {
     let all: Vec<TokenTree> = tokens.clone().into_iter().collect();
     match &all[..] {
         [TokenTree::Ident(name), TokenTree::Punct(mark), TokenTree::Group(group)]

@@ -43,6 +43,8 @@ mod model;
 mod padded;
 #[cfg(feature = "full")]
 mod sensitivity;
+#[cfg(feature = "full")]
+mod simplest;
 mod solve;
 #[cfg(feature = "full")]
 mod stability;
@@ -59,6 +61,8 @@ pub use method::Method;
 pub use model::{Component, Function, Model, Quantity};
 #[cfg(feature = "full")]
 pub use sensitivity::Sensitivity;
+#[cfg(feature = "full")]
+pub use simplest::{Answer, Cost, Question, Refused, Simpler, simplest, simplest_unless};
 pub use solve::{Event, Impact, Motion, Occurrence, Options, Stopped};
 #[cfg(feature = "full")]
 pub use stability::{Equilibrium, Exponents, Lyapunov, Resting};

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, SVector};
 use pendulum_core::dense::Dense;
 use pendulum_core::dual::Dual;
 use pendulum_core::sensitivity::{self, Variable};
-use pendulum_core::{Observer, Reason, Rodas5P, Vern9};
+use pendulum_core::{Observer, Reason, Rodas5P, System, Vern9};
 
 use crate::analyses::Cancel;
 use crate::error::Error;
@@ -174,4 +174,21 @@ pub(crate) fn sensitivity<const N: usize>(
         sensitivity.x = states.iter().map(values).collect();
     }
     Ok(sensitivity)
+}
+
+/// Derivatives of all outputs by the state, at the time 0: a row for each output.
+pub(crate) fn output_slopes<const N: usize>(model: &Padded<f64, N>, x: &[f64]) -> DMatrix<f64> {
+    let mut slopes = DMatrix::zeros(model.tape().outputs().len(), x.len());
+    for first in (0..x.len()).step_by(PART) {
+        let by = std::array::from_fn(|k| Variable::Start((first + k).min(x.len() - 1)));
+        let (model, x0) = sensitivity::seeded::<_, N, MOST_PARAMETERS, PART>(model, padded(x), by);
+        let mut row = 0;
+        model.each_output(Dual::constant(0.0), &x0, &mut |_, output: Tangent| {
+            for k in 0..PART.min(x.len() - first) {
+                slopes[(row, first + k)] = output.slopes[k];
+            }
+            row += 1;
+        });
+    }
+    slopes
 }

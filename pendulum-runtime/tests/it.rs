@@ -12,3 +12,5 @@ mod declared;
 mod refused;
 #[path = "it/robots.rs"]
 mod robots;
+#[path = "it/simplest.rs"]
+mod simplest;

@@ -12,7 +12,7 @@ use random::{Random, number};
 mod declarations;
 #[path = "../../../testbed/src/random.rs"]
 #[expect(dead_code, unreachable_pub, reason = "it is public elsewhere")]
-mod random;
+pub(crate) mod random;
 
 /// Folders with declarations, relative to the root of the repository.
 const FOLDERS: [&str; 5] = [
