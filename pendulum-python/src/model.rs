@@ -2,17 +2,20 @@
 
 use std::path::PathBuf;
 use std::sync::Mutex;
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
-use pendulum_runtime::{Choice, Event, Lyapunov, Method, Options, ResultShape, Robot, Stability, Stopped};
+use pendulum_runtime::{
+    Choice, Declaration, Event, Lyapunov, Method, Options, Quantity, Question, ResultShape, Robot, Simpler, Stability,
+    Stopped, simplest_unless,
+};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::{OrRaise, exception};
 use crate::motion::{Motion, rows};
-use crate::wait::Signals;
+use crate::wait::{Signals, wait};
 use crate::{ensemble, fit};
 
 /// A mechanism with values of its parameters and inputs.
@@ -51,6 +54,9 @@ pub(crate) fn method(py: Python<'_>, settings: Settings) -> PyResult<Method> {
         None => method,
     })
 }
+
+/// A simpler model: changes, declaration, predicted and observed errors, operations of an evaluation and of a motion.
+type Row = (Vec<String>, String, Vec<f64>, Vec<f64>, usize, f64);
 
 fn named(values: &[(String, f64)]) -> Vec<(&str, f64)> {
     values.iter().map(|(name, value)| (name.as_str(), *value)).collect()
@@ -98,7 +104,7 @@ impl Calls {
 impl Model {
     #[new]
     fn new(py: Python<'_>, text: &str, folder: PathBuf, values: Vec<(String, f64)>) -> PyResult<Self> {
-        let declaration = pendulum_runtime::Declaration::new(text).folder(&folder);
+        let declaration = Declaration::new(text).folder(&folder);
         let parse = || pendulum_runtime::Model::declared(&declaration, &named(&values));
         let model = py.detach(parse);
         model.map(Self).or_raise(py)
@@ -467,6 +473,63 @@ impl Model {
             (method.name(), method.settings(), error, evaluations, time)
         };
         Ok(found.into_iter().map(row).collect())
+    }
+
+    /// Outputs that are compared, simpler models, changes that lead to none, the simplest one, and a table.
+    #[allow(clippy::type_complexity, reason = "rows")]
+    fn simplest(
+        &self,
+        py: Python<'_>,
+        text: &str,
+        folder: PathBuf,
+        horizon_and_error: (f64, f64),
+        starts: Vec<Vec<f64>>,
+        outputs: Vec<String>,
+    ) -> PyResult<(Vec<String>, Vec<Row>, Vec<(Vec<String>, String)>, Option<usize>, String)> {
+        let (horizon, error) = horizon_and_error;
+        let own = |names: &[Quantity], values: &[f64]| -> Vec<(String, f64)> {
+            let names = names.iter().map(|own| own.name.clone());
+            names.zip(values.iter().copied()).collect()
+        };
+        let question = Question {
+            starts,
+            horizon,
+            outputs,
+            error,
+            values: own(self.0.parameters(), self.0.values()),
+            inputs: own(self.0.inputs(), self.0.inputs_now()),
+        };
+        let declaration = Declaration::new(text).folder(&folder);
+        let cancel = AtomicBool::new(false);
+        let (found, signal) = wait(py, &cancel, || {
+            simplest_unless(&declaration, &question, &|| cancel.load(Ordering::Relaxed))
+        });
+        let found = match signal {
+            Some(signal) => return Err(signal),
+            None => found.or_raise(py)?,
+        };
+        let chosen = found
+            .simplest()
+            .and_then(|own| found.simpler.iter().position(|one| one == own));
+        let table = found.to_string();
+        let row = |one: Simpler| {
+            (
+                one.changes,
+                one.declaration,
+                one.predicted,
+                one.observed,
+                one.cost.operations,
+                one.cost.total,
+            )
+        };
+        let refused = found.refused.into_iter().map(|one| (one.changes, one.reason));
+        Ok((
+            found.outputs,
+            found.simpler.into_iter().map(row).collect(),
+            refused.collect(),
+            chosen,
+            table,
+        ))
     }
 
     /// States as rows, and derivatives as a list of matrices.

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from pendulum_dynamics import Model
 
 START = np.array([2.0, 1.0, 0.0, 0.5])
 
@@ -76,6 +77,21 @@ def test_tuned_methods_keep_within_the_error(double):
         double.tune((0, 3), starts, 1e-17)
     with pytest.raises(ValueError, match="4 are needed"):
         double.tune((0, 3), [0.0], 1e-7)
+
+
+def test_small_motion_is_linear(double):
+    answer = double.simplest(1.0, 0.05 * START, outputs=["a", "b"])
+    assert answer.simplest is not None and answer.simplest in answer.simpler
+    assert max(answer.simplest.observed.values()) <= 0.01
+    linear = next(one for one in answer.simpler if one.changes == ["linear about a = 0, b = 0"])
+    assert linear.predicted["a"] == pytest.approx(linear.observed["a"], rel=0.1)
+    # the declarations are models
+    assert Model(linear.declaration).states == ["a", "b", "a_rate", "b_rate"]
+    fixed = next(one for one in answer.simpler if one.changes == ["with the joint of `lower` fixed"])
+    assert Model(fixed.declaration).parameters["b"] == 0.05
+    assert "simplest within" in str(answer)
+    with pytest.raises(ValueError, match="no output or component `theta`"):
+        double.simplest(1.0, START, outputs="theta")
 
 
 def test_derivatives(double):

@@ -20,6 +20,7 @@ from ._native import DeclarationError
 from .model import METHODS, Event, Model
 from .results import (
     Animation,
+    Answer,
     Choice,
     Ensemble,
     Equilibria,
@@ -30,6 +31,7 @@ from .results import (
     Interrupted,
     Resting,
     Sensitivity,
+    Simpler,
     Solution,
 )
 
@@ -38,6 +40,7 @@ __version__ = "0.1.0"
 __all__ = [
     "METHODS",
     "Animation",
+    "Answer",
     "Choice",
     "DeclarationError",
     "Ensemble",
@@ -51,5 +54,6 @@ __all__ = [
     "Model",
     "Resting",
     "Sensitivity",
+    "Simpler",
     "Solution",
 ]

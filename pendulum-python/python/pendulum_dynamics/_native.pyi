@@ -78,5 +78,19 @@ class Model:
     def tune(
         self, span: list[float], starts: list[list[float]], error: float, scale: float
     ) -> list[tuple[str, list[float | None], float, float, float]]: ...
+    def simplest(
+        self,
+        text: str,
+        folder: str,
+        horizon_and_error: tuple[float, float],
+        starts: list[list[float]],
+        outputs: list[str],
+    ) -> tuple[
+        list[str],
+        list[tuple[list[str], str, list[float], list[float], int, float]],
+        list[tuple[list[str], str]],
+        int | None,
+        str,
+    ]: ...
     def sensitivity(self, settings: Settings, times: Array, x0: Array, by: list[str]) -> tuple[Array, list[Array]]: ...
     def fit(self, settings: Settings, experiments: list[dict[str, Any]], options: dict[str, Any]) -> dict[str, Any]: ...

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _native
 from .results import (
     Animation,
+    Answer,
     Choice,
     Ensemble,
     Equilibria,
@@ -25,6 +26,7 @@ from .results import (
     Interrupted,
     Resting,
     Sensitivity,
+    Simpler,
     Solution,
 )
 
@@ -627,6 +629,41 @@ class Model:
         return [
             Choice(method, rtol, atol, h, reached, nfev, time) for method, (rtol, atol, h), reached, nfev, time in found
         ]
+
+    def simplest(
+        self,
+        horizon: float,
+        x0: ArrayLike,
+        error: float = 0.01,
+        *,
+        outputs: str | Iterable[str] | None = None,
+    ) -> Answer:
+        """The simplest declaration whose motions keep within an error.
+
+        Tries a linear model about the equilibrium nearest to each start, the removal of each friction, each joint fixed
+        where it starts, each spring of a joint rigid, and all pairs of these. The error of each is predicted before it
+        runs. What a file of a robot declares is left as it is.
+
+        Parameters
+        ----------
+        horizon
+            Time up to which motions are followed, in s.
+        x0
+            Initial states, of shape ``(m, n)``, or one of shape ``(n,)``.
+        error
+            Largest error of each output at any time, relative to its largest size in all motions.
+        outputs
+            Outputs and components of the state that matter. Default: all outputs, or all components if there are none.
+        """
+        starts = np.atleast_2d(_numbers("x0", x0)).tolist()
+        asked = (_number("horizon", horizon), _number("error", error))
+        own = self._native.simplest(self._text, self._folder, asked, starts, _names("outputs", outputs) or [])
+        names, rows, refused, chosen, table = own
+        simpler = [
+            Simpler(changes, text, dict(zip(names, predicted)), dict(zip(names, observed)), operations, total)
+            for changes, text, predicted, observed, operations, total in rows
+        ]
+        return Answer(None if chosen is None else simpler[chosen], simpler, refused, table)
 
     def fit(
         self,

@@ -290,6 +290,58 @@ class Choice:
         return {"method": self.method, "rtol": self.rtol, "atol": self.atol, "h": self.h}
 
 
+@dataclass(frozen=True)
+class Simpler:
+    """A simpler declaration, with its errors.
+
+    Attributes
+    ----------
+    changes
+        Changes of the declaration, one or two.
+    declaration
+        The simpler declaration.
+    predicted
+        Errors by output that are predicted before the model runs, to first order in the change.
+    observed
+        Errors by output of its motions.
+    operations
+        Operations of an evaluation of the right-hand side.
+    total
+        Operations for a motion, on average.
+    """
+
+    changes: list[str]
+    declaration: str
+    predicted: dict[str, float]
+    observed: dict[str, float]
+    operations: int
+    total: float
+
+
+@dataclass(frozen=True, repr=False)
+class Answer:
+    """Simpler models for a question; printed, it is a table.
+
+    Attributes
+    ----------
+    simplest
+        The cheapest model that keeps within the error and costs less than the full one; ``None`` if the full one is
+        the simplest.
+    simpler
+        All simpler models, the cheapest first.
+    refused
+        Changes that lead to no model, each with the reason.
+    """
+
+    simplest: Simpler | None
+    simpler: list[Simpler]
+    refused: list[tuple[list[str], str]]
+    table: str
+
+    def __repr__(self) -> str:
+        return self.table
+
+
 class Interrupted(KeyboardInterrupt):
     """Ctrl-C during an integration.
 
