@@ -1,4 +1,5 @@
 //! Results survive a round trip through serialisation.
+#![forbid(unsafe_code)]
 
 use pendulum_core::prelude::*;
 use pendulum_core::{ParameterError, Solution};

@@ -16,8 +16,6 @@ mod jumps;
 mod methods;
 mod orbits;
 mod rosenbrock;
-#[cfg(feature = "serde")]
-mod serialization;
 mod small;
 mod stability;
 mod stability_functions;
