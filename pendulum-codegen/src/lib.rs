@@ -49,4 +49,4 @@ pub use emit::c::{Sources, c, c_fused, opencl};
 pub use emit::tape::tape;
 pub use error::{Code, Errors};
 pub use files::{expand, expand_in, expand_with, program, program_in, program_with};
-pub use urdf::{Files, Unreadable};
+pub use urdf::{Files, Unreadable, robot_bodies};

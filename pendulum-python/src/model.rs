@@ -510,7 +510,7 @@ impl Model {
         };
         let chosen = found
             .simplest()
-            .and_then(|own| found.simpler.iter().position(|one| one == own));
+            .and_then(|own| found.simpler.iter().position(|one| std::ptr::eq(one, own)));
         let table = found.to_string();
         let row = |one: Simpler| {
             (

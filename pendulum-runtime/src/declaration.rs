@@ -140,6 +140,15 @@ impl Declaration {
         &self.text
     }
 
+    /// Bodies of the robot of a file, as text, unless the declaration changes its links.
+    #[cfg(feature = "full")]
+    pub(crate) fn robot_bodies(&self) -> Option<String> {
+        worker::alone(|| {
+            let tokens: TokenStream = self.text.parse().ok()?;
+            pendulum_codegen::robot_bodies(unwrapped(tokens), &|name| self.file_of(name))
+        })
+    }
+
     /// Another text, with the files of this declaration.
     pub(crate) fn with_text(&self, text: &str) -> Self {
         Self {

@@ -57,15 +57,7 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     let mut ignored = Vec::new();
     let undeclared = if wrong.is_empty() { &mut wrong } else { &mut ignored };
     let replaced = replaced(&scene.items.bodies);
-    let (mut repaired, mut declared) = (Vec::new(), String::new());
-    if tree::is_tree(&found, undeclared) {
-        repaired = inertia::check(&mut found, &replaced, robot.repair, undeclared);
-        if robot.repair {
-            let carriers = carriers(&scene.items.bodies, &found);
-            repaired.extend(massless::hold(&mut found, &replaced, &carriers));
-        }
-        declared = declare::declare(&found, robot, &replaced, undeclared);
-    }
+    let (repaired, declared) = translated(&mut found, robot, (&scene.items.bodies, &replaced), undeclared);
     let report = |wrong: read::Wrong| errors.at(wrong.code, span, wrong.fact_in(&name), wrong.help);
     if let Some(reported) = wrong.into_iter().map(report).last() {
         // known coordinates stay declared, so that their uses are not reported too
@@ -95,6 +87,41 @@ fn add(scene: &mut Scene, files: &Files<'_>, errors: &mut Errors) -> Result<(), 
     let own = std::mem::take(&mut scene.items.bodies);
     scene.items.bodies = merge::merged(links, own, errors);
     Ok(())
+}
+
+/// Returns the repairs of a robot, and the declarations of its bodies, for a scene with these bodies and changes.
+fn translated(
+    found: &mut Robot,
+    robot: &ast::Robot,
+    (own, replaced): (&[Body], &[Replaced]),
+    wrong: &mut Vec<read::Wrong>,
+) -> (Vec<String>, String) {
+    if !tree::is_tree(found, wrong) {
+        return (Vec::new(), String::new());
+    }
+    let mut repaired = inertia::check(found, replaced, robot.repair, wrong);
+    if robot.repair {
+        let carriers = carriers(own, found);
+        repaired.extend(massless::hold(found, replaced, &carriers));
+    }
+    let declared = declare::declare(found, robot, replaced, wrong);
+    (repaired, declared)
+}
+
+/// Returns the bodies of the robot of a declaration, as text in place of the item `robot`: a line for each. `None` if
+/// there is no robot, if its file cannot be read, or if the declaration changes its links.
+#[must_use]
+pub fn robot_bodies(declaration: TokenStream, files: &Files<'_>) -> Option<String> {
+    let (scene, _) = parse::parse(declaration);
+    let items = scene?.items;
+    let robot = items.robot.as_ref()?;
+    let (mut found, mut wrong) = read::read(&files(&robot.path).ok()?, robot.strict);
+    let is_link = |body: &Body| found.links.iter().any(|link| body.name == identifier(&link.name));
+    if items.bodies.iter().any(is_link) {
+        return None;
+    }
+    let (_, declared) = translated(&mut found, robot, (&items.bodies, &[]), &mut wrong);
+    wrong.is_empty().then_some(declared)
 }
 
 /// Lists limits and friction among the elements that are left out, where the scene does not take them.

@@ -642,7 +642,7 @@ class Model:
 
         Tries a linear model about the equilibrium nearest to each start, the removal of each friction, each joint fixed
         where it starts, each spring of a joint rigid, and all pairs of these. The error of each is predicted before it
-        runs. What a file of a robot declares is left as it is.
+        runs. Balls, free joints and springs between points are left as they are.
 
         Parameters
         ----------
@@ -651,11 +651,13 @@ class Model:
         x0
             Initial states, of shape ``(m, n)``, or one of shape ``(n,)``.
         error
-            Largest error of each output at any time, relative to its largest size in all motions.
+            Largest error of each output, at 200 times between 0 and the horizon, relative to its largest size in all
+            motions.
         outputs
-            Outputs and components of the state that matter. Default: all outputs, or all components if there are none.
+            Outputs and components of the state that matter, such as ``tip.y``, or ``tip`` for all components of a
+            point. Default: all outputs, or all components if there are none.
         """
-        starts = np.atleast_2d(_numbers("x0", x0)).tolist()
+        starts = _array("x0", np.atleast_2d(_numbers("x0", x0)), 2).tolist()
         asked = (_number("horizon", horizon), _number("error", error))
         own = self._native.simplest(self._text, self._folder, asked, starts, _names("outputs", outputs) or [])
         names, rows, refused, chosen, table = own

@@ -8,12 +8,15 @@ use std::fmt;
 pub struct Simpler {
     /// Changes of the declaration, one or two: `without the friction of `arm``.
     pub changes: Vec<String>,
-    /// The simpler declaration.
+    /// The simpler declaration. Values of parameters in the question are its defaults; inputs stay inputs. The default of
+    /// a parameter that fixes a joint is where the joint is at the first start; motions from other starts have other
+    /// values. A linear model has states such as `theta_rate` and outputs such as `end_x`, and neither inputs, dry
+    /// friction, stops nor walls.
     pub declaration: String,
     /// Errors that are predicted before the model runs, to first order in the change, in the order of
-    /// [`Answer::outputs`]: the largest at any time, relative to the largest size of the output.
+    /// [`Answer::outputs`]: the largest at 200 times, relative to the largest size of the output. Infinite if they could not be computed.
     pub predicted: Vec<f64>,
-    /// Errors of its motions; infinite if one of them stops early.
+    /// Errors of its motions.
     pub observed: Vec<f64>,
     /// Costs.
     pub cost: Cost,
@@ -48,7 +51,7 @@ pub struct Refused {
 pub struct Answer {
     /// Names of the outputs and components that were compared.
     pub outputs: Vec<String>,
-    /// Largest size of each in the motions of the full model.
+    /// Largest size of each in the motions of the full model; 1 for one that stays at zero, whose errors are absolute.
     pub sizes: Vec<f64>,
     /// Largest error that was asked for.
     pub error: f64,
@@ -120,7 +123,7 @@ impl fmt::Display for Answer {
         };
         write!(f, "\nsimplest within {:e}: {simplest}", self.error)?;
         for refused in &self.refused {
-            write!(f, "\nnot possible {}: {}", refused.changes.join(", "), refused.reason)?;
+            write!(f, "\nno model {}: {}", refused.changes.join(", "), refused.reason)?;
         }
         Ok(())
     }

@@ -1,12 +1,11 @@
 //! From changes of a declaration to models.
 
 use super::change::{Change, Lost};
-use super::outline::{Outline, Part};
+use super::outline::{Edit, Outline, Part};
 use super::{Question, Refused, linear};
 use crate::declaration::Declaration;
 use crate::error::Error;
 use crate::model::Model;
-use crate::worker;
 
 /// Codes of errors for what has no effect, and for forces between bodies that no longer move.
 const IDLE: [&str; 2] = ["M105", "M501"];
@@ -14,15 +13,15 @@ const IDLE: [&str; 2] = ["M105", "M501"];
 /// Most parts in a row that are left out since a change leaves them without effect.
 const MOST_IDLE: usize = 20;
 
-/// Prefix of outputs for components of the state that are compared.
-const COMPARED: &str = "compared_";
-
 /// The full model, from which simpler ones are made.
 pub(super) struct Origin<'q> {
     declaration: &'q Declaration,
     question: &'q Question,
-    /// The declaration with an output for each component that is compared.
+    /// The declaration with the values of parameters as their defaults, and with an output for each component that is
+    /// compared.
     outline: Outline,
+    /// Names of these outputs.
+    added: Vec<String>,
     pub(super) model: Model,
     /// Outputs that are compared.
     pub(super) compared: Vec<usize>,
@@ -34,12 +33,15 @@ pub(super) struct Candidate {
     pub(super) changes: Vec<String>,
     /// Declaration, without the outputs for comparison.
     pub(super) text: String,
+    /// Declaration with them.
+    measured: Outline,
     pub(super) model: Model,
     /// Outputs that are compared.
     pub(super) compared: Vec<usize>,
     /// Component of the full state for each of its own.
     part: Vec<usize>,
-    /// Parameters at which joints are fixed, each with the components of the full state that add up to its value, and signs.
+    /// Parameters at which joints are fixed, each with the components of the full state that add up to its value, and
+    /// their signs.
     fixed: Vec<(String, Vec<(usize, f64)>)>,
 }
 
@@ -51,16 +53,25 @@ impl<'q> Origin<'q> {
         plain: &Model,
         names: &[String],
     ) -> Result<Self, Error> {
-        let own = |(n, name): (usize, &String)| match plain.outputs().contains(&name.as_str()) {
-            true => (name.clone(), String::new()),
-            false => (format!("{COMPARED}{n}"), format!("\noutput {COMPARED}{n}: {name},")),
+        let own = |reason| Error::Setting {
+            what: "the declaration".to_owned(),
+            rule: reason,
         };
-        let (outputs, added): (Vec<String>, Vec<String>) = names.iter().enumerate().map(own).unzip();
-        let outline = worker::alone(|| {
-            let plain = Outline::new(declaration.text().to_owned());
-            Outline::new(plain.with(vec![(plain.begin..plain.begin, added.concat())]))
-        });
-        let model = question.model(declaration.with_text(&outline.text), &|_| true)?;
+        let written = Self::written(declaration, question).map_err(own)?;
+        let output = |(n, name): (usize, &String)| match plain.outputs().contains(&name.as_str()) {
+            true => name.clone(),
+            false => written.fresh(format!("compared_{n}")),
+        };
+        let outputs: Vec<String> = names.iter().enumerate().map(output).collect();
+        let (added, items): (Vec<String>, Vec<String>) = outputs
+            .iter()
+            .zip(names)
+            .filter(|(output, name)| output != name)
+            .map(|(output, name)| (output.clone(), format!("\n    output {output}: {name},")))
+            .unzip();
+        let text = written.with(vec![(written.begin..written.begin, items.concat())]);
+        let outline = Outline::new(text).map_err(own)?;
+        let model = question.model(declaration.with_text(&outline.text), None)?;
         let compared = outputs
             .iter()
             .filter_map(|name| model.outputs().iter().position(|own| own == name));
@@ -69,8 +80,48 @@ impl<'q> Origin<'q> {
             question,
             compared: compared.collect(),
             outline,
+            added,
             model,
         })
+    }
+
+    /// The text of a declaration, with the bodies of a robot and with the values of parameters as their defaults, where
+    /// that is possible.
+    fn written(declaration: &Declaration, question: &Question) -> Result<Outline, String> {
+        let mut outline = Outline::new(declaration.text().to_owned())?;
+        let mut replace = |edits: &dyn Fn(&Outline) -> Vec<Edit>| {
+            let Ok(next) = Outline::new(outline.with(edits(&outline))) else {
+                return;
+            };
+            if question.model(declaration.with_text(&next.text), None).is_ok() {
+                outline = next;
+            }
+        };
+        if let Some(bodies) = declaration.robot_bodies() {
+            replace(&|outline| {
+                outline
+                    .of("robot")
+                    .map(|robot| (robot.place.clone(), bodies.clone()))
+                    .collect()
+            });
+        }
+        replace(&|outline| {
+            let parameters = outline.of("params").flat_map(|params| &params.fields);
+            let with_value = |own: &Part| {
+                let (_, value) = question.values.iter().find(|(name, _)| *name == own.word)?;
+                let default = own.value.iter().position(|(token, _)| token == "=");
+                Some(match default {
+                    Some(n) => (own.value[n].1.end..own.own.end, format!(" {value:?}")),
+                    // without units, the default is all that follows the name
+                    None if outline.is_without_units() && !own.value.is_empty() => {
+                        (own.value[0].1.start..own.own.end, format!("{value:?}"))
+                    }
+                    None => (own.own.end..own.own.end, format!(" = {value:?}")),
+                })
+            };
+            parameters.filter_map(with_value).collect()
+        });
+        Ok(outline)
     }
 
     /// All single changes.
@@ -109,24 +160,36 @@ impl<'q> Origin<'q> {
     fn changed(&self, changes: &[Change], words: &[String]) -> Result<Candidate, String> {
         let mut outline = self.outline.clone();
         let mut fixed = Vec::new();
-        for change in changes {
+        let mut ordered: Vec<&Change> = changes.iter().collect();
+        ordered.sort_by_key(|change| change.order(&self.outline));
+        for change in ordered {
             let value = |lost: &Lost| value(&self.place_of(lost), &self.question.starts[0]);
             let (text, lost) = change.make(&outline, value)?;
-            outline = worker::alone(|| Outline::new(text));
+            outline = Outline::new(text)?;
             fixed.extend(lost.and_then(|lost| Some((lost.parameter.clone()?, self.place_of(&lost)))));
         }
         let (outline, model) = self.compiled(outline)?;
-        // without the outputs for comparison, a name may have lost its use
-        let added = outline.of("output").filter(|output| output.rest.starts_with(COMPARED));
-        let plain = outline.with(added.map(|output| outline.without(output)).collect());
-        let (plain, _) = self.compiled(worker::alone(|| Outline::new(plain)))?;
-        let names = self.compared.iter().map(|&n| self.model.outputs()[n]);
-        let compared = names.filter_map(|name| model.outputs().iter().position(|own| *own == name));
+        let text = match self.added.is_empty() {
+            true => outline.text.clone(),
+            false => {
+                // without the outputs for comparison, a name may have lost its use
+                let added = outline.of("output").filter(|output| self.is_added(output.name()));
+                let plain = outline.with(added.map(|output| outline.without(output)).collect());
+                self.compiled(Outline::new(plain)?)?.0.text
+            }
+        };
+        // a parameter that drops out is replaced by its value
+        fixed.retain(|(name, _)| model.parameters().iter().any(|own| own.name == *name));
+        let place = |name: &str| model.outputs().iter().position(|own| *own == name);
+        let compared = self.compared.iter().map(|&n| place(self.model.outputs()[n]));
         let part = model.components().iter().map(|own| self.component(&own.name));
         Ok(Candidate {
             changes: words.to_vec(),
-            compared: compared.collect(),
-            text: plain.text,
+            compared: compared
+                .collect::<Option<_>>()
+                .ok_or("an output that is compared has no effect")?,
+            text,
+            measured: outline,
             part: part
                 .collect::<Option<_>>()
                 .ok_or("its state has components of its own")?,
@@ -135,33 +198,43 @@ impl<'q> Origin<'q> {
         })
     }
 
-    /// Compiles a text. Parts that have no effect after a change are left out.
+    fn is_added(&self, output: &str) -> bool {
+        self.added.iter().any(|own| own == output)
+    }
+
+    /// Compiles a text. What has no effect after a change is left out; a parameter that is still used, but drops out, is
+    /// replaced by its value.
     fn compiled(&self, mut outline: Outline) -> Result<(Outline, Model), String> {
         for _ in 0..MOST_IDLE {
-            let is_there = |name: &str| outline.gives(name);
             let error = match self
                 .question
-                .model(self.declaration.with_text(&outline.text), &is_there)
+                .model(self.declaration.with_text(&outline.text), Some(&outline))
             {
                 Ok(model) => return Ok((outline, model)),
                 Err(error) => error,
             };
             let Error::Declaration(wrong) = &error else {
-                return Err(error.to_string());
+                return Err(reason(&error));
             };
             let idle = wrong
                 .problems
                 .iter()
                 .filter(|problem| IDLE.contains(&problem.code.as_str()));
             let idle: Vec<&Part> = idle
-                .filter_map(|problem| outline.around(problem.line, problem.column))
+                .filter_map(|problem| outline.idle(problem.line, problem.column))
                 .collect();
             if idle.is_empty() {
-                let first = &wrong.problems[0];
-                return Err(format!("{} [{}]", first.message, first.code));
+                return Err(reason(&error));
             }
-            let text = outline.with(idle.iter().map(|part| outline.without(part)).collect());
-            outline = worker::alone(|| Outline::new(text));
+            let mut edits: Vec<_> = idle.iter().map(|part| outline.without(part)).collect();
+            let parameters = outline.of("params").flat_map(|params| &params.fields);
+            for own in parameters.filter(|own| idle.iter().any(|part| part.place == own.place)) {
+                if let Some(n) = own.value.iter().position(|(token, _)| token == "=") {
+                    let value = outline.text[own.value[n].1.end..own.own.end].trim();
+                    edits.extend(outline.uses(&own.word, own).map(|place| (place, format!("({value})"))));
+                }
+            }
+            outline = Outline::new(outline.with(edits))?;
         }
         Err("too many parts of it have no effect".to_owned())
     }
@@ -169,20 +242,36 @@ impl<'q> Origin<'q> {
     /// Models that are linear about the equilibria of another one, or why there are none.
     fn linear(&self, of: &Candidate) -> Result<Vec<Candidate>, String> {
         let starts: Vec<Vec<f64>> = self.question.starts.iter().map(|start| of.part_of(start)).collect();
+        // inputs may depend on time, and parameters do not
+        let as_parameter = |input: &Part| {
+            let value = self.question.inputs.iter().find(|(name, _)| name == input.name());
+            let value = value.map_or(0.0, |(_, value)| *value);
+            let text = &of.measured.text[input.own.clone()];
+            let unit = text.split_once("input").map_or(text, |(_, rest)| rest.trim());
+            let equals = if of.measured.is_without_units() { "=" } else { " =" };
+            (input.place.clone(), format!("params {{ {unit} {equals} {value:?} }}"))
+        };
+        let inputs: Vec<_> = of.measured.of("input").map(as_parameter).collect();
+        let model = match inputs.is_empty() {
+            true => of.model.clone(),
+            false => self.compiled(Outline::new(of.measured.with(inputs))?)?.1,
+        };
         let mut all = Vec::new();
-        for x in linear::equilibria(&of.model, &starts)? {
-            let is_declared = |n: &&usize| !of.model.outputs()[**n].starts_with(COMPARED);
+        for x in linear::equilibria(&model, &starts)? {
+            let is_declared = |n: &&usize| !self.is_added(model.outputs()[**n]);
             let declared: Vec<usize> = of.compared.iter().filter(is_declared).copied().collect();
-            let measured = Declaration::new(&linear::declaration(&of.model, &x, &of.compared)?);
-            let model = Model::declared(&measured.also(["jacobian"]), &[]).map_err(|error| error.to_string())?;
-            let about = format!("linear about {}", linear::name(&of.model, &x));
+            let measured = linear::declaration(&model, &x, &of.compared).map_err(|error| reason(&error))?;
+            let outline = Outline::new(measured)?;
+            let own = Model::declared(&Declaration::new(&outline.text).also(["jacobian"]), &[]);
+            let about = format!("linear about {}", linear::name(&model, &x));
             all.push(Candidate {
                 changes: std::iter::once(about).chain(of.changes.iter().cloned()).collect(),
-                text: linear::declaration(&of.model, &x, &declared)?,
+                text: linear::declaration(&model, &x, &declared).map_err(|error| reason(&error))?,
+                measured: outline,
                 compared: (0..of.compared.len()).collect(),
                 part: of.part.clone(),
                 fixed: Vec::new(),
-                model,
+                model: own.map_err(|error| reason(&error))?,
             });
         }
         Ok(all)
@@ -201,6 +290,14 @@ impl<'q> Origin<'q> {
             .and_then(|from| self.component(from))
             .map(|n| (n, -1.0));
         own.into_iter().chain(from).collect()
+    }
+}
+
+/// Reason why there is no model, in one line.
+pub(super) fn reason(error: &Error) -> String {
+    match error {
+        Error::Declaration(wrong) => format!("{} [{}]", wrong.problems[0].message, wrong.problems[0].code),
+        _ => error.to_string(),
     }
 }
 

@@ -1,27 +1,20 @@
 //! Changes that make a declaration simpler.
 
+use super::outline::{ALONG, Edit, Outline, Part};
+use std::cmp::Reverse;
 use std::fmt;
-use std::ops::Range;
-
-use super::outline::{Outline, Part};
-
-/// Fields of a body that act along its joint, which a fixed joint cannot have.
-const ALONG: [&str; 6] = [
-    "friction",
-    "spring",
-    "torque",
-    "dry_friction",
-    "static_friction",
-    "stop",
-];
 
 /// A change of a declaration, by the names in it, so that several can follow each other.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Change {
     /// Leaves out fields of a body.
-    WithoutField { body: String, kind: Force },
-    /// Leaves out an item: a damper between points, or a dissipation.
-    WithoutItem { word: String, rest: String, value: String },
+    WithoutField { body: String, kind: Friction },
+    /// Leaves out an item: a damper between points, or a dissipation, by its number among those of the word.
+    WithoutItem {
+        word: &'static str,
+        number: usize,
+        shown: String,
+    },
     /// Fixes a joint at the start.
     Fixed { body: String },
     /// Fixes a joint where its spring is at rest.
@@ -30,12 +23,12 @@ pub(super) enum Change {
 
 /// Friction of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Force {
+pub(super) enum Friction {
     Viscous,
     Dry,
 }
 
-impl Force {
+impl Friction {
     const fn fields(self) -> &'static [&'static str] {
         match self {
             Self::Viscous => &["friction"],
@@ -55,12 +48,14 @@ pub(super) struct Lost {
 }
 
 impl Change {
-    /// All changes that could be made to a declaration.
+    /// All changes that could be made to a declaration. The bodies of a robot whose file is not written out stay as
+    /// they are: a field that is left out would be that of the file.
     pub(super) fn all(outline: &Outline) -> Vec<Self> {
         let mut changes = Vec::new();
-        for body in outline.of("body") {
+        let has_robot = outline.of("robot").next().is_some();
+        for body in outline.of("body").filter(|_| !has_robot) {
             let name = || body.name().to_owned();
-            for kind in [Force::Viscous, Force::Dry] {
+            for kind in [Friction::Viscous, Friction::Dry] {
                 if body.field(kind.fields()[0]).is_some() {
                     changes.push(Self::WithoutField { body: name(), kind });
                 }
@@ -72,13 +67,28 @@ impl Change {
                 }
             }
         }
-        let dampers = outline.of("damper").chain(outline.of("dissipation"));
-        changes.extend(dampers.map(|item| Self::WithoutItem {
-            word: item.word.clone(),
-            rest: item.rest.clone(),
-            value: outline.at(&item.value).to_owned(),
-        }));
+        for word in ["damper", "dissipation"] {
+            changes.extend(outline.of(word).enumerate().map(|(number, item)| Self::WithoutItem {
+                word,
+                number,
+                shown: match word {
+                    "damper" => item.rest(),
+                    _ => format!("`{}`", outline.value(item)),
+                },
+            }));
+        }
         changes
+    }
+
+    /// Order in which changes are made: items keep their numbers until joints are fixed, and a joint is fixed before
+    /// the one that carries it, from which its angle may be measured.
+    pub(super) fn order(&self, outline: &Outline) -> (usize, Reverse<usize>) {
+        let of = |name: &str| outline.of("body").position(|body| body.name() == name).unwrap_or(0);
+        match self {
+            Self::WithoutItem { number, .. } => (0, Reverse(*number)),
+            Self::WithoutField { .. } => (1, Reverse(0)),
+            Self::Fixed { body } | Self::Rigid { body } => (2, Reverse(of(body))),
+        }
     }
 
     /// True if this change leaves nothing of what another one changes.
@@ -107,62 +117,46 @@ impl Change {
                 let fields = kind.fields().iter().filter_map(|word| body.field(word));
                 Ok((outline.with(fields.map(|field| outline.without(field)).collect()), None))
             }
-            Self::WithoutItem { word, rest, value } => {
-                let is_it = |item: &&Part| item.rest == *rest && outline.at(&item.value) == value;
-                let item = outline.of(word).find(is_it).ok_or("it has no such item")?;
+            Self::WithoutItem { word, number, .. } => {
+                let item = outline.of(word).nth(*number).ok_or("it has no such item")?;
                 Ok((outline.with(vec![outline.without(item)]), None))
             }
             Self::Fixed { body } => fix(outline, body, None, start),
             Self::Rigid { body } => {
-                let spring = outline
-                    .body(body)
-                    .and_then(|body| body.field("spring"))
-                    .ok_or("it has no spring")?;
-                let law = outline.at(&spring.value);
-                let rest = rest_of(law).ok_or("its spring has no position at rest")?;
-                fix(outline, body, Some(rest), start)
+                let spring = outline.body(body).and_then(|body| body.field("spring"));
+                let rest = spring.and_then(|spring| spring.fields.get(1));
+                fix(
+                    outline,
+                    body,
+                    Some(rest.ok_or("its spring has no position at rest")?),
+                    start,
+                )
             }
         }
     }
-}
-
-/// Second of two expressions in parentheses.
-fn rest_of(law: &str) -> Option<&str> {
-    let inside = law.trim().strip_prefix('(')?.strip_suffix(')')?;
-    let mut depth = 0;
-    let comma = inside.char_indices().find(|(_, c)| {
-        match c {
-            '(' | '[' => depth += 1,
-            ')' | ']' => depth -= 1,
-            _ => {}
-        }
-        *c == ',' && depth == 0
-    })?;
-    Some(inside[comma.0 + 1..].trim().trim_end_matches(','))
 }
 
 /// Fixes the joint of a body where its spring is at rest, or else at a parameter.
 fn fix(
     outline: &Outline,
     body: &str,
-    rest: Option<&str>,
+    rest: Option<&Part>,
     start: impl Fn(&Lost) -> f64,
 ) -> Result<(String, Option<Lost>), String> {
     let body = outline.body(body).ok_or("it has no body of this name")?;
     let field = body.field("coordinate").ok_or("it has no coordinate")?;
-    let words = outline.at(&field.value);
-    let coordinate = first_word(words).to_owned();
-    if words.contains(" depends") {
+    let coordinate = field.value.first().map(|(name, _)| name.clone()).unwrap_or_default();
+    if field.has("depends") {
         return Err("the loops determine it".to_owned());
     }
-    let slides = axis(outline, body).is_some_and(|axis| axis.starts_with("prismatic"));
-    let from = match words.ends_with("absolute") {
+    let slides = body.field("joint").is_some_and(|joint| joint.has("prismatic"));
+    let from = match field.has("absolute") {
         true => measured_from(outline, body)?,
         false => None,
     };
     // where it is measured from ground, the name stands for a sum
     let parameter = match &from {
-        Some(_) => format!("{coordinate}_fixed"),
+        Some(_) => outline.fresh(format!("{coordinate}_fixed")),
         None => coordinate.clone(),
     };
     let lost = Lost {
@@ -170,26 +164,37 @@ fn fix(
         parameter: rest.is_none().then(|| parameter.clone()),
         from,
     };
-    let mut edits: Vec<(Range<usize>, String)> = Vec::new();
+    let mut edits: Vec<Edit> = Vec::new();
     let mut new = String::new();
     match rest {
-        Some(rest) => new += &format!("    let {parameter} = {rest},\n"),
-        None => {
-            let unit = match (outline.is_without_units(), slides) {
-                (true, _) => "",
-                (false, true) => ": m",
-                (false, false) => ": rad",
+        Some(rest) => {
+            let rest = &outline.text[rest.own.clone()];
+            // a bare number would take any unit where the name is used
+            let is_number = rest.trim_start_matches('-').parse::<f64>().is_ok();
+            let unit = if is_number && !slides && !outline.is_without_units() {
+                " rad"
+            } else {
+                ""
             };
-            let own = format!("{parameter}{unit} = {:?}", start(&lost));
+            new += &format!("let {parameter} = {rest}{unit},\n    ");
+        }
+        None => {
+            // in rad, an angle of more than a turn is accepted
+            let (unit, of_value) = match (outline.is_without_units(), slides) {
+                (true, _) => ("", ""),
+                (false, true) => (": m", ""),
+                (false, false) => (": rad", " rad"),
+            };
+            let own = format!("{parameter}{unit} = {:?}{of_value}", start(&lost));
             match outline.of("params").next() {
-                Some(params) => edits.push((params.value.start..params.value.start, format!(" {own},"))),
-                None => new += &format!("    params {{ {own} }}\n"),
+                Some(params) => edits.push((params.inside.start..params.inside.start, format!(" {own},"))),
+                None => edits.push((outline.begin..outline.begin, format!("\n    params {{ {own} }}"))),
             }
         }
     }
     let rate = match &lost.from {
         Some(from) => {
-            new += &format!("    let {coordinate} = {from} + {parameter},\n");
+            new += &format!("let {coordinate} = {from} + {parameter},\n    ");
             format!("dot({from})")
         }
         // a zero with a unit of which no name can be that of a parameter
@@ -197,13 +202,22 @@ fn fix(
         None => (if slides { "(0 km/h)" } else { "(0 rpm)" }).to_owned(),
     };
     if !new.is_empty() {
-        edits.push((outline.begin..outline.begin, format!("\n{}", new.trim_end())));
+        // a `let` stands before those that use it
+        let uses = outline.of("let").find(|item| outline.is_used_in(&coordinate, item));
+        let before = uses.map_or(body.place.start, |item| item.place.start.min(body.place.start));
+        edits.push((before..before, new));
     }
     edits.extend(outline.rates_of(&coordinate).map(|place| (place, rate.clone())));
     edits.push((field.place.clone(), format!("motion: {parameter},")));
     let forces = ALONG.iter().filter_map(|word| body.field(word));
-    let along = outline.of("force").filter(|force| force.rest == coordinate);
-    edits.extend(forces.chain(along).map(|part| outline.without(part)));
+    edits.extend(forces.map(|part| outline.without(part)));
+    for force in outline.of("force").filter(|force| force.rest() == coordinate) {
+        edits.push(match &lost.from {
+            // a moment from ground acts on what carries the body
+            Some(from) => (force.head[0].1.clone(), from.clone()),
+            None => outline.without(force),
+        });
+    }
     Ok((outline.with(edits), Some(lost)))
 }
 
@@ -213,27 +227,24 @@ fn measured_from(outline: &Outline, body: &Part) -> Result<Option<String>, Strin
     if parent == "ground" {
         return Ok(None);
     }
+    let joint = |body: &Part| -> Option<Vec<String>> {
+        let joint = body.field("joint")?.value.iter().map(|(word, _)| word.clone());
+        Some(joint.take(2).collect())
+    };
+    let is_turned = body.field("joint").is_some_and(|joint| joint.has("rpy"));
     let known = outline.body(parent).and_then(|parent| {
-        let coordinate = outline.at(&parent.field("coordinate")?.value);
-        let from_ground = coordinate.ends_with("absolute") || parent_of(parent) == "ground";
-        (from_ground && axis(outline, parent)? == axis(outline, body)?).then(|| first_word(coordinate).to_owned())
+        let coordinate = parent.field("coordinate")?;
+        let from_ground = coordinate.has("absolute") || parent_of(parent) == "ground";
+        let is_same = !is_turned && joint(parent)? == joint(body)?;
+        (from_ground && is_same).then(|| coordinate.value[0].0.clone())
     });
-    let unknown = || "its angle is measured from ground, and that of its parent is not".to_owned();
+    let unknown = || "its angle is measured from ground, and its parent has no such angle about this axis".to_owned();
     known.map(Some).ok_or_else(unknown)
 }
 
 /// Name of the body that carries a body.
 fn parent_of(body: &Part) -> &str {
-    body.rest.split(' ').nth(2).unwrap_or_default()
-}
-
-/// Kind and axis of a joint: `revolute(z`.
-fn axis<'o>(outline: &'o Outline, body: &Part) -> Option<&'o str> {
-    outline.at(&body.field("joint")?.value).split(')').next()
-}
-
-fn first_word(text: &str) -> &str {
-    text.split_whitespace().next().unwrap_or_default()
+    body.head.get(2).map_or("", |(parent, _)| parent)
 }
 
 impl fmt::Display for Change {
@@ -241,11 +252,13 @@ impl fmt::Display for Change {
         match self {
             Self::WithoutField {
                 body,
-                kind: Force::Viscous,
+                kind: Friction::Viscous,
             } => write!(f, "without the friction of `{body}`"),
-            Self::WithoutField { body, kind: Force::Dry } => write!(f, "without the dry friction of `{body}`"),
-            Self::WithoutItem { word, rest, .. } if rest.is_empty() => write!(f, "without the {word}"),
-            Self::WithoutItem { word, rest, .. } => write!(f, "without the {word} {rest}"),
+            Self::WithoutField {
+                body,
+                kind: Friction::Dry,
+            } => write!(f, "without the dry friction of `{body}`"),
+            Self::WithoutItem { word, shown, .. } => write!(f, "without the {word} {shown}"),
             Self::Fixed { body } => write!(f, "with the joint of `{body}` fixed"),
             Self::Rigid { body } => write!(f, "with a rigid spring of `{body}`"),
         }

@@ -41,7 +41,7 @@ impl Full {
         compared: &[usize],
         cancel: &Cancel<'_>,
     ) -> Result<Self, Error> {
-        let times = (0..=INTERVALS).map(|n| question.horizon * n as f64 / INTERVALS as f64);
+        let times = (0..=INTERVALS).map(|n| question.horizon * (n as f64 / INTERVALS as f64));
         let mut full = Self {
             cost: Cost::new(model),
             sizes: vec![0.0; compared.len()],
@@ -67,10 +67,11 @@ impl Full {
             }
             full.motions.push(samples);
         }
-        // an output that stays at zero has absolute errors
+        // an output that stays at zero, up to the tolerance, has absolute errors
+        let noise = 1e-3 * full.tolerance;
         full.sizes
             .iter_mut()
-            .filter(|size| **size == 0.0)
+            .filter(|size| **size <= noise)
             .for_each(|size| *size = 1.0);
         Ok(full)
     }

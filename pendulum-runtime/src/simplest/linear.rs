@@ -3,6 +3,10 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
+use pendulum_core::stability::StabilityError;
+
+use super::candidate::reason;
+use crate::error::Error;
 use crate::model::Model;
 
 /// Size below which a coordinate of an equilibrium, or a rate there, is zero.
@@ -14,7 +18,10 @@ pub(super) fn equilibria(model: &Model, starts: &[Vec<f64>]) -> Result<Vec<Vec<f
     if model.layout().quaternions().next().is_some() {
         return Err("there are no linear models of orientations yet".to_owned());
     }
-    let (found, _) = model.equilibria(starts).map_err(|error| error.to_string())?;
+    let (found, _) = model.equilibria(starts).map_err(|error| match error {
+        Error::Stability(StabilityError::TimeDependent) => "the equations depend on time".to_owned(),
+        error => reason(&error),
+    })?;
     let near = |x: &[f64], start: &[f64]| -> Vec<f64> {
         let turned = x.iter().zip(start).zip(model.components());
         turned
@@ -54,16 +61,24 @@ pub(super) fn name(model: &Model, x: &[f64]) -> String {
 }
 
 /// Declaration of a model that is linear about an equilibrium, with the outputs of these numbers.
-pub(super) fn declaration(model: &Model, x: &[f64], outputs: &[usize]) -> Result<String, String> {
-    let names: Vec<String> = model.components().iter().map(|own| identifier(&own.name)).collect();
-    let a = model.jacobian(0.0, x).map_err(|error| error.to_string())?;
+pub(super) fn declaration(model: &Model, x: &[f64], outputs: &[usize]) -> Result<String, Error> {
+    let mut names: Vec<String> = Vec::new();
+    // those of the components, then those of the outputs
+    let components = model.components().iter().map(|own| own.name.as_str());
+    for name in components.chain(outputs.iter().map(|&n| model.outputs()[n])) {
+        let plain = identifier(name);
+        let mut longer = std::iter::successors(Some(plain), |name| Some(format!("{name}_")));
+        names.extend(longer.find(|name| !names.contains(name)));
+    }
+    let (names, of_outputs) = names.split_at(model.components().len());
+    let a = model.jacobian(0.0, x)?;
     let sum = |value: f64, slopes: Vec<f64>| {
         let largest = slopes.iter().fold(0.0, |largest: f64, slope| largest.max(slope.abs()));
         let mut text = String::new();
         if value != 0.0 {
             write!(text, "{value:?}").expect("memory");
         }
-        for ((slope, name), x) in slopes.into_iter().zip(&names).zip(x) {
+        for ((slope, name), x) in slopes.into_iter().zip(names).zip(x) {
             if slope.abs() <= 1e-14 * largest {
                 continue;
             }
@@ -78,6 +93,7 @@ pub(super) fn declaration(model: &Model, x: &[f64], outputs: &[usize]) -> Result
             }
             match *x == 0.0 {
                 true => text.push_str(name),
+                false if *x < 0.0 => write!(text, "({name} + {:?})", -x).expect("memory"),
                 false => write!(text, "({name} - {x:?})").expect("memory"),
             }
         }
@@ -93,21 +109,14 @@ pub(super) fn declaration(model: &Model, x: &[f64], outputs: &[usize]) -> Result
         let rate = sum(0.0, a.row(n).iter().copied().collect());
         writeln!(text, "    state {name} {{ rate: {rate} }}").expect("memory");
     }
-    let values = model.outputs_at(0.0, x).map_err(|error| error.to_string())?;
+    let values = model.outputs_at(0.0, x)?;
     let slopes = model.engine.output_slopes(x);
-    for &n in outputs {
+    for (&n, name) in outputs.iter().zip(of_outputs) {
         let output = sum(values[n], slopes.row(n).iter().copied().collect());
-        writeln!(text, "    output {}: {output},", output_name(model, n)).expect("memory");
+        writeln!(text, "    output {name}: {output},").expect("memory");
     }
     text.push_str("}\n");
     Ok(text)
-}
-
-/// Name of an output in a linear model, which has no points and lists.
-fn output_name(model: &Model, n: usize) -> String {
-    let name = identifier(model.outputs()[n]);
-    let is_taken = model.components().iter().any(|own| identifier(&own.name) == name);
-    if is_taken { format!("{name}_out") } else { name }
 }
 
 /// A component as one word: `theta_rate` for `dot(theta)`.

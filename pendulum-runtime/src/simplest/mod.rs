@@ -7,6 +7,8 @@ mod errors;
 mod linear;
 mod outline;
 
+use std::collections::BTreeSet;
+
 use rayon::prelude::*;
 
 use crate::declaration::Declaration;
@@ -15,7 +17,9 @@ use crate::model::Model;
 use crate::worker;
 pub use answer::{Answer, Cost, Refused, Simpler};
 use candidate::{Candidate, Origin};
+use change::Change;
 use errors::Full;
+use outline::Outline;
 
 /// Smallest error that can be asked for: reference motions keep a thousandth of it.
 const LEAST: f64 = 1e-9;
@@ -27,10 +31,11 @@ pub struct Question {
     pub starts: Vec<Vec<f64>>,
     /// Time up to which motions are followed, in s.
     pub horizon: f64,
-    /// Outputs and components of the state that matter, by name; all outputs if empty, or all components if there are
-    /// no outputs.
+    /// Outputs and components of the state that matter, by name, such as `tip.y`, or `tip` for all components of a point;
+    /// all outputs if empty, or all components if there are no outputs.
     pub outputs: Vec<String>,
-    /// Largest error of each of them at any time, relative to its largest size in all motions.
+    /// Largest error of each of them, at 200 times between 0 and the horizon, relative to its largest size in all
+    /// motions.
     pub error: f64,
     /// Values of parameters; the others have their defaults.
     pub values: Vec<(String, f64)>,
@@ -55,11 +60,13 @@ impl Default for Question {
 /// Finds the simplest declaration that answers a question. Tries a linear model about the equilibrium nearest to each start,
 /// the removal of each friction, each joint fixed where it starts, each spring of a joint rigid, and all pairs of these.
 ///
-/// The error of each is predicted before it runs: with `y` the part of the full motion that the simpler model has, and
-/// `F` its flow from one sample to the next, `e' = F(y) - y' + DF(y) e`, which is exact to first order in the change.
-/// Then it runs, by `Auto` with a thousandth of the error as tolerance.
+/// The error of each is predicted before it runs, to first order in the change: with `y` the part of the full motion
+/// that the simpler model has, and `F` its flow from one sample to the next, `e' = F(y) - y' + DF(y) e`. Near impacts and
+/// mode switches that move in time, this is rough. Then it runs, by `Auto` with a thousandth of the error as tolerance.
+/// Where the two agree, the error is small and regular: it grows in proportion to what was left out.
 ///
-/// What a file of a robot declares is left as it is, and so are balls and free joints.
+/// Balls, free joints and springs between points are left as they are. The bodies of a robot from a file are written out,
+/// unless the declaration changes its links.
 ///
 /// ```
 /// use pendulum_runtime::{Declaration, Question, simplest};
@@ -96,30 +103,21 @@ pub fn simplest_unless(
     cancel: &(dyn Fn() -> bool + Sync),
 ) -> Result<Answer, Error> {
     question.check()?;
-    let plain = question.model(declaration.clone(), &|_| true)?;
+    let plain = question.model(declaration.clone(), None)?;
     let outputs = question.outputs(&plain)?;
     let origin = Origin::new(declaration, question, &plain, &outputs)?;
     let full = Full::new(&origin.model, question, &origin.compared, cancel)?;
 
-    let singles = origin.changes();
-    // no change: the linear models of the declaration itself
-    let mut all = vec![Vec::new()];
-    for (n, first) in singles.iter().enumerate() {
-        all.push(vec![first.clone()]);
-        let others = singles[n + 1..].iter();
-        let pairs = others.filter(|other| !first.covers(other) && !other.covers(first));
-        all.extend(pairs.map(|other| vec![first.clone(), other.clone()]));
-    }
     let compared = |candidate: Candidate| -> Result<Simpler, Refused> {
         let refused = |reason: String| Refused {
             changes: candidate.changes.clone(),
             reason,
         };
-        if cancel() {
-            return Err(refused("it was not tried before the search was cancelled".to_owned()));
-        }
         let predicted = full.predicted(&candidate, question, cancel);
         let observed = full.observed(&candidate, question, cancel);
+        if cancel() {
+            return Err(refused("the search was cancelled before it was compared".to_owned()));
+        }
         let (observed, cost) = observed.map_err(|stopped| refused(format!("by `Auto`, {stopped}")))?;
         Ok(Simpler {
             predicted: predicted.unwrap_or_else(|_| vec![f64::INFINITY; observed.len()]),
@@ -129,10 +127,28 @@ pub fn simplest_unless(
             cost,
         })
     };
-    let tried: Vec<Result<Simpler, Refused>> = worker::on_all(|| {
-        let candidates = all.into_par_iter().flat_map_iter(|changes| origin.candidates(&changes));
-        candidates.map(|candidate| candidate.and_then(compared)).collect()
-    });
+    let all_of = |changes: &[Vec<Change>]| -> Vec<Vec<Result<Simpler, Refused>>> {
+        let candidates = changes.par_iter().map(|changes| origin.candidates(changes));
+        let each = candidates.map(|found| found.into_par_iter().map(|one| one.and_then(compared)).collect());
+        worker::on_all(|| each.collect())
+    };
+    // no change: the linear models of the declaration itself
+    let mut singles = vec![Vec::new()];
+    singles.extend(origin.changes().into_iter().map(|change| vec![change]));
+    let of_singles = all_of(&singles);
+    let worked: Vec<&Change> = singles
+        .iter()
+        .zip(&of_singles)
+        .filter(|(_, found)| matches!(found.last(), Some(Ok(_))))
+        .filter_map(|(changes, _)| changes.first())
+        .collect();
+    let mut pairs = Vec::new();
+    for (n, &first) in worked.iter().enumerate() {
+        let others = worked[n + 1..].iter();
+        let others = others.filter(|other| !first.covers(other) && !other.covers(first));
+        pairs.extend(others.map(|&other| vec![first.clone(), other.clone()]));
+    }
+    let tried = of_singles.into_iter().chain(all_of(&pairs)).flatten();
     let (mut simpler, mut refused) = (Vec::new(), Vec::new());
     for one in tried {
         match one {
@@ -166,9 +182,18 @@ impl Question {
         if !(self.horizon > 0.0 && self.horizon.is_finite()) {
             return wrong("horizon", format!("a time after 0 is needed, not {:?}", self.horizon));
         }
-        if !(LEAST..1.0).contains(&self.error) {
+        if !self.starts.iter().flatten().all(|x| x.is_finite()) {
+            return wrong("starts", "their components must be finite".to_owned());
+        }
+        if !(self.error > 0.0 && self.error < 1.0) {
+            return wrong(
+                "error",
+                format!("a number between 0 and 1 is needed, not {:?}", self.error),
+            );
+        }
+        if self.error < LEAST {
             let rule = format!(
-                "{:?} is not between {LEAST:?} and 1: reference motions in double precision allow no smaller one",
+                "{:?} is below {LEAST:?}, the smallest that reference motions in double precision allow",
                 self.error
             );
             return wrong("error", rule);
@@ -176,15 +201,20 @@ impl Question {
         Ok(())
     }
 
-    /// The model of a declaration, with the values of parameters and inputs.
-    /// Those that are not there are left out.
-    fn model(&self, declaration: Declaration, is_there: &dyn Fn(&str) -> bool) -> Result<Model, Error> {
-        fn of<'a>(all: &'a [(String, f64)], is_there: &dyn Fn(&str) -> bool) -> Vec<(&'a str, f64)> {
-            let there = all.iter().filter(|(name, _)| is_there(name));
-            there.map(|(name, value)| (name.as_str(), *value)).collect()
+    /// The model of a declaration, with the values of parameters and inputs. With an outline of it, those that it no longer
+    /// has are left out.
+    fn model(&self, declaration: Declaration, outline: Option<&Outline>) -> Result<Model, Error> {
+        let of = |all: &'_ [(String, f64)], is_there: fn(&Outline, &str) -> bool| -> Vec<(String, f64)> {
+            let is_there = |name: &str| outline.is_none_or(|outline| is_there(outline, name));
+            all.iter().filter(|(name, _)| is_there(name)).cloned().collect()
+        };
+        fn named(all: &[(String, f64)]) -> Vec<(&str, f64)> {
+            all.iter().map(|(name, value)| (name.as_str(), *value)).collect()
         }
-        let model = Model::declared(&declaration.also(["jacobian"]), &of(&self.values, is_there))?;
-        model.with_inputs(&of(&self.inputs, is_there))
+        let values = of(&self.values, Outline::has_parameter);
+        let inputs = of(&self.inputs, Outline::has_input);
+        let model = Model::declared(&declaration.also(["jacobian"]), &named(&values))?;
+        model.with_inputs(&named(&inputs))
     }
 
     /// Names of what is compared.
@@ -199,16 +229,31 @@ impl Question {
         if self.outputs.is_empty() {
             return Ok(all);
         }
+        let mut found: Vec<String> = Vec::new();
         for name in &self.outputs {
-            let mut known = declared().chain(components());
-            if !known.any(|own| own == name) {
+            let parts = || {
+                declared().filter(|own| {
+                    own.strip_prefix(name.as_str())
+                        .is_some_and(|rest| rest.starts_with('.'))
+                })
+            };
+            let same = || declared().chain(components()).filter(|own| own == name);
+            let new: Vec<&str> = if same().next().is_some() {
+                same().take(1).collect()
+            } else {
+                parts().collect()
+            };
+            if new.is_empty() {
                 return Err(Error::unknown(
                     "output or component",
                     name,
                     declared().chain(components()),
                 ));
             }
+            found.extend(new.into_iter().map(str::to_owned));
         }
-        Ok(self.outputs.clone())
+        let mut seen = BTreeSet::new();
+        found.retain(|name| seen.insert(name.clone()));
+        Ok(found)
     }
 }

@@ -5,63 +5,104 @@ use std::ops::Range;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::declaration::unwrapped;
+use crate::worker;
+
+/// Fields of a body that act along its joint, which a fixed joint cannot have.
+pub(super) const ALONG: [&str; 6] = [
+    "friction",
+    "spring",
+    "torque",
+    "dry_friction",
+    "static_friction",
+    "stop",
+];
+
+/// Items that may lose their effect when others change.
+const IDLE: [&str; 9] = [
+    "let",
+    "input",
+    "shape",
+    "point",
+    "force",
+    "spring",
+    "damper",
+    "dissipation",
+    "event",
+];
 
 /// Items whose braces end them; the others end in a comma.
 const BRACED: [&str; 5] = ["params", "state", "shape", "body", "wall"];
+
+/// New text for a place.
+pub(super) type Edit = (Range<usize>, String);
 
 /// Part of the text: an item of the scene, or a field in its braces.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     /// First word.
     pub(super) word: String,
-    /// Further words before a colon or braces: `upper on ground` of a body.
-    pub(super) rest: String,
+    /// Further words before a colon or braces, with their places: `upper`, `on`, `ground` of a body.
+    pub(super) head: Vec<(String, Range<usize>)>,
     /// Place in the text, with the comma after it.
     pub(super) place: Range<usize>,
-    /// Place of what follows the colon, without the comma; of an item in braces, that of their inside.
-    pub(super) value: Range<usize>,
-    /// Fields in the braces.
+    /// Place without comments and the comma.
+    pub(super) own: Range<usize>,
+    /// Tokens after the colon, with their places; brackets are one.
+    pub(super) value: Vec<(String, Range<usize>)>,
+    /// Place of the inside of braces.
+    pub(super) inside: Range<usize>,
+    /// Fields in the braces, or expressions in the parentheses after the colon.
     pub(super) fields: Vec<Part>,
 }
 
-/// The text of a declaration with its parts. It must be one that compiles.
+/// The text of a declaration with its parts.
 #[derive(Clone, Debug)]
 pub(super) struct Outline {
     pub(super) text: String,
     pub(super) items: Vec<Part>,
     /// Place of the first item.
     pub(super) begin: usize,
+    /// All names.
+    names: Vec<(String, Range<usize>)>,
     /// Places of `dot(name)`, by name.
     rates: Vec<(String, Range<usize>)>,
 }
 
 impl Outline {
-    pub(super) fn new(text: String) -> Self {
-        let tokens: TokenStream = text.parse().expect("the text was compiled");
-        let tokens: Vec<TokenTree> = unwrapped(tokens).into_iter().collect();
-        let mut outline = Self {
-            text,
-            items: Vec::new(),
-            begin: 0,
-            rates: Vec::new(),
-        };
-        if let Some(TokenTree::Group(scene)) = tokens.last() {
-            outline.begin = scene.span_open().byte_range().end;
+    /// Reads a text, on a thread of its own, which forgets the places of its tokens.
+    pub(super) fn new(text: String) -> Result<Self, String> {
+        worker::alone(|| {
+            let tokens: TokenStream = text
+                .parse()
+                .map_err(|_| "the changed text cannot be split into tokens")?;
+            let tokens: Vec<TokenTree> = unwrapped(tokens).into_iter().collect();
+            let Some(TokenTree::Group(scene)) = tokens.last() else {
+                return Err("the changed text has no items".to_owned());
+            };
             let inside: Vec<TokenTree> = scene.stream().into_iter().collect();
-            outline.items = parts(&inside, true);
-            outline.note_rates(&inside);
-        }
-        outline
+            let mut outline = Self {
+                text,
+                items: parts(&inside, true),
+                begin: scene.span_open().byte_range().end,
+                names: Vec::new(),
+                rates: Vec::new(),
+            };
+            outline.note(&inside);
+            Ok(outline)
+        })
     }
 
-    fn note_rates(&mut self, tokens: &[TokenTree]) {
+    /// Notes names and rates.
+    fn note(&mut self, tokens: &[TokenTree]) {
         for (n, token) in tokens.iter().enumerate() {
             match (token, tokens.get(n + 1)) {
                 (TokenTree::Ident(name), Some(TokenTree::Group(group))) if name == "dot" => {
                     let place = name.span().byte_range().start..group.span_close().byte_range().end;
                     self.rates.push((group.stream().to_string(), place));
+                    self.note(&group.stream().into_iter().collect::<Vec<_>>());
                 }
-                (TokenTree::Group(group), _) => self.note_rates(&group.stream().into_iter().collect::<Vec<_>>()),
+                (TokenTree::Ident(name), _) => self.names.push((name.to_string(), name.span().byte_range())),
+                (TokenTree::Group(group), _) => self.note(&group.stream().into_iter().collect::<Vec<_>>()),
                 _ => {}
             }
         }
@@ -77,9 +118,35 @@ impl Outline {
         self.of("body").find(|body| body.name() == name)
     }
 
-    /// Text of a place.
-    pub(super) fn at(&self, place: &Range<usize>) -> &str {
-        &self.text[place.clone()]
+    /// Text of what follows the colon of a part.
+    pub(super) fn value(&self, part: &Part) -> &str {
+        match &part.value[..] {
+            [] => "",
+            [first, .., last] => &self.text[first.1.start..last.1.end],
+            [only] => &self.text[only.1.clone()],
+        }
+    }
+
+    /// Places of a name outside of a part.
+    pub(super) fn uses<'o>(&'o self, name: &'o str, outside: &'o Part) -> impl Iterator<Item = Range<usize>> + 'o {
+        let of_name = self.names.iter().filter(move |(own, _)| own == name);
+        let places = of_name.map(|(_, place)| place.clone());
+        places.filter(|place| !outside.place.contains(&place.start))
+    }
+
+    /// True if a part uses a name.
+    pub(super) fn is_used_in(&self, name: &str, part: &Part) -> bool {
+        self.names
+            .iter()
+            .any(|(own, place)| own == name && part.place.contains(&place.start))
+    }
+
+    /// A name that nothing has, which begins like this.
+    pub(super) fn fresh(&self, name: String) -> String {
+        let is_taken = |name: &String| self.names.iter().any(|(own, _)| own == name);
+        std::iter::successors(Some(name), |name| Some(format!("{name}_")))
+            .find(|name| !is_taken(name))
+            .expect("there are more names than tokens")
     }
 
     /// Places of the rate of a coordinate.
@@ -95,26 +162,33 @@ impl Outline {
         self.of("units").next().is_some()
     }
 
-    /// Parameter, or other item, at a line and a column of the text, which start at 1.
-    pub(super) fn around(&self, line: usize, column: usize) -> Option<&Part> {
+    /// What can be left out at a line and a column of the text, which start at 1: a parameter, a force along a joint, or
+    /// an item that others may use.
+    pub(super) fn idle(&self, line: usize, column: usize) -> Option<&Part> {
         let begin: usize = self.text.split_inclusive('\n').take(line - 1).map(str::len).sum();
         let within = self.text[begin..].char_indices().nth(column - 1);
         let place = begin + within.map_or(0, |(n, _)| n);
         let item = self.items.iter().find(|item| item.place.contains(&place))?;
+        let field = || item.fields.iter().find(|field| field.place.contains(&place));
         match item.word.as_str() {
-            "params" => item.fields.iter().find(|field| field.place.contains(&place)),
-            _ => Some(item),
+            "params" => field(),
+            "body" => field().filter(|field| ALONG.contains(&field.word.as_str())),
+            word => IDLE.contains(&word).then_some(item),
         }
     }
 
-    /// True if there is a parameter or an input of this name.
-    pub(super) fn gives(&self, name: &str) -> bool {
-        let mut parameters = self.of("params").flat_map(|params| &params.fields);
-        parameters.any(|own| own.word == name) || self.of("input").any(|input| input.name() == name)
+    /// True if there is a parameter of this name.
+    pub(super) fn has_parameter(&self, name: &str) -> bool {
+        self.of("params").any(|params| params.field(name).is_some())
+    }
+
+    /// True if there is an input of this name.
+    pub(super) fn has_input(&self, name: &str) -> bool {
+        self.of("input").any(|input| input.name() == name)
     }
 
     /// Text with some places replaced.
-    pub(super) fn with(&self, mut edits: Vec<(Range<usize>, String)>) -> String {
+    pub(super) fn with(&self, mut edits: Vec<Edit>) -> String {
         edits.sort_by_key(|(place, _)| place.start);
         let mut text = String::new();
         let mut from = 0;
@@ -132,7 +206,7 @@ impl Outline {
     }
 
     /// Edit that leaves out a part, and its line if nothing else is on it.
-    pub(super) fn without(&self, part: &Part) -> (Range<usize>, String) {
+    pub(super) fn without(&self, part: &Part) -> Edit {
         let Range { start, end } = part.place;
         let is_blank = |c: char| c == ' ' || c == '\t';
         let before = self.text[..start].trim_end_matches(is_blank);
@@ -149,7 +223,18 @@ impl Outline {
 impl Part {
     /// First of the further words, such as the name of a body.
     pub(super) fn name(&self) -> &str {
-        self.rest.split(' ').next().unwrap_or_default()
+        self.head.first().map_or("", |(name, _)| name)
+    }
+
+    /// All further words.
+    pub(super) fn rest(&self) -> String {
+        let words: Vec<&str> = self.head.iter().map(|(word, _)| word.as_str()).collect();
+        words.join(" ")
+    }
+
+    /// True if a word stands after the colon.
+    pub(super) fn has(&self, word: &str) -> bool {
+        self.value.iter().any(|(own, _)| own == word)
     }
 
     /// Field of this name.
@@ -194,28 +279,36 @@ fn read(word: String, tokens: &[TokenTree], place: Range<usize>, is_braced: bool
         TokenTree::Group(braces) => is_braced && braces.delimiter() == Delimiter::Brace,
         _ => false,
     };
+    let words = |tokens: &[TokenTree]| -> Vec<(String, Range<usize>)> {
+        tokens
+            .iter()
+            .map(|token| (token.to_string(), token.span().byte_range()))
+            .collect()
+    };
     let head = tokens.iter().position(is_end).unwrap_or(tokens.len());
-    let rest: Vec<String> = tokens[..head].iter().skip(1).map(ToString::to_string).collect();
-    let (value, fields) = match tokens.get(head) {
-        Some(TokenTree::Group(braces)) => (
-            braces.span_open().byte_range().end..braces.span_close().byte_range().start,
-            self::parts(&braces.stream().into_iter().collect::<Vec<_>>(), false),
-        ),
-        _ => match &tokens[(head + 1).min(tokens.len())..] {
-            [first, .., last] => (
-                first.span().byte_range().start..last.span().byte_range().end,
-                Vec::new(),
-            ),
-            [only] => (only.span().byte_range(), Vec::new()),
-            [] => (place.end..place.end, Vec::new()),
+    let after = &tokens[(head + 1).min(tokens.len())..];
+    let (group, value) = match tokens.get(head) {
+        Some(TokenTree::Group(braces)) => (Some(braces), Vec::new()),
+        _ => match after.first() {
+            Some(TokenTree::Group(first)) if first.delimiter() == Delimiter::Parenthesis => (Some(first), words(after)),
+            _ => (None, words(after)),
         },
+    };
+    let inside = group.map(|group| group.span_open().byte_range().end..group.span_close().byte_range().start);
+    let fields = group.map(|group| self::parts(&group.stream().into_iter().collect::<Vec<_>>(), false));
+    let own = match tokens {
+        [first, .., last] => first.span().byte_range().start..last.span().byte_range().end,
+        [only] => only.span().byte_range(),
+        [] => place.clone(),
     };
     Part {
         word,
-        rest: rest.join(" "),
+        own,
+        head: words(&tokens[head.min(1)..head]),
+        inside: inside.unwrap_or(place.end..place.end),
         place,
         value,
-        fields,
+        fields: fields.unwrap_or_default(),
     }
 }
 
