@@ -35,7 +35,7 @@
 //! | [`StateSpace::lqr`] | the linear-quadratic regulator, continuous or sampled |
 //! | [`StateSpace::kalman`] | the stationary Kalman filter, continuous or sampled |
 //! | [`StateSpace::controllability`], [`StateSpace::observability`] | the margin of each mode, and what is lost |
-//! | [`Ilqr`] | iterative LQR: motions of least cost within limits of the inputs, also for model-predictive control |
+//! | [`Ilqr`] | iterative LQR: motions of least cost within limits of the inputs, held by their gains or planned anew |
 //! | [`Sampled`] | runs a [`Controller`] at the times of a clock: delay, limits, resolution, noise |
 //! | [`Pid`], [`StateSpace::output_feedback`] | ready controllers: PID without windup, a law on the estimate of a filter |
 //!
@@ -73,7 +73,10 @@ mod weights;
 pub use error::ControlError;
 #[cfg(feature = "std")]
 pub use estimator::Estimator;
-pub use ilqr::{CostDerivatives, Ilqr, IlqrError, Objective, Pass, Predictive, PredictiveState, Quadratic, Solved};
+pub use ilqr::{
+    CostDerivatives, Ilqr, IlqrError, Objective, Pass, Predictive, PredictiveState, Quadratic, Solved, Tracker,
+    TrackerState,
+};
 #[cfg(feature = "std")]
 pub use modes::{LostMode, LostModes, ModeMargin, PbhTest};
 #[cfg(feature = "std")]

@@ -9,6 +9,7 @@ mod matrix;
 mod predictive;
 mod search;
 mod step;
+mod tracker;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -16,6 +17,7 @@ pub use cost::{CostDerivatives, Objective, Quadratic};
 pub use error::IlqrError;
 pub use predictive::{Predictive, PredictiveState};
 pub use search::{Pass, Solved};
+pub use tracker::{Tracker, TrackerState};
 
 use crate::real::Float;
 use search::Damping;
@@ -27,6 +29,7 @@ use search::Damping;
 /// are those of the inputs that are not at a limit. A forward pass follows, with a line search. [`solve`](Self::solve)
 /// repeats both until the cost decreases no more, [`pass`](Self::pass) takes one of each, for the time between two
 /// samples of a controller, and [`controller`](Self::controller) does that for [`Sampled`](crate::control::Sampled).
+/// [`tracker`](Self::tracker) holds the motion as it is, by its gains.
 ///
 /// The value holds the motion and its gains, in `K` nodes of fixed size: nothing is allocated, and everything works
 /// without `std`. It has about `K (2 N + 3 M + N M)` numbers, of which a search puts some on the stack. The next search

@@ -197,28 +197,37 @@ fn passes_converge_to_the_motion_of_a_search() {
     );
 }
 
-/// Follows a motion by its gains, then a regulator.
-struct Follow<'a, const K: usize> {
-    motion: &'a Ilqr<Quadratic<f64, 6, 1>, f64, 6, 1, K>,
-    hold: LinearLaw<6, 1>,
-}
-
-impl<const K: usize> Controller<f64, 6, 1> for Follow<'_, K> {
-    /// Number of samples.
-    type State = usize;
-
-    fn start(&self, _period: f64) -> usize {
-        0
+#[test]
+fn a_tracker_takes_node_by_node_and_states_between_them() {
+    let mut ilqr = swing_up();
+    ilqr.solve(&arm(), 0.0, [PI, 0.0]).expect("a motion");
+    let hold = LinearLaw {
+        gain: SMatrix::from([[3.0], [0.5]]),
+        x0: SVector::zeros(),
+        u0: [0.0],
+    };
+    let tracker = ilqr.tracker(hold);
+    // a start and a period whose multiples are rounded
+    let (t0, period) = (0.7, 0.02);
+    let mut state = Controller::<f64, 2, 1>::start(&tracker, period);
+    let off = SVector::from([1e-3, -2e-3]);
+    for node in 0..150 {
+        let x = ilqr.states()[node] + off;
+        let command = tracker.sample(t0 + period * node as f64, &x, &mut state);
+        assert!((command[0] - ilqr.command(node, &x)[0]).abs() < 1e-9, "node {node}");
+        assert_eq!(state.then, None);
     }
-
-    fn sample(&self, t: f64, x: &SVector<f64, 6>, count: &mut usize) -> [f64; 1] {
-        let node = *count;
-        *count += 1;
-        if node < K {
-            self.motion.command(node, x)
-        } else {
-            self.hold.inputs(t, x)
-        }
+    let x = SVector::from([0.1, 0.2]);
+    assert_eq!(tracker.sample(t0 + 3.0, &x, &mut state), hold.inputs(0.0, &x));
+    // a quarter of a step after a node, and after the last one
+    let mut state = Controller::<f64, 2, 1>::start(&tracker, 0.005);
+    tracker.sample(t0, &ilqr.states()[0], &mut state);
+    for node in [40, 149] {
+        let next = *ilqr.states().get(node + 1).unwrap_or(ilqr.end());
+        let between = ilqr.states()[node].lerp(&next, 0.25) + off;
+        let command = tracker.sample(t0 + 0.02 * (node as f64 + 0.25), &between, &mut state);
+        let at_node = ilqr.command(node, &(ilqr.states()[node] + off));
+        assert!((command[0] - at_node[0]).abs() < 1e-9, "node {node}");
     }
 }
 
@@ -239,11 +248,7 @@ fn two_rods_on_a_cart_swing_up_from_any_start_around_rest() {
         ilqr.solve(&model, 0.0, x0).expect("a motion");
         assert!(ilqr.end().amax() < 0.1, "start {start}: {}", ilqr.end());
         // on the motion of the equations themselves, instead of their steps
-        let follow = Follow {
-            motion: &ilqr,
-            hold: regulator.law,
-        };
-        let sampled = Sampled::new(follow, 0.02).limits([-20.0], [20.0]);
+        let sampled = Sampled::new(ilqr.tracker(regulator.law), 0.02).limits([-20.0], [20.0]);
         let end = sampled.end(&Vern7::new(), &model, 0.0, 12.0, x0).expect("regular");
         assert!(end.amax() < 1e-3, "start {start}: {end}");
     }
