@@ -69,6 +69,14 @@ impl Line {
         }
     }
 
+    /// Only the points.
+    pub const fn dots(color: RGBColor) -> Self {
+        Self {
+            stroke: Stroke::Dots,
+            ..Self::solid(color)
+        }
+    }
+
     /// The line with a mark at each point.
     pub const fn marked(self, marker: Marker) -> Self {
         Self {
