@@ -17,8 +17,8 @@
 //!
 //! The compilation is a pipeline without back edges: tokens to a syntax tree (`parse`, `ast`, `units`, `urdf`), to a
 //! typed model (`lower`, `model`, `check`), to expressions of the equations of motion (`screw`, `dynamics`, on the
-//! graph of `expr`), to simplified expressions (`form`, `pass`), to a language-independent [`mod@program`], to Rust or
-//! [C](c()) (`emit`). Spans of items are not used after `check`; of the syntax tree, only the head with the name and
+//! graph of `expr`), to simplified expressions (`form`, `pass`), to a language-independent [`mod@program`], to Rust,
+//! [C](c()) or [FMUs](fmu()) (`emit`). Spans of items are not used after `check`; of the syntax tree, only the head with the name and
 //! visibility of the model reaches the Rust printer. The output is deterministic: the same declaration gives the same
 //! code, byte for byte.
 #![forbid(unsafe_code)]
@@ -46,6 +46,7 @@ mod urdf;
 mod words;
 
 pub use emit::c::{Sources, c, c_fused, opencl};
+pub use emit::fmi::{Fmu, NoFmu, fmu};
 pub use emit::tape::tape;
 pub use error::{Code, Errors};
 pub use files::{expand, expand_in, expand_with, program, program_in, program_with};

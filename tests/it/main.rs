@@ -14,6 +14,7 @@ mod drives;
 mod emitted_c;
 mod every_method;
 mod fits;
+mod fmus;
 mod followers;
 mod forces;
 mod fused;

@@ -1,6 +1,7 @@
 //! Printers of a [`Program`](crate::program::Program), one for each language.
 
 pub(crate) mod c;
+pub(crate) mod fmi;
 pub(crate) mod rust;
 pub(crate) mod tape;
 

@@ -19,21 +19,24 @@ impl<'g> Solver<'g, '_> {
 
     pub(super) fn numbers_of(&self, values: &[Expr<'g>]) -> Vec<f64> {
         let values = self.dependence.written_out(self.graph, &self.tree.with_drives(values));
-        let assembled = self.tree.all_coordinates().zip(&self.assembled);
-        let free = self.free.iter().map(|(&component, &value)| (component, value));
-        let assembled: FxHashMap<ExprId, f64> = assembled
-            .map(|(coordinate, &value)| match &coordinate.changes[..] {
-                // orientations equal their reference frames: the scalar part comes first
-                [(scalar, _), _, ..] => (scalar.id(), 1.0),
-                _ => (coordinate.position.id(), value),
-            })
-            .chain(free)
-            .collect();
+        let assembled: FxHashMap<ExprId, f64> = self.components().collect();
         let value = |id: ExprId, symbol: &Symbol| match symbol.kind {
             SymbolKind::Parameter(n) => self.tree.parameters[n].default.unwrap_or(1.0),
             _ => assembled.get(&id).copied().unwrap_or(0.0),
         };
         self.graph.evaluate_at(&values, value)
+    }
+
+    /// Components of positions in the assembled configuration. Those that are missing are zero.
+    pub(super) fn components(&self) -> impl Iterator<Item = (ExprId, f64)> {
+        let assembled = self.tree.all_coordinates().zip(&self.assembled);
+        let free = self.free.iter().map(|(&component, &value)| (component, value));
+        let assembled = assembled.map(|(coordinate, &value)| match &coordinate.changes[..] {
+            // orientations equal their reference frames: the scalar part comes first
+            [(scalar, _), _, ..] => (scalar.id(), 1.0),
+            _ => (coordinate.position.id(), value),
+        });
+        assembled.chain(free)
     }
 
     /// True if all parameters have values, so that the loops can be assembled.

@@ -130,6 +130,7 @@ pub(crate) fn close<'g>(
     }
     let numbers = |declared: &Declared<'g>| solver.numbers([declared.near, declared.coordinate.position]);
     let assembled = declared.iter().filter(|_| solver.is_known()).map(numbers).collect();
+    let start = solver.components().collect();
     let dependents = solver.dependents.into_iter().flatten();
     let (dependents, slopes) = dependents.map(|own| (own.coordinate, own.slopes)).unzip();
     Ok(Closed {
@@ -144,6 +145,7 @@ pub(crate) fn close<'g>(
             corrections: solver.corrections,
             gaps: solver.gaps,
             uncounted: solver.uncounted,
+            assembled: start,
         },
     })
 }

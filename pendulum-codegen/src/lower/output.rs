@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Lower;
 use super::expr::{Only, Place};
+use super::measure::{Measure, Quantity};
 use super::scope::Kind;
 use crate::ast::{self, ExprKind, OutputValue};
 use crate::error::{Code, Reported};
@@ -20,34 +21,49 @@ impl<'g> Lower<'g> {
             let value = match self.read(&output.value) {
                 Ok(OutputValue::Scalar(e)) => self.output(e, &place, &items.bodies, poses),
                 Ok(OutputValue::List(list)) => {
-                    let values: Vec<_> = list.iter().map(|e| self.expr(e, &place)).collect();
+                    let values: Vec<_> = list.iter().map(|e| self.with_unit(e, &place)).collect();
                     let values = values.into_iter().collect::<Result<Vec<_>, _>>();
                     values.map(|values| (OutputShape::Vector(values.len()), values))
                 }
                 Err(reported) => Err(reported),
             };
-            outputs.extend(value.map(|(shape, values)| Output {
-                name: output.name.to_string(),
-                docs: output.docs.clone(),
-                shape,
-                values,
+            outputs.extend(value.map(|(shape, values)| {
+                let (values, units) = values.into_iter().unzip();
+                Output {
+                    name: output.name.to_string(),
+                    docs: output.docs.clone(),
+                    shape,
+                    values,
+                    units,
+                }
             }));
         }
         outputs
     }
 
-    /// Lowers an output: a number, the position of a point, or the rotation of a body.
+    /// Lowers a component of an output, with its unit.
+    fn with_unit(&mut self, e: &ast::Expr, place: &Place<'g>) -> Result<(Expr<'g>, String), Reported> {
+        let Quantity { value, measure } = self.quantity(e, place)?;
+        let unit = match measure {
+            Measure::Of(dimension, _) if self.has_units => dimension.to_string(),
+            _ => String::new(),
+        };
+        Ok((value, unit))
+    }
+
+    /// Lowers an output: a number, the position of a point, or the rotation of a body. Each component has its unit.
     fn output(
         &mut self,
         e: &ast::Expr,
         place: &Place<'g>,
         bodies: &[ast::Body],
         poses: &Poses<'g>,
-    ) -> Result<(OutputShape, Vec<Expr<'g>>), Reported> {
+    ) -> Result<(OutputShape, Vec<(Expr<'g>, String)>), Reported> {
         match &e.kind {
             ExprKind::Name(name) if self.names.kind(&name.to_string()) == Some(Kind::Point) => {
                 let [position, _] = self.point_named(name)?.symbols();
-                Ok((OutputShape::Point, position.0.into()))
+                let components = position.0.map(|x| (x, "m".to_owned()));
+                Ok((OutputShape::Point, components.into()))
             }
             ExprKind::Call(function, arguments) if function == "rotation" => {
                 let [
@@ -67,12 +83,11 @@ impl<'g> Lower<'g> {
                         .at(Code::Arguments, body.span(), fact, "name a body that moves"));
                 };
                 let rotation = poses.rotation(self.placed(Some(n)).flatten());
-                Ok((
-                    OutputShape::Rotation,
-                    (0..3).flat_map(|j| rotation.column(j).0).collect(),
-                ))
+                let components = (0..3).flat_map(|j| rotation.column(j).0);
+                let components = components.map(|x| (x, "1".to_owned()));
+                Ok((OutputShape::Rotation, components.collect()))
             }
-            _ => Ok((OutputShape::Scalar, vec![self.expr(e, place)?])),
+            _ => Ok((OutputShape::Scalar, vec![self.with_unit(e, place)?])),
         }
     }
 

@@ -1,7 +1,9 @@
 //! Solutions of closed loops.
 
+use rustc_hash::FxHashMap;
+
 use super::{Coordinate, Dependence};
-use crate::expr::Expr;
+use crate::expr::{Expr, ExprId};
 
 /// Solution of the closed loops: dependent coordinates, margins and residuals.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +24,8 @@ pub(crate) struct Loops<'g> {
     pub gaps: Vec<Gap<'g>>,
     /// Angles whose whole turns affect forces but are not counted.
     pub uncounted: Vec<Uncounted<'g>>,
+    /// Components of positions in the assembled configuration. Those that are missing are zero.
+    pub assembled: FxHashMap<ExprId, f64>,
 }
 
 /// Derivatives of a dependent coordinate.

@@ -22,6 +22,7 @@ use std::collections::BTreeSet;
 use std::ops::Deref;
 
 use num_traits::{One, Signed, Zero};
+use rustc_hash::FxHashMap;
 
 pub(crate) use action::{Action, Place, Push};
 pub(crate) use body::{Body, Heading};
@@ -44,7 +45,7 @@ pub(crate) use point::{Point, along_motion};
 pub(crate) use pose::{Poses, between};
 pub(crate) use rule::{ROUNDING, Requirement, Rule};
 
-use crate::expr::{BaseAngles, Definition, Expr, Graph, SymbolKind, ratio};
+use crate::expr::{BaseAngles, Definition, Expr, ExprId, Graph, SymbolKind, ratio};
 use crate::screw::Vec3;
 use crate::units::Unit;
 
@@ -274,6 +275,16 @@ impl<'g> Model<'g> {
         let rates = self.coordinates.iter().map(|c| c.rate);
         let states = self.states.iter().map(|state| state.symbol);
         self.positions().into_iter().chain(rates).chain(states).collect()
+    }
+
+    /// State in which loops are assembled for the default parameters, orientations equal their reference frames, and
+    /// everything else is zero.
+    pub(crate) fn start(&self) -> Vec<f64> {
+        let scalars = self.quaternions().into_iter().map(|[scalar, ..]| (scalar.id(), 1.0));
+        let mut known: FxHashMap<ExprId, f64> = scalars.collect();
+        known.extend(&self.loops.assembled);
+        let value = |x: &Expr<'g>| known.get(&x.id()).copied().unwrap_or(0.0);
+        self.state().iter().map(value).collect()
     }
 
     /// Time derivatives of the first-order states.

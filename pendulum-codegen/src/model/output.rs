@@ -13,6 +13,8 @@ pub(crate) struct Output<'g> {
     pub shape: OutputShape,
     /// Components; those of a matrix are stored column by column.
     pub values: Vec<Expr<'g>>,
+    /// Unit of each component, as text; empty if it is unknown.
+    pub units: Vec<String>,
 }
 
 /// Kind of an output.

@@ -34,6 +34,7 @@ impl Program {
             constants_text: Vec::new(),
             routines: Vec::new(),
             outputs: Vec::new(),
+            output_units: Vec::new(),
             events: Vec::new(),
             loops: ends.map(|ends| ends.map(|end| end.body.to_string())).collect(),
             open_loops: Vec::new(),
@@ -45,6 +46,7 @@ impl Program {
             drawing: Some(Drawing::default()),
             series: None,
             equations: Equations::default(),
+            start: Vec::new(),
             layout,
             constraints,
         };
@@ -256,6 +258,7 @@ fn blank_output(items: &Items, output: &Output) -> model::Output<'static> {
         docs: output.docs.clone(),
         shape,
         values: Vec::new(),
+        units: Vec::new(),
     }
 }
 

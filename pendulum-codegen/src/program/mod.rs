@@ -55,6 +55,9 @@ pub struct Program {
     pub inputs: Vec<Quantity>,
     /// Layout of the state.
     pub layout: StateLayout,
+    /// State in which loops are assembled for the default parameters, orientations equal their reference frames, and
+    /// everything else is zero.
+    pub start: Vec<f64>,
     /// Conditions on the parameters.
     pub rules: Vec<Rule>,
     /// Values that the rules check, as functions of the parameters.
@@ -67,6 +70,8 @@ pub struct Program {
     pub routines: Vec<Routine>,
     /// Names of the components of all outputs.
     pub outputs: Vec<String>,
+    /// Their units; empty where a unit is not determined.
+    pub output_units: Vec<String>,
     /// Events.
     pub events: Vec<Event>,
     /// Bodies that close each loop.
@@ -198,12 +203,14 @@ impl Program {
             parameters: model.parameters.iter().map(Quantity::of_parameter).collect(),
             inputs: model.inputs.iter().map(Quantity::of_input).collect(),
             layout,
+            start: model.start(),
             rules,
             checked: block(g, &checked, &of_parameters)?,
             constants: block(g, &constants, &of_parameters)?,
             constants_text: constants.iter().map(|constant| printer.print(constant.id())).collect(),
             routines: routines.collect::<Result<_, _>>()?,
             outputs: model.outputs.iter().flat_map(Output::labels).collect(),
+            output_units: model.outputs.iter().flat_map(|output| output.units.clone()).collect(),
             events: model.events.iter().map(Event::of).collect(),
             loops: model.closures.iter().map(|closure| closure.bodies(model)).collect(),
             open_loops: model.loops.gaps.iter().map(|gap| gap.number).collect(),

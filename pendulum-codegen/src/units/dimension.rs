@@ -55,6 +55,11 @@ impl Dimension {
         Some(Self { powers })
     }
 
+    /// Iterates over the base units that occur, with their powers.
+    pub(crate) fn powers(self) -> impl Iterator<Item = (&'static str, Power)> {
+        BASE.into_iter().zip(self.powers).filter(|(_, power)| !power.is_zero())
+    }
+
     /// Returns the names of units with their powers, positive powers first.
     fn names(self) -> Vec<(&'static str, Power)> {
         let one = Power::one();

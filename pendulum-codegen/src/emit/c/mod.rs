@@ -6,7 +6,7 @@ mod model;
 mod names;
 mod opencl;
 mod routines;
-mod template;
+pub(in crate::emit) mod template;
 
 use names::{identifiers, snake_case};
 pub use opencl::opencl;

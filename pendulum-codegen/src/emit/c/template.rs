@@ -2,7 +2,7 @@
 
 /// Fills the `@keys@` of a template with values. A key at the end of a line, after only spaces or a comment mark, may
 /// have any number of lines; each repeats that start.
-pub(super) fn fill(template: &str, values: &[(&str, String)]) -> String {
+pub(in crate::emit) fn fill(template: &str, values: &[(&str, String)]) -> String {
     let filled = template.lines().map(|line| {
         let ends = |(key, value): &'_ (&str, String)| {
             let mark = line.strip_suffix(&format!("@{key}@"))?;
@@ -23,7 +23,7 @@ pub(super) fn fill(template: &str, values: &[(&str, String)]) -> String {
 }
 
 /// Terminates each line and concatenates them.
-pub(super) fn lines(lines: impl IntoIterator<Item = String>) -> String {
+pub(in crate::emit) fn lines(lines: impl IntoIterator<Item = String>) -> String {
     lines.into_iter().map(|line| line + "\n").collect()
 }
 

@@ -6,6 +6,7 @@
 //! cargo run --example emitted -- --latex src/lib.rs   # their equations of motion in LaTeX, which needs amsmath
 //! cargo run --example emitted -- --c src/lib.rs out   # C: a header and a source for each, in a folder
 //! cargo run --example emitted -- --fused src/lib.rs out   # C in fused arithmetic
+//! cargo run --example emitted -- --fmu src/lib.rs out   # an FMU for each, for simulation tools with FMI 3.0
 //! ```
 
 use std::collections::BTreeSet;
@@ -13,19 +14,20 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use pendulum_codegen::{Sources, c, c_fused, expand, program};
+use pendulum_codegen::{Sources, c, c_fused, expand, fmu, program};
 use proc_macro2::TokenStream;
 
 use declarations::declarations;
 
-#[path = "../tests/common/declarations.rs"]
+mod archive;
+#[path = "../../tests/common/declarations.rs"]
 mod declarations;
 
 /// File that is read by default.
 const DEFAULT: &str = "testbed/src/scenes.rs";
 
-const USAGE: &str = "usage: emitted [FILE], emitted --latex [FILE], emitted --c [FILE [FOLDER]], or emitted --fused [FILE \
-                     [FOLDER]] for C in fused arithmetic";
+const USAGE: &str = "usage: emitted [FILE], emitted --latex [FILE], emitted --c [FILE [FOLDER]], emitted --fused [FILE \
+                     [FOLDER]] for C in fused arithmetic, or emitted --fmu [FILE [FOLDER]] for FMUs of FMI 3.0";
 
 /// Language of the output.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -34,6 +36,14 @@ enum Output {
     Latex,
     C,
     FusedC,
+    Fmu,
+}
+
+impl Output {
+    /// True if the output is files in a folder.
+    fn is_files(self) -> bool {
+        matches!(self, Self::C | Self::FusedC | Self::Fmu)
+    }
 }
 
 struct Arguments {
@@ -55,6 +65,7 @@ impl Arguments {
                 "--latex" => read.output = Output::Latex,
                 "--c" => read.output = Output::C,
                 "--fused" => read.output = Output::FusedC,
+                "--fmu" => read.output = Output::Fmu,
                 option if option.starts_with('-') => return Err(USAGE.to_owned()),
                 _ => named.push(argument),
             }
@@ -62,8 +73,7 @@ impl Arguments {
         let mut named = named.into_iter();
         read.path = named.next().unwrap_or(read.path);
         let folder = named.next();
-        let is_c = matches!(read.output, Output::C | Output::FusedC);
-        if named.next().is_some() || (folder.is_some() && !is_c) {
+        if named.next().is_some() || (folder.is_some() && !read.output.is_files()) {
             return Err(USAGE.to_owned());
         }
         read.folder = folder.map_or(read.folder, PathBuf::from);
@@ -98,7 +108,7 @@ fn run() -> Result<(), Box<dyn Error>> {
             })),
             Ok(program) => match output {
                 Output::Latex => println!("{}", program.equations.latex()),
-                Output::C | Output::FusedC => {
+                Output::C | Output::FusedC | Output::Fmu => {
                     let sources = match output {
                         Output::FusedC => c_fused(&program),
                         _ => c(&program),
@@ -109,7 +119,14 @@ fn run() -> Result<(), Box<dyn Error>> {
                             format!("two declarations of {path} have the name `{name}` in C; rename one").into(),
                         );
                     }
-                    write_c(&sources, &folder)?;
+                    if output != Output::Fmu {
+                        write_c(&sources, &folder)?;
+                        continue;
+                    }
+                    match fmu(&program) {
+                        Ok(fmu) => println!("{}", archive::write(&fmu, &folder)?.display()),
+                        Err(error) => wrong.push(format!("{path}: `{}`: {error}", program.name)),
+                    }
                 }
                 Output::Rust => println!("{}", prettyplease::unparse(&syn::parse2(expand(declaration))?)),
             },
