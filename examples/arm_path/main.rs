@@ -118,14 +118,14 @@ fn planner(arm: &Arm) -> Result<Planner<'_>, Box<dyn Error>> {
         .limits(Arm::EFFORT_LIMITS.map(|most| -most), Arm::EFFORT_LIMITS)
         .start(hold);
     ilqr.solve(arm, 0.0, START)?;
-    Ok(ilqr.controller(arm.clone())?)
+    Ok(ilqr.controller(*arm)?)
 }
 
 /// The motion of an arm with a mass of its pen, with noise of encoders (1e-4 rad) and rates (1e-2 rad/s) or none.
 fn follow(planner: &Planner<'_>, [mass, noise]: [f64; 2], t_end: f64) -> Result<Motion, Box<dyn Error>> {
     let arm = Arm::new(ArmParams { pen_mass: mass })?;
     let noise = std::array::from_fn(|n| noise * if n < 6 { 1e-4 } else { 1e-2 });
-    let sampled = Sampled::new(planner.clone(), PERIOD).noise(noise);
+    let sampled = Sampled::new(*planner, PERIOD).noise(noise);
     Ok(sampled.solve(&Tsit5::new(), &arm, 0.0, t_end, START)?)
 }
 

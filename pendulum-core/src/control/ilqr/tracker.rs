@@ -7,7 +7,7 @@ use crate::control::Controller;
 use crate::real::Float;
 
 /// Share of a step by which a sample may be early, since the times of samples are rounded.
-const EARLY: f64 = 1e-6;
+const EARLY: f64 = 1e-3;
 
 /// A [`Controller`] that holds a motion of [`Ilqr`] by its gains (time-varying LQR), and then hands over to another one,
 /// such as a regulator about the state that the motion leads to: [`Ilqr::tracker`] makes it.
