@@ -1,5 +1,6 @@
 //! Results survive a round trip through serialisation.
 #![forbid(unsafe_code)]
+#![allow(clippy::disallowed_methods, reason = "a test")]
 
 use pendulum_core::prelude::*;
 use pendulum_core::{ParameterError, Solution};
