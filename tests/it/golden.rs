@@ -20,10 +20,11 @@ macro_rules! gallery {
     };
 }
 
-/// Returns the formatted code of a declaration. The contents of `with_std!` replace the macro, since only items are
+/// Returns the formatted code of a declaration, with paths relative to the repository. The contents of `with_std!` replace the macro, since only items are
 /// formatted.
 fn code(declaration: &str) -> String {
-    let items = pendulum_codegen::expand(declaration.parse().expect("tokens"));
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let items = pendulum_codegen::expand_in(&root, declaration.parse().expect("tokens"));
     let mut file: File = syn::parse2(items).expect("items");
     for item in &mut file.items {
         if let Item::Mod(module) = item
