@@ -20,8 +20,8 @@ macro_rules! gallery {
     };
 }
 
-/// Returns the formatted code of a declaration, with paths relative to the repository. The contents of `with_std!` replace the macro, since only items are
-/// formatted.
+/// Returns the formatted code of a declaration, with paths relative to the repository. The contents of `with_std!`
+/// replace the macro, since only items are formatted.
 fn code(declaration: &str) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let items = pendulum_codegen::expand_in(&root, declaration.parse().expect("tokens"));
