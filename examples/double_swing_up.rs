@@ -1,7 +1,7 @@
 //! Two rods on a cart, swung up from rest and held upright by a force on the cart.
 //!
-//! `cargo run --release --example double_swing_up` plans the motion by iterative LQR, holds it by its gains and then by LQR
-//! with a Kalman filter, with noise of sensors and motor, counts how often that succeeds, and draws it into
+//! `cargo run --release --example double_swing_up` plans the motion by iterative LQR, holds it by its gains and then by
+//! LQR with a Kalman filter, with noise of sensors and motor, counts how often that succeeds, and draws it into
 //! `out/double_swing_up/`.
 
 use std::error::Error;

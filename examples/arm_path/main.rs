@@ -28,7 +28,7 @@ mechanism! {
         body pen on tool0 { solids: [rod(pen_mass, [0, 0, -0.08], [0, 0, 0.1])], joint: fixed }
         point tip on pen at [0, 0, 0.1],
         point flange on pen,
-        /// What shall be on the path, and above it.
+        /// Points to be on the path, and above it.
         output tool: [tip.x, tip.y, tip.z, flange.x, flange.y, flange.z],
         generate: [rhs, jacobian, inverse_dynamics, shapes],
     }

@@ -18,9 +18,9 @@
 //! The compilation is a pipeline without back edges: tokens to a syntax tree (`parse`, `ast`, `units`, `urdf`), to a
 //! typed model (`lower`, `model`, `check`), to expressions of the equations of motion (`screw`, `dynamics`, on the
 //! graph of `expr`), to simplified expressions (`form`, `pass`), to a language-independent [`mod@program`], to Rust,
-//! [C](c()) or [FMUs](fmu()) (`emit`). Spans of items are not used after `check`; of the syntax tree, only the head with the name and
-//! visibility of the model reaches the Rust printer. The output is deterministic: the same declaration gives the same
-//! code, byte for byte.
+//! [C](c()) or [FMUs](fmu()) (`emit`). Spans of items are not used after `check`; of the syntax tree, only the head
+//! with the name and visibility of the model reaches the Rust printer. The output is deterministic: the same
+//! declaration gives the same code, byte for byte.
 #![forbid(unsafe_code)]
 
 mod ast;

@@ -1,8 +1,8 @@
 //! Maps of the simplest model, and of the fastest method, over the amplitude and the friction.
 //!
 //! `cargo run --release --example which_model -- 20` takes the number of cells in each direction. It draws the cells of
-//! a pendulum and of the paper's double pendulum, released at rest and followed for 10 s with an error of at most 1 % of
-//! the amplitude, with boundaries that are predicted by leading terms.
+//! a pendulum and of the paper's double pendulum, released at rest and followed for 10 s with an error of at most 1 %
+//! of the amplitude, with boundaries that are predicted by leading terms.
 
 use std::error::Error;
 use std::path::Path;

@@ -148,7 +148,7 @@ mechanism! {
 }
 
 /// Source of this file, with its declarations.
-const OWN: &str = include_str!("emitted_c.rs");
+pub(crate) const OWN: &str = include_str!("emitted_c.rs");
 
 /// Number of states in which each scene is compared.
 const STATES: usize = 3000;

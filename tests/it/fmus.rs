@@ -15,6 +15,7 @@ use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 use testbed::source::{SCENES, declaration};
 
 use crate::c_code::{folder, output};
+use crate::emitted_c::{self, Coupled, CoupledParams};
 
 mechanism! {
     /// A pole on a cart, with two inputs, outputs, an event and a kink.
@@ -36,24 +37,6 @@ mechanism! {
             solids: [rod(0.4, [0, 0, 0], [0, -l, 0])], joint: revolute(z), coordinate: theta, friction: 0.01,
             torque: twist*cos(theta),
         }
-    }
-}
-
-mechanism! {
-    /// A loop in space without a closed form.
-    pub Spatial {
-        gravity: [0, 1, -9.81],
-        body crank on ground { mass: 2, com: [0.01, 0, 0], inertia: 0.1, joint: revolute(z),
-            coordinate: theta near 0.8 }
-        body yoke on crank { mass: 0.1, inertia: 0.001, joint: revolute(z) at [0.06, 0, 0.02],
-            coordinate: alpha depends near 0.1 }
-        body rod on yoke { mass: 0.4, com: [0.4, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(y),
-            coordinate: beta depends near -0.7 }
-        body rocker on ground {
-            mass: 0.9, com: [0, 0.3, 0.1], inertia: 0.02,
-            joint: revolute([1, 0, 0.02]) at [0.4, 0, 0.1], coordinate: gamma depends near 0.6, friction: 0.3,
-        }
-        close rod at [0.815, 0, 0] to rocker at [0, 0.7, 0.1]: ball,
     }
 }
 
@@ -160,11 +143,11 @@ fn co_simulation_ends_where_rust_does() {
     );
 
     // guesses of the dependent coordinates, which the FMU assembles
-    let model = Spatial::new(SpatialParams {}).expect("physical");
+    let model = Coupled::new(CoupledParams {}).expect("physical");
     let guess = [0.9, 0.1, -0.7, 0.6, 1.5];
     let start = model.assemble(0.0, guess).expect("it closes");
     let end = exact.solve(&model, 0.0, 2.0, start).expect("regular").end();
-    ends(OWN, "Spatial", &guess, 40, end.as_slice(), 1e-7);
+    ends(emitted_c::OWN, "Coupled", &guess, 40, end.as_slice(), 1e-7);
 
     let model = Flying::new(FlyingParams {}).expect("physical");
     let mut start = [0.0; 20];

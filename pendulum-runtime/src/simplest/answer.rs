@@ -8,13 +8,14 @@ use std::fmt;
 pub struct Simpler {
     /// Changes of the declaration, one or two: `without the friction of `arm``.
     pub changes: Vec<String>,
-    /// The simpler declaration. Values of parameters in the question are its defaults; inputs stay inputs. The default of
-    /// a parameter that fixes a joint is where the joint is at the first start; motions from other starts have other
+    /// The simpler declaration. Values of parameters in the question are its defaults; inputs stay inputs. The default
+    /// of a parameter that fixes a joint is where the joint is at the first start; motions from other starts have other
     /// values. A linear model has states such as `theta_rate` and outputs such as `end_x`, and neither inputs, dry
     /// friction, stops nor walls.
     pub declaration: String,
     /// Errors that are predicted before the model runs, to first order in the change, in the order of
-    /// [`Answer::outputs`]: the largest at 200 times, relative to the largest size of the output. Infinite if they could not be computed.
+    /// [`Answer::outputs`]: the largest at 200 times, relative to the largest size of the output. Infinite if they could
+    /// not be computed.
     pub predicted: Vec<f64>,
     /// Errors of its motions.
     pub observed: Vec<f64>,

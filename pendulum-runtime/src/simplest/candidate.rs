@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::model::Model;
 
 /// Codes of errors for what has no effect, and for forces between bodies that no longer move.
-const IDLE: [&str; 2] = ["M105", "M501"];
+const IDLE_CODES: [&str; 2] = ["M105", "M501"];
 
 /// Most parts in a row that are left out since a change leaves them without effect.
 const MOST_IDLE: usize = 20;
@@ -88,40 +88,29 @@ impl<'q> Origin<'q> {
     /// The text of a declaration, with the bodies of a robot and with the values of parameters as their defaults, where
     /// that is possible.
     fn written(declaration: &Declaration, question: &Question) -> Result<Outline, String> {
-        let mut outline = Outline::new(declaration.text().to_owned())?;
-        let mut replace = |edits: &dyn Fn(&Outline) -> Vec<Edit>| {
-            let Ok(next) = Outline::new(outline.with(edits(&outline))) else {
-                return;
-            };
-            if question.model(declaration.with_text(&next.text), None).is_ok() {
-                outline = next;
-            }
+        let replaced = |outline: Outline, edits: Vec<Edit>| match Outline::new(outline.with(edits)) {
+            Ok(next) if question.model(declaration.with_text(&next.text), None).is_ok() => next,
+            _ => outline,
         };
-        if let Some(bodies) = declaration.robot_bodies() {
-            replace(&|outline| {
-                outline
-                    .of("robot")
-                    .map(|robot| (robot.place.clone(), bodies.clone()))
-                    .collect()
-            });
+        let mut outline = Outline::new(declaration.text().to_owned())?;
+        let robot = outline.of("robot").next().zip(declaration.robot_bodies());
+        if let Some(edit) = robot.map(|(robot, bodies)| (robot.place.clone(), bodies)) {
+            outline = replaced(outline, vec![edit]);
         }
-        replace(&|outline| {
-            let parameters = outline.of("params").flat_map(|params| &params.fields);
-            let with_value = |own: &Part| {
-                let (_, value) = question.values.iter().find(|(name, _)| *name == own.word)?;
-                let default = own.value.iter().position(|(token, _)| token == "=");
-                Some(match default {
-                    Some(n) => (own.value[n].1.end..own.own.end, format!(" {value:?}")),
-                    // without units, the default is all that follows the name
-                    None if outline.is_without_units() && !own.value.is_empty() => {
-                        (own.value[0].1.start..own.own.end, format!("{value:?}"))
-                    }
-                    None => (own.own.end..own.own.end, format!(" = {value:?}")),
-                })
-            };
-            parameters.filter_map(with_value).collect()
-        });
-        Ok(outline)
+        let parameters = outline.of("params").flat_map(|params| &params.fields);
+        let with_value = |own: &Part| {
+            let (_, value) = question.values.iter().find(|(name, _)| *name == own.word)?;
+            Some(match outline.default_of(own) {
+                Some(place) => (place, format!(" {value:?}")),
+                None => (own.own.end..own.own.end, format!(" = {value:?}")),
+            })
+        };
+        let values: Vec<Edit> = parameters.filter_map(with_value).collect();
+        Ok(if values.is_empty() {
+            outline
+        } else {
+            replaced(outline, values)
+        })
     }
 
     /// All single changes.
@@ -129,7 +118,8 @@ impl<'q> Origin<'q> {
         Change::all(&self.outline)
     }
 
-    /// The models with some changes: one, unless there are no changes, and after at most one change the linear ones.
+    /// The models with some changes: after at most one change the linear ones, then, unless there are no changes, the one
+    /// with these alone.
     pub(super) fn candidates(&self, changes: &[Change]) -> Vec<Result<Candidate, Refused>> {
         let words: Vec<String> = changes.iter().map(ToString::to_string).collect();
         let refused = |changes: &[String], reason| {
@@ -202,8 +192,8 @@ impl<'q> Origin<'q> {
         self.added.iter().any(|own| own == output)
     }
 
-    /// Compiles a text. What has no effect after a change is left out; a parameter that is still used, but drops out, is
-    /// replaced by its value.
+    /// Compiles a text. Parts that have no effect after a change are left out; a parameter that is still used, but drops
+    /// out, is replaced by its value.
     fn compiled(&self, mut outline: Outline) -> Result<(Outline, Model), String> {
         for _ in 0..MOST_IDLE {
             let error = match self
@@ -219,7 +209,7 @@ impl<'q> Origin<'q> {
             let idle = wrong
                 .problems
                 .iter()
-                .filter(|problem| IDLE.contains(&problem.code.as_str()));
+                .filter(|problem| IDLE_CODES.contains(&problem.code.as_str()));
             let idle: Vec<&Part> = idle
                 .filter_map(|problem| outline.idle(problem.line, problem.column))
                 .collect();
@@ -229,8 +219,8 @@ impl<'q> Origin<'q> {
             let mut edits: Vec<_> = idle.iter().map(|part| outline.without(part)).collect();
             let parameters = outline.of("params").flat_map(|params| &params.fields);
             for own in parameters.filter(|own| idle.iter().any(|part| part.place == own.place)) {
-                if let Some(n) = own.value.iter().position(|(token, _)| token == "=") {
-                    let value = outline.text[own.value[n].1.end..own.own.end].trim();
+                if let Some(place) = outline.default_of(own) {
+                    let value = outline.text[place].trim();
                     edits.extend(outline.uses(&own.word, own).map(|place| (place, format!("({value})"))));
                 }
             }

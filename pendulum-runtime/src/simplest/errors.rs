@@ -148,10 +148,8 @@ impl Full {
     fn compare(&self, own: &[f64], full: &[f64], largest: &mut [f64]) {
         for (n, largest) in largest.iter_mut().enumerate() {
             let error = (own[n] - full[n]).abs() / self.sizes[n];
-            // not a number is no small error
-            if error.is_nan() || error > *largest {
-                *largest = if error.is_nan() { f64::INFINITY } else { error };
-            }
+            // `max` would ignore NaN
+            *largest = largest.max(if error.is_nan() { f64::INFINITY } else { error });
         }
     }
 }

@@ -24,15 +24,15 @@ use outline::Outline;
 /// Smallest error that can be asked for: reference motions keep a thousandth of it.
 const LEAST: f64 = 1e-9;
 
-/// What a model is needed for.
+/// Purpose of a model: the motions and outputs that matter, and the largest error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Question {
     /// Initial states, at the time 0, with the components of the model; at least one.
     pub starts: Vec<Vec<f64>>,
     /// Time up to which motions are followed, in s.
     pub horizon: f64,
-    /// Outputs and components of the state that matter, by name, such as `tip.y`, or `tip` for all components of a point;
-    /// all outputs if empty, or all components if there are no outputs.
+    /// Outputs and components of the state that matter, by name, such as `tip.y`, or `tip` for all components of a
+    /// point; all outputs if empty, or all components if there are no outputs.
     pub outputs: Vec<String>,
     /// Largest error of each of them, at 200 times between 0 and the horizon, relative to its largest size in all
     /// motions.
@@ -57,16 +57,17 @@ impl Default for Question {
     }
 }
 
-/// Finds the simplest declaration that answers a question. Tries a linear model about the equilibrium nearest to each start,
-/// the removal of each friction, each joint fixed where it starts, each spring of a joint rigid, and all pairs of these.
+/// Finds the simplest declaration that answers a question. Tries a linear model about the equilibrium nearest to each
+/// start, the removal of each friction, each joint fixed where it starts, each spring of a joint rigid, and all pairs of
+/// these.
 ///
 /// The error of each is predicted before it runs, to first order in the change: with `y` the part of the full motion
-/// that the simpler model has, and `F` its flow from one sample to the next, `e' = F(y) - y' + DF(y) e`. Near impacts and
-/// mode switches that move in time, this is rough. Then it runs, by `Auto` with a thousandth of the error as tolerance.
+/// that the simpler model has, and `F` its flow from one sample to the next, `e' = F(y) - y' + DF(y) e`. Near impacts
+/// and mode switches that move in time, this is rough. Then it runs, by `Auto` with a thousandth of the error as tolerance.
 /// Where the two agree, the error is small and regular: it grows in proportion to what was left out.
 ///
-/// Balls, free joints and springs between points are left as they are. The bodies of a robot from a file are written out,
-/// unless the declaration changes its links.
+/// Balls, free joints and springs between points are left as they are. The bodies of a robot from a file are written
+/// out, unless the declaration changes its links.
 ///
 /// ```
 /// use pendulum_runtime::{Declaration, Question, simplest};
@@ -201,20 +202,20 @@ impl Question {
         Ok(())
     }
 
-    /// The model of a declaration, with the values of parameters and inputs. With an outline of it, those that it no longer
-    /// has are left out.
+    /// The model of a declaration, with the values of parameters and inputs. With an outline of it, those that it no
+    /// longer has are left out.
     fn model(&self, declaration: Declaration, outline: Option<&Outline>) -> Result<Model, Error> {
-        let of = |all: &'_ [(String, f64)], is_there: fn(&Outline, &str) -> bool| -> Vec<(String, f64)> {
-            let is_there = |name: &str| outline.is_none_or(|outline| is_there(outline, name));
-            all.iter().filter(|(name, _)| is_there(name)).cloned().collect()
-        };
-        fn named(all: &[(String, f64)]) -> Vec<(&str, f64)> {
-            all.iter().map(|(name, value)| (name.as_str(), *value)).collect()
+        fn those(all: &[(String, f64)], are_there: impl Fn(&str) -> bool) -> Vec<(&str, f64)> {
+            let named = all.iter().map(|(name, value)| (name.as_str(), *value));
+            named.filter(|(name, _)| are_there(name)).collect()
         }
-        let values = of(&self.values, Outline::has_parameter);
-        let inputs = of(&self.inputs, Outline::has_input);
-        let model = Model::declared(&declaration.also(["jacobian"]), &named(&values))?;
-        model.with_inputs(&named(&inputs))
+        let values = those(&self.values, |name| {
+            outline.is_none_or(|outline| outline.has_parameter(name))
+        });
+        let inputs = those(&self.inputs, |name| {
+            outline.is_none_or(|outline| outline.has_input(name))
+        });
+        Model::declared(&declaration.also(["jacobian"]), &values)?.with_inputs(&inputs)
     }
 
     /// Names of what is compared.
@@ -231,24 +232,17 @@ impl Question {
         }
         let mut found: Vec<String> = Vec::new();
         for name in &self.outputs {
-            let parts = || {
-                declared().filter(|own| {
-                    own.strip_prefix(name.as_str())
-                        .is_some_and(|rest| rest.starts_with('.'))
-                })
+            let is_part = |own: &&str| {
+                own.strip_prefix(name.as_str())
+                    .is_some_and(|rest| rest.starts_with('.'))
             };
-            let same = || declared().chain(components()).filter(|own| own == name);
-            let new: Vec<&str> = if same().next().is_some() {
-                same().take(1).collect()
-            } else {
-                parts().collect()
+            let known = || declared().chain(components());
+            let new: Vec<&str> = match known().find(|own| own == name) {
+                Some(own) => vec![own],
+                None => declared().filter(is_part).collect(),
             };
             if new.is_empty() {
-                return Err(Error::unknown(
-                    "output or component",
-                    name,
-                    declared().chain(components()),
-                ));
+                return Err(Error::unknown("output or component", name, known()));
             }
             found.extend(new.into_iter().map(str::to_owned));
         }

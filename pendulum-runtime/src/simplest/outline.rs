@@ -162,8 +162,8 @@ impl Outline {
         self.of("units").next().is_some()
     }
 
-    /// What can be left out at a line and a column of the text, which start at 1: a parameter, a force along a joint, or
-    /// an item that others may use.
+    /// Part that can be left out at a line and a column of the text, which start at 1: a parameter, a force along a joint,
+    /// or an item that others may use.
     pub(super) fn idle(&self, line: usize, column: usize) -> Option<&Part> {
         let begin: usize = self.text.split_inclusive('\n').take(line - 1).map(str::len).sum();
         let within = self.text[begin..].char_indices().nth(column - 1);
@@ -175,6 +175,17 @@ impl Outline {
             "body" => field().filter(|field| ALONG.contains(&field.word.as_str())),
             word => IDLE.contains(&word).then_some(item),
         }
+    }
+
+    /// Place of the default of a parameter. Without units, it is all that follows the name.
+    pub(super) fn default_of(&self, parameter: &Part) -> Option<Range<usize>> {
+        let value = &parameter.value;
+        let begin = match value.iter().position(|(token, _)| token == "=") {
+            Some(n) => value[n].1.end,
+            None if self.is_without_units() => value.first()?.1.start,
+            None => return None,
+        };
+        Some(begin..parameter.own.end)
     }
 
     /// True if there is a parameter of this name.

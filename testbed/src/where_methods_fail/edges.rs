@@ -7,8 +7,8 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::equilibrium;
 
 use super::row::{Claim, Row, Size, kind};
-use super::scenes::double_pendulum;
 use crate::scenes::DoublePendulum;
+use crate::scenes::double_pendulum;
 
 mechanism! {
     /// A pendulum whose angle is measured from the upright position.

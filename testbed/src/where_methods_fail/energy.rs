@@ -5,8 +5,9 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::{Complex, StabilityFunction, equilibrium};
 
 use super::row::{Claim, Row, Size};
-use super::scenes::{Points, PointsParams, double_pendulum};
+use super::scenes::{Points, PointsParams};
 use crate::scenes::DoublePendulum;
+use crate::scenes::double_pendulum;
 
 pub const REGULAR: [f64; 4] = [0.3, 0.4, 0.0, 0.0];
 pub const CHAOTIC: [f64; 4] = [2.0, 2.5, 0.0, 0.0];

@@ -6,8 +6,8 @@ use pendulum_core::stability::{StabilityFunction, equilibrium, max_stable_step};
 use pendulum_core::{Reason, Statistics};
 
 use super::row::{Claim, Row, Size, kind};
-use super::scenes::double_pendulum;
 use crate::scenes::DoublePendulum;
+use crate::scenes::double_pendulum;
 
 const START: [f64; 4] = [1.0, -1.0, 0.0, 0.0];
 

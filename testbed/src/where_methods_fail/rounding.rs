@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use pendulum_core::prelude::*;
 
 use super::row::{Claim, Row, Size};
-use super::scenes::double_pendulum;
+use crate::scenes::double_pendulum;
 
 /// Relative change of the energy since the start, computed without cancellation of large terms.
 fn relative_energy(x: &SVector<f64, 4>, x0: &SVector<f64, 4>) -> f64 {

@@ -2,18 +2,6 @@
 
 use pendulum_core::prelude::*;
 
-use crate::scenes::{DoublePendulum, DoublePendulumParams};
-
-/// Double pendulum of Eq. 22 with the same friction in both joints.
-pub fn double_pendulum(gamma: f64) -> DoublePendulum {
-    let params = DoublePendulumParams {
-        gamma1: gamma,
-        gamma2: gamma,
-        ..Default::default()
-    };
-    DoublePendulum::new(params).expect("physical")
-}
-
 mechanism! {
     /// A mass on a spring with friction: `x'' = -k x - gamma x'`.
     pub Cart {

@@ -9,8 +9,8 @@ use crate::real::Float;
 /// Share of a step by which a sample may be early, since the times of samples are rounded.
 const EARLY: f64 = 1e-3;
 
-/// A [`Controller`] that holds a motion of [`Ilqr`] by its gains (time-varying LQR), and then hands over to another one,
-/// such as a regulator about the state that the motion leads to: [`Ilqr::tracker`] makes it.
+/// A [`Controller`] that holds a motion of [`Ilqr`] by its gains (time-varying LQR), and then hands over to another
+/// one, such as a regulator about the state that the motion leads to: [`Ilqr::tracker`] makes it.
 ///
 /// Measurements are the whole state. The motion begins at the first sample. Samples may be closer to each other than
 /// its nodes: between them, the planned state is interpolated linearly, and inputs and gains are those of the last one.
