@@ -7,7 +7,7 @@ use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
 use charts::methods::{legend, line};
 use charts::page::RGBColor;
 use testbed::scenes::DoublePendulum;
-use testbed::where_methods_fail::scenes::double_pendulum;
+use testbed::scenes::double_pendulum;
 use testbed::where_methods_fail::{chaos, energy, friction};
 
 const PREDICTED: Line = Line {

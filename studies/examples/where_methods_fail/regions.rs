@@ -11,7 +11,7 @@ use charts::chart::{Axis, Column, Curve, Figure, Line, Marker, Row};
 use charts::contour;
 use charts::methods::line;
 use charts::page::INK;
-use testbed::where_methods_fail::scenes::double_pendulum;
+use testbed::scenes::double_pendulum;
 
 /// Step size, in s.
 const H: f64 = 0.1;
