@@ -75,7 +75,7 @@ impl Default for Question {
 /// let declaration = Declaration::new("pub Pendulum {
 ///     gravity: [0, -9.81, 0],
 ///     body bob on ground {
-///         mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta, friction: 1e-4,
+///         mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta, friction: 0.02,
 ///     }
 /// }");
 /// let question = Question { starts: vec![vec![0.02, 0.0]], horizon: 5.0, ..Question::default() };
