@@ -129,7 +129,7 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn enter(
         &mut self,
         march: &mut March<'_, Adaptive<F>, M, V::Scalar, W, N>,
@@ -152,7 +152,7 @@ where
         someone_enters
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn begin<S: System<V, N>>(&mut self, system: &S) {
         if let Some(hybrid) = system.hybrid() {
             (self.laws, self.dof) = (hybrid.laws(), hybrid.dof());
@@ -164,12 +164,12 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn hold(&self) -> &Hold<V> {
         &self.hold
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn check(
         &mut self,
         march: &mut March<'_, Adaptive<F>, M, V::Scalar, W, N>,

@@ -38,7 +38,7 @@ where
         Self(Hold::default())
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn enter(
         &mut self,
         march: &mut March<'_, A, M, V::Scalar, W, N>,
@@ -49,7 +49,7 @@ where
         march.enter(members, x, steps)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn hold(&self) -> &Hold<V> {
         &self.0
     }
@@ -64,7 +64,7 @@ where
 {
     type Output = Result<(), Reason>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
         if const { M::HYBRID && F::IN_MODES && !W::WATCHES && V::LANES > 1 } && self.has_plain_rates() {
             self.in_lanes::<V, AtModes<V, N>>()
@@ -87,7 +87,7 @@ where
     T: LaneElement,
     W: Watch<T, N>,
 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn in_lanes<V, L>(mut self) -> Result<(), Reason>
     where
         V: Lanes<Scalar = T>,
@@ -181,7 +181,7 @@ where
     }
 
     /// Initialises the method in all lanes and finds the first steps of trajectories that have just entered.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn begin_all<V: Lanes<Scalar = T>>(
         &mut self,
         (system, hold): (&Expanded<M, V, N>, &Hold<V>),
@@ -204,7 +204,7 @@ where
     }
 
     /// Counts the evaluations at the ends of steps, for the lanes whose error is within the tolerance.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn count<V: Lanes<Scalar = T>>(
         &mut self,
         members: &Members<T>,
@@ -230,7 +230,7 @@ where
     }
 
     /// Passes the accepted steps to the observers. Trajectories that an event ends leave their lanes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn show<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,
@@ -265,7 +265,7 @@ where
     }
 
     /// Plans the next steps. Trajectories whose steps become too short are stopped.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn plan<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,
@@ -279,7 +279,7 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn plan_controlled<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,
@@ -300,7 +300,7 @@ where
     }
 
     /// Accepts or rejects the steps from the states `x`. Trajectories that cannot take a shorter step are stopped.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn judge<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,
@@ -327,7 +327,7 @@ where
         members.accept_all();
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn judge_controlled<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,
@@ -368,7 +368,7 @@ where
     }
 
     /// Removes trajectories that have reached the end of the span.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn take_out<V: Lanes<Scalar = T>>(&mut self, members: &mut Members<T>, x: &SVector<V, N>) {
         let (_, t1) = self.span;
         if members.some_arrive(V::LANES, t1) {
@@ -382,7 +382,7 @@ where
 
     /// Fills free lanes with waiting trajectories; with equal steps, only once all lanes are free. Returns true if any
     /// entered.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn enter<V: Lanes<Scalar = T>>(
         &mut self,
         members: &mut Members<T>,

@@ -127,7 +127,7 @@ struct Linearisation<T, const N: usize> {
 }
 
 impl<T: Lanes, const N: usize> Linearisation<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new<S>(system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Self
     where
         S: Jacobian<T, N> + ?Sized,
@@ -146,7 +146,7 @@ where
     T: Lanes,
     P: Pivots<T, N>,
 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn new(tolerance: Option<Tolerance<T::Scalar>>) -> Self {
         let zero = SVector::from_element(T::default());
         let nothing = Linearisation {
@@ -170,14 +170,14 @@ where
     }
 
     /// Linearization at the start of the next step.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn start(&self) -> &Linearisation<T, N> {
         &self.points[usize::from(self.swapped)]
     }
 
     /// Solves for the stages, which are unrolled for the same reasons as in explicit methods. Returns the state at the
     /// end, and the [defect](Pivots::defect) of the matrix.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn solve_stages<S>(
         &mut self,
         system: &S,
@@ -231,18 +231,18 @@ where
     T: Lanes,
     P: Pivots<T, N>,
 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn error_order(&self) -> usize {
         B::TABLEAU.order_hat
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         self.points[usize::from(self.swapped)] = Linearisation::new(system, t, x, work);
         self.start().slope
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn attempt(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -274,7 +274,7 @@ where
         Ok(mean_square)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn arrive(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -286,7 +286,7 @@ where
         Some(&end.slope)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn accept(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
         if let Accepted::Negative(_) = lanes {
             // the other lanes restart from their present points
@@ -300,7 +300,7 @@ where
         self.swapped = !self.swapped;
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn dense(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let rows = const { B::TABLEAU.dense };
         for (coefficient, row) in self.coefficients.iter_mut().zip(rows) {
@@ -320,7 +320,7 @@ const MAX_STAGES: usize = 8;
 const MAX_DEGREE: usize = 4;
 
 /// `1 - h J`, by columns.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn identity_minus<T: Lanes, const N: usize>(h: T, jacobian: &SMatrix<T, N, N>) -> [[T; N]; N] {
     let mut columns = jacobian.data.0;
     for (k, column) in columns.iter_mut().enumerate() {

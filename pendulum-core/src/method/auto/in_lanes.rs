@@ -93,20 +93,20 @@ where
     }
 
     /// Returns two flags: the explicit, or the implicit, method is active in some lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_work(&self) -> [bool; 2] {
         [false, true].map(|is_stiff| self.stiffness[..V::LANES].iter().any(|own| own.is_stiff == is_stiff))
     }
 
     /// End of an explicit step from `t` to `t_new`. In stiff lanes it is the start, since the step would diverge to
     /// large angles, whose sines are slow.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn end_of_free(&self, t: V, t_new: V) -> V {
         self.stiff().select(&[t].into(), &[t_new].into())[0]
     }
 
     /// Stiff lanes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn stiff(&self) -> Accepted<V> {
         let sign = |lane: usize| if self.stiffness[lane].is_stiff { -1.0 } else { 1.0 };
         Accepted::Negative(V::from_fn(|lane| V::Scalar::from_f64(sign(lane))))
@@ -139,7 +139,7 @@ where
     }
 
     // work is counted for each lane
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn begin(&mut self, system: &InMode<'_, S, V>, t: V, x: &SVector<V, N>, _work: &mut Statistics) -> SVector<V, N> {
         self.work = Work::default();
         if let [_, true] = self.at_work() {
@@ -149,7 +149,7 @@ where
         self.explicit.begin(system, t, x, &mut self.work.explicit)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn prepare(&mut self, system: &InMode<'_, S, V>, t: V, x: &SVector<V, N>, _work: &mut Statistics) -> Option<V> {
         self.work = Work::default();
         let mut begins = [false; 2];
@@ -173,7 +173,7 @@ where
         None
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn attempt(
         &mut self,
         system: &InMode<'_, S, V>,
@@ -197,7 +197,7 @@ where
         Ok(error)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn arrive(
         &mut self,
         system: &InMode<'_, S, V>,
@@ -219,7 +219,7 @@ where
         Some(&self.slope)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn accept(&mut self, system: &InMode<'_, S, V>, step: &Step<V, N>, lanes: Accepted<V>, work: &mut Statistics) {
         let [some_free, some_stiff] = self.at_work();
         if some_free {
@@ -246,7 +246,7 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn dense(&mut self, system: &InMode<'_, S, V>, step: &Step<V, N>, _work: &mut Statistics) -> &[SVector<V, N>] {
         self.work = Work::default();
         let [some_free, some_stiff] = self.at_work();
@@ -266,7 +266,7 @@ where
         &[]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coefficients_in(&self, lane: usize) -> &[SVector<V, N>] {
         if self.stiffness[lane].is_stiff {
             Scheme::<S, V, N>::coefficients(&self.implicit)
@@ -275,7 +275,7 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn work_in(&self, lane: usize, _work: &Statistics) -> Statistics {
         let [to_explicit, to_implicit] = &self.work.of_change;
         let (mut own, change) = if self.stiffness[lane].is_stiff {
