@@ -280,7 +280,7 @@ fn methods(table: &mut Table) {
     rows!(table, end, f64, "DoublePendulum", model, START; Tsit5::new(), Vern7::new(), Vern9::new(), Taylor::new());
     rows!(table, end, f64, "DoublePendulum", model, START; Rodas4::new(), Rodas5P::new(), Radau5::new(), Auto::new());
     rows!(table, end, f64, "DoublePendulum", model, START; Radau9::new(), Radau13::new());
-    rows!(table, end, f64, "DoublePendulum", model, START; Gauss4::new(0.02), Gauss6::new(0.02));
+    rows!(table, end, f64, "DoublePendulum", model, START; Gauss4::new(0.02), Gauss6::new(0.02), Gauss16::new(0.1));
     rows!(table, ensemble, f32, "DoublePendulum", model, START; Rk4::new(0.02));
     let single = &model.cast::<f32>();
     rows!(table, end, f32, "DoublePendulum", single, START; Rk45::new(), Taylor::new(), Radau5::new());

@@ -32,6 +32,7 @@ pub fn line(name: &str) -> Line {
         "Radau13" => implicit(NAVY, Marker::Up),
         "Gauss4" => implicit(BROWN, Marker::Down),
         "Gauss6" => implicit(WINE, Marker::Diamond),
+        "Gauss16" => implicit(RUST, Marker::Square),
         _ => implicit(INK, Marker::Cross),
     }
 }
@@ -43,3 +44,4 @@ const BROWN: RGBColor = RGBColor(130, 80, 40);
 const TEAL: RGBColor = RGBColor(0, 130, 140);
 const NAVY: RGBColor = RGBColor(20, 50, 120);
 const WINE: RGBColor = RGBColor(150, 0, 60);
+const RUST: RGBColor = RGBColor(200, 70, 90);

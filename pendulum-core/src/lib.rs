@@ -114,8 +114,8 @@ pub use inputs::{CastControlled, Controlled, InputLaw, WithInputs};
 pub use layout::WrongLength;
 pub use layout::{Slot, SlotKind, StateLayout, StateVariable};
 pub use method::{
-    Auto, Gauss4, Gauss6, Method, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7,
-    Vern9,
+    Auto, Gauss4, Gauss6, Gauss16, Method, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5,
+    Vern7, Vern9,
 };
 pub use real::{Float, Real};
 #[cfg(feature = "std")]
@@ -160,7 +160,7 @@ pub mod prelude {
     pub use crate::accuracy::Refine as _;
     pub use crate::mechanism;
     pub use crate::{
-        Auto, Gauss4, Gauss6, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9,
+        Auto, Gauss4, Gauss6, Gauss16, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9,
     };
     pub use crate::{Controlled, Energy, FnSystem, Jacobian, Method, System};
     #[cfg(feature = "std")]

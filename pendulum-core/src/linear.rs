@@ -343,16 +343,34 @@ impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
     #[inline(always)]
     #[must_use]
     pub(crate) fn solve(&self, b: &[F; N], active: usize) -> [F; N] {
-        let (mut x, n) = (self.pivots.sorted(b), active.min(N));
+        let [x] = Self::solve_each(core::array::from_ref(self), core::array::from_ref(b), active);
+        x
+    }
+
+    /// Solves several systems of equations like [`solve`](Self::solve), side by side, since each operation waits for
+    /// the one before it.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn solve_each<const M: usize>(each: &[Self; M], b: &[[F; N]; M], active: usize) -> [[F; N]; M] {
+        let (mut x, n) = (*b, active.min(N));
+        for m in 0..M {
+            x[m] = each[m].pivots.sorted(&b[m]);
+        }
         for k in 0..n {
             for i in k + 1..n {
-                x[i] = x[i].minus_product(self.factors[k][i], x[k]);
+                for m in 0..M {
+                    x[m][i] = x[m][i].minus_product(each[m].factors[k][i], x[m][k]);
+                }
             }
         }
         for k in (0..n).rev() {
-            x[k] = x[k] * self.factors[k][k];
+            for m in 0..M {
+                x[m][k] = x[m][k] * each[m].factors[k][k];
+            }
             for i in 0..k {
-                x[i] = x[i].minus_product(self.factors[k][i], x[k]);
+                for m in 0..M {
+                    x[m][i] = x[m][i].minus_product(each[m].factors[k][i], x[m][k]);
+                }
             }
         }
         x

@@ -60,7 +60,8 @@ macro_rules! methods {
 methods! {
     Rk4
     #[cfg(feature = "full")] Gauss4
-    Gauss6;
+    Gauss6
+    #[cfg(feature = "full")] Gauss16;
     #[cfg(feature = "full")] Rk45
     #[cfg(feature = "full")] Tsit5
     #[cfg(feature = "full")] Vern7
@@ -89,7 +90,7 @@ pub(crate) trait TaskInLanes<const N: usize> {
 }
 
 impl Method {
-    /// The method of this name, in upper or lower case: `Rk4`, `Gauss4` and `Gauss6` with a fixed step, or `Rk45`,
+    /// The method of this name, in upper or lower case: `Rk4`, `Gauss4`, `Gauss6` and `Gauss16` with a fixed step, or `Rk45`,
     /// `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Rodas4`, `Rodas5P`, `Radau5`, `Radau9`, `Radau13` and `Auto` with a
     /// tolerance.
     ///
@@ -228,7 +229,7 @@ impl Method {
     #[must_use]
     pub fn word(&self) -> Option<&'static str> {
         match self.name() {
-            "Gauss4" | "Gauss6" => Some("canonical"),
+            "Gauss4" | "Gauss6" | "Gauss16" => Some("canonical"),
             "Taylor" => Some("taylor"),
             "Rodas4" | "Rodas5P" | "Radau5" | "Radau9" | "Radau13" | "Auto" => Some("jacobian"),
             _ => None,

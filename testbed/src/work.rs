@@ -7,7 +7,7 @@ use pendulum_core::{Cast, Method, Operations, Statistics, System};
 use crate::counted::{Counted, spent};
 
 /// Methods whose settings are step sizes; those of others are tolerances.
-pub const FIXED: [&str; 3] = ["Rk4", "Gauss4", "Gauss6"];
+pub const FIXED: [&str; 4] = ["Rk4", "Gauss4", "Gauss6", "Gauss16"];
 
 /// Motion on which methods are measured.
 pub struct Scene<S, const N: usize> {

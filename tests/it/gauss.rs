@@ -57,6 +57,20 @@ fn errors_fall_with_the_order_of_the_method() {
 }
 
 #[test]
+fn the_error_of_the_longest_falls_with_its_sixteenth_power() {
+    // so long that the error of half the step is not only rounding
+    for (name, t, h) in [
+        ("large_swing", 2.0, 0.25),
+        ("paper_gamma_0.1", 5.0, 1.0),
+        ("paper_gamma_1", 2.0, 1.0),
+    ] {
+        let (order, error) = order(Gauss16::new, h, name, t);
+        assert_abs_diff_eq!(order, 16.0, epsilon = 0.6);
+        assert!(error < 1e-11, "{name}: {error:e}");
+    }
+}
+
+#[test]
 fn the_reference_is_reached() {
     for (name, t) in [
         ("large_swing", 5.0),
@@ -87,10 +101,11 @@ fn dense_order<M: Method<Pair, f64, 4>>(method: impl Fn(f64) -> M, h: f64) -> f6
 
 #[test]
 fn dense_output_of_one_step_has_its_order() {
-    // of order 3 and 5: the error of one step has an order higher by one
+    // of order 3, 5 and 8: the error of one step has an order higher by one
     let orders = (dense_order(Gauss4::new, 0.02), dense_order(Gauss6::new, 0.02));
     assert_abs_diff_eq!(orders.0, 4.0, epsilon = 0.2);
     assert_abs_diff_eq!(orders.1, 6.0, epsilon = 0.2);
+    assert_abs_diff_eq!(dense_order(Gauss16::new, 0.2), 9.0, epsilon = 0.5);
 }
 
 // Conserved quantities

@@ -346,8 +346,9 @@ fn what_a_step_promises_and_does_not_take_is_the_same_for_all_sizes() {
             N => spent_where(&Taylor::new().order(20), &Charged::<N>::new(1.0, 1.0), any),
             Taylor::operations(JACOBIAN, 20, N)
         ),
-        excess!("Gauss4", N => spent_by_gauss::<2, N>(), Gauss4::operations(RHS, JACOBIAN, N)),
-        excess!("Gauss6", N => spent_by_gauss::<3, N>(), Gauss6::operations(RHS, JACOBIAN, N)),
+        excess!("Gauss4", N => spent_by_gauss::<2, 1, N>(), Gauss4::operations(RHS, JACOBIAN, N)),
+        excess!("Gauss6", N => spent_by_gauss::<3, 1, N>(), Gauss6::operations(RHS, JACOBIAN, N)),
+        excess!("Gauss16", N => spent_by_gauss::<8, 4, N>(), Gauss16::operations(RHS, JACOBIAN, N)),
     ];
     assert!(
         excesses.as_flattened().iter().all(|excess| (0..=80).contains(excess)),
@@ -382,9 +383,9 @@ fn no_step_of_the_longer_radau_methods_takes_more_than_it_promises() {
 }
 
 /// Operations of a step of a Gauss method with all of its iterations.
-fn spent_by_gauss<const STAGES: usize, const N: usize>() -> Option<Operations>
+fn spent_by_gauss<const STAGES: usize, const PAIRS: usize, const N: usize>() -> Option<Operations>
 where
-    Fixed<Gauss<STAGES>>: Method<Charged<N>, Counted, N>,
+    Fixed<Gauss<STAGES, PAIRS>>: Method<Charged<N>, Counted, N>,
 {
     // skip the first step, whose prediction is a straight line
     let takes_all =
@@ -393,7 +394,7 @@ where
     let mut shares = (0..100).map(|share| 0.61 - 4e-4 * f64::from(share));
     shares.find_map(|given| {
         spent_where(
-            &Fixed::<Gauss<STAGES>>::new(1.0),
+            &Fixed::<Gauss<STAGES, PAIRS>>::new(1.0),
             &Charged::new(200.0, given),
             takes_all,
         )

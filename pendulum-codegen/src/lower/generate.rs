@@ -92,7 +92,7 @@ fn hindrance(word: &str, has: Has) -> Option<(String, String)> {
         }
         "canonical" if has.states => (
             "a scene with first-order states has no canonical equations",
-            "leave out `canonical`; all methods but `Gauss4` and `Gauss6` integrate such scenes",
+            "leave out `canonical`; all methods but `Gauss4`, `Gauss6` and `Gauss16` integrate such scenes",
         ),
         "canonical" if has.orientations => (
             "canonical equations are not available with ball or free joints: angular velocities are not rates of \

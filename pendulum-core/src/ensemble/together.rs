@@ -109,7 +109,7 @@ where
 
 one_by_one! {
     [const STAGES: usize, const PAIRS: usize,] RadauIIA<STAGES, PAIRS>;
-    [const STAGES: usize,] Gauss<STAGES>;
+    [const STAGES: usize, const PAIRS: usize,] Gauss<STAGES, PAIRS>;
 }
 
 /// A method for ensembles.

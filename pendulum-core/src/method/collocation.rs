@@ -6,7 +6,7 @@ use crate::cost::Operations;
 use crate::linear::{Complex, Field, Lu, Singular, factoring, solving};
 use crate::method::operations as count;
 use crate::real::Float;
-use crate::tableau::{Eigenpair, Eigenpairs};
+use crate::tableau::Eigenpairs;
 
 /// Factored matrix of the iteration, `G d_i - h sum_j a_ij F d_j`. The eigenvectors of `a_ij` decouple the stages,
 /// which leaves a complex matrix of the size of the state per pair, and for an odd number of stages a real one
@@ -64,50 +64,48 @@ impl<T: Float, const STAGES: usize, const PAIRS: usize, const N: usize> Pencil<T
         residuals: &[SVector<T, N>; STAGES],
         active: usize,
     ) -> [SVector<T, N>; STAGES] {
-        let mut changes = self.solve_pair(0, &modes.pairs[0], residuals, active);
-        for n in 1..PAIRS {
-            let more = self.solve_pair(n, &modes.pairs[n], residuals, active);
-            for (change, more) in changes.iter_mut().zip(&more) {
-                *change += more;
+        let zeros = [T::default(); N];
+        let mut along = [[Complex::default(); N]; PAIRS];
+        for (along, mode) in along.iter_mut().zip(&modes.pairs) {
+            let (mut re, mut im) = (zeros, zeros);
+            for (residual, left) in residuals.iter().zip(&mode.left) {
+                add_scaled(&mut re, T::from_f64(left.re), residual);
+                add_scaled(&mut im, T::from_f64(left.im), residual);
+            }
+            for ((along, re), im) in along.iter_mut().zip(re).zip(im) {
+                *along = Complex::new(re, im);
+            }
+        }
+        let along = Lu::solve_each(&self.pairs, &along, active);
+        let mut changes = [SVector::from(zeros); STAGES];
+        for (along, mode) in along.iter().zip(&modes.pairs) {
+            for (change, right) in changes.iter_mut().zip(&mode.right) {
+                // the conjugate eigenvalue adds the conjugate: twice the real part
+                let (re, im) = (T::from_f64(2.0 * right.re), T::from_f64(2.0 * right.im));
+                for (change, along) in change.data.0[0].iter_mut().zip(along) {
+                    *change += re * along.re - im * along.im;
+                }
             }
         }
         if let (Some(mode), Some(lu)) = (&modes.real, &self.real) {
-            let left = mode.left.map(T::from_f64);
-            let along = core::array::from_fn(|k| {
-                residuals
-                    .iter()
-                    .zip(left)
-                    .fold(T::default(), |sum, (r, l)| sum + l * r[k])
-            });
+            let mut along = [T::default(); N];
+            for (residual, left) in residuals.iter().zip(mode.left) {
+                add_scaled(&mut along, T::from_f64(left), residual);
+            }
             let along = SVector::from(lu.solve(&along, active));
             for (change, right) in changes.iter_mut().zip(mode.right) {
-                *change += along * T::from_f64(right);
+                add_scaled(&mut change.data.0[0], T::from_f64(right), &along);
             }
         }
         changes
     }
+}
 
-    /// Part of the solution along a pair of conjugate eigenvectors.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn solve_pair(
-        &self,
-        n: usize,
-        mode: &Eigenpair<nalgebra::Complex<f64>, STAGES>,
-        residuals: &[SVector<T, N>; STAGES],
-        active: usize,
-    ) -> [SVector<T, N>; STAGES] {
-        let left = mode.left.map(|l| Complex::new(T::from_f64(l.re), T::from_f64(l.im)));
-        // the conjugate eigenvalue adds the conjugate: twice the real part
-        let right = mode
-            .right
-            .map(|r| Complex::new(T::from_f64(2.0 * r.re), T::from_f64(2.0 * r.im)));
-        let along = core::array::from_fn(|k| {
-            residuals.iter().zip(left).fold(Complex::default(), |sum, (r, l)| {
-                sum + Complex::new(l.re * r[k], l.im * r[k])
-            })
-        });
-        let along = self.pairs[n].solve(&along, active);
-        right.map(|r| SVector::from_fn(|k, _| r.re * along[k].re - r.im * along[k].im))
+/// Adds `factor * vector` to `sum`, in a loop over the components; see [`weighted_sum`](super::stages::weighted_sum).
+#[inline(always)]
+pub(super) fn add_scaled<T: Float, const N: usize>(sum: &mut [T; N], factor: T, vector: &SVector<T, N>) {
+    for (sum, &component) in sum.iter_mut().zip(&vector.data.0[0]) {
+        *sum += factor * component;
     }
 }
 
@@ -133,9 +131,8 @@ pub(super) const fn changes<const STAGES: usize, const PAIRS: usize>(
     let terms = STAGES * n;
     // projection onto the eigenvector, and back to the stages
     let there = Operations::new(2 * terms, 2 * terms, 0, 0, 0, STAGES + 1);
-    let back = Operations::new(terms, 2 * terms, 0, 0, 0, 2);
-    let of_pair = there.and(solving::<Complex<f64>>(n)).and(back);
-    let of_pairs = of_pair.times(PAIRS).and(count::added(terms).times(PAIRS - 1));
+    let back = Operations::new(2 * terms, 2 * terms, 0, 0, 0, 3);
+    let of_pairs = there.and(solving::<Complex<f64>>(n)).and(back).times(PAIRS);
     if modes.real.is_none() {
         return of_pairs;
     }

@@ -8,19 +8,20 @@ use crate::error::Reason;
 use crate::hybrid::InMode;
 use crate::layout::StateLayout;
 use crate::linear::{Lu, factoring, solving};
-use crate::method::collocation::{self, Pencil};
+use crate::method::collocation::{self, Pencil, add_scaled};
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
-use crate::method::stages::Called;
+use crate::method::stages::{Called, shifted};
 use crate::method::toggle::stop_at_toggles;
 use crate::method::{Fixed, hermite};
 use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::step_size::Tolerance;
 use crate::system::{Canonical, System};
-use crate::tableau::{GaussLegendre, GaussTableau, HasTableau};
+use crate::tableau::{GaussLegendre, GaussTableau, HasGaussTableau, MOST_POINTS};
 
-/// The Gauss-Legendre method of two or three stages, of order 4 or 6, in canonical variables.
+/// The Gauss-Legendre method of two, three or eight stages, of order 4, 6 or 16, in canonical variables. `PAIRS` is the
+/// number of pairs of complex eigenvalues: half of the stages.
 ///
 /// It is symplectic and symmetric (E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", II.1.3 and
 /// VI.4): without friction, the energy error of a regular motion stays bounded and falls with the step to the power of
@@ -28,11 +29,11 @@ use crate::tableau::{GaussLegendre, GaussTableau, HasTableau};
 ///
 /// There is no error estimate, so only fixed steps are available.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Gauss<const STAGES: usize>;
+pub struct Gauss<const STAGES: usize, const PAIRS: usize = 1>;
 
-impl<const STAGES: usize> Fixed<Gauss<STAGES>>
+impl<const STAGES: usize, const PAIRS: usize> Fixed<Gauss<STAGES, PAIRS>>
 where
-    GaussLegendre: HasTableau<STAGES>,
+    GaussLegendre: HasGaussTableau<STAGES, PAIRS>,
 {
     /// Upper bound of the operations of one step, in a system of `n` state components. `canonical` are the operations
     /// of the canonical equations, `jacobian` those of their Jacobian: the costs `canonical` and `canonical_jacobian`
@@ -42,9 +43,9 @@ where
     /// time of a step is included, dense output is not.
     #[must_use]
     pub const fn operations(canonical: Operations, jacobian: Operations, n: usize) -> Operations {
-        let modes = &GaussLegendre::TABLEAU.modes;
+        let modes = &<GaussLegendre as HasGaussTableau<STAGES, PAIRS>>::TABLEAU.modes;
         let points = STAGES + 2;
-        let weight = Operations::new(STAGES + 1, STAGES + 1, 0, 0, 0, STAGES + 2);
+        let weight = Operations::new(1, 2, 1, 0, 0, 7);
         let term = count::multiplied(n).and(count::added(n));
         let stage = weight.and(term).times(points).and(count::TIME);
         let prediction = stage.times(STAGES).and(Operations::new(0, 0, 1, 0, 0, 4));
@@ -75,13 +76,13 @@ where
     }
 }
 
-impl<S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Gauss<STAGES>
+impl<S, T, const STAGES: usize, const PAIRS: usize, const N: usize> OneStep<S, T, N> for Gauss<STAGES, PAIRS>
 where
-    GaussLegendre: HasTableau<STAGES>,
+    GaussLegendre: HasGaussTableau<STAGES, PAIRS>,
     S: Canonical<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = GaussStages<T, STAGES, N>;
+    type Scheme = GaussStages<T, STAGES, PAIRS, N>;
 
     fn scheme(&self, system: &S, _tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let zeros = SVector::from_element(T::default());
@@ -92,14 +93,14 @@ where
             positions: system.layout().map_or(N / 2, StateLayout::positions),
             before: None,
             tried: (start, [zeros; STAGES]),
-            coefficients: [zeros; 5],
+            coefficients: [zeros; MOST_POINTS - 1],
         })
     }
 }
 
 /// Stages of a step of a Gauss method.
 #[derive(Clone, Copy, Debug)]
-pub struct GaussStages<T, const STAGES: usize, const N: usize> {
+pub struct GaussStages<T, const STAGES: usize, const PAIRS: usize, const N: usize> {
     /// Start of the next step.
     start: Point<T, N>,
     /// Derivative of the state at the initial point.
@@ -110,7 +111,7 @@ pub struct GaussStages<T, const STAGES: usize, const N: usize> {
     before: Option<(SVector<T, N>, [SVector<T, N>; STAGES], T)>,
     /// End and stages of the last attempt.
     tried: (Point<T, N>, [SVector<T, N>; STAGES]),
-    coefficients: [SVector<T, N>; 5],
+    coefficients: [SVector<T, N>; MOST_POINTS - 1],
 }
 
 /// A point in canonical variables, which the method advances.
@@ -134,11 +135,11 @@ const MAX_RISES: usize = 2;
 /// A vector for each stage.
 type Vectors<T, const STAGES: usize, const N: usize> = [SVector<T, N>; STAGES];
 
-impl<T: Float, const STAGES: usize, const N: usize> GaussStages<T, STAGES, N>
+impl<T: Float, const STAGES: usize, const PAIRS: usize, const N: usize> GaussStages<T, STAGES, PAIRS, N>
 where
-    GaussLegendre: HasTableau<STAGES>,
+    GaussLegendre: HasGaussTableau<STAGES, PAIRS>,
 {
-    const TABLEAU: GaussTableau<STAGES> = GaussLegendre::TABLEAU;
+    const TABLEAU: GaussTableau<STAGES, PAIRS> = GaussLegendre::TABLEAU;
 
     /// Starting values: extrapolates the polynomial through start, stages and end of the last step. Falls back to a
     /// straight line if there is no last step, or if it was too short, as from an impact to the grid.
@@ -149,18 +150,38 @@ where
             .before
             .as_ref()
             .map(|(x0, stages, before)| (x0, stages, h / *before));
+        let mut predicted = [*x; STAGES];
         let Some((x0, stages, ratio)) = last.filter(|(.., ratio)| *ratio <= T::from_f64(MAX_RATIO)) else {
-            return table.c.map(|c| x + self.slope * (h * T::from_f64(c)));
+            for (predicted, c) in predicted.iter_mut().zip(table.c) {
+                add_scaled(&mut predicted.data.0[0], h * T::from_f64(c), &self.slope);
+            }
+            return predicted;
         };
-        table.c.map(|c| {
+        for (predicted, c) in predicted.iter_mut().zip(table.c) {
             let weights = table.weights(T::from_f64(1.0) + ratio * T::from_f64(c));
-            let states = [x0].into_iter().chain(stages).chain([x]);
-            states
-                .zip(weights)
-                .fold(SVector::from_element(T::default()), |sum, (state, weight)| {
-                    sum + state * weight
-                })
-        })
+            let mut sum = [T::default(); N];
+            add_scaled(&mut sum, weights[0], x0);
+            for j in 0..STAGES {
+                add_scaled(&mut sum, weights[j + 1], &stages[j]);
+            }
+            add_scaled(&mut sum, weights[STAGES + 1], x);
+            *predicted = SVector::from(sum);
+        }
+        predicted
+    }
+
+    /// Sets the coefficients of the polynomial through start, stages and end of the last step, which is of the order of
+    /// the stages.
+    fn interpolate(&mut self, step: &Step<T, N>) {
+        let table = const { &Self::TABLEAU };
+        let (_, stages) = &self.tried;
+        for (power, weights) in table.powers.iter().enumerate().take(STAGES + 1) {
+            let mut sum = [T::default(); N];
+            for (weight, state) in weights.iter().zip(stages.iter().chain([&step.x1])) {
+                add_scaled(&mut sum, T::from_f64(*weight), &(state - step.x0));
+            }
+            self.coefficients[power] = SVector::from(sum);
+        }
     }
 
     /// Returns the products `h b_i f_i` of the rates of the stages of a step, and the residuals of its equations.
@@ -172,18 +193,26 @@ where
         stages: &Vectors<T, STAGES, N>,
     ) -> (Vectors<T, STAGES, N>, Vectors<T, STAGES, N>) {
         let GaussTableau { c, b, w, .. } = const { &Self::TABLEAU };
-        let (mut parts, mut residuals) = (*stages, *stages);
-        let mut half = SVector::from_element(T::default());
+        let zeros = SVector::from([T::default(); N]);
+        let (mut parts, mut residuals) = ([zeros; STAGES], [zeros; STAGES]);
+        let Point { y, lost } = &self.start;
+        let mut half = [T::default(); N];
         for i in 0..STAGES {
             let (variables, rates) = Called(system).canonical(t + h * T::from_f64(c[i]), &stages[i]);
-            parts[i] = rates * (h * T::from_f64(b[i]));
-            half += parts[i] * T::from_f64(0.5);
-            // sum increments: they are smaller than the variables, and so are their rounding errors
-            residuals[i] = (self.start.y - variables) + self.start.lost;
+            let weight = h * T::from_f64(b[i]);
+            for k in 0..N {
+                parts[i][k] = rates[k] * weight;
+                // sum increments: they are smaller than the variables, and so are their rounding errors
+                residuals[i][k] = (y[k] - variables[k]) + lost[k];
+            }
+            add_scaled(&mut half, T::from_f64(0.5), &parts[i]);
         }
-        for i in 0..STAGES {
-            let swept = |sum, j: usize| sum + parts[j] * T::from_f64(w[i][j]);
-            residuals[i] += (0..STAGES).fold(half, swept);
+        for (residual, w) in residuals.iter_mut().zip(w) {
+            let mut sum = half;
+            for (part, &w) in parts.iter().zip(w) {
+                add_scaled(&mut sum, T::from_f64(w), part);
+            }
+            *residual = shifted(residual, &SVector::from(sum));
         }
         (parts, residuals)
     }
@@ -216,7 +245,7 @@ where
             work.evaluations += STAGES;
             let (parts, residuals) = self.residuals(system, (t, h), &stages);
             let changes = pencil.solve(modes, &residuals, system.active());
-            let (change, size) = (largest(&changes), largest(&stages));
+            let change = largest(&changes);
             if !change.is_finite() {
                 return if before.is_finite() {
                     Err(Stalled)
@@ -226,7 +255,7 @@ where
             }
             // iterate until the changes stop falling, at the level of rounding: a remaining error would cause a drift
             if change >= before || change == zero {
-                if change <= T::EPSILON.sqrt() * size {
+                if change <= T::EPSILON.sqrt() * largest(&stages) {
                     return Ok((stages, parts));
                 }
                 rises += 1;
@@ -236,7 +265,7 @@ where
             }
             before = change;
             for (stage, change) in stages.iter_mut().zip(&changes) {
-                *stage += change;
+                *stage = shifted(stage, change);
                 system.pin(stage);
             }
         }
@@ -244,9 +273,9 @@ where
     }
 }
 
-impl<S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for GaussStages<T, STAGES, N>
+impl<S, T, const STAGES: usize, const PAIRS: usize, const N: usize> Scheme<S, T, N> for GaussStages<T, STAGES, PAIRS, N>
 where
-    GaussLegendre: HasTableau<STAGES>,
+    GaussLegendre: HasGaussTableau<STAGES, PAIRS>,
     S: Canonical<T, N> + ?Sized,
     T: Float,
 {
@@ -323,16 +352,21 @@ where
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
-        if STAGES == 2 {
-            self.coefficients[..3].copy_from_slice(&hermite::cubic(system, step, work));
-        } else {
-            self.coefficients = hermite::quintic(system, step, work);
+        match STAGES {
+            2 => self.coefficients[..3].copy_from_slice(&hermite::cubic(system, step, work)),
+            3 => self.coefficients[..5].copy_from_slice(&hermite::quintic(system, step, work)),
+            _ => self.interpolate(step),
         }
         Scheme::<S, T, N>::coefficients(self)
     }
 
     fn coefficients(&self) -> &[SVector<T, N>] {
-        &self.coefficients[..2 * STAGES - 1]
+        let count = match STAGES {
+            2 => 3,
+            3 => 5,
+            _ => STAGES + 1,
+        };
+        &self.coefficients[..count]
     }
 }
 
@@ -348,12 +382,19 @@ fn sum_and_rest<T: Float, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>) 
 /// Magnitude of the largest component; not finite if a component is not.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn largest<T: Float, const N: usize>(vectors: &[SVector<T, N>]) -> T {
-    let mut largest = T::default();
-    let mut sum = T::default();
-    for component in vectors.iter().flat_map(|vector| vector.iter()) {
-        largest = largest.max(component.abs());
-        sum += *component;
+    // by components first, which do not wait for one another
+    let (mut largest, mut sums) = ([T::default(); N], [T::default(); N]);
+    for vector in vectors {
+        for ((largest, sum), &component) in largest.iter_mut().zip(&mut sums).zip(vector) {
+            *largest = largest.max(component.abs());
+            *sum += component;
+        }
+    }
+    let (mut all, mut sum) = (T::default(), T::default());
+    for (largest, of_component) in largest.into_iter().zip(sums) {
+        all = all.max(largest);
+        sum += of_component;
     }
     // the maximum of a number and NaN is the number
-    if sum.is_finite() { largest } else { sum }
+    if sum.is_finite() { all } else { sum }
 }

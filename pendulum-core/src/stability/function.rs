@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use crate::linear::{self, Lu};
 use crate::method::{Adaptive, Explicit, Fixed, Gauss, PowerSeries, RadauIIA, Rosenbrock};
-use crate::tableau::{GaussLegendre, HasRadauTableau, HasTableau, RosenbrockMethod, Tableau};
+use crate::tableau::{GaussLegendre, HasGaussTableau, HasRadauTableau, RosenbrockMethod, Tableau};
 
 /// A method with a stability function: a step of size `h` multiplies a solution of `x' = lambda x` by `R(h lambda)`.
 ///
@@ -97,17 +97,17 @@ where
     }
 }
 
-impl<const STAGES: usize> StabilityFunction for Gauss<STAGES>
+impl<const STAGES: usize, const PAIRS: usize> StabilityFunction for Gauss<STAGES, PAIRS>
 where
-    GaussLegendre: HasTableau<STAGES>,
+    GaussLegendre: HasGaussTableau<STAGES, PAIRS>,
 {
     fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
-        let (a, b) = GaussLegendre::TABLEAU.coefficients();
+        let (a, b) = <GaussLegendre as HasGaussTableau<STAGES, PAIRS>>::TABLEAU.coefficients();
         implicit(&a, &b, z)
     }
 
     fn stability_at_infinity(&self) -> f64 {
-        let (a, b) = GaussLegendre::TABLEAU.coefficients();
+        let (a, b) = <GaussLegendre as HasGaussTableau<STAGES, PAIRS>>::TABLEAU.coefficients();
         implicit_at_infinity(&a, &b)
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::Complex;
 
 use super::eigenpairs::{Eigenpair, Eigenpairs};
+use super::gauss_legendre16;
 use crate::real::Real;
 
 /// Coefficients of a Gauss-Legendre method.
@@ -11,22 +12,30 @@ use crate::real::Real;
 /// independently of rounding, which makes the method symplectic (E. Hairer, R. I. McLachlan, A. Razakarivony,
 /// "Achieving Brouwer's law with implicit Runge-Kutta methods", BIT 48 (2008) 231-243).
 #[derive(Clone, Copy, Debug)]
-pub struct GaussTableau<const STAGES: usize> {
+pub struct GaussTableau<const STAGES: usize, const PAIRS: usize> {
     /// Times of the stages, in fractions of a step.
     pub(crate) c: [f64; STAGES],
     /// Weights of the step.
     pub(crate) b: [f64; STAGES],
     pub(crate) w: [[f64; STAGES]; STAGES],
-    pub(crate) modes: Eigenpairs<STAGES, 1>,
+    pub(crate) modes: Eigenpairs<STAGES, PAIRS>,
     /// Reciprocal products of the differences between start, nodes and end of a step (barycentric weights).
     over: [f64; MOST_POINTS],
+    /// Coefficients of the Lagrange polynomials of nodes and end: one row per power from the first on, one column per
+    /// point.
+    pub(crate) powers: [[f64; MOST_POINTS - 1]; MOST_POINTS - 1],
 }
 
-/// Number of interpolation points for three stages: start, nodes and end of a step.
-const MOST_POINTS: usize = 5;
+/// Number of interpolation points for eight stages: start, nodes and end of a step.
+pub(crate) const MOST_POINTS: usize = 10;
 
-impl<const STAGES: usize> GaussTableau<STAGES> {
-    const fn new(c: [f64; STAGES], b: [f64; STAGES], w: [[f64; STAGES]; STAGES], modes: Eigenpairs<STAGES, 1>) -> Self {
+impl<const STAGES: usize, const PAIRS: usize> GaussTableau<STAGES, PAIRS> {
+    pub(super) const fn new(
+        c: [f64; STAGES],
+        b: [f64; STAGES],
+        w: [[f64; STAGES]; STAGES],
+        modes: Eigenpairs<STAGES, PAIRS>,
+    ) -> Self {
         let mut over = [1.0; MOST_POINTS];
         let mut j = 0;
         while j < STAGES + 2 {
@@ -39,7 +48,38 @@ impl<const STAGES: usize> GaussTableau<STAGES> {
             }
             j += 1;
         }
-        Self { c, b, w, modes, over }
+        let mut powers = [[0.0; MOST_POINTS - 1]; MOST_POINTS - 1];
+        let mut j = 1;
+        while j < STAGES + 2 {
+            // theta, which vanishes at the start, times the factors of the other points
+            let mut polynomial = [0.0; MOST_POINTS];
+            polynomial[1] = over[j];
+            let mut k = 1;
+            while k < STAGES + 2 {
+                if k != j {
+                    let mut power = STAGES + 1;
+                    while power > 0 {
+                        polynomial[power] = polynomial[power - 1] - point(&c, k) * polynomial[power];
+                        power -= 1;
+                    }
+                }
+                k += 1;
+            }
+            let mut power = 1;
+            while power < STAGES + 2 {
+                powers[power - 1][j - 1] = polynomial[power];
+                power += 1;
+            }
+            j += 1;
+        }
+        Self {
+            c,
+            b,
+            w,
+            modes,
+            over,
+            powers,
+        }
     }
 
     /// Coefficients `a_ij` and weights `b_j`.
@@ -49,15 +89,20 @@ impl<const STAGES: usize> GaussTableau<STAGES> {
         (self.w.map(row), self.b)
     }
 
-    /// Lagrange weights of the values at start, nodes and end of a step, at the fraction `theta`.
-    #[inline]
-    pub(crate) fn weights<T: Real>(&self, theta: T) -> impl Iterator<Item = T> {
-        (0..STAGES + 2).map(move |j| {
-            let others = (0..STAGES + 2).filter(|&k| k != j);
-            others.fold(T::from_f64(self.over[j]), |product, k| {
-                product * (theta - T::from_f64(point(&self.c, k)))
-            })
-        })
+    /// Lagrange weights of the values at start, nodes and end of a step, at the fraction `theta` beyond its end.
+    #[inline(always)]
+    pub(crate) fn weights<T: Real>(&self, theta: T) -> [T; MOST_POINTS] {
+        let one = T::from_f64(1.0);
+        let (mut weights, mut product) = ([T::default(); MOST_POINTS], one);
+        for (j, weight) in weights.iter_mut().enumerate().take(STAGES + 2) {
+            let distance = theta - T::from_f64(point(&self.c, j));
+            *weight = T::from_f64(self.over[j]) / distance;
+            product *= distance;
+        }
+        for weight in &mut weights[..STAGES + 2] {
+            *weight *= product;
+        }
+        weights
     }
 }
 
@@ -74,14 +119,18 @@ const fn point<const STAGES: usize>(c: &[f64; STAGES], k: usize) -> f64 {
 #[derive(Clone, Copy, Debug)]
 pub struct GaussLegendre;
 
-/// Numbers of stages with a tableau.
-pub trait HasTableau<const STAGES: usize> {
+/// Numbers of stages, and of pairs of complex eigenvalues, with a tableau.
+pub trait HasGaussTableau<const STAGES: usize, const PAIRS: usize> {
     /// Tableau.
-    const TABLEAU: GaussTableau<STAGES>;
+    const TABLEAU: GaussTableau<STAGES, PAIRS>;
 }
 
-impl HasTableau<2> for GaussLegendre {
-    const TABLEAU: GaussTableau<2> = {
+impl HasGaussTableau<8, 4> for GaussLegendre {
+    const TABLEAU: GaussTableau<8, 4> = gauss_legendre16::TABLEAU;
+}
+
+impl HasGaussTableau<2, 1> for GaussLegendre {
+    const TABLEAU: GaussTableau<2, 1> = {
         /// Square root of 1/3.
         const W: f64 = 0.577_350_269_189_625_7;
         GaussTableau::new(
@@ -100,8 +149,8 @@ impl HasTableau<2> for GaussLegendre {
     };
 }
 
-impl HasTableau<3> for GaussLegendre {
-    const TABLEAU: GaussTableau<3> = {
+impl HasGaussTableau<3, 1> for GaussLegendre {
+    const TABLEAU: GaussTableau<3, 1> = {
         /// Square root of 3/5.
         const ROOT: f64 = 0.774_596_669_241_483_4;
         const W: f64 = 0.75 * ROOT;
@@ -140,13 +189,14 @@ impl HasTableau<3> for GaussLegendre {
 
 #[cfg(test)]
 mod tests {
-    use super::{GaussLegendre, GaussTableau, HasTableau};
+    use super::{GaussLegendre, GaussTableau, HasGaussTableau};
 
-    const TWO: GaussTableau<2> = GaussLegendre::TABLEAU;
-    const THREE: GaussTableau<3> = GaussLegendre::TABLEAU;
+    const TWO: GaussTableau<2, 1> = GaussLegendre::TABLEAU;
+    const THREE: GaussTableau<3, 1> = GaussLegendre::TABLEAU;
+    const EIGHT: GaussTableau<8, 4> = GaussLegendre::TABLEAU;
 
     /// Largest error of the identities that hold for exact coefficients.
-    fn worst<const STAGES: usize>(table: &GaussTableau<STAGES>) -> f64 {
+    fn worst<const STAGES: usize, const PAIRS: usize>(table: &GaussTableau<STAGES, PAIRS>) -> f64 {
         let all = 0..STAGES;
         let (a, _) = table.coefficients();
         let mut errors = Vec::new();
@@ -172,6 +222,8 @@ mod tests {
         // some rounding errors of numbers up to 14
         assert!(worst(&TWO) < 4e-16);
         assert!(worst(&THREE) < 4e-15);
+        // of eigenvectors up to 1290
+        assert!(worst(&EIGHT) < 3e-13);
     }
 
     #[test]
@@ -179,21 +231,35 @@ mod tests {
         let table = THREE;
         let quartic = |x: f64| 1.0 + x * (2.0 - x * (3.0 - x * (0.5 + x)));
         let values = [0.0, table.c[0], table.c[1], table.c[2], 1.0].map(quartic);
-        let sum: f64 = table
-            .weights(1.7)
-            .zip(values)
-            .map(|(weight, value)| weight * value)
-            .sum();
+        let terms = table.weights(1.7).into_iter().zip(values);
+        let sum: f64 = terms.map(|(weight, value)| weight * value).sum();
         assert!((sum - quartic(1.7)).abs() < 1e-13);
     }
 
     #[test]
-    fn rounded_coefficients_are_symplectic() {
-        let table = THREE;
-        for i in 0..3 {
-            for j in 0..3 {
-                assert_eq!(table.w[i][j], -table.w[j][i]);
+    fn the_powers_are_those_of_lagrange_polynomials() {
+        let table = EIGHT;
+        let points = [&table.c[..], &[1.0]].concat();
+        for (j, _) in points.iter().enumerate() {
+            for (i, theta) in points.iter().enumerate() {
+                let powers = (1..).zip(&table.powers);
+                let value: f64 = powers.map(|(power, row)| row[j] * theta.powi(power)).sum();
+                // some rounding errors of the coefficients, which are up to 4e5
+                assert!((value - f64::from(u8::from(i == j))).abs() < 1e-9, "{i} {j} {value}");
             }
         }
+    }
+
+    #[test]
+    fn rounded_coefficients_are_symplectic() {
+        fn check<const STAGES: usize, const PAIRS: usize>(table: &GaussTableau<STAGES, PAIRS>) {
+            for i in 0..STAGES {
+                for j in 0..STAGES {
+                    assert_eq!(table.w[i][j], -table.w[j][i]);
+                }
+            }
+        }
+        check(&THREE);
+        check(&EIGHT);
     }
 }

@@ -16,6 +16,7 @@
 mod dormand_prince5;
 mod eigenpairs;
 mod gauss_legendre;
+mod gauss_legendre16;
 mod hairer_wanner4;
 mod hermite;
 mod kutta4;
@@ -38,8 +39,8 @@ pub use tsitouras5::Tsitouras5;
 pub use verner7::Verner7;
 pub use verner9::Verner9;
 
-pub(crate) use eigenpairs::{Eigenpair, Eigenpairs};
-pub(crate) use gauss_legendre::{GaussLegendre, GaussTableau, HasTableau};
+pub(crate) use eigenpairs::Eigenpairs;
+pub(crate) use gauss_legendre::{GaussLegendre, GaussTableau, HasGaussTableau, MOST_POINTS};
 pub(crate) use radau_iia::{HasRadauTableau, RadauTableau};
 
 /// Coefficients of an explicit Runge-Kutta method with `S` stages.

@@ -78,6 +78,7 @@ macro_rules! each_fixed {
         $check::<Explicit<pendulum_core::tableau::Kutta4, 5>>("Rk4", $($argument),*);
         $check::<Gauss<2>>("Gauss4", $($argument),*);
         $check::<Gauss<3>>("Gauss6", $($argument),*);
+        $check::<Gauss<8, 4>>("Gauss16", $($argument),*);
     }};
 }
 

@@ -63,6 +63,7 @@ METHODS = {
     "Rk4": "order 4, fixed step",
     "Gauss4": "order 4, fixed step, structure-preserving; needs `canonical` in `generate`",
     "Gauss6": "order 6, fixed step, structure-preserving; needs `canonical` in `generate`",
+    "Gauss16": "order 16, fixed step, structure-preserving; needs `canonical` in `generate`",
     "Rk45": "order 5, Dormand and Prince",
     "Tsit5": "order 5, Tsitouras",
     "Vern7": "order 7, Verner",

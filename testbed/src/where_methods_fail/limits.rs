@@ -107,6 +107,7 @@ pub fn infinity(_: Size) -> Row {
         case: "Step size far beyond the time scale of a stiff mode, h λ = −1e9",
         claims: vec![
             claim::<Gauss<3>>("Gauss6", false),
+            claim::<Gauss<8, 4>>("Gauss16", false),
             claim::<Gauss<2>>("Gauss4", false),
             claim::<RadauIIA>("Radau5", true),
             claim::<RadauIIA<5, 2>>("Radau9", true),

@@ -32,6 +32,7 @@ macro_rules! each_case {
                 energy_of_runge_kutta: $crate::where_methods_fail::energy::runge_kutta,
                 energy_of_gauss: $crate::where_methods_fail::energy::gauss,
                 rounding_errors_of_the_energy: $crate::where_methods_fail::rounding::random_walk,
+                energy_over_many_swings: $crate::where_methods_fail::rounding::many_swings,
                 coulomb_friction_as_a_sign: $crate::where_methods_fail::coulomb::sign,
                 coulomb_friction_smoothed: $crate::where_methods_fail::coulomb::smooth,
                 coulomb_friction_that_sticks: $crate::where_methods_fail::coulomb::events,

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
 
+use super::energy::REGULAR;
 use super::row::{Claim, Row, Size};
 use crate::scenes::double_pendulum;
 
@@ -49,7 +50,7 @@ fn walks(early: u32, late: u32, starts: u32) -> [f64; 2] {
 /// square root of the time. A bias would grow linearly.
 pub fn random_walk(size: Size) -> Row {
     let (early, late, starts) = match size {
-        Size::Small => (500, 5000, 4),
+        Size::Small => (500, 5000, 16),
         Size::Full => (8000, 128_000, 16),
     };
     let [before, after] = walks(early, late, starts);
@@ -68,5 +69,33 @@ pub fn random_walk(size: Size) -> Row {
             Claim::at_most("relative error at the end", walk, after),
         ],
         survives: "Gauss6, whose sums are compensated",
+    }
+}
+
+/// Over many swings the energy error of [`Gauss16`], in long steps, is the random walk of rounding errors.
+pub fn many_swings(size: Size) -> Row {
+    const LONG: f64 = 0.3;
+    let swings = match size {
+        Size::Small => 1e3,
+        Size::Full => 1e5,
+    };
+    let (model, x0) = (double_pendulum(0.0), SVector::from(REGULAR));
+    // a swing takes about two seconds
+    let method = Gauss16::new(LONG);
+    let mut stepper = method.stepper(&model, 0.0, 2.0 * swings, x0).expect("regular");
+    let (mut largest, mut steps) = (0.0_f64, 0.0_f64);
+    while let Some(step) = stepper.step().expect("regular") {
+        largest = largest.max(relative_energy(&step.x1, &x0).abs());
+        steps += 1.0;
+    }
+    Row {
+        in_book: false,
+        case: "Energy over many swings, Gauss16",
+        claims: vec![Claim::at_most(
+            format!("h = {LONG} s: largest relative error in {swings:.0} swings"),
+            steps.sqrt() * f64::EPSILON,
+            largest,
+        )],
+        survives: "Gauss16; errors of a tolerance add up",
     }
 }
