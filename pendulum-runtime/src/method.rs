@@ -3,7 +3,7 @@
 use pendulum_core::method::Adaptive;
 use pendulum_core::{Auto, Gauss6, ObservedEnsemble, Rk4, Rodas5P, Taylor, Vern9};
 #[cfg(feature = "full")]
-use pendulum_core::{Gauss4, Radau5, Radau9, Radau13, Rk45, Rodas4, Tsit5, Vern7};
+use pendulum_core::{Gauss4, Gauss16, Radau5, Radau9, Radau13, Rk45, Rodas4, Tsit5, Vern7};
 
 use crate::error::Error;
 use crate::padded::{Padded, Smooth};
@@ -90,8 +90,8 @@ pub(crate) trait TaskInLanes<const N: usize> {
 }
 
 impl Method {
-    /// The method of this name, in upper or lower case: `Rk4`, `Gauss4`, `Gauss6` and `Gauss16` with a fixed step, or `Rk45`,
-    /// `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Rodas4`, `Rodas5P`, `Radau5`, `Radau9`, `Radau13` and `Auto` with a
+    /// The method of this name, in upper or lower case: `Rk4`, `Gauss4`, `Gauss6` and `Gauss16` with a fixed step, or
+    /// `Rk45`, `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Rodas4`, `Rodas5P`, `Radau5`, `Radau9`, `Radau13` and `Auto` with a
     /// tolerance.
     ///
     /// # Errors

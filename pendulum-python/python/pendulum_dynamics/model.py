@@ -434,7 +434,7 @@ class Model:
             ``("tip.y", 0.0)``; functions ``event(t, x)`` that are zero at the event; or an ``Event`` with one of these.
             A function may have the attributes ``terminal`` and ``direction``, as for SciPy.
         h
-            Length of the steps of ``Rk4``, ``Gauss4`` and ``Gauss6``, in s, which have no tolerances.
+            Length of the steps of ``Rk4`` and the Gauss methods, in s, which have no tolerances.
         first_step, min_step, max_step
             Lengths of steps of the other methods, in s.
         max_steps
