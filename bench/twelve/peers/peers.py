@@ -1,0 +1,168 @@
+"""Integrates the twelve problems with heyoka and SciPy, on request.
+
+The first line of the input has the problems as JSON, the first line of the output the versions, the entrants of each
+problem and what is missing. Each further line asks for [problem, entrant, tolerance, times], and is answered with the end
+of the last of so many integrations and the nanoseconds of one.
+"""
+
+import ctypes
+import json
+import sys
+import time
+import warnings
+
+import numpy as np
+from equations import OWN, from_tape
+
+warnings.filterwarnings("ignore")
+
+# Seconds after which an integration by SciPy is given up.
+PATIENCE = 5.0
+
+
+class Heyoka:
+    """Taylor integrators, compiled when they are first called. The time of integrations over no time is subtracted."""
+
+    by = "heyoka"
+
+    def __init__(self, problem, form, compact):
+        import heyoka
+
+        self.hy, self.problem, self.compact, self.method = heyoka, problem, compact, f"Taylor, {form}"
+        self.equations = OWN[problem["name"]](heyoka) if form == "own form" else from_tape(heyoka, problem)
+        self.compiled = {}
+
+    def integrator(self, tolerance):
+        if tolerance not in self.compiled:
+            start = self.problem["x0"]
+            self.compiled[tolerance] = self.hy.taylor_adaptive(
+                self.equations, start, tol=tolerance, compact_mode=self.compact, fast_math=True
+            )
+        return self.compiled[tolerance]
+
+    def run(self, tolerance, times):
+        integrator, start = self.integrator(tolerance), np.array(self.problem["x0"])
+
+        def seconds(end):
+            since = time.perf_counter()
+            for _ in range(times):
+                integrator.time = 0.0
+                integrator.state[:] = start
+                integrator.propagate_until(end)
+            return time.perf_counter() - since
+
+        nothing = seconds(0.0)
+        whole = seconds(self.problem["t1"])
+        return {
+            "t": integrator.time,
+            "x": integrator.state.tolist(),
+            "evaluations": None,
+            "nanoseconds": 1e9 * (whole - nothing) / times,
+        }
+
+
+class SciPy:
+    """`solve_ivp`, with the emitted C called by code that numba compiles."""
+
+    by = "SciPy"
+
+    def __init__(self, problem, method):
+        import numba
+        from scipy.integrate import solve_ivp
+
+        self.problem, self.method, self.solve = problem, method, solve_ivp
+        library, length = ctypes.CDLL(problem["library"]), len(problem["x0"])
+        rhs, jacobian = library.rhs, library.jacobian
+        for function in (rhs, jacobian):
+            function.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long]
+            function.restype = None
+
+        @numba.njit
+        def slope(t, x):
+            out = np.empty(length)
+            rhs(x.ctypes.data, out.ctypes.data, 1)
+            return out
+
+        @numba.njit
+        def rows(t, x):
+            out = np.empty((length, length))
+            jacobian(x.ctypes.data, out.ctypes.data, 1)
+            return out.T
+
+        self.slope, self.more = slope, {} if method == "DOP853" else {"jac": rows}
+
+    def run(self, tolerance, times):
+        give_up = time.perf_counter() + PATIENCE
+
+        def slope(t, x):
+            if time.perf_counter() > give_up:
+                raise TimeoutError(f"took more than {PATIENCE} s")
+            return self.slope(t, x)
+
+        start, end = self.problem["x0"], self.problem["t1"]
+        settings = {"method": self.method, "rtol": tolerance, "atol": tolerance, **self.more}
+        since = time.perf_counter()
+        for _ in range(times):
+            solution = self.solve(slope, (0.0, end), start, **settings)
+        seconds = time.perf_counter() - since
+        if not solution.success:
+            raise RuntimeError(solution.message)
+        return {
+            "t": float(solution.t[-1]),
+            "x": solution.y[:, -1].tolist(),
+            "evaluations": int(solution.nfev),
+            "nanoseconds": 1e9 * seconds / times,
+        }
+
+
+def entrants(problem):
+    """Entrants of a problem, and the reasons why others are missing."""
+    found, missing = [], []
+    makers = []
+    if not problem["is_stiff"]:
+        # code without loops takes minutes to compile for the larger problems
+        compact = problem["name"] in ("pleiades", "andrews", "ur5")
+        forms = ["own form"] if problem["name"] in OWN else []
+        makers += [lambda form=form: Heyoka(problem, form, compact) for form in forms + ["our form"]]
+    for method in ["Radau", "BDF", "LSODA"] if problem["is_stiff"] else ["DOP853", "LSODA"]:
+        makers.append(lambda method=method: SciPy(problem, method))
+    for make in makers:
+        try:
+            found.append(make())
+        except ImportError as error:
+            missing.append(str(error))
+    return found, missing
+
+
+def versions():
+    found = {}
+    for name in ("heyoka", "scipy", "numba"):
+        try:
+            found[name] = __import__(name).__version__
+        except ImportError:
+            pass
+    return found
+
+
+def main():
+    answers = sys.stdout
+    sys.stdout = sys.stderr
+    both = [entrants(problem) for problem in json.loads(sys.stdin.readline())]
+    all_entrants = [found for found, _ in both]
+    head = {
+        "versions": versions(),
+        "missing": sorted({line for _, missing in both for line in missing}),
+        "entrants": [[[entrant.by, entrant.method] for entrant in found] for found in all_entrants],
+    }
+    print(json.dumps(head), file=answers, flush=True)
+    for line in sys.stdin:
+        problem, entrant, tolerance, times = json.loads(line)
+        try:
+            answer = all_entrants[problem][entrant].run(tolerance, times)
+        except Exception as error:  # the reason is written into the results
+            answer = {"error": f"{type(error).__name__}: {error}"}
+        print(json.dumps(answer), file=answers, flush=True)
+
+
+if __name__ == "__main__":
+    main()

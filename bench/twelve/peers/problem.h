@@ -1,0 +1,33 @@
+/* A problem, and the input and output of every integration.
+ *
+ * The model is the emitted C, with `LENGTH` components, `start_model`, `model_rhs` and `model_jacobian`, which writes
+ * column by column. */
+#pragma once
+
+#include "model.h"
+
+#include <string.h>
+
+/* Each function integrates `count` equal tasks in a row, so its solver is created once and only restarted. */
+typedef struct {
+    double tolerance, t1, h0, x0[LENGTH];
+} Task;
+
+typedef struct {
+    /* Time reached; less than the end of the task if the integration failed. */
+    double t, x[LENGTH], evaluations;
+} End;
+
+#define EXPORT __attribute__((visibility("default")))
+
+/* Maximum number of evaluations of an integration. */
+#define PATIENCE 3000000
+
+/* Jacobian row by row. */
+static inline void model_jacobian_rows(const double *x, double *rows) {
+    double columns[LENGTH * LENGTH];
+    model_jacobian(x, columns);
+    for (int i = 0; i < LENGTH; i++) {
+        for (int j = 0; j < LENGTH; j++) rows[LENGTH * i + j] = columns[LENGTH * j + i];
+    }
+}
