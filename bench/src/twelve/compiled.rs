@@ -95,7 +95,7 @@ pub(crate) fn enter(
         header.push(format!("{}: {} {version}", source.by, source.package));
         for ((problem, library), entrants) in problems.iter().zip(&libraries).zip(entrants.iter_mut()) {
             let methods = if problem.is_stiff { source.stiff } else { source.smooth };
-            for (symbol, method) in methods {
+            for &(symbol, method) in methods {
                 entrants.push(load(source.by, method, library, symbol, problem)?);
             }
         }

@@ -7,7 +7,7 @@ use twelve::End;
 /// Method of a library on a problem.
 pub(crate) struct Entrant {
     pub by: &'static str,
-    pub method: String,
+    pub method: &'static str,
     /// Integrates with a tolerance, relative and absolute, as often as told.
     pub run: Box<dyn Fn(f64, usize) -> Result<Run, String>>,
 }
@@ -22,7 +22,7 @@ impl Entrant {
     /// Makes an entrant from a function that integrates as often as told, and is timed here.
     pub(crate) fn timed(
         by: &'static str,
-        method: &str,
+        method: &'static str,
         integrate: impl Fn(f64, usize) -> Result<End, String> + 'static,
     ) -> Self {
         let run = move |tolerance: f64, times: usize| {
@@ -33,8 +33,14 @@ impl Entrant {
         };
         Self {
             by,
-            method: method.to_owned(),
+            method,
             run: Box::new(run),
         }
+    }
+}
+
+impl From<twelve::Entrant> for Entrant {
+    fn from(entrant: twelve::Entrant) -> Self {
+        Self::timed(entrant.by, entrant.method, entrant.integrate)
     }
 }

@@ -28,7 +28,8 @@ class Heyoka:
     def __init__(self, problem, form, compact):
         import heyoka
 
-        self.hy, self.problem, self.compact, self.method = heyoka, problem, compact, f"Taylor, {form}"
+        self.hy, self.problem, self.compact = heyoka, problem, compact
+        self.method = f"Taylor, {form}" + (", compact" if compact else "")
         self.equations = OWN[problem["name"]](heyoka) if form == "own form" else from_tape(heyoka, problem)
         self.compiled = {}
 
@@ -51,6 +52,7 @@ class Heyoka:
                 integrator.propagate_until(end)
             return time.perf_counter() - since
 
+        seconds(0.0)
         nothing = seconds(0.0)
         whole = seconds(self.problem["t1"])
         return {
@@ -117,13 +119,13 @@ class SciPy:
 
 def entrants(problem):
     """Entrants of a problem, and the reasons why others are missing."""
-    found, missing = [], []
-    makers = []
+    found, missing, makers = [], [], []
     if not problem["is_stiff"]:
-        # code without loops takes minutes to compile for the larger problems
-        compact = problem["name"] in ("pleiades", "andrews", "ur5")
-        forms = ["own form"] if problem["name"] in OWN else []
-        makers += [lambda form=form: Heyoka(problem, form, compact) for form in forms + ["our form"]]
+        # code without loops is faster, unless it is larger than caches; code of our form is slower where there is another
+        forms = [("own form", False)] if problem["name"] in OWN else [("our form", False)]
+        if len(problem["x0"]) > 7 or problem["name"] not in OWN:
+            forms += [(form, True) for form, _ in forms]
+        makers += [lambda form=form, compact=compact: Heyoka(problem, form, compact) for form, compact in forms]
     for method in ["Radau", "BDF", "LSODA"] if problem["is_stiff"] else ["DOP853", "LSODA"]:
         makers.append(lambda method=method: SciPy(problem, method))
     for make in makers:
@@ -150,7 +152,7 @@ def main():
     both = [entrants(problem) for problem in json.loads(sys.stdin.readline())]
     all_entrants = [found for found, _ in both]
     head = {
-        "versions": versions(),
+        "versions": list(versions().items()),
         "missing": sorted({line for _, missing in both for line in missing}),
         "entrants": [[[entrant.by, entrant.method] for entrant in found] for found in all_entrants],
     }

@@ -4,9 +4,19 @@
  * column by column. */
 #pragma once
 
-#include "model.h"
-
+// before the model, which declares functions of them as C
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
 #include <string.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#include "model.h"
+#ifdef __cplusplus
+}
+#endif
 
 /* Each function integrates `count` equal tasks in a row, so its solver is created once and only restarted. */
 typedef struct {
