@@ -21,7 +21,7 @@ pub(crate) struct Cell {
     pub peer: Option<Fastest>,
     /// Our time over that of the peer, from the least times; 0 without a peer, infinite without one of ours.
     pub ratio: f64,
-    /// Median over the rounds of this ratio.
+    /// Median of this ratio over the rounds in which both were measured, or the same if one was soon left out.
     pub paired: f64,
 }
 
@@ -70,7 +70,10 @@ pub(crate) fn cells(curves: &[Curve], settings: &[Setting], uncertainty: f64) ->
     known.filter_map(cell).collect()
 }
 
-/// Median ratio of samples of the same rounds.
+/// Median ratio of samples of the same rounds, if there are as many of both.
 fn paired(ours: &Setting, peer: &Setting) -> f64 {
+    if ours.samples.len() != peer.samples.len() {
+        return ours.point.least / peer.point.least;
+    }
     median(ours.samples.iter().zip(&peer.samples).map(|(a, b)| a / b).collect())
 }

@@ -121,10 +121,10 @@ fn load(
     problem: &Problem,
 ) -> Result<Entrant, Box<dyn Error>> {
     let (length, t1, h0) = (problem.model.length, problem.t1, first_step(problem));
-    let x0 = problem.x0.clone();
-    let program = library::load(library, symbol, 3 + length, 2 + length)?;
+    let (x0, absolute) = (problem.x0.clone(), problem.absolute);
+    let program = library::load(library, symbol, 4 + length, 2 + length)?;
     Ok(Entrant::timed(by, method, move |tolerance, times| {
-        let task = [&[tolerance, t1, h0][..], &x0].concat();
+        let task = [&[tolerance, absolute * tolerance, t1, h0][..], &x0].concat();
         let end = (program.value)(&task.repeat(times));
         Ok(End {
             t: end[0],

@@ -68,7 +68,13 @@ pub(crate) struct Emitted {
 }
 
 /// Flags of the compilers; the last one is for the linker.
-pub(crate) const FLAGS: [&str; 5] = ["-O3", "-march=native", "-ffp-contract=fast", "-DNDEBUG", "-Wl,--no-as-needed"];
+pub(crate) const FLAGS: [&str; 5] = [
+    "-O3",
+    "-march=native",
+    "-ffp-contract=fast",
+    "-DNDEBUG",
+    "-Wl,--no-as-needed",
+];
 
 impl Emitted {
     /// Writes the problem below `build`, and compares it with the one in Rust.
@@ -82,7 +88,10 @@ impl Emitted {
         fs::create_dir_all(&folder)?;
         let code = c(&program);
         fs::write(folder.join(format!("{}.h", code.name)), &code.header)?;
-        fs::write(folder.join("model.h"), header(source, problem, &code.name, &code.source))?;
+        fs::write(
+            folder.join("model.h"),
+            header(source, problem, &code.name, &code.source),
+        )?;
         let tape_file = folder.join("tape.txt");
         fs::write(&tape_file, tape(&program))?;
         let job = job(&root.join("twelve/peers/model.c"), &folder, "gcc", &[])?;
@@ -175,7 +184,11 @@ pub(crate) fn job(source: &Path, folder: &Path, compiler: &str, libraries: &[&st
 fn with_headers(source: &str, folders: &[&Path]) -> String {
     let line = |line: &str| {
         let name = line.strip_prefix("#include \"").and_then(|rest| rest.strip_suffix('"'));
-        let found = name.and_then(|name| folders.iter().find_map(|folder| fs::read_to_string(folder.join(name)).ok()));
+        let found = name.and_then(|name| {
+            folders
+                .iter()
+                .find_map(|folder| fs::read_to_string(folder.join(name)).ok())
+        });
         found.map_or_else(|| format!("{line}\n"), |header| with_headers(&header, folders))
     };
     source.lines().map(line).collect()

@@ -8,7 +8,7 @@ use twelve::End;
 pub(crate) struct Entrant {
     pub by: &'static str,
     pub method: &'static str,
-    /// Integrates with a tolerance, relative and absolute, as often as told.
+    /// Integrates with a relative tolerance as often as told.
     pub run: Box<dyn Fn(f64, usize) -> Result<Run, String>>,
 }
 

@@ -66,6 +66,7 @@ pub(crate) fn enter(
                 .collect();
             json!({
                 "name": problem.name, "is_stiff": problem.is_stiff, "x0": problem.x0, "t1": problem.t1,
+                "absolute": problem.absolute,
                 "tape": emitted.tape, "library": emitted.library, "parameters": parameters,
             })
         })
@@ -87,7 +88,10 @@ pub(crate) fn enter(
     for (problem, (names, entrants)) in head.entrants.into_iter().zip(entrants).enumerate() {
         for (entrant, (by, method)) in names.into_iter().enumerate() {
             let server = Rc::clone(&server);
-            let by = LIBRARIES.into_iter().find(|library| *library == by).ok_or("an unknown library")?;
+            let by = LIBRARIES
+                .into_iter()
+                .find(|library| *library == by)
+                .ok_or("an unknown library")?;
             let run = move |tolerance, times| server.borrow_mut().run(problem, entrant, tolerance, times);
             entrants.push(Entrant {
                 by,

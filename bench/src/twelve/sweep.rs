@@ -36,13 +36,15 @@ pub(crate) struct Setting {
 
 /// Curves of all methods on a problem, and the settings from which they are.
 pub(crate) fn sweep(problem: &Problem, entrants: &[Entrant]) -> (Vec<Curve>, Vec<Setting>) {
-    let mut curves: Vec<Curve> = entrants.iter().map(|entrant| Curve::new(entrant.by, entrant.method)).collect();
+    let mut curves: Vec<Curve> = entrants
+        .iter()
+        .map(|entrant| Curve::new(entrant.by, entrant.method))
+        .collect();
     let mut settings = Vec::new();
     for (curve, entrant) in entrants.iter().enumerate() {
         for tolerance in tolerances() {
-            let start = Instant::now();
             let run = (entrant.run)(tolerance, 1).and_then(|run| reached(problem, run));
-            let nanoseconds = run.as_ref().map_or(1e9 * start.elapsed().as_secs_f64(), |run| run.nanoseconds);
+            let nanoseconds = run.as_ref().map_or(0.0, |run| run.nanoseconds);
             match run {
                 Ok(run) => settings.push(Setting {
                     curve,
@@ -53,7 +55,9 @@ pub(crate) fn sweep(problem: &Problem, entrants: &[Entrant]) -> (Vec<Curve>, Vec
                 Err(why) => curves[curve].failures.push((tolerance, why)),
             }
             if nanoseconds > PATIENCE {
-                curves[curve].failures.push((tolerance, "smaller ones would take too long".to_owned()));
+                curves[curve]
+                    .failures
+                    .push((tolerance, "smaller ones would take too long".to_owned()));
                 break;
             }
         }
@@ -70,7 +74,10 @@ pub(crate) fn sweep(problem: &Problem, entrants: &[Entrant]) -> (Vec<Curve>, Vec
         }
         sample(&mut settings, &near, round, entrants);
     }
-    for Setting { curve, point, samples, .. } in &mut settings {
+    for Setting {
+        curve, point, samples, ..
+    } in &mut settings
+    {
         point.least = least(samples);
         point.median = median(samples.clone());
         curves[*curve].points.push(*point);
@@ -97,7 +104,9 @@ fn sample(settings: &mut [Setting], which: &[usize], round: usize, entrants: &[E
 fn near(settings: &[Setting]) -> Vec<usize> {
     let fastest = |error: f64| {
         let as_good = settings.iter().filter(|setting| setting.point.error <= error);
-        as_good.map(|setting| least(&setting.samples)).fold(f64::INFINITY, f64::min)
+        as_good
+            .map(|setting| least(&setting.samples))
+            .fold(f64::INFINITY, f64::min)
     };
     let is_near = |&n: &usize| least(&settings[n].samples) <= NEAR * fastest(settings[n].point.error);
     (0..settings.len()).filter(is_near).collect()

@@ -57,7 +57,10 @@ fn markdown(results: &Results) -> String {
              library the fastest method.\n\n";
     for measured in &results.problems {
         let Problem { title, uncertainty, .. } = measured.problem;
-        text += &format!("## {title}\n\nUncertainty of the reference: {uncertainty:.0e}\n\n{}\n", times(measured));
+        text += &format!(
+            "## {title}\n\nUncertainty of the reference: {uncertainty:.0e}\n\n{}\n",
+            times(measured)
+        );
     }
     text
 }
@@ -66,7 +69,10 @@ fn markdown(results: &Results) -> String {
 fn summary(results: &Results) -> String {
     let cells = || results.problems.iter().flat_map(|measured| &measured.cells);
     type Ratio = fn(&Cell) -> f64;
-    let kinds: [(&str, Ratio); 2] = [("least times", |cell| cell.ratio), ("medians of the rounds", |cell| cell.paired)];
+    let kinds: [(&str, Ratio); 2] = [
+        ("least times", |cell| cell.ratio),
+        ("medians of the rounds", |cell| cell.paired),
+    ];
     let row = |(name, ratio): (&str, Ratio)| {
         let count = |limit: f64| cells().filter(|cell| ratio(cell) <= limit).count();
         let share = |count: usize| format!("{count} ({:.0} %)", 100.0 * count as f64 / cells().count() as f64);
@@ -80,7 +86,14 @@ fn summary(results: &Results) -> String {
             number(Some(worst)),
         ]
     };
-    let head = ["ratios of", "cells", "first", "within 10 %", "within 1.5", "worst ratio"];
+    let head = [
+        "ratios of",
+        "cells",
+        "first",
+        "within 10 %",
+        "within 1.5",
+        "worst ratio",
+    ];
     table(&head, 1, &kinds.map(row))
 }
 
@@ -104,11 +117,18 @@ fn ratios(results: &Results) -> String {
                         ratio if ratio.is_infinite() => "not reached".to_owned(),
                         ratio => number(Some(ratio)),
                     };
-                    let ratio = if cell.ratio <= LIMITS[0] { ratio } else { format!("**{ratio}**") };
+                    let ratio = if cell.ratio <= LIMITS[0] {
+                        ratio
+                    } else {
+                        format!("**{ratio}**")
+                    };
                     format!("{ratio}: {} / {}", name(&cell.ours), name(&cell.peer))
                 })
             };
-            [measured.problem.title.to_owned()].into_iter().chain(TARGETS.map(cell)).collect()
+            [measured.problem.title.to_owned()]
+                .into_iter()
+                .chain(TARGETS.map(cell))
+                .collect()
         })
         .collect();
     table(&head(&["our time over that of the fastest peer"]), 1, &rows)
@@ -156,7 +176,13 @@ fn raw(results: &Results) -> Value {
             };
             curve.failures.iter().map(failure).collect::<Vec<_>>()
         });
-        let Problem { name, title, is_stiff, uncertainty, .. } = measured.problem;
+        let Problem {
+            name,
+            title,
+            is_stiff,
+            uncertainty,
+            ..
+        } = measured.problem;
         json!({
             "name": name, "title": title, "is_stiff": is_stiff, "uncertainty": uncertainty,
             "cells": measured.cells, "settings": measured.settings.iter().map(setting).collect::<Vec<_>>(),
@@ -177,9 +203,10 @@ fn finite(value: f64) -> impl Serialize {
 fn chart(name: &str, problems: &[Measured]) -> Panels {
     Panels {
         title: format!("Time to reach an error: {name}"),
-        subtitle: "Microseconds for a trajectory over the relative error of its end; of each library the method that is \
+        subtitle:
+            "Microseconds for a trajectory over the relative error of its end; of each library the method that is \
                    the first to reach 1e-8, of ours all"
-            .to_owned(),
+                .to_owned(),
         legend: legend(problems.iter().flat_map(|measured| &measured.curves)),
         x: "relative error of the final state".to_owned(),
         x_ticks: (0..=6).map(|n| RANGE.0 * 100.0_f64.powi(n)).collect(),

@@ -8,7 +8,7 @@ static void explicitly(int table, const Task *task, End *end, long count) {
     Objects own = make_objects(task);
     void *solver = ERKStepCreate(rhs, 0.0, own.start, own.context);
     ERKStepSetTableNum(solver, table);
-    ERKStepSStolerances(solver, task->tolerance, task->tolerance);
+    ERKStepSStolerances(solver, task->relative, task->absolute);
     ERKStepSetMaxNumSteps(solver, PATIENCE / 10);
     ERKStepSetErrFile(solver, NULL);
     for (long n = 0; n < count; n++) {
@@ -30,7 +30,7 @@ static void implicitly(int order, const Task *task, End *end, long count) {
     Objects own = make_objects(task);
     void *solver = ARKStepCreate(NULL, rhs, 0.0, own.start, own.context);
     ARKStepSetOrder(solver, order);
-    ARKStepSStolerances(solver, task->tolerance, task->tolerance);
+    ARKStepSStolerances(solver, task->relative, task->absolute);
     ARKStepSetMaxNumSteps(solver, PATIENCE / 10);
     ARKStepSetErrFile(solver, NULL);
     ARKStepSetLinearSolver(solver, own.linear, own.matrix);

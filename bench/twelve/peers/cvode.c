@@ -7,7 +7,7 @@ static void integrate(int method, const Task *task, End *end, long count) {
     Objects own = make_objects(task);
     void *cvode = CVodeCreate(method, own.context);
     CVodeInit(cvode, rhs, 0.0, own.start);
-    CVodeSStolerances(cvode, task->tolerance, task->tolerance);
+    CVodeSStolerances(cvode, task->relative, task->absolute);
     CVodeSetMaxNumSteps(cvode, PATIENCE / 10);
 #if SUNDIALS_VERSION_MAJOR < 7
     CVodeSetErrFile(cvode, NULL);

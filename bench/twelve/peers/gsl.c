@@ -25,7 +25,7 @@ static void integrate(const gsl_odeiv2_step_type *type, const Task *task, End *e
     start_model();
     gsl_odeiv2_system system = {rhs, jacobian, LENGTH, NULL};
     gsl_odeiv2_driver *driver =
-        gsl_odeiv2_driver_alloc_y_new(&system, type, task->h0, task->tolerance, task->tolerance);
+        gsl_odeiv2_driver_alloc_y_new(&system, type, task->h0, task->absolute, task->relative);
     gsl_odeiv2_driver_set_nmax(driver, PATIENCE / 10);
     for (long n = 0; n < count; n++) {
         double t = 0.0;

@@ -46,7 +46,7 @@ void integrate(State x, Make make, System system, const Task *task, End *end, lo
     for (long n = 0; n < count; n++) {
         std::copy_n(task[n].x0, LENGTH, x.begin());
         evaluations = 0;
-        end->t = march(make(task->tolerance), system, x, task[n]);
+        end->t = march(make(task->absolute, task->relative), system, x, task[n]);
         std::copy_n(x.begin(), LENGTH, end->x);
         end->evaluations = evaluations;
     }
@@ -59,27 +59,27 @@ using State = std::array<double, LENGTH>;
 extern "C" {
 
 EXPORT void dopri5(const Task *task, End *end, long count) {
-    auto make = [](double tolerance) {
-        return odeint::make_controlled<odeint::runge_kutta_dopri5<State>>(tolerance, tolerance);
+    auto make = [](double absolute, double relative) {
+        return odeint::make_controlled<odeint::runge_kutta_dopri5<State>>(absolute, relative);
     };
     integrate(State(), make, Rhs(), task, end, count);
 }
 
 EXPORT void fehlberg78(const Task *task, End *end, long count) {
-    auto make = [](double tolerance) {
-        return odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(tolerance, tolerance);
+    auto make = [](double absolute, double relative) {
+        return odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(absolute, relative);
     };
     integrate(State(), make, Rhs(), task, end, count);
 }
 
 EXPORT void bulirsch_stoer(const Task *task, End *end, long count) {
-    auto make = [](double tolerance) { return odeint::bulirsch_stoer<State>(tolerance, tolerance); };
+    auto make = [](double absolute, double relative) { return odeint::bulirsch_stoer<State>(absolute, relative); };
     integrate(State(), make, Rhs(), task, end, count);
 }
 
 EXPORT void rosenbrock4(const Task *task, End *end, long count) {
-    auto make = [](double tolerance) {
-        return odeint::make_controlled<odeint::rosenbrock4<double>>(tolerance, tolerance);
+    auto make = [](double absolute, double relative) {
+        return odeint::make_controlled<odeint::rosenbrock4<double>>(absolute, relative);
     };
     integrate(ublas::vector<double>(LENGTH), make, std::make_pair(Rhs(), Jacobian()), task, end, count);
 }

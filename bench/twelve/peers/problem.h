@@ -20,7 +20,8 @@ extern "C" {
 
 /* Each function integrates `count` equal tasks in a row, so its solver is created once and only restarted. */
 typedef struct {
-    double tolerance, t1, h0, x0[LENGTH];
+    /* Relative and absolute tolerance, end, first step, start. */
+    double relative, absolute, t1, h0, x0[LENGTH];
 } Task;
 
 typedef struct {

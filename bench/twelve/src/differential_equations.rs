@@ -57,7 +57,8 @@ const STEPS: usize = 1_000_000;
 macro_rules! entrants {
     ($task:ident; $($name:literal: $family:ident::$method:ident,)*) => {
         vec![$(Entrant::new("differential-equations", $name, move |tolerance| {
-            let mut method = $family::$method().rtol(tolerance).atol(tolerance).max_steps(STEPS);
+            let absolute = $task.absolute * tolerance;
+            let mut method = $family::$method().rtol(tolerance).atol(absolute).max_steps(STEPS);
             let start = $task.x0.data.0[0];
             let solution = solve_ode(&mut method, &Slopes($task), 0.0, $task.t1, &start, &mut Nothing);
             let solution = solution.map_err(|error| format!("{error:?}"))?;

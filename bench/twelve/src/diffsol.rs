@@ -13,6 +13,7 @@ struct Span {
     model: &'static Model,
     x0: &'static [f64],
     t1: f64,
+    absolute: f64,
 }
 
 impl Span {
@@ -21,6 +22,7 @@ impl Span {
             model,
             x0: task.x0.as_slice(),
             t1: task.t1,
+            absolute: task.absolute,
         }
     }
 }
@@ -32,10 +34,10 @@ macro_rules! entrant {
         by: "diffsol",
         method: $name,
         integrate: Box::new(move |tolerance, times| {
-            let Span { model, x0, t1 } = $span;
+            let Span { model, x0, t1, absolute } = $span;
             let problem = OdeBuilder::<NalgebraMat<f64>>::new()
                 .rtol(tolerance)
-                .atol(vec![tolerance; model.length])
+                .atol(vec![absolute * tolerance; model.length])
                 .rhs_implicit(
                     move |x: &[f64], _, _, slope: &mut [f64]| (model.rhs)(x, slope),
                     move |x: &[f64], _, _, v: &[f64], product: &mut [f64]| (model.product)(x, v, product),

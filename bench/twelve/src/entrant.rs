@@ -8,8 +8,8 @@ use nalgebra::SVector;
 pub struct Entrant {
     pub by: &'static str,
     pub method: &'static str,
-    /// Integrates from the start to the end with a tolerance, relative and absolute, as often as told, and returns the
-    /// last end, or why it failed.
+    /// Integrates from the start to the end with a relative tolerance as often as told, and returns the last end, or why
+    /// it failed. The absolute tolerance is that times [`Problem::absolute`](crate::Problem::absolute).
     pub integrate: Box<Integrate>,
 }
 
@@ -29,6 +29,8 @@ pub(crate) struct Motion<S, const N: usize> {
     pub model: S,
     pub x0: SVector<f64, N>,
     pub t1: f64,
+    /// Absolute tolerance over the relative one.
+    pub absolute: f64,
 }
 
 pub(crate) type Task<S, const N: usize> = &'static Motion<S, N>;

@@ -17,7 +17,8 @@ impl<S: pendulum_core::System<f64, N>, const N: usize> System<f64, State<f64, N>
 pub(crate) fn smooth<S: pendulum_core::System<f64, N>, const N: usize>(task: Task<S, N>) -> Vec<Entrant> {
     let once = move |tolerance: f64| {
         let start = State::from(task.x0.data.0[0]);
-        let mut method = Dop853::new(Slopes(task), 0.0, task.t1, task.t1, start, tolerance, tolerance);
+        let absolute = task.absolute * tolerance;
+        let mut method = Dop853::new(Slopes(task), 0.0, task.t1, task.t1, start, tolerance, absolute);
         method.set_output(OutputType::Sparse);
         let statistics = method.integrate().map_err(|error| error.to_string())?;
         let (t, x) = (method.x_out().last(), method.y_out().last());

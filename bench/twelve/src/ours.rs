@@ -9,10 +9,10 @@ use crate::entrant::{Entrant, Task};
 /// Name under which our methods enter.
 pub const OURS: &str = "ours";
 
-/// A method for each name, with its settings for a tolerance.
+/// A method for each name, with its settings for a relative and an absolute tolerance.
 macro_rules! entrants {
     ($task:expr; $($method:ident)*) => {
-        vec![$(entrant($task, stringify!($method), |tolerance| $method::new().rtol(tolerance).atol(tolerance)),)*]
+        vec![$(entrant($task, stringify!($method), |rtol, atol| $method::new().rtol(rtol).atol(atol)),)*]
     };
 }
 
@@ -27,13 +27,13 @@ pub(crate) fn stiff<S: Jacobian<f64, N>, const N: usize>(task: Task<S, N>) -> Ve
     entrants!(task; Rodas4 Rodas5P Radau5 Radau9 Radau13 Auto)
 }
 
-fn entrant<S, M, const N: usize>(task: Task<S, N>, name: &'static str, make: fn(f64) -> M) -> Entrant
+fn entrant<S, M, const N: usize>(task: Task<S, N>, name: &'static str, make: fn(f64, f64) -> M) -> Entrant
 where
     M: Method<S, f64, N> + 'static,
     S: Jacobian<f64, N>,
 {
     Entrant::new(OURS, name, move |tolerance| {
-        let stepper = make(tolerance).stepper(&task.model, 0.0, task.t1, task.x0);
+        let stepper = make(tolerance, task.absolute * tolerance).stepper(&task.model, 0.0, task.t1, task.x0);
         let mut stepper = stepper.map_err(|reason| reason.to_string())?;
         let end = stepper.run().map_err(|reason| reason.to_string())?;
         Ok((stepper.t(), end.into(), Some(stepper.statistics().evaluations)))
