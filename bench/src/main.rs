@@ -16,6 +16,7 @@ mod rust;
 mod scaling;
 mod sweeps;
 mod timing;
+mod twelve;
 mod weights;
 
 use std::error::Error;
@@ -24,12 +25,13 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// All measurements: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 8] = [
+const MEASUREMENTS: [(&str, Measurement); 9] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),
     ("scaling", scaling::measure),
     ("weights", weights::measure),
     ("methods", methods::measure),
+    ("twelve", twelve::measure),
     ("sweeps", sweeps::measure),
     ("linkages", linkages::measure),
     ("robots", robots::measure),

@@ -154,7 +154,7 @@ pub trait Visitor {
     /// Receives a problem, and whether explicit methods cannot solve it.
     fn visit<S, const N: usize>(&mut self, scene: Scene<S, N>, is_stiff: bool)
     where
-        S: Cast<N, In<f64> = S> + Jacobian<f64, N> + TaylorSeries<f64, N>,
+        S: Cast<N, In<f64> = S> + Jacobian<f64, N> + TaylorSeries<f64, N> + 'static,
         S::In<Counted>: Jacobian<Counted, N> + TaylorSeries<Counted, N>;
 }
 

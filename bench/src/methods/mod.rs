@@ -20,7 +20,10 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
+pub(crate) use results::{Curve, Point};
 use results::{Results, SceneResults};
+pub(crate) use sweep::tolerances;
+pub(crate) use write::{RANGE, legend, panel};
 
 use crate::machine;
 
@@ -75,7 +78,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
 }
 
 /// Version of a crate in the lock file of this program.
-fn locked(name: &str) -> &'static str {
+pub(crate) fn locked(name: &str) -> &'static str {
     let lock = include_str!("../../Cargo.lock");
     let entry = lock
         .split("[[package]]")

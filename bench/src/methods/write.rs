@@ -13,7 +13,7 @@ use charts::panels::{self, Column, Panels};
 const TARGETS: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
 
 /// Libraries and their colours, distinguishable with any colour vision (Okabe and Ito, 2008).
-const LIBRARIES: [(&str, RGBColor); 8] = [
+const LIBRARIES: [(&str, RGBColor); 10] = [
     (OURS, BLUE),
     ("heyoka", VERMILION),
     ("GSL", GREEN),
@@ -22,6 +22,8 @@ const LIBRARIES: [(&str, RGBColor); 8] = [
     ("ode_solvers", PURPLE),
     ("differential-equations", SKY),
     ("diffsol", RGBColor(150, 150, 150)),
+    ("ARKODE", RGBColor(140, 86, 75)),
+    ("SciPy", RGBColor(188, 189, 34)),
 ];
 
 pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
@@ -85,11 +87,10 @@ fn row(curve: &Curve) -> Vec<String> {
     cells
 }
 
-// Range of the error axis.
-const RANGE: (f64, f64) = (1e-14, 1e-2);
+/// Range of the error axis.
+pub(crate) const RANGE: (f64, f64) = (1e-14, 1e-2);
 
 fn chart(results: &Results) -> Panels {
-    let key = |(library, color): (&str, RGBColor)| (color, if library == OURS { 4.0 } else { 2.5 }, library.to_owned());
     type Select = fn(&SceneResults) -> &[Curve];
     let rows: [(&str, Select); 2] = [
         ("One at a time", |scene| &scene.alone),
@@ -100,10 +101,7 @@ fn chart(results: &Results) -> Panels {
         subtitle: "Microseconds for a trajectory over the error of its end; of each library the method that is the \
                    first to reach 1e-8, of ours all"
             .to_owned(),
-        legend: LIBRARIES
-            .chunks(4)
-            .map(|row| row.iter().copied().map(key).collect())
-            .collect(),
+        legend: legend(results.scenes.iter().flat_map(|scene| &scene.alone)),
         x: "error of the final state".to_owned(),
         x_ticks: (0..=6).map(|n| RANGE.0 * 100.0_f64.powi(n)).collect(),
         panel: (480.0, 480.0),
@@ -123,7 +121,19 @@ fn chart(results: &Results) -> Panels {
     }
 }
 
-fn panel(curves: &[Curve]) -> Vec<panels::Curve> {
+/// Rows of a colour, width and name for each library that has a curve.
+pub(crate) fn legend<'a>(curves: impl Iterator<Item = &'a Curve> + Clone) -> Vec<Vec<(RGBColor, f64, String)>> {
+    let occurs = |library: &str| curves.clone().any(|curve| curve.by == library);
+    let keys: Vec<_> = LIBRARIES
+        .into_iter()
+        .filter(|(library, _)| occurs(library))
+        .map(|(library, color)| (color, if library == OURS { 4.0 } else { 2.5 }, library.to_owned()))
+        .collect();
+    keys.chunks(5).map(<[_]>::to_vec).collect()
+}
+
+/// Curves of all of our methods, and of the best method of each library.
+pub(crate) fn panel(curves: &[Curve]) -> Vec<panels::Curve> {
     let mut drawn = Vec::new();
     for (library, color) in LIBRARIES.into_iter().rev() {
         let of = curves.iter().filter(|curve| curve.by == library);

@@ -1,0 +1,155 @@
+//! heyoka and SciPy, in a Python that answers requests.
+
+use std::cell::RefCell;
+use std::error::Error;
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::rc::Rc;
+
+use serde::Deserialize;
+use serde_json::{Value, json};
+use twelve::{End, Problem};
+
+use super::emitted::Emitted;
+use super::entrant::{Entrant, Run};
+use crate::python::python;
+
+/// Running `peers.py`.
+struct Server {
+    process: Child,
+    input: ChildStdin,
+    output: BufReader<ChildStdout>,
+}
+
+/// First line of the output of `peers.py`.
+#[derive(Deserialize)]
+struct Head {
+    versions: Vec<(String, String)>,
+    missing: Vec<String>,
+    /// Libraries and methods of each problem.
+    entrants: Vec<Vec<(String, String)>>,
+}
+
+/// Answer to a request.
+#[derive(Deserialize)]
+struct Answer {
+    error: Option<String>,
+    #[serde(default)]
+    t: f64,
+    #[serde(default)]
+    x: Vec<f64>,
+    evaluations: Option<usize>,
+    #[serde(default)]
+    nanoseconds: f64,
+}
+
+/// Libraries in Python.
+const LIBRARIES: [&str; 2] = ["heyoka", "SciPy"];
+
+/// Adds the methods of the installed libraries to the entrants of each problem.
+pub(crate) fn enter(
+    root: &Path,
+    problems: &[Problem],
+    emitted: &[Emitted],
+    entrants: &mut [Vec<Entrant>],
+    [header, notes]: [&mut Vec<String>; 2],
+) -> Result<(), Box<dyn Error>> {
+    let tasks: Vec<Value> = problems
+        .iter()
+        .zip(emitted)
+        .map(|(problem, emitted)| {
+            let parameters: serde_json::Map<String, Value> = emitted
+                .parameters
+                .iter()
+                .map(|&(name, value)| (name.to_owned(), value.into()))
+                .collect();
+            json!({
+                "name": problem.name, "is_stiff": problem.is_stiff, "x0": problem.x0, "t1": problem.t1,
+                "absolute": problem.absolute,
+                "tape": emitted.tape, "library": emitted.library, "parameters": parameters,
+            })
+        })
+        .collect();
+    let started = Server::start(root).and_then(|mut server| {
+        let head: Head = serde_json::from_str(&server.ask(&Value::from(tasks))?)?;
+        Ok((server, head))
+    });
+    let (server, head) = match started {
+        Ok(started) => started,
+        Err(why) => {
+            notes.push(format!("{}: {why}; {HOW}", LIBRARIES.join(" and ")));
+            return Ok(());
+        }
+    };
+    header.extend(head.versions.iter().map(|(name, version)| format!("{name} {version}")));
+    notes.extend(head.missing.iter().map(|why| format!("{why}; {HOW}")));
+    let server = Rc::new(RefCell::new(server));
+    for (problem, (names, entrants)) in head.entrants.into_iter().zip(entrants).enumerate() {
+        for (entrant, (by, method)) in names.into_iter().enumerate() {
+            let server = Rc::clone(&server);
+            let by = LIBRARIES
+                .into_iter()
+                .find(|library| *library == by)
+                .ok_or("an unknown library")?;
+            let run = move |tolerance, times| server.borrow_mut().run(problem, entrant, tolerance, times);
+            entrants.push(Entrant {
+                by,
+                // kept to the end of the program
+                method: method.leak(),
+                run: Box::new(run),
+            });
+        }
+    }
+    Ok(())
+}
+
+const HOW: &str = "`.venv/bin/pip install heyoka scipy numba`, or set PYTHON";
+
+impl Server {
+    fn start(root: &Path) -> Result<Self, Box<dyn Error>> {
+        let mut process = Command::new(python(root))
+            .arg(root.join("twelve/peers/peers.py"))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let (input, output) = (process.stdin.take(), process.stdout.take());
+        Ok(Self {
+            process,
+            input: input.ok_or("no input")?,
+            output: BufReader::new(output.ok_or("no output")?),
+        })
+    }
+
+    /// Writes a line, and reads one.
+    fn ask(&mut self, request: &Value) -> Result<String, Box<dyn Error>> {
+        writeln!(self.input, "{request}")?;
+        let mut answer = String::new();
+        if self.output.read_line(&mut answer)? == 0 {
+            return Err("no answer".into());
+        }
+        Ok(answer)
+    }
+
+    fn run(&mut self, problem: usize, entrant: usize, tolerance: f64, times: usize) -> Result<Run, String> {
+        let answer = self.ask(&json!([problem, entrant, tolerance, times]));
+        let answer = answer.map_err(|error| error.to_string())?;
+        let answer: Answer = serde_json::from_str(&answer).map_err(|error| error.to_string())?;
+        let Answer { t, x, evaluations, .. } = answer;
+        match answer.error {
+            Some(why) => Err(why),
+            None => Ok(Run {
+                end: End { t, x, evaluations },
+                nanoseconds: answer.nanoseconds,
+            }),
+        }
+    }
+}
+
+/// The process ends with its input, but would remain a zombie.
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
