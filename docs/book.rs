@@ -20,6 +20,7 @@ pages! {
     dry_friction: "src/recipes/dry-friction.md",
     cart_pole: "src/recipes/cart-pole.md",
     clock: "src/recipes/clock.md",
+    controller_in_c: "src/recipes/controller-in-c.md",
     computed_torque: "src/recipes/computed-torque.md",
     flip_map: "src/recipes/flip-map.md",
     experiment_design: "src/recipes/experiment-design.md",

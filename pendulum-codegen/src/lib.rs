@@ -45,7 +45,7 @@ mod units;
 mod urdf;
 mod words;
 
-pub use emit::c::{Sources, c, c_fused, opencl};
+pub use emit::c::{Controller, Ilqr, NoController, Sources, c, c_fused, opencl};
 pub use emit::fmi::{Fmu, NoFmu, fmu};
 pub use emit::tape::tape;
 pub use error::{Code, Errors};

@@ -36,6 +36,11 @@ pub(crate) fn results(folder: &Path, program: &Program, sources: &Sources, given
 
 /// Compiles a program of a scene and a `main`.
 pub(crate) fn compiled(folder: &Path, sources: &Sources, main: &str) -> PathBuf {
+    compiled_with(folder, sources, main, &[])
+}
+
+/// Compiles a program with more options.
+pub(crate) fn compiled_with(folder: &Path, sources: &Sources, main: &str, options: &[&str]) -> PathBuf {
     let own = |extension| folder.join(&sources.name).with_extension(extension);
     for (path, text) in [
         (own("h"), &*sources.header),
@@ -46,6 +51,7 @@ pub(crate) fn compiled(folder: &Path, sources: &Sources, main: &str) -> PathBuf 
     }
     let mut command = Command::new("cc");
     command.args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-O2"]);
+    command.args(options);
     // with instructions that could fuse operations, if the machine has them
     command.args(cfg!(target_arch = "x86_64").then_some("-march=native"));
     command.arg("main.c").arg(own("c")).args(["-lm", "-o", "main"]);

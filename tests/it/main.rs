@@ -9,6 +9,7 @@ mod clamp;
 mod closed_loops;
 mod compile_errors;
 mod control;
+mod controllers;
 mod double_pendulum;
 mod drives;
 mod emitted_c;

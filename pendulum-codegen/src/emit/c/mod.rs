@@ -1,13 +1,16 @@
 //! A program as C99: a header and a source without heap, and without any library except for the functions named in the
-//! header.
+//! header. A controller adds its laws.
 
 mod block;
+mod controller;
 mod model;
 mod names;
 mod opencl;
 mod routines;
+mod single;
 pub(in crate::emit) mod template;
 
+pub use controller::{Controller, Ilqr, NoController};
 use names::{identifiers, snake_case};
 pub use opencl::opencl;
 
@@ -44,8 +47,8 @@ pub fn c_fused(program: &Program) -> Sources {
 }
 
 fn sources(scene: Scene<'_>) -> Sources {
-    let (source, calls) = scene.source();
-    let (header, name) = (scene.header(&calls), scene.name);
+    let (source, heads) = scene.source();
+    let (header, name) = (scene.header(&heads), scene.name);
     Sources { name, header, source }
 }
 
@@ -54,6 +57,8 @@ struct Scene<'p> {
     program: &'p Program,
     /// True if sums with a product are fused.
     fused: bool,
+    /// Controller whose laws are added.
+    controller: Option<&'p Controller>,
     name: String,
     parameters: Vec<String>,
     inputs: Vec<String>,
@@ -68,6 +73,7 @@ impl<'p> Scene<'p> {
         Self {
             program,
             fused: false,
+            controller: None,
             name,
             parameters: identifiers(program.parameters.iter().map(|parameter| &parameter.name)),
             inputs: identifiers(program.inputs.iter().map(|input| &input.name)),
@@ -75,6 +81,16 @@ impl<'p> Scene<'p> {
             rates: identifiers(&rates),
             states: identifiers(program.layout.states.iter().map(|state| &state.name)),
         }
+    }
+
+    /// True if states, inputs and results are in single precision.
+    fn is_single(&self) -> bool {
+        self.controller.is_some_and(Controller::is_single)
+    }
+
+    /// Code in the precision of the states, from that in double precision.
+    fn real(&self, code: String) -> String {
+        if self.is_single() { single::single(&code) } else { code }
     }
 
     /// Fills a template with the names and lengths of the scene. C has no arrays without elements.

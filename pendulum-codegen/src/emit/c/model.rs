@@ -3,12 +3,13 @@
 use super::Scene;
 use super::block::{Calls, number, statements};
 use super::names::{identifiers, words};
+use super::single::single_functions;
 use super::template::{fill, lines};
 use crate::program::{Condition, FINITE_CONSTANT, FINITE_PARAMETER, Quantity, ROUNDING, SlotKind};
 
 impl Scene<'_> {
-    /// Header for a source that makes these calls.
-    pub(super) fn header(&self, calls: &Calls) -> String {
+    /// Header for a source that calls the functions with these heads.
+    pub(super) fn header(&self, heads: &[String]) -> String {
         let program = self.program;
         let [positions, rates] = program.layout.components();
         let slots = || program.layout.slots.iter();
@@ -28,31 +29,34 @@ impl Scene<'_> {
         let meanings = program.constants_text.iter().enumerate();
         let codes = (1..).zip(self.codes()).zip(self.rules());
         let code = |((n, code), rule): ((usize, String), String)| format!("/// {rule}\n{code} = {n},");
-        let platform = functions(calls).filter(|(head, _)| head.contains(':'));
-        let of_number = match self.fused {
-            true => " for Fused<f64>, up to the coefficients of series",
-            false => "",
+        let platform = heads.iter().filter(|head| head.contains(':')).cloned();
+        let of_number = match (self.fused, self.is_single()) {
+            (true, _) => " for Fused<f64>, up to the coefficients of series",
+            (_, true) => " for f32",
+            _ => "",
         };
         let values = [
             ("docs", program.docs.join("\n")),
             ("state", lines(state)),
             ("equations", program.equations.to_string()),
             ("number", of_number.to_owned()),
-            ("platform", lines(platform.map(|(head, _)| head.to_owned()))),
+            ("platform", lines(platform)),
             ("parameters", fields(&program.parameters, &self.parameters)),
             ("defaults", self.defaults(include_str!("templates/defaults.h"))),
-            ("inputs", self.inputs()),
+            ("inputs", self.real(self.inputs())),
+            ("real", self.real("double".to_owned()).trim_end().to_owned()),
             ("meanings", lines(meanings.map(|(n, text)| format!("k[{n}] = {text}")))),
             ("codes", lines(codes.map(code))),
             ("last", (self.rules().len() + 1).to_string()),
             ("fused", self.of_fused(include_str!("templates/fused.h"))),
-            ("routines", self.declarations()),
+            ("routines", self.real(self.declarations())),
+            ("controller", self.real(self.controller_header())),
         ];
         self.fill(include_str!("templates/header.h"), &values)
     }
 
-    /// Source, and the functions that it calls.
-    pub(super) fn source(&self) -> (String, Calls) {
+    /// Source, and the heads of the functions that it calls.
+    pub(super) fn source(&self) -> (String, Vec<String>) {
         let (program, mut calls) = (self.program, Calls::new());
         let refuse = |code: &str, holds| format!("if (!({holds})) return {code};\n");
         let codes = self.codes();
@@ -76,17 +80,44 @@ impl Scene<'_> {
         if self.fused {
             calls.insert("PENDULUM_FMA".to_owned());
         }
+        calls.insert("pendulum_is_finite".to_owned());
+        let mut later = Calls::new();
+        let routines = self.real(self.routines(&mut later));
+        let controller = self.real(self.controller_source(&mut later));
+        let (heads, functions): (Vec<String>, Vec<String>) = self.functions(calls, later).into_iter().unzip();
+        // constants are computed in double precision, as in Rust
+        let [real, back] = match self.is_single() {
+            true => ["(float)k[i]", "(double)(float)k[i]"],
+            false => ["k[i]"; 2],
+        };
+        let only_if = |holds: bool, text: &str| if holds { text.to_owned() } else { String::new() };
+        let is_infinite = [&routines, &controller].iter().any(|code| code.contains("HUGE_VAL"));
         let values = [
             ("fused", self.of_fused(include_str!("templates/fused.c"))),
-            ("routines", self.routines(&mut calls)),
-            ("functions", functions(&calls).map(|(_, code)| code).collect()),
+            ("routines", routines),
+            ("controller", controller),
+            ("functions", functions.concat()),
+            ("infinite", only_if(is_infinite, "#include <math.h>")),
+            ("single", only_if(self.is_single(), include_str!("templates/single.c"))),
+            ("real_k", real.to_owned()),
+            ("kept_k", back.to_owned()),
             ("defaults", self.defaults(include_str!("templates/defaults.c"))),
             ("finite", codes.iter().zip(&self.parameters).map(finite).collect()),
             ("checks", checks),
             ("code", code + &statements(&constants, |n| format!("k[{n}]"))),
             ("texts", lines(texts.map(|text| format!("{text:?},")))),
         ];
-        (self.fill(include_str!("templates/source.c"), &values), calls)
+        (self.fill(include_str!("templates/source.c"), &values), heads)
+    }
+
+    /// Heads and code of the functions that are called to build the model, and later.
+    fn functions(&self, mut calls: Calls, later: Calls) -> Vec<(String, String)> {
+        let owned = |(head, code): (&str, &str)| (head.to_owned(), code.to_owned());
+        if self.is_single() {
+            return functions(&calls).map(owned).chain(single_functions(&later)).collect();
+        }
+        calls.extend(later);
+        functions(&calls).map(owned).collect()
     }
 
     /// Fills a template for fused arithmetic. Empty if sums are not fused.
@@ -143,9 +174,22 @@ impl Scene<'_> {
 
 /// Heads and code of the called functions.
 pub(super) fn functions(calls: &Calls) -> impl Iterator<Item = (&'static str, &'static str)> {
+    sections().filter(|(head, _)| calls.contains(name_of(head)))
+}
+
+/// True if generated code may call a function of this name.
+pub(super) fn is_function(name: &str) -> bool {
+    sections().any(|(head, _)| name_of(head) == name)
+}
+
+fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
     let sections = include_str!("templates/functions.c").split("//! ");
-    let sections = sections.filter_map(|section| section.split_once('\n'));
-    sections.filter(|(head, _)| head.split(':').next().is_some_and(|name| calls.contains(name)))
+    sections.filter_map(|section| section.split_once('\n'))
+}
+
+/// Name of a function: its head, without the default of the platform.
+fn name_of(head: &str) -> &str {
+    head.split(':').next().unwrap_or(head)
 }
 
 /// Fields of a structure. C has no structures without fields.

@@ -66,6 +66,11 @@ static inline double pendulum_abs(double x) {
     return x > 0.0 ? x : 0.0 - x;
 }
 
+//! pendulum_is_finite
+static inline int pendulum_is_finite(double x) {
+    return x >= -DBL_MAX && x <= DBL_MAX;
+}
+
 //! pendulum_max
 // The larger of two; the left one if they are equal, or if it is NaN.
 static inline double pendulum_max(double a, double b) {
@@ -135,6 +140,52 @@ static inline pendulum_pair pendulum_sincos(double x) {
     swap = (sine.bits ^ cosine.bits) & (0 - (turned.bits & 1));
     sine.bits ^= swap ^ ((turned.bits & 2) << 62);
     cosine.bits ^= swap ^ (((turned.bits + 1) & 2) << 62);
+    pair.sin = sine.number;
+    pair.cos = cosine.number;
+    return pair;
+}
+
+//! pendulum_pairf
+typedef struct {
+    float sin, cos;
+} pendulum_pairf;
+
+typedef union {
+    float number;
+    uint32_t bits;
+} pendulum_bitsf;
+
+//! pendulum_sincosf
+// Sine and cosine of an angle in radians, to less than 1 ulp of single precision, in the steps of pendulum_sincos: multiples of pi/2 in
+// parts of 12, 12, 9 and 24 bits.
+static inline pendulum_pairf pendulum_sincosf(float x) {
+    pendulum_bitsf turned, sine, cosine;
+    pendulum_pairf pair;
+    uint32_t swap;
+    if (x > 6400.0f || x < -6400.0f) {
+        pair.sin = PENDULUM_SINF(x);
+        pair.cos = PENDULUM_COSF(x);
+        return pair;
+    }
+    turned.number = x * 0.63661975f + 12582912.0f;
+    const float n = turned.number - 12582912.0f;
+    const float near = (x - n * 1.5708008f) - n * -4.4703484e-6f;
+    const float low = n * 1.5890691e-8f;
+    const float r = near - low;
+    const float excess = (low - (near - r)) + n * 2.563344e-12f;
+
+    const float z = r * r;
+    const float z2 = z * z;
+    const float half_z = z * 0.5f;
+    const float base = 1.0f - half_z;
+    const float s = (0.16666654f + z * -0.008332106f) + z2 * 0.00019507883f;
+    const float c = (0.041666646f + z * -0.0013887308f) + z2 * 2.4432102e-5f;
+    sine.number = r - (r * (z * s) + excess * base);
+    cosine.number = base + (((1.0f - base) - half_z) + (z2 * c + r * excess));
+
+    swap = (sine.bits ^ cosine.bits) & (0 - (turned.bits & 1));
+    sine.bits ^= swap ^ ((turned.bits & 2) << 30);
+    cosine.bits ^= swap ^ (((turned.bits + 1) & 2) << 30);
     pair.sin = sine.number;
     pair.cos = cosine.number;
     return pair;

@@ -37,7 +37,7 @@ typedef struct {
 ///
 /// @meanings@
 typedef struct {
-    double k[@constants@];
+    @real@ k[@constants@];
 } @name@_model;
 
 /// Return values of @name@_new.
@@ -57,6 +57,7 @@ int @name@_new(@name@_model *model, const @name@_params *params);
 const char *@name@_error(int code);
 @fused@
 @routines@
+@controller@
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,7 @@
 #include "@name@.h"
 
 #include <float.h>
+@infinite@
 #include <stdint.h>
 
 #ifdef __GNUC__
@@ -23,12 +24,9 @@
 #if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1
 #error "double must be computed in double precision: on x86, compile with -msse2 -mfpmath=sse"
 #endif
+@single@
 
 @functions@
-static int pendulum_is_finite(double x) {
-    return x >= -DBL_MAX && x <= DBL_MAX;
-}
-
 @defaults@
 
 int @name@_new(@name@_model *model, const @name@_params *params) {
@@ -42,10 +40,10 @@ int @name@_new(@name@_model *model, const @name@_params *params) {
         @code@
     }
     for (int i = 0; i < @constants@; i++) {
-        if (!pendulum_is_finite(k[i])) return @NAME@_CONSTANT + i;
+        if (!pendulum_is_finite(@kept_k@)) return @NAME@_CONSTANT + i;
     }
     for (int i = 0; i < @constants@; i++) {
-        model->k[i] = k[i];
+        model->k[i] = @real_k@;
     }
     return @NAME@_OK;
 }
@@ -60,3 +58,4 @@ const char *@name@_error(int code) {
 }
 @fused@
 @routines@
+@controller@
