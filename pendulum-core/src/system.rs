@@ -8,6 +8,7 @@ mod absent;
 mod adjoint;
 mod assembly;
 mod differences;
+mod equations;
 mod function;
 mod parametric;
 mod plant;
@@ -21,6 +22,7 @@ pub use assembly::assemble;
 pub(crate) use assembly::{close, open};
 pub use differences::Differences;
 pub(crate) use differences::{by_number, by_state, by_time};
+pub use equations::{Equations, EquationsSystem};
 pub use function::{FnSystem, WithJacobian, WithTimeDerivative};
 pub use parametric::{Parametric, ParametricControlled};
 pub use plant::{Acting, ActsWith, Hybrid, HybridJacobian, Plant, PlantCanonical, PlantJacobian, by_sign};
@@ -139,8 +141,8 @@ pub trait System<T: Real, const N: usize> {
     message = "`{Self}` cannot be converted to other number types",
     note = "`mechanism!` implements `Cast` for scenes without inputs where `generate` has `rhs`; a model with inputs \
             has it as `model.with_law(law)`, with a law that is generic over `Real`",
-    note = "a system of your own implements `System<T, N>` for every `T: Real`, and `Cast`; a method without \
-            `.fused()` needs neither"
+    note = "a system of your own has it as `EquationsSystem(equations)`, with `Equations`, which are generic over \
+            `Real`; a method without `.fused()` does not need it"
 )]
 pub trait Cast<const N: usize> {
     /// True if the model may be [hybrid](crate::hybrid).
@@ -173,7 +175,8 @@ pub trait Cast<const N: usize> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no Jacobian",
     note = "`mechanism!` generates it unless `generate` leaves it out; a system of your own gets it by \
-            `FnSystem::with_jacobian(f, j)` or `impl Jacobian`, or by differences as `Differences(system)`",
+            `FnSystem::with_jacobian(f, j)`, by dual numbers as `EquationsSystem(equations)`, or by differences as \
+            `Differences(system)`",
     note = "explicit methods such as `Vern9` do not require it"
 )]
 pub trait Jacobian<T: Real, const N: usize>: System<T, N> {

@@ -6,6 +6,7 @@ mod auto;
 mod bifurcations;
 mod continuation;
 mod control;
+mod equations;
 mod events;
 mod failures;
 mod hostile;
