@@ -68,7 +68,7 @@ macro_rules! each_without_estimate {
         );
         $crate::each!($check: pendulum_core::method::Gauss<2>, "Gauss4", 4.0, 3.0, 0.02, 0.04);
         $crate::each!($check: pendulum_core::method::Gauss<3>, "Gauss6", 6.0, 5.0, 0.04, 0.1);
-        $crate::each!($check: pendulum_core::method::Gauss<8, 4>, "Gauss16", 16.0, 8.0, 0.3, 0.4);
+        $crate::each!($check: pendulum_core::method::Gauss<8, 4>, "Gauss16", 16.0, 8.0, 0.25, 0.4);
     };
 }
 
