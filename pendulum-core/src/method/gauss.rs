@@ -53,8 +53,7 @@ where
         let parts = canonical.and(count::TIME).and(count::multiplied(n + 1));
         let parts = parts.and(term).and(count::added(2 * n)).times(STAGES);
         let swept = term.times(STAGES).and(count::added(n)).times(STAGES);
-        // of the changes and of the stages
-        let largest = Operations::new(STAGES * n, 0, 0, 0, STAGES * n, STAGES * n).times(2);
+        let largest = Operations::new((STAGES + 1) * n, 0, 0, 0, STAGES * n, STAGES + n);
         let iteration = parts.and(swept).and(collocation::changes(modes, n)).and(largest);
         // the last change is rounding, and not applied
         let updates = count::added(STAGES * n).times(MAX_ITERATIONS - 1);
@@ -67,6 +66,7 @@ where
             .and(middle)
             .and(jacobian)
             .and(collocation::pencil(modes, n))
+            .and(largest)
             .and(iteration.times(MAX_ITERATIONS))
             .and(updates)
             .and(rises)
@@ -239,6 +239,8 @@ where
         let pencil = Pencil::new(modes, h, [&of_variables, &of_rates], system.active()).map_err(|_| Stalled)?;
         work.jacobians += 1;
         work.factorizations += pencil.factorizations();
+        // of the states, beside which the last changes are rounding errors
+        let size = largest(&stages);
         let (mut before, mut rises) = (T::from_f64(f64::INFINITY), 0);
         for _ in 0..MAX_ITERATIONS {
             work.iterations += 1;
@@ -255,7 +257,7 @@ where
             }
             // iterate until the changes stop falling, at the level of rounding: a remaining error would cause a drift
             if change >= before || change == zero {
-                if change <= T::EPSILON.sqrt() * largest(&stages) {
+                if change <= T::EPSILON.sqrt() * size {
                     return Ok((stages, parts));
                 }
                 rises += 1;
