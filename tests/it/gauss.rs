@@ -71,6 +71,16 @@ fn the_error_of_the_longest_falls_with_its_sixteenth_power() {
 }
 
 #[test]
+fn a_last_step_of_some_ulps_is_taken() {
+    let model = pair(0.0);
+    let there = end(&Gauss16::new(0.1), &model, 0.1, CHAOTIC);
+    for ulps in 1..100 {
+        let t1 = 0.1 * (1.0 + f64::from(ulps) * f64::EPSILON);
+        assert_abs_diff_eq!(end(&Gauss16::new(0.1), &model, t1, CHAOTIC), there, epsilon = 1e-12);
+    }
+}
+
+#[test]
 fn the_reference_is_reached() {
     for (name, t) in [
         ("large_swing", 5.0),

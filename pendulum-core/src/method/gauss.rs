@@ -128,6 +128,10 @@ const MAX_ITERATIONS: usize = 100;
 /// Maximum ratio of a step to the last one, up to which the last step is extrapolated.
 const MAX_RATIO: f64 = 4.0;
 
+/// Minimum ratio, in rounding units: in a shorter step all stages are at the end of the last one, where the weights are
+/// not defined.
+const MIN_RATIO: f64 = 1024.0;
+
 /// Maximum number of iterations whose changes grow: the first may move away from starting values more accurate than
 /// they show.
 const MAX_RISES: usize = 2;
@@ -142,7 +146,7 @@ where
     const TABLEAU: GaussTableau<STAGES, PAIRS> = GaussLegendre::TABLEAU;
 
     /// Starting values: extrapolates the polynomial through start, stages and end of the last step. Falls back to a
-    /// straight line if there is no last step, or if it was too short, as from an impact to the grid.
+    /// straight line if there is no last step, or if it was too short, as from an impact to the grid, or far longer.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn predicted(&self, x: &SVector<T, N>, h: T) -> [SVector<T, N>; STAGES] {
         let table = const { &Self::TABLEAU };
@@ -151,7 +155,8 @@ where
             .as_ref()
             .map(|(x0, stages, before)| (x0, stages, h / *before));
         let mut predicted = [*x; STAGES];
-        let Some((x0, stages, ratio)) = last.filter(|(.., ratio)| *ratio <= T::from_f64(MAX_RATIO)) else {
+        let [least, most] = [T::EPSILON * T::from_f64(MIN_RATIO), T::from_f64(MAX_RATIO)];
+        let Some((x0, stages, ratio)) = last.filter(|(.., ratio)| *ratio >= least && *ratio <= most) else {
             for (predicted, c) in predicted.iter_mut().zip(table.c) {
                 add_scaled(&mut predicted.data.0[0], h * T::from_f64(c), &self.slope);
             }
