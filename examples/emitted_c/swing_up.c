@@ -2,7 +2,7 @@
 //
 //     cc -std=c99 -O2 -ffp-contract=off -Iout examples/emitted_c/swing_up.c out/cart_pole.c -lm -o out/swing_up
 //
-// Prints the time, the force and the state as CSV. On a machine, x is measured, and the force goes to the motor.
+// Prints the time, the force and the state as CSV. On the real cart, x is measured, and the force goes to the motor.
 #include <math.h>
 #include <stdio.h>
 

@@ -110,6 +110,17 @@ fn what_makes_no_controller_is_refused() {
             "the output or event `rk4_step` has the name of a function of the controller",
         ),
         (
+            of(
+                "pub A {
+                    input f: N,
+                    event ilqr: s,
+                    body b on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: f }
+                }",
+                Controller::new(),
+            ),
+            "the output or event `ilqr` has the name of a function of the controller",
+        ),
+        (
             of(ARM, Controller::new().limits(&[-1.0], &[1.0])),
             "a list of limits has 1 numbers, and the scene requires 2",
         ),

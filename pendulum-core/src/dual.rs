@@ -3,6 +3,8 @@
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use nalgebra::SVector;
+
 use crate::real::lanes::{Lanes, Pack, Register, Routine};
 use crate::real::{Float, Real};
 
@@ -71,6 +73,12 @@ impl<T: Real, const N: usize> Dual<T, N> {
             slopes: T::add_each(own, others),
         }
     }
+}
+
+/// The components of a state, each as a variable.
+#[inline(always)]
+pub(crate) fn variables<T: Real, const N: usize>(x: &SVector<T, N>) -> SVector<Dual<T, N>, N> {
+    SVector::<Dual<T, N>, N>::from_fn(|n, _| Dual::variable(x[n], n))
 }
 
 impl<T: Real, const N: usize> Default for Dual<T, N> {

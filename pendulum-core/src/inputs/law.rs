@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::dual::Dual;
+use crate::dual::{Dual, variables};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 use crate::system::{Differences, WithJacobian, by_number, by_state};
@@ -152,8 +152,7 @@ impl<T: Real, L: InputLaw<N, M>, const N: usize, const M: usize> ControlLaw<T, N
 impl<T: Real, L: InputLaw<N, M>, const N: usize, const M: usize> LawJacobian<T, N, M> for Generic<L> {
     #[inline(always)]
     fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>) {
-        let variables = SVector::<Dual<T, N>, N>::from_fn(|n, _| Dual::variable(x[n], n));
-        let inputs = self.0.inputs(Dual::constant(t), &variables);
+        let inputs = self.0.inputs(Dual::constant(t), &variables(x));
         let jacobian = SMatrix::from_fn(|m, n| inputs[m].slopes[n]);
         (inputs.map(|input| input.value), jacobian)
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::dual::Dual;
+use crate::dual::{Dual, variables};
 use crate::method::stages::{shifted, weighted_sum};
 use crate::method::{Adaptive, Explicit, Fixed};
 use crate::real::Float;
@@ -116,8 +116,7 @@ impl<B: Tableau<STAGES>, const STAGES: usize> AdjointStep for Explicit<B, STAGES
             }
             let (mut by_state, own) = model.adjoint(time, &states[i], &by_rate);
             by_parameters.zip_apply(&own, |sum, own| *sum += own);
-            let variables = SVector::<Dual<T, N>, N>::from_fn(|n, _| Dual::variable(states[i][n], n));
-            if let Some(running) = cost.running(Dual::constant(time), &variables) {
+            if let Some(running) = cost.running(Dual::constant(time), &variables(&states[i])) {
                 integral += weight * running.value;
                 for (by_state, slope) in by_state.iter_mut().zip(running.slopes) {
                     *by_state += weight * slope;

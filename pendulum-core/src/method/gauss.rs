@@ -21,7 +21,7 @@ use crate::system::{Canonical, System};
 use crate::tableau::{GaussLegendre, GaussTableau, HasGaussTableau, MOST_POINTS};
 
 /// The Gauss-Legendre method of two, three or eight stages, of order 4, 6 or 16, in canonical variables. `PAIRS` is the
-/// number of pairs of complex eigenvalues: half of the stages.
+/// number of pairs of complex eigenvalues: half of the stages, rounded down.
 ///
 /// It is symplectic and symmetric (E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", II.1.3 and
 /// VI.4): without friction, the energy error of a regular motion stays bounded and falls with the step to the power of
@@ -145,6 +145,9 @@ where
 {
     const TABLEAU: GaussTableau<STAGES, PAIRS> = GaussLegendre::TABLEAU;
 
+    /// Degree of the dense output.
+    const DEGREE: usize = if STAGES <= 3 { 2 * STAGES - 1 } else { STAGES + 1 };
+
     /// Starting values: extrapolates the polynomial through start, stages and end of the last step. Falls back to a
     /// straight line if there is no last step, or if it was too short, as from an impact to the grid, or far longer.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -180,7 +183,7 @@ where
     fn interpolate(&mut self, step: &Step<T, N>) {
         let table = const { &Self::TABLEAU };
         let (_, stages) = &self.tried;
-        for (power, weights) in table.powers.iter().enumerate().take(STAGES + 1) {
+        for (power, weights) in table.powers.iter().enumerate().take(Self::DEGREE) {
             let mut sum = [T::default(); N];
             for (weight, state) in weights.iter().zip(stages.iter().chain([&step.x1])) {
                 add_scaled(&mut sum, T::from_f64(*weight), &(state - step.x0));
@@ -360,20 +363,15 @@ where
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         match STAGES {
-            2 => self.coefficients[..3].copy_from_slice(&hermite::cubic(system, step, work)),
-            3 => self.coefficients[..5].copy_from_slice(&hermite::quintic(system, step, work)),
+            2 => self.coefficients[..Self::DEGREE].copy_from_slice(&hermite::cubic(system, step, work)),
+            3 => self.coefficients[..Self::DEGREE].copy_from_slice(&hermite::quintic(system, step, work)),
             _ => self.interpolate(step),
         }
         Scheme::<S, T, N>::coefficients(self)
     }
 
     fn coefficients(&self) -> &[SVector<T, N>] {
-        let count = match STAGES {
-            2 => 3,
-            3 => 5,
-            _ => STAGES + 1,
-        };
-        &self.coefficients[..count]
+        &self.coefficients[..Self::DEGREE]
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::dense::Dense;
-use crate::dual::Dual;
+use crate::dual::{Dual, variables};
 use crate::error::Reason;
 use crate::method::{AdjointStep, DiscreteAdjoint, Method};
 use crate::real::{Float, Real};
@@ -130,8 +130,7 @@ where
 {
     let mut checkpoints = Checkpoints::new(most);
     let end = method.follow(model, t0, t1, x0, &[], &mut checkpoints)?;
-    let variables = SVector::<Dual<T, N>, N>::from_fn(|n, _| Dual::variable(end[n], n));
-    let at_end = cost.end(Dual::constant(t1), &variables);
+    let at_end = cost.end(Dual::constant(t1), &variables(&end));
     let (mut value, mut weights) = (at_end.value, SVector::from(at_end.slopes));
     let mut by_parameters = SVector::from([T::default(); P]);
     let Checkpoints {

@@ -1,11 +1,9 @@
 //! Equations by hand, in every number type.
 
-use core::array;
-
 use nalgebra::{SMatrix, SVector};
 
 use super::{Cast, CastJacobian, Jacobian, System};
-use crate::dual::Dual;
+use crate::dual::{Dual, variables};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 
@@ -73,8 +71,7 @@ impl<T: Real, E: Equations<N>, const N: usize> Jacobian<T, N> for EquationsSyste
 
     #[inline(always)]
     fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        let variables = SVector::from(array::from_fn::<_, N, _>(|n| Dual::<T, N>::variable(x[n], n)));
-        let rates = self.0.rhs(Dual::constant(t), &variables);
+        let rates = self.0.rhs(Dual::constant(t), &variables(x));
         let jacobian = SMatrix::from_fn(|m, n| rates[m].slopes[n]);
         (rates.map(|rate| rate.value), jacobian)
     }

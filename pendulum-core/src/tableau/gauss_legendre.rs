@@ -89,11 +89,11 @@ impl<const STAGES: usize, const PAIRS: usize> GaussTableau<STAGES, PAIRS> {
         (self.w.map(row), self.b)
     }
 
-    /// Lagrange weights of the values at start, nodes and end of a step, at the fraction `theta` beyond its end.
+    /// Lagrange weights of the values at start, nodes and end of a step, at the fraction `theta` of it. They are not
+    /// defined at these points.
     #[inline(always)]
     pub(crate) fn weights<T: Real>(&self, theta: T) -> [T; MOST_POINTS] {
-        let one = T::from_f64(1.0);
-        let (mut weights, mut product) = ([T::default(); MOST_POINTS], one);
+        let (mut weights, mut product) = ([T::default(); MOST_POINTS], T::from_f64(1.0));
         for (j, weight) in weights.iter_mut().enumerate().take(STAGES + 2) {
             let distance = theta - T::from_f64(point(&self.c, j));
             *weight = T::from_f64(self.over[j]) / distance;

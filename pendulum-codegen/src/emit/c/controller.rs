@@ -9,9 +9,6 @@ use super::names::snake_case;
 use super::{Scene, Sources, sources};
 use crate::program::{Program, Role};
 
-/// Names of functions after the prefix, or how they start.
-const NAMES: [&str; 3] = ["rk4_step", "linear_law", "ilqr_"];
-
 /// Controller as C: the model, a step of `Rk4` with held inputs, and if they are given, the laws of `LinearLaw` and
 /// `Ilqr` of `pendulum_core::control`.
 ///
@@ -29,7 +26,8 @@ const NAMES: [&str; 3] = ["rk4_step", "linear_law", "ilqr_"];
 /// let controller = Controller::new().limits(&[-2.0], &[2.0]).linear_law(&[3.0, 2.0], &[0.0; 2], &[0.0]).ilqr(plan);
 /// let sources = controller.print(&program)?;
 /// assert!(sources.header.contains("void arm_linear_law(const double x[2], arm_inputs *u);"));
-/// assert!(controller.single().print(&program)?.header.contains("void arm_linear_law(const float x[2], arm_inputs *u);"));
+/// let sources = controller.single().print(&program)?;
+/// assert!(sources.header.contains("void arm_linear_law(const float x[2], arm_inputs *u);"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -61,8 +59,9 @@ pub struct Ilqr {
 }
 
 impl Ilqr {
-    /// Plans of so many steps of length `h` in s, with the weights `Q` of the state and `R` of the inputs: the first has to
-    /// be positive semidefinite, and the second positive definite, as `pendulum_core::control::Ilqr` checks.
+    /// Plans of the given number of steps of length `h` in s, with the weights `Q` of the state and `R` of the inputs.
+    ///
+    /// `Q` has to be positive semidefinite, and `R` positive definite. Only `pendulum_core::control::Ilqr` checks this.
     pub fn new(h: f64, steps: usize, q: &[f64], r: &[f64]) -> Self {
         Self {
             h,
@@ -264,12 +263,9 @@ impl Ilqr {
     }
 }
 
-/// True if a function of the controller has this name after the prefix, or may have it.
+/// True if the controller has a function or a type of this name after the prefix, or may have one.
 fn is_taken(name: &str) -> bool {
-    NAMES.iter().any(|taken| match taken.strip_suffix('_') {
-        Some(_) => name.starts_with(taken),
-        None => name == *taken,
-    })
+    matches!(name, "rk4_step" | "linear_law" | "ilqr") || name.starts_with("ilqr_")
 }
 
 fn length(what: &'static str, list: &[f64], expected: usize) -> Result<(), NoController> {

@@ -12,8 +12,9 @@ pub(super) fn single(code: &str) -> String {
     let line = |line: &str| {
         let (code, comment) = line.split_at(line.find("//").unwrap_or(line.len()));
         let mut text: String = words(code).map(of_word).collect();
-        // the name of a macro and the function of the platform
-        if code.starts_with("#define PENDULUM_") {
+        let defined = code.strip_prefix("#define ").and_then(|rest| rest.split(' ').next());
+        // the function of the platform
+        if defined.is_some_and(is_function) {
             text.push('f');
         }
         text + comment + "\n"
@@ -92,8 +93,10 @@ mod tests {
     #[test]
     fn only_code_becomes_single() {
         let code = "double a1 = 1e-7 * x[10] + 0.1 - 1e39; // a double of 0.1\n#define PENDULUM_SQRT sqrt\n\
+                    #define PENDULUM_STATES 2\n\
                     if (a > DBL_MAX) return pendulum_abs(pendulum_rhs) + PENDULUM_SQRT(2.0);\n";
         let expected = "float a1 = 1e-7f * x[10] + 0.1f - HUGE_VALF; // a double of 0.1\n#define PENDULUM_SQRTF sqrtf\n\
+                        #define PENDULUM_STATES 2\n\
                         if (a > FLT_MAX) return pendulum_absf(pendulum_rhs) + PENDULUM_SQRTF(2.0f);\n";
         assert_eq!(single(code), expected);
     }

@@ -121,7 +121,7 @@ fn list(numbers: &[f64]) -> String {
     numbers.join(", ")
 }
 
-/// Numbers of an array, in lines of so many.
+/// Numbers of an array, with the given number in each line.
 fn rows(numbers: &[f64], columns: usize) -> String {
     lines(numbers.chunks(columns).map(|row| list(row) + ","))
 }
