@@ -26,6 +26,17 @@ impl<T: Real, const N: usize> Step<T, N> {
         Self { t0, t1, h, x0, x1 }
     }
 
+    /// Becomes the step from its end to this one. In place: a step that is built elsewhere is copied once more, as
+    /// soon as it is written.
+    #[inline(always)]
+    pub(crate) fn go_on(&mut self, (t1, x1): (T, &SVector<T, N>)) {
+        self.h = t1 - self.t1;
+        self.t0 = self.t1;
+        self.x0 = self.x1;
+        self.t1 = t1;
+        self.x1 = *x1;
+    }
+
     /// A step of zero length.
     pub(crate) fn at_rest(t: T, x: SVector<T, N>) -> Self {
         Self::new((t, x), (t, x))
@@ -163,12 +174,16 @@ fn evaluate<const FUSED: bool, T: Real, const N: usize>(
 ) -> SVector<T, N> {
     let square = theta * theta;
     let (mut odd, mut even) = ([T::default(); N], [T::default(); N]);
-    for pair in coefficients.chunks(2).rev() {
-        for (odd, &coefficient) in odd.iter_mut().zip(&pair[0].data.0[0]) {
+    let (pairs, last) = coefficients.as_chunks::<2>();
+    for last in last {
+        for (odd, &coefficient) in odd.iter_mut().zip(&last.data.0[0]) {
             *odd = add_product::<FUSED, T>(*odd, square, coefficient);
         }
-        for (even, &coefficient) in even.iter_mut().zip(pair.get(1).iter().flat_map(|pair| &pair.data.0[0])) {
-            *even = add_product::<FUSED, T>(*even, square, coefficient);
+    }
+    for [first, second] in pairs.iter().rev() {
+        for i in 0..N {
+            odd[i] = add_product::<FUSED, T>(odd[i], square, first.data.0[0][i]);
+            even[i] = add_product::<FUSED, T>(even[i], square, second.data.0[0][i]);
         }
     }
     let mut x = *x0;

@@ -225,9 +225,9 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         if !leaves && let Some(slope) = self.scheme.arrive(&system, end, &mut self.statistics) {
             NonFinite::check(slope)?;
         }
-        let step = Step::new((self.last.t1, self.last.x1), (t_new, self.tried));
-        self.scheme.accept(&system, &step, Accepted::All, &mut self.statistics);
-        self.last = step;
+        self.last.go_on((t_new, &self.tried));
+        self.scheme
+            .accept(&system, &self.last, Accepted::All, &mut self.statistics);
         Ok(())
     }
 }

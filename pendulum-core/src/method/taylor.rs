@@ -181,13 +181,22 @@ fn last_terms<R, const N: usize>(x: &[SVector<R, N>]) -> [&SVector<R, N>; TERMS]
 fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R, N>) -> SVector<R, N> {
     let square = h * h;
     let (mut odd, mut even) = ([R::default(); N], [R::default(); N]);
-    for (n, pair) in x[1..].chunks(2).enumerate().rev() {
-        let factors = [2 * n + 1, 2 * n + 2].map(|factor| R::from_f64(factor as f64));
-        for (sums, (factor, term)) in [&mut odd, &mut even].into_iter().zip(factors.into_iter().zip(pair)) {
-            for (sum, &coefficient) in sums.iter_mut().zip(&term.data.0[0]) {
-                *sum = sum.mul_add(square, factor * coefficient);
-            }
+    let mut order = (x.len() - 1) as u32;
+    let (pairs, last) = x[1..].as_chunks::<2>();
+    for last in last {
+        let factor = R::from_f64(f64::from(order));
+        for (odd, &coefficient) in odd.iter_mut().zip(&last.data.0[0]) {
+            *odd = odd.mul_add(square, factor * coefficient);
         }
+        order -= 1;
+    }
+    for [first, second] in pairs.iter().rev() {
+        let factors = [order - 1, order].map(|factor| R::from_f64(f64::from(factor)));
+        for i in 0..N {
+            odd[i] = odd[i].mul_add(square, factors[0] * first.data.0[0][i]);
+            even[i] = even[i].mul_add(square, factors[1] * second.data.0[0][i]);
+        }
+        order -= 2;
     }
     let share = h * R::from_f64(1.0 / x.len() as f64);
     let mut error = *slope;

@@ -9,6 +9,10 @@ use super::{Items, allowed, count};
 use crate::expr::Precedence;
 use crate::program::{Coefficient, Series, Variable};
 
+/// Maximum number of products for which the code of each order is written out. Four products fill a vector register,
+/// and are faster in loops.
+const FEW: usize = 3;
+
 impl Items<'_> {
     /// `impl TaylorSeries` for the model in any number type, and `impl CastTaylor` for all of them together.
     pub(super) fn series(&self) -> Option<TokenStream> {
@@ -25,7 +29,11 @@ impl Items<'_> {
             #start
             #orders
         };
-        let workspace = quote!(#core::Products<T, #slots>);
+        let (workspace, create) = if self.is_written_out() {
+            (quote!(()), TokenStream::new())
+        } else {
+            (quote!(#core::Products<T, #slots>), quote!(#core::Products::new()))
+        };
         let hold = quote!(::pendulum_core::hybrid::Hold);
         let (series, of_modes) = if self.program.constraints.is_empty() {
             (quote!(#inline fn series(&self, #given) { #body }), None)
@@ -59,7 +67,7 @@ impl Items<'_> {
             type Workspace = #workspace;
             #[inline]
             fn workspace(&self) -> Self::Workspace {
-                #core::Products::new()
+                #create
             }
             #series
         };
@@ -115,7 +123,13 @@ impl Items<'_> {
         }
     }
 
-    /// Loop over the orders from 1 on, each of which computes the state of the next.
+    /// True if the code of each order is written out, rather than a loop over the orders.
+    fn is_written_out(&self) -> bool {
+        let series = self.program.series.as_ref();
+        self.program.constraints.is_empty() && series.is_some_and(|series| series.products <= FEW)
+    }
+
+    /// Code for the orders from 1 on, each of which computes the state of the next.
     fn orders(&self, series: &Series) -> TokenStream {
         let length = self.program.layout.len();
         let name = |coefficient| self.names().variable(Variable::Series(coefficient));
@@ -131,33 +145,56 @@ impl Items<'_> {
         let reads_time = reads.contains(&Variable::Series(Coefficient::Time));
         let time = reads_time.then(|| quote!(let #time = T::from_f64(if k == 1 { 1.0 } else { 0.0 });));
         let head = self.constants(&reads);
+        let (core, slots) = (quote!(::pendulum_core::taylor), count(series.products));
+        let (memory, interior, push) = if self.is_written_out() {
+            (
+                quote!(let mut work = #core::FewProducts::<T, #slots>::new();),
+                quote!(work.sums(k)),
+                None,
+            )
+        } else {
+            (
+                quote!(let mut newest = #core::Newest::new();),
+                quote!(newest.add(work.sums(k))),
+                Some(quote!(newest.push(k, left, right);)),
+            )
+        };
         let code = self.names().code(&series.order, |values| {
             let (rates, sides) = values.split_at(length);
             let (left, right) = sides.split_at(series.products);
             let rates = rates.iter().map(|rate| rate.within(Precedence::Product));
             quote! {
                 let (left, right) = ([#(#left),*], [#(#right),*]);
-                newest.push(k, left, right);
+                #push
                 work.set(k, left, right);
                 x[k + 1] = ::pendulum_core::nalgebra::SVector::from([#(#rates * over_next),*]);
                 #pin
             }
         });
         let before = self.names().code(&series.before, |values| self.next_forces(values));
+        let of_order = quote! {
+            let #order = T::from_f64(k as f64);
+            let #over_order = over_next;
+            over_next = T::from_f64(1.0) / T::from_f64((k + 1) as f64);
+            #time
+            let [#(#sums),*] = #interior;
+            let [#(#state),*] = x[k].data.0[0];
+            #before
+            #code
+        };
+        let of_orders = if self.is_written_out() {
+            quote! {
+                let end = x.len() - 1;
+                ::pendulum_core::for_each_order!(k in 1..end { #of_order });
+            }
+        } else {
+            quote!(for k in 1..x.len() - 1 { #of_order })
+        };
         quote! {
             #head
             let mut over_next = T::from_f64(1.0);
-            let mut newest = ::pendulum_core::taylor::Newest::new();
-            for k in 1..x.len() - 1 {
-                let #order = T::from_f64(k as f64);
-                let #over_order = over_next;
-                over_next = T::from_f64(1.0) / T::from_f64((k + 1) as f64);
-                #time
-                let [#(#sums),*] = newest.add(work.sums(k));
-                let [#(#state),*] = x[k].data.0[0];
-                #before
-                #code
-            }
+            #memory
+            #of_orders
         }
     }
 
