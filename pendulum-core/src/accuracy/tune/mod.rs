@@ -22,7 +22,9 @@ use crate::solution::Solution;
 use crate::step_size::Estimates;
 use crate::system::{Canonical, IntoState, Jacobian, System};
 use crate::taylor::TaylorSeries;
-use crate::{Auto, Gauss4, Gauss6, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
+use crate::{
+    Auto, Gauss4, Gauss6, Gauss16, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9,
+};
 
 /// Chooses the fastest method, and its tolerance or step, for trajectories whose states at the end of the `span` have
 /// at most this `error`, relative to the larger of the size of each component and 1. It tries all adaptive methods and
@@ -146,13 +148,15 @@ impl<'a, S: System<f64, N>, const N: usize> Tuning<'a, S, N> {
         self.adaptive("Taylor", Taylor::new())
     }
 
-    /// Adds [`Gauss4`] and [`Gauss6`].
+    /// Adds [`Gauss4`], [`Gauss6`] and [`Gauss16`].
     #[must_use]
     pub fn canonical(self) -> Self
     where
         S: Canonical<f64, N>,
     {
-        self.fixed("Gauss6", Gauss6::new(1.0)).fixed("Gauss4", Gauss4::new(1.0))
+        self.fixed("Gauss16", Gauss16::new(1.0))
+            .fixed("Gauss6", Gauss6::new(1.0))
+            .fixed("Gauss4", Gauss4::new(1.0))
     }
 
     /// Adds an adaptive method, whose tolerances will be set; its other settings remain, such as a maximum step.
