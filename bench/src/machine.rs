@@ -21,6 +21,16 @@ pub(crate) fn says(program: &str, arguments: &[&str]) -> String {
         .unwrap_or_else(|| format!("no {program}"))
 }
 
+/// Version of a crate in the lock file of this program.
+pub(crate) fn locked(name: &str) -> &'static str {
+    let lock = include_str!("../Cargo.lock");
+    let entry = lock
+        .split("[[package]]")
+        .find(|entry| entry.contains(&format!("name = \"{name}\"\n")));
+    let version = entry.and_then(|entry| entry.split("version = \"").nth(1)?.split('"').next());
+    version.unwrap_or("of no known version")
+}
+
 fn processor() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let field = |name: &str| {

@@ -7,7 +7,6 @@ mod lanes;
 mod library;
 mod linkages;
 mod machine;
-mod methods;
 mod peers;
 mod python;
 mod report;
@@ -25,12 +24,11 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// All measurements: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 9] = [
+const MEASUREMENTS: [(&str, Measurement); 8] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),
     ("scaling", scaling::measure),
     ("weights", weights::measure),
-    ("methods", methods::measure),
     ("twelve", twelve::measure),
     ("sweeps", sweeps::measure),
     ("linkages", linkages::measure),

@@ -3,8 +3,8 @@
 use serde::Serialize;
 use twelve::OURS;
 
+use super::results::{Curve, Measure};
 use super::sweep::{Setting, median};
-use crate::methods::Curve;
 
 /// Relative errors to reach.
 pub(crate) const TARGETS: [f64; 10] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13];
@@ -34,13 +34,13 @@ pub(crate) struct Fastest {
 }
 
 /// Cells of a problem whose errors are known well enough, and that any method reaches.
-pub(crate) fn cells(curves: &[Curve], settings: &[Setting], uncertainty: f64) -> Vec<Cell> {
+pub(crate) fn cells(curves: &[Curve], settings: &[Setting], measure: Measure, uncertainty: f64) -> Vec<Cell> {
     let known = TARGETS.into_iter().filter(|target| *target >= KNOWN * uncertainty);
     let cell = |target: f64| {
         let fastest = |is_ours: bool| {
-            let reaching = settings
-                .iter()
-                .filter(|setting| setting.point.error <= target && (curves[setting.curve].by == OURS) == is_ours);
+            let reaching = settings.iter().filter(|setting| {
+                setting.point.error(measure) <= target && (curves[setting.curve].by == OURS) == is_ours
+            });
             reaching.min_by(|a, b| a.point.least.total_cmp(&b.point.least))
         };
         let named = |setting: &Setting| {

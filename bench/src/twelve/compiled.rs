@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::Path;
 
-use twelve::{End, Problem};
+use twelve::{End, OUTPUTS, Problem, Request};
 
 use super::emitted::{Emitted, FLAGS, job};
 use super::entrant::Entrant;
@@ -30,7 +30,7 @@ const SOURCES: [Source; 4] = [
         compiler: "gcc",
         libraries: &["-lgsl", "-lgslcblas"],
         package: "libgsl-dev",
-        smooth: &[("rk8pd", "rk8pd"), ("msadams", "msadams")],
+        smooth: &[("rkck", "rkck"), ("rk8pd", "rk8pd"), ("msadams", "msadams")],
         stiff: &[("bsimp", "bsimp"), ("msbdf", "msbdf")],
     },
     Source {
@@ -96,7 +96,10 @@ pub(crate) fn enter(
         for ((problem, library), entrants) in problems.iter().zip(&libraries).zip(entrants.iter_mut()) {
             let methods = if problem.is_stiff { source.stiff } else { source.smooth };
             for &(symbol, method) in methods {
-                entrants.push(load(source.by, method, library, symbol, problem)?);
+                match load(source.by, method, library, symbol, problem) {
+                    Ok(entrant) => entrants.push(entrant),
+                    Err(why) => notes.push(format!("{} {method}, {}: {why}", source.by, problem.name)),
+                }
             }
         }
     }
@@ -122,14 +125,28 @@ fn load(
 ) -> Result<Entrant, Box<dyn Error>> {
     let (length, t1, h0) = (problem.model.length, problem.t1, first_step(problem));
     let (x0, absolute) = (problem.x0.clone(), problem.absolute);
-    let program = library::load(library, symbol, 4 + length, 2 + length)?;
-    Ok(Entrant::timed(by, method, move |tolerance, times| {
-        let task = [&[tolerance, absolute * tolerance, t1, h0][..], &x0].concat();
+    // a task, and an end without and with output times
+    let load = |outputs| library::load(library, symbol, 5 + length, 3 + length + outputs * length);
+    let (plain, dense) = (load(0)?, load(OUTPUTS)?);
+    Ok(Entrant::timed(by, method, move |request| {
+        let Request {
+            tolerance,
+            times,
+            outputs,
+        } = request;
+        let task = [&[tolerance, absolute * tolerance, t1, h0, outputs as f64][..], &x0].concat();
+        let program = if outputs == OUTPUTS { &dense } else { &plain };
         let end = (program.value)(&task.repeat(times));
+        let (end, along) = end.split_at(3 + length);
         Ok(End {
             t: end[0],
             x: end[1..=length].to_vec(),
             evaluations: Some(end[1 + length] as usize),
+            along: along
+                .chunks(length)
+                .take(end[2 + length] as usize)
+                .map(<[f64]>::to_vec)
+                .collect(),
         })
     }))
 }

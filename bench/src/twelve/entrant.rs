@@ -2,34 +2,33 @@
 
 use std::time::Instant;
 
-use twelve::End;
+use twelve::{End, Request};
 
 /// Method of a library on a problem.
 pub(crate) struct Entrant {
     pub by: &'static str,
     pub method: &'static str,
-    /// Integrates with a relative tolerance as often as told.
-    pub run: Box<dyn Fn(f64, usize) -> Result<Run, String>>,
+    pub run: Box<dyn Fn(Request) -> Run>,
 }
 
-/// Last end, with the nanoseconds for a trajectory.
+/// Last end of the integrations, or why one failed, with the nanoseconds for a trajectory.
 pub(crate) struct Run {
-    pub end: End,
+    pub end: Result<End, String>,
     pub nanoseconds: f64,
 }
 
 impl Entrant {
-    /// Makes an entrant from a function that integrates as often as told, and is timed here.
+    /// Makes an entrant from a function that is timed here.
     pub(crate) fn timed(
         by: &'static str,
         method: &'static str,
-        integrate: impl Fn(f64, usize) -> Result<End, String> + 'static,
+        integrate: impl Fn(Request) -> Result<End, String> + 'static,
     ) -> Self {
-        let run = move |tolerance: f64, times: usize| {
+        let run = move |request: Request| {
             let start = Instant::now();
-            let end = integrate(tolerance, times)?;
-            let nanoseconds = 1e9 * start.elapsed().as_secs_f64() / times as f64;
-            Ok(Run { end, nanoseconds })
+            let end = integrate(request);
+            let nanoseconds = 1e9 * start.elapsed().as_secs_f64() / request.times as f64;
+            Run { end, nanoseconds }
         };
         Self {
             by,

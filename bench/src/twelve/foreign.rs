@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 use serde::Deserialize;
 use serde_json::{Value, json};
-use twelve::{End, Problem};
+use twelve::{End, Problem, Request};
 
 use super::emitted::Emitted;
 use super::entrant::{Entrant, Run};
@@ -32,7 +32,7 @@ struct Head {
 }
 
 /// Answer to a request.
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 struct Answer {
     error: Option<String>,
     #[serde(default)]
@@ -40,6 +40,8 @@ struct Answer {
     #[serde(default)]
     x: Vec<f64>,
     evaluations: Option<usize>,
+    #[serde(default)]
+    along: Vec<Vec<f64>>,
     #[serde(default)]
     nanoseconds: f64,
 }
@@ -92,7 +94,7 @@ pub(crate) fn enter(
                 .into_iter()
                 .find(|library| *library == by)
                 .ok_or("an unknown library")?;
-            let run = move |tolerance, times| server.borrow_mut().run(problem, entrant, tolerance, times);
+            let run = move |request| server.borrow_mut().run(problem, entrant, request);
             entrants.push(Entrant {
                 by,
                 // kept to the end of the program
@@ -131,17 +133,36 @@ impl Server {
         Ok(answer)
     }
 
-    fn run(&mut self, problem: usize, entrant: usize, tolerance: f64, times: usize) -> Result<Run, String> {
-        let answer = self.ask(&json!([problem, entrant, tolerance, times]));
-        let answer = answer.map_err(|error| error.to_string())?;
-        let answer: Answer = serde_json::from_str(&answer).map_err(|error| error.to_string())?;
-        let Answer { t, x, evaluations, .. } = answer;
-        match answer.error {
-            Some(why) => Err(why),
-            None => Ok(Run {
-                end: End { t, x, evaluations },
-                nanoseconds: answer.nanoseconds,
-            }),
+    fn run(&mut self, problem: usize, entrant: usize, request: Request) -> Run {
+        let Request {
+            tolerance,
+            times,
+            outputs,
+        } = request;
+        let answer = self.ask(&json!([problem, entrant, tolerance, times, outputs]));
+        let answer = answer.and_then(|answer| Ok(serde_json::from_str(&answer)?));
+        let answer = answer.unwrap_or_else(|why| Answer {
+            error: Some(why.to_string()),
+            ..Answer::default()
+        });
+        let Answer {
+            t,
+            x,
+            evaluations,
+            along,
+            ..
+        } = answer;
+        Run {
+            end: match answer.error {
+                Some(why) => Err(why),
+                None => Ok(End {
+                    t,
+                    x,
+                    evaluations,
+                    along,
+                }),
+            },
+            nanoseconds: answer.nanoseconds,
         }
     }
 }

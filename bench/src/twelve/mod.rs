@@ -3,10 +3,12 @@
 //! Peers in C, C++ and Python use the emitted C, those in Rust the generated Rust. Only heyoka takes expressions.
 
 mod cells;
+mod chart;
 mod compiled;
 mod emitted;
 mod entrant;
 mod foreign;
+mod results;
 mod sweep;
 mod write;
 
@@ -16,10 +18,10 @@ use std::path::Path;
 
 use emitted::Emitted;
 use entrant::Entrant;
+use results::Measure;
 use write::{Measured, Results};
 
-use crate::machine;
-use crate::methods::locked;
+use crate::machine::{self, locked};
 
 pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -49,12 +51,18 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     for (problem, entrants) in problems.into_iter().zip(&entrants) {
         println!("timing {}", problem.title);
         let (curves, settings) = sweep::sweep(&problem, entrants);
-        let cells = cells::cells(&curves, &settings, problem.uncertainty);
+        let measures = [
+            (Measure::End, problem.uncertainty),
+            (Measure::Along, problem.uncertainty_along),
+        ];
+        let [cells, cells_along] =
+            measures.map(|(measure, uncertainty)| cells::cells(&curves, &settings, measure, uncertainty));
         results.problems.push(Measured {
             problem,
             curves,
             settings,
             cells,
+            cells_along,
         });
     }
     for path in write::all(&results, &out)? {

@@ -4,14 +4,14 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use charts::page::Picture;
-use charts::panels::{Column, Panels};
 use serde::Serialize;
 use serde_json::{Value, json};
 use twelve::{OURS, Problem};
 
 use super::cells::{Cell, Fastest, LIMITS, TARGETS};
+use super::chart::chart;
+use super::results::{Curve, Measure};
 use super::sweep::Setting;
-use crate::methods::{Curve, RANGE, legend, panel};
 use crate::report::{list, number, table, write};
 
 /// Results of all problems.
@@ -27,6 +27,8 @@ pub(crate) struct Measured {
     pub curves: Vec<Curve>,
     pub settings: Vec<Setting>,
     pub cells: Vec<Cell>,
+    /// Cells of the errors over time.
+    pub cells_along: Vec<Cell>,
 }
 
 pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
@@ -53,8 +55,8 @@ fn markdown(results: &Results) -> String {
         text += &format!("Left out:\n\n{}\n", list(&results.notes));
     }
     text += &format!("{}\n{}\n", summary(results), ratios(results));
-    text += "Microseconds for a trajectory with the cheapest setting whose end has at most the relative error; of each \
-             library the fastest method.\n\n";
+    text += "Microseconds for a trajectory with the cheapest setting whose end has at most the relative \
+             error.\n\n";
     for measured in &results.problems {
         let Problem { title, uncertainty, .. } = measured.problem;
         text += &format!(
@@ -65,15 +67,21 @@ fn markdown(results: &Results) -> String {
     text
 }
 
-/// Numbers of cells, by both kinds of ratios.
+/// Numbers of cells, by both kinds of ratios and for both measures of the error.
 fn summary(results: &Results) -> String {
-    let cells = || results.problems.iter().flat_map(|measured| &measured.cells);
+    type Cells = fn(&Measured) -> &[Cell];
     type Ratio = fn(&Cell) -> f64;
-    let kinds: [(&str, Ratio); 2] = [
-        ("least times", |cell| cell.ratio),
-        ("medians of the rounds", |cell| cell.paired),
+    let kinds: [(&str, Cells, Ratio); 3] = [
+        ("least times", |measured| &measured.cells, |cell| cell.ratio),
+        ("medians of the rounds", |measured| &measured.cells, |cell| cell.paired),
+        (
+            "least times, errors over time",
+            |measured| &measured.cells_along,
+            |cell| cell.ratio,
+        ),
     ];
-    let row = |(name, ratio): (&str, Ratio)| {
+    let row = |(name, cells, ratio): (&str, Cells, Ratio)| {
+        let cells = || results.problems.iter().flat_map(cells);
         let count = |limit: f64| cells().filter(|cell| ratio(cell) <= limit).count();
         let share = |count: usize| format!("{count} ({:.0} %)", 100.0 * count as f64 / cells().count() as f64);
         let worst = cells().map(ratio).fold(0.0, f64::max);
@@ -142,13 +150,13 @@ fn head(words: &[&'static str]) -> Vec<&'static str> {
     words.iter().copied().chain(ERRORS).collect()
 }
 
-/// A row for each of our methods and for each library, and the fastest methods of the library.
+/// A row for each method.
 fn times(measured: &Measured) -> String {
     let mut rows = Vec::new();
     let known: Vec<f64> = measured.cells.iter().map(|cell| cell.target).collect();
     for curve in &measured.curves {
         let time = |target: f64| {
-            let point = curve.reaching(target).filter(|_| known.contains(&target));
+            let point = curve.reaching(Measure::End, target).filter(|_| known.contains(&target));
             number(point.map(|point| 1e-3 * point.least))
         };
         let bold = if curve.by == OURS { "**" } else { "" };
@@ -165,7 +173,8 @@ fn raw(results: &Results) -> Value {
             let curve = &measured.curves[setting.curve];
             json!({
                 "by": curve.by, "method": curve.method, "tolerance": setting.point.tolerance,
-                "error": finite(setting.point.error), "evaluations": setting.point.evaluations,
+                "error": finite(setting.point.error(Measure::End)),
+                "error_along": finite(setting.point.error(Measure::Along)), "evaluations": setting.point.evaluations,
                 "least": setting.point.least, "median": setting.point.median,
                 "nanoseconds": setting.samples.iter().map(|sample| sample.round()).collect::<Vec<_>>(),
             })
@@ -181,11 +190,13 @@ fn raw(results: &Results) -> Value {
             title,
             is_stiff,
             uncertainty,
+            uncertainty_along,
             ..
         } = measured.problem;
         json!({
-            "name": name, "title": title, "is_stiff": is_stiff, "uncertainty": uncertainty,
-            "cells": measured.cells, "settings": measured.settings.iter().map(setting).collect::<Vec<_>>(),
+            "name": name, "title": title, "is_stiff": is_stiff,
+            "uncertainty": uncertainty, "uncertainty_along": uncertainty_along,
+            "cells": measured.cells, "cells_along": measured.cells_along, "settings": measured.settings.iter().map(setting).collect::<Vec<_>>(),
             "failures": failures.collect::<Vec<_>>(),
         })
     };
@@ -198,28 +209,4 @@ fn raw(results: &Results) -> Value {
 /// JSON has no other numbers.
 fn finite(value: f64) -> impl Serialize {
     value.is_finite().then_some(value)
-}
-
-fn chart(name: &str, problems: &[Measured]) -> Panels {
-    Panels {
-        title: format!("Time to reach an error: {name}"),
-        subtitle:
-            "Microseconds for a trajectory over the relative error of its end; of each library the method that is \
-                   the first to reach 1e-8, of ours all"
-                .to_owned(),
-        legend: legend(problems.iter().flat_map(|measured| &measured.curves)),
-        x: "relative error of the final state".to_owned(),
-        x_ticks: (0..=6).map(|n| RANGE.0 * 100.0_f64.powi(n)).collect(),
-        panel: (480.0, 480.0),
-        columns: problems
-            .iter()
-            .map(|measured| Column {
-                label: measured.problem.title.to_owned(),
-            })
-            .collect(),
-        rows: vec![(
-            "One at a time".to_owned(),
-            problems.iter().map(|measured| panel(&measured.curves)).collect(),
-        )],
-    }
 }

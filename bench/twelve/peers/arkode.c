@@ -12,14 +12,11 @@ static void explicitly(int table, const Task *task, End *end, long count) {
     ERKStepSetMaxNumSteps(solver, PATIENCE / 10);
     ERKStepSetErrFile(solver, NULL);
     for (long n = 0; n < count; n++) {
-        double t = -1.0;
         ERKStepReInit(solver, rhs, 0.0, own.start);
         ERKStepSetStopTime(solver, task->t1);
-        int status = ERKStepEvolve(solver, task->t1, own.x, &t, ARK_NORMAL);
+        evolve(ERKStepEvolve, solver, ARK_NORMAL, task, &own, end);
         long evaluations = 0;
         ERKStepGetNumRhsEvals(solver, &evaluations);
-        end->t = status >= 0 ? t : -1.0;
-        memcpy(end->x, NV_DATA_S(own.x), sizeof end->x);
         end->evaluations = evaluations;
     }
     ERKStepFree(&solver);
@@ -36,14 +33,11 @@ static void implicitly(int order, const Task *task, End *end, long count) {
     ARKStepSetLinearSolver(solver, own.linear, own.matrix);
     ARKStepSetJacFn(solver, jacobian);
     for (long n = 0; n < count; n++) {
-        double t = -1.0;
         ARKStepReInit(solver, NULL, rhs, 0.0, own.start);
         ARKStepSetStopTime(solver, task->t1);
-        int status = ARKStepEvolve(solver, task->t1, own.x, &t, ARK_NORMAL);
+        evolve(ARKStepEvolve, solver, ARK_NORMAL, task, &own, end);
         long explicit_ones = 0, evaluations = 0;
         ARKStepGetNumRhsEvals(solver, &explicit_ones, &evaluations);
-        end->t = status >= 0 ? t : -1.0;
-        memcpy(end->x, NV_DATA_S(own.x), sizeof end->x);
         end->evaluations = evaluations;
     }
     ARKStepFree(&solver);

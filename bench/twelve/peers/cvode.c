@@ -19,14 +19,11 @@ static void integrate(int method, const Task *task, End *end, long count) {
         CVodeSetNonlinearSolver(cvode, own.nonlinear);
     }
     for (long n = 0; n < count; n++) {
-        double t = -1.0;
         CVodeReInit(cvode, 0.0, own.start);
         CVodeSetStopTime(cvode, task->t1);
-        int status = CVode(cvode, task->t1, own.x, &t, CV_NORMAL);
+        evolve(CVode, cvode, CV_NORMAL, task, &own, end);
         long evaluations = 0;
         CVodeGetNumRhsEvals(cvode, &evaluations);
-        end->t = status >= 0 ? t : -1.0;
-        memcpy(end->x, NV_DATA_S(own.x), sizeof end->x);
         end->evaluations = evaluations;
     }
     CVodeFree(&cvode);

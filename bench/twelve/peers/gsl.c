@@ -1,4 +1,4 @@
-/* Methods of the GNU Scientific Library. */
+/* Methods of the GNU Scientific Library, which have no dense output. */
 #include "problem.h"
 
 #include <gsl/gsl_errno.h>
@@ -44,6 +44,7 @@ static void integrate(const gsl_odeiv2_step_type *type, const Task *task, End *e
         integrate(gsl_odeiv2_step_##name, task, end, count); \
     }
 
+METHOD(rkck)
 METHOD(rk8pd)
 METHOD(msadams)
 METHOD(bsimp)

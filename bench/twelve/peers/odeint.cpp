@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint.hpp>
-#include <boost/version.hpp>
+#include <exception>
 
 namespace odeint = boost::numeric::odeint;
 namespace ublas = boost::numeric::ublas;
@@ -40,11 +40,39 @@ double march(Stepper stepper, System system, State &x, const Task &task) {
     return t;
 }
 
-template <class State, class Make, class System>
-void integrate(State x, Make make, System system, const Task *task, End *end, long count) {
+/* States at the output times. */
+template <class Stepper, class System, class State>
+void sample(Stepper stepper, System system, State x, const Task &task, End &end) {
+    evaluations = 0;
+    stepper.initialize(x, 0.0, task.h0);
+    for (long n = 0; n < task.outputs; n++) {
+        double t = output_time(&task, n);
+        while (stepper.current_time() < t) {
+            if (evaluations > PATIENCE) return;
+            stepper.do_step(system);
+        }
+        stepper.calc_state(t, x);
+        std::copy_n(x.begin(), LENGTH, end.along[n]);
+        end.outputs = n + 1;
+    }
+}
+
+/* Stepper without dense output, or none that takes the same steps. */
+struct None {};
+template <class System, class State> void sample(None, System, State, const Task &, End &) {}
+
+template <class State, class Make, class MakeDense, class System>
+void integrate(State x, Make make, MakeDense make_dense, System system, const Task *task, End *end, long count) {
     start_model();
     for (long n = 0; n < count; n++) {
         std::copy_n(task[n].x0, LENGTH, x.begin());
+        end->outputs = 0;
+        if (task->outputs > 0) {
+            try {
+                sample(make_dense(task->absolute, task->relative), system, x, *task, *end);
+            } catch (const std::exception &) { // too many failed steps
+            }
+        }
         evaluations = 0;
         end->t = march(make(task->absolute, task->relative), system, x, task[n]);
         std::copy_n(x.begin(), LENGTH, end->x);
@@ -56,31 +84,22 @@ using State = std::array<double, LENGTH>;
 
 } // namespace
 
-extern "C" {
+/* Function of a method whose steppers, plain and with dense output, are made from two tolerances. */
+#define METHOD(name, state, system, stepper, dense) \
+    extern "C" EXPORT void name(const Task *task, End *end, long count) { \
+        auto make = [](double absolute, double relative) { return stepper; }; \
+        auto make_dense = [](double absolute, double relative) { return dense; }; \
+        integrate(state, make, make_dense, system, task, end, count); \
+    }
 
-EXPORT void dopri5(const Task *task, End *end, long count) {
-    auto make = [](double absolute, double relative) {
-        return odeint::make_controlled<odeint::runge_kutta_dopri5<State>>(absolute, relative);
-    };
-    integrate(State(), make, Rhs(), task, end, count);
-}
+using Dopri5 = odeint::runge_kutta_dopri5<State>;
+using Fehlberg78 = odeint::runge_kutta_fehlberg78<State>;
+using Rosenbrock4 = odeint::rosenbrock4<double>;
 
-EXPORT void fehlberg78(const Task *task, End *end, long count) {
-    auto make = [](double absolute, double relative) {
-        return odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(absolute, relative);
-    };
-    integrate(State(), make, Rhs(), task, end, count);
-}
-
-EXPORT void bulirsch_stoer(const Task *task, End *end, long count) {
-    auto make = [](double absolute, double relative) { return odeint::bulirsch_stoer<State>(absolute, relative); };
-    integrate(State(), make, Rhs(), task, end, count);
-}
-
-EXPORT void rosenbrock4(const Task *task, End *end, long count) {
-    auto make = [](double absolute, double relative) {
-        return odeint::make_controlled<odeint::rosenbrock4<double>>(absolute, relative);
-    };
-    integrate(ublas::vector<double>(LENGTH), make, std::make_pair(Rhs(), Jacobian()), task, end, count);
-}
-}
+METHOD(dopri5, State(), Rhs(), odeint::make_controlled<Dopri5>(absolute, relative),
+       odeint::make_dense_output<Dopri5>(absolute, relative))
+METHOD(fehlberg78, State(), Rhs(), odeint::make_controlled<Fehlberg78>(absolute, relative), None())
+METHOD(bulirsch_stoer, State(), Rhs(), odeint::bulirsch_stoer<State>(absolute, relative), None())
+METHOD(rosenbrock4, ublas::vector<double>(LENGTH), std::make_pair(Rhs(), Jacobian()),
+       odeint::make_controlled<Rosenbrock4>(absolute, relative),
+       odeint::make_dense_output<Rosenbrock4>(absolute, relative))

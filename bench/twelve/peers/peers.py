@@ -1,13 +1,14 @@
 """Integrates the twelve problems with heyoka and SciPy, on request.
 
 The first line of the input has the problems as JSON, the first line of the output the versions, the entrants of each
-problem and what is missing. Each further line asks for [problem, entrant, tolerance, times], and is answered with the end
-of the last of so many integrations and the nanoseconds of one.
+problem and what is missing. Each further line asks for [problem, entrant, tolerance, times, outputs], and is answered with
+the end of the last of so many integrations, the nanoseconds of one, and the states at the output times.
 """
 
 import ctypes
 import json
 import math
+import signal
 import sys
 import time
 import warnings
@@ -19,6 +20,16 @@ warnings.filterwarnings("ignore")
 
 # Seconds after which an integration by SciPy is given up.
 PATIENCE = 1.0
+
+
+def give_up(*_):
+    raise TimeoutError(f"took more than {PATIENCE} s")
+
+
+def output_times(problem, outputs):
+    """Times at equal distances within the span."""
+    between = problem["t1"] / (outputs + 1)
+    return [n * between for n in range(1, outputs + 1)]
 
 
 class Heyoka:
@@ -42,27 +53,35 @@ class Heyoka:
             )
         return self.compiled[tolerance]
 
-    def run(self, tolerance, times):
+    def run(self, tolerance, times, outputs):
         integrator, start = self.integrator(tolerance), np.array(self.problem["x0"])
+
+        def restart():
+            integrator.time = 0.0
+            integrator.state[:] = start
 
         def seconds(end):
             since = time.perf_counter()
             for _ in range(times):
-                integrator.time = 0.0
-                integrator.state[:] = start
-                integrator.propagate_until(end)
-            return time.perf_counter() - since
+                restart()
+                reached = integrator.propagate_until(end)
+            return time.perf_counter() - since, reached[3]
 
         # the least of all calls: a difference of two disturbed times may be too small
         seconds(0.0)
-        self.nothing = min(self.nothing, seconds(0.0) / times)
-        whole = seconds(self.problem["t1"]) / times
-        return {
+        self.nothing = min(self.nothing, seconds(0.0)[0] / times)
+        whole, steps = seconds(self.problem["t1"])
+        answer = {
             "t": integrator.time,
             "x": integrator.state.tolist(),
-            "evaluations": None,
-            "nanoseconds": 1e9 * (whole - self.nothing),
+            "evaluations": steps,
+            "nanoseconds": 1e9 * (whole / times - self.nothing),
         }
+        if outputs:
+            restart()
+            grid = [0.0, *output_times(self.problem, outputs)]
+            answer["along"] = integrator.propagate_grid(grid)[-1][1:].tolist()
+        return answer
 
 
 class SciPy:
@@ -98,20 +117,23 @@ class SciPy:
         start = np.array(problem["x0"])
         slope(0.0, start), rows(0.0, start)
 
-    def run(self, tolerance, times):
-        give_up = time.perf_counter() + PATIENCE
-
-        def slope(t, x):
-            if time.perf_counter() > give_up:
-                raise TimeoutError(f"took more than {PATIENCE} s")
-            return self.slope(t, x)
-
+    def run(self, tolerance, times, outputs):
         start, end = self.problem["x0"], self.problem["t1"]
         settings = {"method": self.method, "rtol": tolerance, "atol": self.problem["absolute"] * tolerance, **self.more}
-        since = time.perf_counter()
-        for _ in range(times):
-            solution = self.solve(slope, (0.0, end), start, **settings)
-        seconds = time.perf_counter() - since
+
+        def solve(**more):
+            return self.solve(self.slope, (0.0, end), start, **settings, **more)
+
+        # a clock in the right-hand side would slow it
+        signal.setitimer(signal.ITIMER_REAL, PATIENCE * (times + (outputs > 0)))
+        try:
+            since = time.perf_counter()
+            for _ in range(times):
+                solution = solve()
+            seconds = time.perf_counter() - since
+            along = solve(t_eval=output_times(self.problem, outputs)).y.T.tolist() if outputs else []
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
         if not solution.success:
             raise RuntimeError(solution.message)
         return {
@@ -119,26 +141,28 @@ class SciPy:
             "x": solution.y[:, -1].tolist(),
             "evaluations": int(solution.nfev),
             "nanoseconds": 1e9 * seconds / times,
+            "along": along,
         }
 
 
-def entrants(problem):
-    """Entrants of a problem, and the reasons why others are missing."""
-    found, missing, makers = [], [], []
+def entrants(problem, missing):
+    """Entrants of a problem. Adds the reasons why others are missing, with the problems."""
+    found, kinds = [], []
     if not problem["is_stiff"]:
         # code without loops is faster, unless it is larger than caches; code of our form is slower where there is another
-        forms = [("own form", False)] if problem["name"] in OWN else [("our form", False)]
+        form = "own form" if problem["name"] in OWN else "our form"
+        kinds.append((Heyoka, form, False))
         if len(problem["x0"]) > 7 or problem["name"] not in OWN:
-            forms += [(form, True) for form, _ in forms]
-        makers += [lambda form=form, compact=compact: Heyoka(problem, form, compact) for form, compact in forms]
+            kinds.append((Heyoka, form, True))
     for method in ["Radau", "BDF", "LSODA"] if problem["is_stiff"] else ["DOP853", "LSODA"]:
-        makers.append(lambda method=method: SciPy(problem, method))
-    for make in makers:
+        kinds.append((SciPy, method))
+    for kind, *settings in kinds:
         try:
-            found.append(make())
-        except ImportError as error:
-            missing.append(str(error))
-    return found, missing
+            found.append(kind(problem, *settings))
+        except Exception as error:  # one that does not load must not end the others
+            why = f"{kind.by}: {type(error).__name__}: {error}"
+            missing.setdefault(why, []).append(problem["name"])
+    return found
 
 
 def versions():
@@ -146,7 +170,7 @@ def versions():
     for name in ("heyoka", "scipy", "numba"):
         try:
             found[name] = __import__(name).__version__
-        except ImportError:
+        except Exception:  # its entrants are missing, with the reason
             pass
     return found
 
@@ -154,20 +178,23 @@ def versions():
 def main():
     answers = sys.stdout
     sys.stdout = sys.stderr
-    both = [entrants(problem) for problem in json.loads(sys.stdin.readline())]
-    all_entrants = [found for found, _ in both]
+    signal.signal(signal.SIGALRM, give_up)
+    missing = {}
+    all_entrants = [entrants(problem, missing) for problem in json.loads(sys.stdin.readline())]
     head = {
         "versions": list(versions().items()),
-        "missing": sorted({line for _, missing in both for line in missing}),
+        "missing": [f"{why} ({', '.join(dict.fromkeys(names))})" for why, names in missing.items()],
         "entrants": [[[entrant.by, entrant.method] for entrant in found] for found in all_entrants],
     }
     print(json.dumps(head), file=answers, flush=True)
     for line in sys.stdin:
-        problem, entrant, tolerance, times = json.loads(line)
+        problem, entrant, *request = json.loads(line)
+        since = time.perf_counter()
         try:
-            answer = json.dumps(all_entrants[problem][entrant].run(tolerance, times), allow_nan=False)
+            answer = json.dumps(all_entrants[problem][entrant].run(*request), allow_nan=False)
         except Exception as error:  # the reason is written into the results
-            answer = json.dumps({"error": f"{type(error).__name__}: {error}"})
+            seconds = time.perf_counter() - since
+            answer = json.dumps({"error": f"{type(error).__name__}: {error}", "nanoseconds": 1e9 * seconds})
         print(answer, file=answers, flush=True)
 
 

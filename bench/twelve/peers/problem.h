@@ -20,14 +20,19 @@ extern "C" {
 
 /* Each function integrates `count` equal tasks in a row, so its solver is created once and only restarted. */
 typedef struct {
-    /* Relative and absolute tolerance, end, first step, start. */
-    double relative, absolute, t1, h0, x0[LENGTH];
+    /* Relative and absolute tolerance, end, first step, number of output times, start. */
+    double relative, absolute, t1, h0, outputs, x0[LENGTH];
 } Task;
 
 typedef struct {
     /* Time reached; less than the end of the task if the integration failed. */
     double t, x[LENGTH], evaluations;
+    /* Number of states at output times, by dense output; 0 if the method has none. */
+    double outputs, along[][LENGTH];
 } End;
+
+/* Output time, the first with n = 0. */
+static inline double output_time(const Task *task, long n) { return (n + 1) * (task->t1 / (task->outputs + 1)); }
 
 #define EXPORT __attribute__((visibility("default")))
 

@@ -49,3 +49,21 @@ static void free_objects(Objects *own) {
     N_VDestroy(own->start);
     SUNContext_Free(&own->context);
 }
+
+/* `CVode` and its like, with their numbers for the task of reaching a time. */
+typedef int Evolve(void *solver, sunrealtype to, N_Vector x, sunrealtype *t, int normal);
+
+/* Integrates to the end by way of the output times, at which the solver interpolates. */
+static void evolve(Evolve *solve, void *solver, int normal, const Task *task, Objects *own, End *end) {
+    double t = -1.0;
+    int status = 0;
+    end->outputs = 0;
+    for (long n = 0; n < task->outputs && status >= 0; n++) {
+        status = solve(solver, output_time(task, n), own->x, &t, normal);
+        memcpy(end->along[n], NV_DATA_S(own->x), sizeof end->x);
+        end->outputs += status >= 0;
+    }
+    if (status >= 0) status = solve(solver, task->t1, own->x, &t, normal);
+    end->t = status >= 0 ? t : -1.0;
+    memcpy(end->x, NV_DATA_S(own->x), sizeof end->x);
+}

@@ -12,7 +12,7 @@ use differential_equations::solution::Solution;
 use nalgebra::SVector;
 use pendulum_core::Jacobian;
 
-use crate::entrant::{Entrant, Task};
+use crate::entrant::{Entrant, Reached, Task, due};
 
 struct Slopes<S: 'static, const N: usize>(Task<S, N>);
 
@@ -31,22 +31,28 @@ impl<S: Jacobian<f64, N>, const N: usize> ODE<f64, [f64; N]> for Slopes<S, N> {
     }
 }
 
-/// Output that stores no intermediate points.
-struct Nothing;
+/// States at output times. Without them it stores nothing.
+struct Outputs<'a, const N: usize> {
+    times: &'a [f64],
+    along: Vec<[f64; N]>,
+}
 
-impl<const N: usize> Solout<f64, [f64; N]> for Nothing {
+impl<const N: usize> Solout<f64, [f64; N]> for Outputs<'_, N> {
     fn solout<I>(
         &mut self,
-        _: f64,
+        t: f64,
         _: f64,
         _: &[f64; N],
         _: &[f64; N],
-        _: &mut I,
+        step: &mut I,
         _: &mut Solution<f64, [f64; N]>,
     ) -> ControlFlag<f64, [f64; N]>
     where
         I: Interpolation<f64, [f64; N]> + ?Sized,
     {
+        while let Some(output) = due(self.times, &self.along, t) {
+            self.along.push(step.interpolate(output).unwrap_or([f64::NAN; N]));
+        }
         ControlFlag::Continue
     }
 }
@@ -56,13 +62,15 @@ const STEPS: usize = 1_000_000;
 
 macro_rules! entrants {
     ($task:ident; $($name:literal: $family:ident::$method:ident,)*) => {
-        vec![$(Entrant::new("differential-equations", $name, move |tolerance| {
+        vec![$(Entrant::new("differential-equations", $name, $task.t1, move |tolerance, outputs| {
             let absolute = $task.absolute * tolerance;
             let mut method = $family::$method().rtol(tolerance).atol(absolute).max_steps(STEPS);
             let start = $task.x0.data.0[0];
-            let solution = solve_ode(&mut method, &Slopes($task), 0.0, $task.t1, &start, &mut Nothing);
+            let mut outputs = Outputs { times: outputs, along: Vec::new() };
+            let solution = solve_ode(&mut method, &Slopes($task), 0.0, $task.t1, &start, &mut outputs);
             let solution = solution.map_err(|error| format!("{error:?}"))?;
-            Ok((method.t(), *method.y(), Some(solution.evals.function)))
+            let evaluations = Some(solution.evals.function);
+            Ok(Reached { t: method.t(), x: *method.y(), evaluations, along: outputs.along })
         }),)*]
     };
 }

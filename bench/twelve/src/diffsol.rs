@@ -2,9 +2,9 @@
 
 use std::hint::black_box;
 
-use diffsol::{NalgebraLU, NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
+use diffsol::{NalgebraLU, NalgebraMat, NalgebraVec, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 
-use crate::entrant::{End, Entrant, Task};
+use crate::entrant::{End, Entrant, Request, Task, due, output_times};
 use crate::model::Model;
 
 /// Motion without its type.
@@ -33,8 +33,9 @@ macro_rules! entrant {
     ($span:ident; $name:literal, $($method:tt)*) => { Entrant {
         by: "diffsol",
         method: $name,
-        integrate: Box::new(move |tolerance, times| {
-            let Span { model, x0, t1, absolute } = $span;
+        integrate: Box::new(move |request| {
+            let (Span { model, x0, t1, absolute }, Request { tolerance, times, outputs }) = ($span, request);
+            let outputs = output_times(t1, outputs);
             let problem = OdeBuilder::<NalgebraMat<f64>>::new()
                 .rtol(tolerance)
                 .atol(vec![absolute * tolerance; model.length])
@@ -48,12 +49,16 @@ macro_rules! entrant {
             let once = || {
                 let mut method = problem.$($method)*().map_err(|error| error.to_string())?;
                 method.set_stop_time(t1).map_err(|error| error.to_string())?;
+                let state = |y: &NalgebraVec<f64>| (0..model.length).map(|component| y[component]).collect();
+                let mut along = Vec::new();
                 for _ in 0..STEPS {
                     let reason = method.step().map_err(|error| error.to_string())?;
+                    while let Some(t) = due(&outputs, &along, method.state().t) {
+                        along.push(state(&method.interpolate(t).map_err(|error| error.to_string())?));
+                    }
                     if let OdeSolverStopReason::TstopReached = reason {
                         let end = method.state();
-                        let x = (0..model.length).map(|component| end.y[component]).collect();
-                        return Ok(End { t: end.t, x, evaluations: None });
+                        return Ok(End { t: end.t, x: state(end.y), evaluations: None, along });
                     }
                 }
                 Err("too many steps".to_owned())

@@ -8,20 +8,38 @@ use nalgebra::SVector;
 pub struct Entrant {
     pub by: &'static str,
     pub method: &'static str,
-    /// Integrates from the start to the end with a relative tolerance as often as told, and returns the last end, or why
-    /// it failed. The absolute tolerance is that times [`Problem::absolute`](crate::Problem::absolute).
+    /// Integrates from the start to the end, and returns the last end, or why it failed.
     pub integrate: Box<Integrate>,
 }
 
-pub type Integrate = dyn Fn(f64, usize) -> Result<End, String>;
+pub type Integrate = dyn Fn(Request) -> Result<End, String>;
+
+/// Integrations to make.
+#[derive(Clone, Copy, Debug)]
+pub struct Request {
+    /// Relative tolerance; the absolute one is that times [`Problem::absolute`](crate::Problem::absolute).
+    pub tolerance: f64,
+    /// Number of integrations in a row.
+    pub times: usize,
+    /// Number of [`output_times`].
+    pub outputs: usize,
+}
 
 /// End of an integration.
 #[derive(Clone, Debug)]
 pub struct End {
     pub t: f64,
     pub x: Vec<f64>,
-    /// Evaluations of the right-hand side, if the library counts them.
+    /// Evaluations of the right-hand side, if the library counts them; of Taylor methods, series.
     pub evaluations: Option<usize>,
+    /// States at the output times by dense output; none if the method has no dense output.
+    pub along: Vec<Vec<f64>>,
+}
+
+/// Times at equal distances within a span from 0 to `t1`.
+pub fn output_times(t1: f64, outputs: usize) -> Vec<f64> {
+    let between = t1 / (outputs + 1) as f64;
+    (1..=outputs).map(|n| n as f64 * between).collect()
 }
 
 /// Motion to integrate.
@@ -35,23 +53,34 @@ pub(crate) struct Motion<S, const N: usize> {
 
 pub(crate) type Task<S, const N: usize> = &'static Motion<S, N>;
 
-/// Time and state at the end, and the number of evaluations.
-pub(crate) type Reached<const N: usize> = (f64, [f64; N], Option<usize>);
+/// [`End`] of a state whose length is known.
+pub(crate) struct Reached<const N: usize> {
+    pub t: f64,
+    pub x: [f64; N],
+    pub evaluations: Option<usize>,
+    pub along: Vec<[f64; N]>,
+}
 
 impl Entrant {
-    /// Makes an entrant from a function that integrates once.
+    /// Makes an entrant from a function that integrates once to `t1`, with a tolerance and output times.
     pub(crate) fn new<const N: usize>(
         by: &'static str,
         method: &'static str,
-        once: impl Fn(f64) -> Result<Reached<N>, String> + 'static,
+        t1: f64,
+        once: impl Fn(f64, &[f64]) -> Result<Reached<N>, String> + 'static,
     ) -> Self {
-        let integrate = move |tolerance: f64, times: usize| {
-            for _ in 1..times {
-                black_box(once(black_box(tolerance))?);
+        let integrate = move |request: Request| {
+            let outputs = output_times(t1, request.outputs);
+            for _ in 1..request.times {
+                black_box(once(black_box(request.tolerance), &outputs)?);
             }
-            let (t, x, evaluations) = once(black_box(tolerance))?;
-            let x = x.to_vec();
-            Ok(End { t, x, evaluations })
+            let reached = once(black_box(request.tolerance), &outputs)?;
+            Ok(End {
+                t: reached.t,
+                x: reached.x.to_vec(),
+                evaluations: reached.evaluations,
+                along: reached.along.iter().map(|x| x.to_vec()).collect(),
+            })
         };
         Self {
             by,
@@ -59,4 +88,9 @@ impl Entrant {
             integrate: Box::new(integrate),
         }
     }
+}
+
+/// The first of the output times that has no state yet, if it is at most `t`.
+pub(crate) fn due<X>(outputs: &[f64], along: &[X], t: f64) -> Option<f64> {
+    outputs.get(along.len()).copied().filter(|&output| output <= t)
 }

@@ -16,9 +16,12 @@ use testbed::counted::Counted;
 use testbed::problems::{self, Visitor};
 use testbed::work::Scene;
 
-pub use entrant::{End, Entrant, Integrate};
+pub use entrant::{End, Entrant, Integrate, Request, output_times};
 pub use model::Model;
 pub use ours::OURS;
+
+/// Number of times within the span at which dense output is compared.
+pub const OUTPUTS: usize = 100;
 
 /// Problem with its reference, and the methods in Rust.
 pub struct Problem {
@@ -33,6 +36,10 @@ pub struct Problem {
     pub end: Vec<f64>,
     /// Uncertainty of `end`, relative to its largest component.
     pub uncertainty: f64,
+    /// States at [`OUTPUTS`] output times.
+    pub along: Vec<Vec<f64>>,
+    /// Uncertainty of `along`, relative to its largest component.
+    pub uncertainty_along: f64,
     pub model: &'static Model,
     pub entrants: Vec<Entrant>,
 }
@@ -71,6 +78,9 @@ impl Visitor for All {
             t1,
             absolute: absolute(name),
         }));
+        let outputs = output_times(t1, OUTPUTS);
+        let (along, uncertainty_along) = ours::known_along(task, is_stiff, &outputs).expect("states along the way");
+        let size = along.iter().fold(0.0_f64, |size, x| size.max(x.amax()));
         let model: &'static Model = Box::leak(Box::new(Model::of(&task.model)));
         let entrants = if is_stiff {
             vec![
@@ -95,6 +105,8 @@ impl Visitor for All {
             absolute: task.absolute,
             end: end.as_slice().to_vec(),
             uncertainty,
+            along: along.iter().map(|x| x.as_slice().to_vec()).collect(),
+            uncertainty_along: uncertainty_along / size,
             model,
             entrants: entrants.into_iter().flatten().collect(),
         });

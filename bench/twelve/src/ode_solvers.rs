@@ -1,9 +1,9 @@
-//! The crate `ode_solvers`.
+//! The crate `ode_solvers`: Hairer's DOPRI5 and DOP853.
 
 use nalgebra::SVector;
-use ode_solvers::{Dop853, OutputType, SVector as State, System};
+use ode_solvers::{Dop853, Dopri5, OutputType, SVector as State, System};
 
-use crate::entrant::{Entrant, Task};
+use crate::entrant::{Entrant, Reached, Task};
 
 struct Slopes<S: 'static, const N: usize>(Task<S, N>);
 
@@ -13,17 +13,30 @@ impl<S: pendulum_core::System<f64, N>, const N: usize> System<f64, State<f64, N>
     }
 }
 
-/// The crate either stores the points of all steps, or interpolates between them: the former is less work.
-pub(crate) fn smooth<S: pendulum_core::System<f64, N>, const N: usize>(task: Task<S, N>) -> Vec<Entrant> {
-    let once = move |tolerance: f64| {
-        let start = State::from(task.x0.data.0[0]);
-        let absolute = task.absolute * tolerance;
-        let mut method = Dop853::new(Slopes(task), 0.0, task.t1, task.t1, start, tolerance, absolute);
-        method.set_output(OutputType::Sparse);
-        let statistics = method.integrate().map_err(|error| error.to_string())?;
-        let (t, x) = (method.x_out().last(), method.y_out().last());
-        let end = (t.ok_or("no points")?, x.ok_or("no points")?);
-        Ok((*end.0, end.1.data.0[0], Some(statistics.num_eval as usize)))
+/// The crate either stores the points of all steps, or interpolates at equal distances: the former is less work.
+macro_rules! entrant {
+    ($task:ident; $name:literal, $method:ident) => {
+        Entrant::new("ode_solvers", $name, $task.t1, move |tolerance, outputs| {
+            let start = State::from($task.x0.data.0[0]);
+            let absolute = $task.absolute * tolerance;
+            let between = outputs.first().copied().unwrap_or($task.t1);
+            let mut method = $method::new(Slopes($task), 0.0, $task.t1, between, start, tolerance, absolute);
+            if outputs.is_empty() {
+                method.set_output(OutputType::Sparse);
+            }
+            let statistics = method.integrate().map_err(|error| error.to_string())?;
+            let (t, x) = (method.x_out(), method.y_out());
+            Ok(Reached {
+                t: *t.last().ok_or("no points")?,
+                x: x.last().ok_or("no points")?.data.0[0],
+                evaluations: Some(statistics.num_eval as usize),
+                // the first point is the start
+                along: x.iter().skip(1).take(outputs.len()).map(|x| x.data.0[0]).collect(),
+            })
+        })
     };
-    vec![Entrant::new("ode_solvers", "DOP853", once)]
+}
+
+pub(crate) fn smooth<S: pendulum_core::System<f64, N>, const N: usize>(task: Task<S, N>) -> Vec<Entrant> {
+    vec![entrant!(task; "DOPRI5", Dopri5), entrant!(task; "DOP853", Dop853)]
 }

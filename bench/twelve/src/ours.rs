@@ -1,10 +1,11 @@
 //! Our own methods.
 
+use nalgebra::SVector;
 use pendulum_core::{
     Auto, Jacobian, Method, Radau5, Radau9, Radau13, Rodas4, Rodas5P, Taylor, TaylorSeries, Tsit5, Vern7, Vern9,
 };
 
-use crate::entrant::{Entrant, Task};
+use crate::entrant::{Entrant, Reached, Task, due};
 
 /// Name under which our methods enter.
 pub const OURS: &str = "ours";
@@ -32,10 +33,78 @@ where
     M: Method<S, f64, N> + 'static,
     S: Jacobian<f64, N>,
 {
-    Entrant::new(OURS, name, move |tolerance| {
-        let stepper = make(tolerance, task.absolute * tolerance).stepper(&task.model, 0.0, task.t1, task.x0);
-        let mut stepper = stepper.map_err(|reason| reason.to_string())?;
-        let end = stepper.run().map_err(|reason| reason.to_string())?;
-        Ok((stepper.t(), end.into(), Some(stepper.statistics().evaluations)))
+    Entrant::new(OURS, name, task.t1, move |tolerance, outputs| {
+        let method = make(tolerance, task.absolute * tolerance);
+        integrate(&method, &task.model, [0.0, task.t1], task.x0, outputs)
     })
+}
+
+fn integrate<S, M, const N: usize>(
+    method: &M,
+    model: &S,
+    [t0, t1]: [f64; 2],
+    x0: SVector<f64, N>,
+    outputs: &[f64],
+) -> Result<Reached<N>, String>
+where
+    M: Method<S, f64, N>,
+    S: Jacobian<f64, N>,
+{
+    let mut stepper = method.stepper(model, t0, t1, x0).map_err(|reason| reason.to_string())?;
+    let mut along = Vec::new();
+    while stepper.step().map_err(|reason| reason.to_string())?.is_some() {
+        while let Some(t) = due(outputs, &along, stepper.t()) {
+            along.push(stepper.dense().at(t).into());
+        }
+    }
+    Ok(Reached {
+        t: stepper.t(),
+        x: stepper.x().into(),
+        evaluations: Some(stepper.statistics().evaluations),
+        along,
+    })
+}
+
+/// Tolerance of references.
+const TIGHT: f64 = 1e-14;
+
+/// States at the output times, and their uncertainty: the largest difference of two methods. They integrate from output
+/// to output, so that no state is interpolated.
+pub(crate) fn known_along<S, const N: usize>(
+    task: Task<S, N>,
+    is_stiff: bool,
+    outputs: &[f64],
+) -> Result<(Vec<SVector<f64, N>>, f64), String>
+where
+    S: Jacobian<f64, N> + TaylorSeries<f64, N>,
+{
+    let (rtol, atol) = (TIGHT, task.absolute * TIGHT);
+    let [best, other] = if is_stiff {
+        [
+            legs(&Radau13::new().rtol(rtol).atol(atol), task, outputs)?,
+            legs(&Radau9::new().rtol(rtol).atol(atol), task, outputs)?,
+        ]
+    } else {
+        [
+            legs(&Taylor::new().rtol(rtol).atol(atol), task, outputs)?,
+            legs(&Vern9::new().rtol(rtol).atol(atol), task, outputs)?,
+        ]
+    };
+    let differences = best.iter().zip(&other).map(|(a, b)| (a - b).amax());
+    let uncertainty = differences.fold(0.0, f64::max);
+    Ok((best, uncertainty))
+}
+
+fn legs<S, M, const N: usize>(method: &M, task: Task<S, N>, outputs: &[f64]) -> Result<Vec<SVector<f64, N>>, String>
+where
+    M: Method<S, f64, N>,
+    S: Jacobian<f64, N>,
+{
+    let (mut t, mut x) = (0.0, task.x0);
+    let leg = |&output: &f64| {
+        x = integrate(method, &task.model, [t, output], x, &[])?.x.into();
+        t = output;
+        Ok(x)
+    };
+    outputs.iter().map(leg).collect()
 }
