@@ -33,8 +33,9 @@ impl<T: Float> Promise<T> {
     }
 }
 
-/// The backward pass of a motion that starts at the time `t0`. The diagonal of the second derivatives by the inputs
-/// grows by the factor `1 + damping` (D. W. Marquardt, SIAM J. Appl. Math. 11 (1963) 431), whatever their units.
+/// The backward pass of the motion in `trial`, which starts at the time `t0`. The diagonal of the second derivatives by
+/// the inputs grows by the factor `1 + damping` (D. W. Marquardt, SIAM J. Appl. Math. 11 (1963) 431), whatever their
+/// units.
 pub(super) struct Backward<T> {
     pub(super) t0: T,
     pub(super) damping: T,
@@ -52,10 +53,10 @@ where
     fn run(self, ilqr: &mut Ilqr<C, T, N, M, K>, model: &S) -> Self::Output {
         let h = ilqr.h;
         let mut promise = Promise::default();
-        let (mut gradient, mut hessian) = ilqr.cost.end_derivatives(ilqr.time(self.t0, K), &ilqr.plan.end);
+        let (mut gradient, mut hessian) = ilqr.cost.end_derivatives(ilqr.time(self.t0, K), &ilqr.trial.end);
         let mut guess = [T::default(); M];
         for k in (0..K).rev() {
-            let (t, x, u) = (ilqr.time(self.t0, k), &ilqr.plan.x[k], &ilqr.plan.u[k]);
+            let (t, x, u) = (ilqr.time(self.t0, k), &ilqr.trial.x[k], &ilqr.trial.u[k]);
             let StepDerivatives { a, b } = step_derivatives(model, (t, h), x, u);
             let of_cost = ilqr.cost.running_derivatives(t, x, u);
             // Damping would hide it, and the search run away.

@@ -75,7 +75,7 @@ pub struct Ilqr<C, T, const N: usize, const M: usize, const K: usize> {
     max_iterations: usize,
     /// The best motion.
     plan: Plan<T, N, M, K>,
-    /// The motion of the last forward pass.
+    /// The motion of the last forward pass, along which the backward pass goes.
     trial: Plan<T, N, M, K>,
     /// Change of the inputs by the last backward pass; 0 once it is in the plan.
     change: [[T; M]; K],

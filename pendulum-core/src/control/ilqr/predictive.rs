@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::search::check_start;
 use super::{Ilqr, IlqrError, Objective};
 use crate::control::Controller;
 use crate::inputs::Controlled;
@@ -64,6 +65,11 @@ where
     }
 
     fn sample(&self, t: T, measured: &SVector<T, N>, state: &mut Self::State) -> [T; M] {
+        // before the plan moves on: a time that is not finite would spoil its clock
+        if let Err(failure) = check_start(t, measured) {
+            state.failure = Some(failure);
+            return [T::from_f64(f64::NAN); M];
+        }
         let h = state.ilqr.h;
         let mut start = state.t.unwrap_or(t);
         // At most one plan: what follows its end repeats its last inputs.

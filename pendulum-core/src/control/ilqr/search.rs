@@ -103,6 +103,9 @@ where
         let mut decrease = T::default();
         for iterations in 1..=self.max_iterations {
             let promise = self.backward(model, t0)?;
+            if iterations == 1 {
+                self.plan = self.trial;
+            }
             let promised = promise.of(T::from_f64(1.0));
             let is_converged = self.damping.value == T::default() && promised <= self.tolerance * cost.abs();
             if is_converged || promised <= ulps * cost.abs() + least {
@@ -117,6 +120,7 @@ where
                     }
                 }
                 None => {
+                    self.trial = self.plan;
                     self.damping.grow();
                     if self.damping.value > T::from_f64(LARGEST_DAMPING) {
                         let (cost, promised) = (cost.to_f64(), promised.to_f64());
@@ -143,7 +147,8 @@ where
     /// unstable.
     ///
     /// # Errors
-    /// Settings out of range, [`IlqrError::Diverged`] and [`IlqrError::NotConvex`]. The last motion is kept.
+    /// Settings out of range, [`IlqrError::Diverged`] and [`IlqrError::NotConvex`]. The last motion is kept, but after
+    /// `NotConvex` the gains of the nodes behind the one named are those of this pass.
     pub fn pass<S>(&mut self, model: &S, t0: T, x0: impl IntoState<T, N>) -> Result<Pass<T>, IlqrError>
     where
         S: Controlled<T, N, M>,
@@ -152,6 +157,7 @@ where
         self.check(model, t0, &x0)?;
         let cost_before = self.follow(model, t0, &x0)?;
         let promise = self.backward(model, t0)?;
+        self.plan = self.trial;
         if promise.of(T::from_f64(1.0)) <= T::from_f64(ROUNDING_ULPS) * T::EPSILON * cost_before.abs() {
             self.damping.decay();
             return Ok(Pass {
@@ -177,23 +183,19 @@ where
         })
     }
 
-    /// The motion by the inputs and gains of the last one.
+    /// The motion by the inputs and gains of the last one, into `trial`.
     fn follow<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>) -> Result<T, IlqrError>
     where
         S: Controlled<T, N, M>,
     {
-        match self.forward(model, t0, x0, T::default()) {
-            Ok(cost) => {
-                self.plan = self.trial;
-                Ok(cost)
-            }
-            Err(node) => Err(IlqrError::Diverged {
-                node,
-                t: self.time(t0, node).to_f64(),
-            }),
-        }
+        let followed = self.forward(model, t0, x0, T::default());
+        followed.map_err(|node| IlqrError::Diverged {
+            node,
+            t: self.time(t0, node).to_f64(),
+        })
     }
 
+    /// The backward pass along `trial`, which is not yet the plan: a pass that fails leaves that as it was.
     fn backward<S>(&mut self, model: &S, t0: T) -> Result<Promise<T>, IlqrError>
     where
         S: Controlled<T, N, M>,
@@ -257,9 +259,7 @@ where
         if !(self.tolerance >= T::default() && self.tolerance < T::from_f64(1.0)) {
             return Err(IlqrError::Tolerance(self.tolerance.to_f64()));
         }
-        if !(t0.is_finite() && x0.iter().all(|component| component.is_finite())) {
-            return Err(IlqrError::NotFinite { what: "the state" });
-        }
+        check_start(t0, x0)?;
         for input in 0..M {
             let (low, high) = (self.low[input], self.high[input]);
             let limits = [low, high].map(T::to_f64);
@@ -281,5 +281,13 @@ where
             }
         }
         self.cost.check()
+    }
+}
+
+/// Checks that a time and a state are finite.
+pub(super) fn check_start<T: Float, const N: usize>(t: T, x: &SVector<T, N>) -> Result<(), IlqrError> {
+    match t.is_finite() && x.iter().all(|component| component.is_finite()) {
+        true => Ok(()),
+        false => Err(IlqrError::NotFinite { what: "the state" }),
     }
 }
