@@ -8,9 +8,7 @@ use nalgebra::{SMatrix, SVector};
 use super::boxed::{Factor, minimize};
 use super::cost::dot;
 use super::matrix::{plus, plus_product, product, scaled, transposed};
-use super::step::{StepDerivatives, step_derivatives};
-use super::{Ilqr, IlqrError, Objective};
-use crate::inputs::Controlled;
+use super::{Ilqr, IlqrError, Objective, StepDerivatives, StepMap};
 use crate::real::Float;
 use crate::real::lanes::Routine;
 
@@ -44,7 +42,7 @@ pub(super) struct Backward<T> {
 impl<C, S, T, const N: usize, const M: usize, const K: usize> Routine<Ilqr<C, T, N, M, K>, S> for Backward<T>
 where
     C: Objective<T, N, M>,
-    S: Controlled<T, N, M>,
+    S: StepMap<T, N, M>,
     T: Float,
 {
     type Output = Result<Promise<T>, IlqrError>;
@@ -57,18 +55,24 @@ where
         let mut guess = [T::default(); M];
         for k in (0..K).rev() {
             let (t, x, u) = (ilqr.time(self.t0, k), &ilqr.trial.x[k], &ilqr.trial.u[k]);
-            let StepDerivatives { a, b } = step_derivatives(model, (t, h), x, u);
+            let StepDerivatives { a, b } = &match model.step_derivatives(t, h, x, u) {
+                Ok(derivatives) => derivatives,
+                Err(reason) => {
+                    let reason = reason.into();
+                    return Err(IlqrError::StepFailed { node: k, reason });
+                }
+            };
             let of_cost = ilqr.cost.running_derivatives(t, x, u);
             // Damping would hide it, and the search run away.
             if Factor::new(&of_cost.uu, [true; M]).is_none() {
                 return Err(IlqrError::NotConvex { node: k });
             }
 
-            let (to_a, to_b) = (transposed(&a), transposed(&b));
-            let by_b = product(&hessian, &b);
+            let (to_a, to_b) = (transposed(a), transposed(b));
+            let by_b = product(&hessian, b);
             let by_x = plus_product(scaled(h, &of_cost.x), &to_a, &gradient);
             let by_u = plus_product(scaled(h, &of_cost.u), &to_b, &gradient);
-            let xx = plus_product(scaled(h, &of_cost.xx), &to_a, &product(&hessian, &a));
+            let xx = plus_product(scaled(h, &of_cost.xx), &to_a, &product(&hessian, a));
             let xu = plus_product(scaled(h, &of_cost.xu), &to_a, &by_b);
             let uu = plus_product(scaled(h, &of_cost.uu), &to_b, &by_b);
 

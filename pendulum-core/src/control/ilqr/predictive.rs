@@ -3,9 +3,8 @@
 use nalgebra::SVector;
 
 use super::search::check_start;
-use super::{Ilqr, IlqrError, Objective};
+use super::{Ilqr, IlqrError, Objective, StepMap};
 use crate::control::Controller;
-use crate::inputs::Controlled;
 use crate::real::Float;
 
 /// A [`Controller`] that plans anew at each sample, by [`Ilqr::pass`], and commands the first inputs of its plan:
@@ -41,7 +40,7 @@ where
     /// Settings out of range.
     pub fn controller<S>(self, model: S) -> Result<Predictive<S, Self>, IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         self.check(&model, T::default(), &self.plan.x[0])?;
         Ok(Predictive { model, ilqr: self })
@@ -50,7 +49,7 @@ where
 
 impl<S, C, T, const N: usize, const M: usize, const K: usize> Controller<T, N, M> for Predictive<S, Ilqr<C, T, N, M, K>>
 where
-    S: Controlled<T, N, M>,
+    S: StepMap<T, N, M>,
     C: Objective<T, N, M> + Copy,
     T: Float,
 {

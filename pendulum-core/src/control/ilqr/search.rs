@@ -4,9 +4,7 @@ use nalgebra::SVector;
 
 use super::backward::{Backward, Promise};
 use super::forward::Forward;
-use super::{Ilqr, IlqrError, Objective};
-use crate::error::Name;
-use crate::inputs::Controlled;
+use super::{Ilqr, IlqrError, Objective, StepMap};
 use crate::real::Float;
 use crate::real::lanes::Isa;
 use crate::system::IntoState;
@@ -87,16 +85,16 @@ where
     /// The motion found is a local minimum: other starts may lead to others.
     ///
     /// # Errors
-    /// Settings out of range, [`IlqrError::Diverged`], [`IlqrError::NotConvex`], [`IlqrError::NoDecrease`] and
-    /// [`IlqrError::TooManyIterations`]. In the last two cases the best motion is kept.
+    /// Settings out of range, [`IlqrError::Diverged`], [`IlqrError::StepFailed`], [`IlqrError::NotConvex`],
+    /// [`IlqrError::NoDecrease`] and [`IlqrError::TooManyIterations`]. In the last two cases the best motion is kept.
     pub fn solve<S>(&mut self, model: &S, t0: T, x0: impl IntoState<T, N>) -> Result<Solved<T>, IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         let x0 = x0.into_state();
         self.check(model, t0, &x0)?;
         self.damping = Damping::none();
-        let mut cost = self.follow(model, t0, &x0)?;
+        let mut cost = self.forward(model, t0, &x0, T::default())?;
         let ulps = T::from_f64(ROUNDING_ULPS) * T::EPSILON;
         // where the least cost is zero, that of rounding errors of the motion remains
         let least = ulps * T::EPSILON * cost.abs();
@@ -147,15 +145,15 @@ where
     /// unstable.
     ///
     /// # Errors
-    /// Settings out of range, [`IlqrError::Diverged`] and [`IlqrError::NotConvex`]. The last motion is kept, but after
-    /// `NotConvex` the gains of the nodes behind the one named are those of this pass.
+    /// Settings out of range, [`IlqrError::Diverged`], [`IlqrError::StepFailed`] and [`IlqrError::NotConvex`]. The last
+    /// motion is kept, but after the last two, the gains of nodes behind the one named may be those of this pass.
     pub fn pass<S>(&mut self, model: &S, t0: T, x0: impl IntoState<T, N>) -> Result<Pass<T>, IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         let x0 = x0.into_state();
         self.check(model, t0, &x0)?;
-        let cost_before = self.follow(model, t0, &x0)?;
+        let cost_before = self.forward(model, t0, &x0, T::default())?;
         let promise = self.backward(model, t0)?;
         self.plan = self.trial;
         if promise.of(T::from_f64(1.0)) <= T::from_f64(ROUNDING_ULPS) * T::EPSILON * cost_before.abs() {
@@ -183,30 +181,18 @@ where
         })
     }
 
-    /// The motion by the inputs and gains of the last one, into `trial`.
-    fn follow<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>) -> Result<T, IlqrError>
-    where
-        S: Controlled<T, N, M>,
-    {
-        let followed = self.forward(model, t0, x0, T::default());
-        followed.map_err(|node| IlqrError::Diverged {
-            node,
-            t: self.time(t0, node).to_f64(),
-        })
-    }
-
     /// The backward pass along `trial`, which is not yet the plan: a pass that fails leaves that as it was.
     fn backward<S>(&mut self, model: &S, t0: T) -> Result<Promise<T>, IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         let damping = self.damping.value;
         Isa::run_routine(Backward { t0, damping }, self, model)
     }
 
-    fn forward<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>, share: T) -> Result<T, usize>
+    fn forward<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>, share: T) -> Result<T, IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         Isa::run_routine(Forward { t0, x0: *x0, share }, self, model)
     }
@@ -221,7 +207,7 @@ where
         (cost, promise): (T, Promise<T>),
     ) -> Option<(T, T)>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         let mut share = T::from_f64(1.0);
         for _ in 0..=HALVINGS {
@@ -242,17 +228,9 @@ where
     /// Checks the settings for a model and a start.
     pub(super) fn check<S>(&self, model: &S, t0: T, x0: &SVector<T, N>) -> Result<(), IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
-        if let Some(constraint) = model.constraints().first() {
-            let constraint = Name::from(constraint.name);
-            return Err(IlqrError::ModeSwitches { constraint });
-        }
-        let mut bodies = None;
-        model.gaps(t0, x0, &mut |[a, b], _| bodies = Some([Name::from(a), Name::from(b)]));
-        if let Some(bodies) = bodies {
-            return Err(IlqrError::ClosedLoop { bodies });
-        }
+        model.check(t0, x0)?;
         if !(self.h.is_finite() && self.h > T::default()) {
             return Err(IlqrError::Step(self.h.to_f64()));
         }
