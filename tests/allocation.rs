@@ -8,7 +8,7 @@ use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
 use pendulum_core::Reason;
-use pendulum_core::control::{Ilqr, Pid, Quadratic, Sampled};
+use pendulum_core::control::{Ilqr, Integrated, Pid, Quadratic, Sampled};
 use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::Isa;
@@ -172,6 +172,33 @@ fn iterative_lqr_does_not_allocate() {
         let sampled = Sampled::new(ilqr.controller(model).expect("in range"), 0.02);
         let end = sampled.end(&Vern7::new(), &model, 0.0, 1.0, [1.0, 0.0]);
         assert!(end.expect("a motion").norm() < 1.0);
+    };
+    assert_eq!(allocations(work), 0);
+}
+
+mechanism! {
+    /// A block on a floor with dry friction, that may bounce back from a stop.
+    pub Block {
+        input push: N,
+        body block on ground {
+            mass: 1, joint: prismatic(x), coordinate: s, torque: push, dry_friction: 2, stop: [-1, 0.6] restitution(0.3),
+        }
+    }
+}
+
+#[test]
+fn iterative_lqr_through_mode_switches_does_not_allocate() {
+    let model = Integrated::new(Block::new(BlockParams {}).expect("physical"), Tsit5::new());
+    let cost = Quadratic::diagonal([1.0, 0.0], [0.01]).goal([0.5, 0.0], [0.0]);
+    let work = || {
+        let mut ilqr = Ilqr::<_, _, 2, 1, 40>::new(0.05, cost)
+            .limits([-9.0], [9.0])
+            .start([3.0]);
+        for _ in 0..10 {
+            ilqr.pass(&model, 0.0, [0.0, 0.0]).expect("a motion");
+        }
+        assert!((ilqr.end()[0] - 0.5).abs() < 0.1);
+        ilqr.pass(&model, 0.0, [1.0, 0.0]).expect_err("beyond its limit");
     };
     assert_eq!(allocations(work), 0);
 }

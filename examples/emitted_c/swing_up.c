@@ -2,7 +2,8 @@
 //
 //     cc -std=c99 -O2 -ffp-contract=off -Iout examples/emitted_c/swing_up.c out/cart_pole.c -lm -o out/swing_up
 //
-// Prints the time, the force and the state as CSV. On the real cart, x is measured, and the force goes to the motor.
+// Prints the time, the force and the state as CSV. On the real cart, x is measured, and the force goes to the motor, which stops where
+// this program ends: at a code that is not 0, and at a force that is not a number.
 #include <math.h>
 #include <stdio.h>
 
@@ -27,6 +28,8 @@ int main(void) {
         } else if (cart_pole_ilqr_sample(&ilqr, &model, t, x, &u) != CART_POLE_ILQR_OK) {
             return 1;
         }
+        // the linear law has no code: of a state that is not a number, so is its force
+        if (!isfinite(u.push)) return 1;
         printf("%g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t, u.push, x[0], x[1], x[2], x[3]);
         cart_pole_rk4_step(&model, t, t + CART_POLE_ILQR_H, x, &u, x);
     }

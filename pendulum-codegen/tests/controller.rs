@@ -33,13 +33,13 @@ fn numbers_parse_back_to_the_same_value() {
         );
     let source = controller.print(&program(ARM)).expect("a controller").source;
     let lines = [
-        "static const double pendulum_low[ARM_INPUTS] = {-2.0, -HUGE_VAL};",
+        "static const double Pendulum_low[ARM_INPUTS] = {-2.0, -HUGE_VAL};",
         "static const double gain[2][ARM_INPUTS] = {",
         "{0.3333333333333333, 2.0},",
         "{-1e-7, 4.0},",
-        "static const double pendulum_q[N * N] = {",
+        "static const double Pendulum_q[N * N] = {",
         "0.0, 0.3,",
-        "static const double pendulum_goal[N] = {0.0, 0.3333333333333333};",
+        "static const double Pendulum_goal[N] = {0.0, 0.3333333333333333};",
         "{0.3333333333333333, 4.0},",
         "#include <math.h>",
     ];
@@ -141,6 +141,41 @@ fn what_makes_no_controller_is_refused() {
             "the gain has a number that is infinite or NaN, or too large for the precision",
         ),
         (
+            of(
+                "pub A {
+                    input f: N,
+                    output error: s,
+                    body b on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: f }
+                }",
+                Controller::new(),
+            ),
+            "the output or event `error` has the name of a function of the controller",
+        ),
+        (
+            of(
+                ARM,
+                Controller::new().ilqr(Ilqr::new(0.1, 2, &[1.0, 0.5, 0.4, 1.0], &[1.0, 0.0, 0.0, 1.0])),
+            ),
+            "Q is not symmetric: entry (1, 0) is 0.5, and entry (0, 1) is 0.4",
+        ),
+        (
+            of(ARM, Controller::new().ilqr(plan().end(&[1.0, 2.0, 2.0, 1.0]))),
+            "Qf is not positive semidefinite",
+        ),
+        (
+            of(ARM, Controller::new().ilqr(Ilqr::new(0.1, 2, &[0.0; 4], &[1.0; 4]))),
+            "R is not positive definite",
+        ),
+        (
+            of(
+                ARM,
+                Controller::new()
+                    .ilqr(Ilqr::new(0.1, 2, &[0.0; 4], &[1.0, 0.0, 0.0, 1e-60]))
+                    .single(),
+            ),
+            "R is not positive definite",
+        ),
+        (
             of(ARM, Controller::new().ilqr(plan().end(&[1.0]))),
             "Qf has 1 numbers, and the scene requires 4",
         ),
@@ -154,20 +189,26 @@ fn what_makes_no_controller_is_refused() {
             "the plan starts with 1.5 for `brake` at step 1, beyond its limits 0 and 1",
         ),
         (
-            of(ARM, Controller::new().ilqr(Ilqr::new(0.0, 2, &[1.0; 4], &[1.0; 4]))),
+            of(
+                ARM,
+                Controller::new().ilqr(Ilqr::new(0.0, 2, &[1.0; 4], &[1.0, 0.0, 0.0, 1.0])),
+            ),
             "the length of a step is 0 s",
         ),
         (
             of(
                 ARM,
                 Controller::new()
-                    .ilqr(Ilqr::new(1e-50, 2, &[1.0; 4], &[1.0; 4]))
+                    .ilqr(Ilqr::new(1e-50, 2, &[1.0; 4], &[1.0, 0.0, 0.0, 1.0]))
                     .single(),
             ),
             "the length of a step is 0.00000000000000000000000000000000000000000000000001 s",
         ),
         (
-            of(ARM, Controller::new().ilqr(Ilqr::new(0.1, 0, &[1.0; 4], &[1.0; 4]))),
+            of(
+                ARM,
+                Controller::new().ilqr(Ilqr::new(0.1, 0, &[1.0; 4], &[1.0, 0.0, 0.0, 1.0])),
+            ),
             "a plan has no steps",
         ),
     ];

@@ -7,6 +7,7 @@ mod sample;
 #[cfg(feature = "std")]
 mod solve;
 
+use core::convert::Infallible;
 use core::error::Error;
 use core::fmt;
 
@@ -285,6 +286,13 @@ pub enum Reason {
 
 /// Margin of a loop below which a failure of the equations is attributed to its toggle.
 pub(crate) const AT_TOGGLE: f64 = 0.1;
+
+/// For steps that cannot fail.
+impl From<Infallible> for Reason {
+    fn from(never: Infallible) -> Self {
+        match never {}
+    }
+}
 
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -8,9 +8,10 @@
 //!
 //! A mode switch, an impact or an event with a reset occurs at a time that depends on the variables. Its time carries
 //! derivatives, too, and so does everything after it: the jump of the derivatives (saltation) follows. The derivatives
-//! of a rate that dry friction holds are zero. Where a motion starts from rest against dry friction and slips, those by
-//! the initial rate are one-sided, in the direction of the slip. Dry friction of zero does not act, and has no
-//! derivatives with respect to its coefficient: start from a small one.
+//! of a rate that dry friction holds are zero: from another initial rate friction would stop it at once, by an impulse
+//! that changes the other rates. Where a motion starts from rest against dry friction and slips, those by the initial
+//! rate are one-sided, in the direction of the slip. Dry friction of zero does not act, and has no derivatives with
+//! respect to its coefficient: start from a small one.
 //!
 //! Contacts that close at the same time have derivatives only if they close together for other values of the variables,
 //! too: otherwise the error is [`Reason::NotDifferentiable`]. Where the order of impacts decides the motion, which

@@ -1,5 +1,6 @@
 //! Controllers in C against those in Rust, bit for bit.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use nalgebra::{SMatrix, SVector};
@@ -358,6 +359,57 @@ fn orientations_are_the_same() {
         samples: 40,
     };
     same!(Craft, "Controller", CraftParams {}, case, [[0.0; 3]; 20]);
+}
+
+/// A scene whose functions have the prefix of the helpers, and an output for each of these outputs. Its derivatives are
+/// NaN at the angle 0.
+fn of_prefix(outputs: &[&str]) -> Program {
+    let outputs: String = outputs.iter().map(|name| format!("output {name}: angle,")).collect();
+    let scene = format!(
+        "pub Pendulum {{
+            input motor: N m,
+            gravity: [0, -9.81, 0],
+            {outputs}
+            body rod on ground {{
+                mass: 1, com: [0, 1, 0], joint: revolute(z), coordinate: angle,
+                torque: motor - (0.1 N m)*sqrt(abs(angle))*clamp(angle, -2, 2),
+            }}
+        }}"
+    );
+    pendulum_codegen::program(scene.parse().expect("tokens")).expect("no errors")
+}
+
+#[test]
+fn helpers_have_names_of_their_own_and_what_is_refused_changes_nothing() {
+    let Some(folder) = folder("Prefix") else { return };
+    let ilqr = pendulum_codegen::Ilqr::new(0.02, 5, &[1.0, 0.0, 0.0, 0.1], &[0.1]).end(&[1.0, 0.0, 0.0, 1.0]);
+    let controller = Controller::new().linear_law(&[3.0, 0.0], &[0.0; 2], &[0.0]).ilqr(ilqr);
+    for (controller, real) in [(controller.clone().single(), "float"), (controller, "double")] {
+        let plain = controller.print(&of_prefix(&[])).expect("a controller").source;
+        let words = plain.split(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_'));
+        let names: BTreeSet<&str> = words
+            .filter_map(|word| word.get(9..).filter(|_| word[..9].eq_ignore_ascii_case("pendulum_")))
+            .filter(|name| name.chars().all(|letter| letter.is_ascii_lowercase() || letter == '_'))
+            .collect();
+        for helper in ["abs", "cost", "end", "sincos"] {
+            let helper = if real == "float" && ["abs", "sincos"].contains(&helper) {
+                format!("{helper}f")
+            } else {
+                helper.to_owned()
+            };
+            assert!(names.contains(&*helper), "{helper} in {names:?}");
+        }
+        let outputs: Vec<&str> = names
+            .into_iter()
+            .filter(|name| plain.contains(&format!("Pendulum_{name}")))
+            .collect();
+        let sources = controller.print(&of_prefix(&outputs)).expect("a controller");
+        let main = include_str!("controllers/refused.c")
+            .replace("name", &sources.name)
+            .replace("NAME", &sources.name.to_uppercase())
+            .replace("REAL", real);
+        output(&compiled_with(&folder, &sources, &main, &STRICT), &[]);
+    }
 }
 
 #[test]

@@ -6,6 +6,7 @@ use nalgebra::SVector;
 use super::in_mode::InMode;
 use super::in_mode::ModeSwitch;
 use super::mode::{Mode, Status, bits, set_of};
+use super::project::shift;
 use super::resolution::{AT_LIMIT, CONSISTENT, ulps};
 use super::settled::Settled;
 use super::settling::Settling;
@@ -52,9 +53,13 @@ pub(crate) fn start<T: Float, const N: usize>(
         settling.rest(n, rate == T::default() && settling.has_friction(n));
     }
     let mut settled = finish(system, t, settling.settle(), &zero, &mut |_, _| {});
-    // a rate of exactly zero keeps its derivatives where it is not held
+    // a rate of exactly zero keeps its derivatives where it is not held; where it is, a neighbour stops at once, by an
+    // impulse that changes other rates
     if settled.x == *x && !x.iter().all(Real::is_constant) {
         settled.x = *x;
+        let (response, dof) = (system.response(t, x, &zero), system.dof());
+        let rates = measures.map(|[_, rate]| rate);
+        shift(&mut settled.x, 0, (&response, dof), settled.hold.solved, &rates);
         project(system, &settled.hold, &settled.mode.0, t, &mut settled.x);
     }
     match settled.contradiction() {

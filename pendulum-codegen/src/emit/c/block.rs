@@ -118,19 +118,19 @@ impl Writer<'_> {
     }
 
     fn sine_and_cosine(&mut self, pair: &SinCos) -> String {
-        let needed = ["PENDULUM_SIN", "PENDULUM_COS", "pendulum_pair"];
+        let needed = ["PENDULUM_SIN", "PENDULUM_COS", "Pendulum_pair"];
         self.calls.extend(needed.map(String::from));
         let function = if self.fused {
-            "pendulum_sincos_fused"
+            "Pendulum_sincos_fused"
         } else {
-            "pendulum_sincos"
+            "Pendulum_sincos"
         };
         let call = self.call(function, &[&pair.angle]);
         let at = pair.sine.or(pair.cosine).map_or(0, Local::index);
         let value = |name, of| format!("const double {} = a{at}.{name};\n", self.local(of));
         let sine = pair.sine.map(|of| value("sin", of)).unwrap_or_default();
         let cosine = pair.cosine.map(|of| value("cos", of)).unwrap_or_default();
-        format!("const pendulum_pair a{at} = {call};\n{sine}{cosine}")
+        format!("const Pendulum_pair a{at} = {call};\n{sine}{cosine}")
     }
 
     fn call(&mut self, function: &str, arguments: &[&Term]) -> String {
@@ -154,12 +154,12 @@ impl Writer<'_> {
             Term::Read(variable) => (self.scene.variable(*variable).0, Atom),
             // not `--a`, which would be a decrement
             Term::Unary(Unary::Neg, a) => (format!("-{}", self.term(a).within(Power)), Prefix),
-            Term::Unary(Unary::Abs, a) => (self.call("pendulum_abs", &[a]), Atom),
-            Term::Unary(Unary::Sign, a) => (self.call("pendulum_signum", &[a]), Atom),
+            Term::Unary(Unary::Abs, a) => (self.call("Pendulum_abs", &[a]), Atom),
+            Term::Unary(Unary::Sign, a) => (self.call("Pendulum_signum", &[a]), Atom),
             Term::Unary(op, a) => (self.call_platform(op.spelling(), &[a]), Atom),
             Term::Binary(Binary::Atan2, a, b) => (self.call_platform("atan2", &[a, b]), Atom),
             Term::Binary(op @ (Binary::Max | Binary::Min), a, b) => {
-                (self.call(&format!("pendulum_{}", op.spelling()), &[a, b]), Atom)
+                (self.call(&format!("Pendulum_{}", op.spelling()), &[a, b]), Atom)
             }
             Term::Binary(op, a, b) => {
                 let (own, right) = match op {

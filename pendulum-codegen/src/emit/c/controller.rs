@@ -2,6 +2,7 @@
 
 mod error;
 mod print;
+mod weights;
 
 pub use error::NoController;
 
@@ -59,9 +60,8 @@ pub struct Ilqr {
 }
 
 impl Ilqr {
-    /// Plans of the given number of steps of length `h` in s, with the weights `Q` of the state and `R` of the inputs.
-    ///
-    /// `Q` has to be positive semidefinite, and `R` positive definite. Only `pendulum_core::control::Ilqr` checks this.
+    /// Plans of the given number of steps of length `h` in s, with the weights `Q` of the state, which are positive
+    /// semidefinite, and `R` of the inputs, which are positive definite.
     pub fn new(h: f64, steps: usize, q: &[f64], r: &[f64]) -> Self {
         Self {
             h,
@@ -74,7 +74,7 @@ impl Ilqr {
         }
     }
 
-    /// Sets the weights `Qf` of the final state. Default: 0.
+    /// Sets the weights `Qf` of the final state, which are positive semidefinite. Default: 0.
     #[must_use]
     pub fn end(mut self, weights: &[f64]) -> Self {
         self.end = Some(weights.to_vec());
@@ -207,9 +207,14 @@ impl Controller {
         }
         let (n, m) = (program.layout.len(), program.inputs.len());
         let Weights { end, goal, start } = ilqr.weights(n, m);
-        self.finite("Q", &ilqr.q, n * n)?;
-        self.finite("R", &ilqr.r, m * m)?;
-        self.finite("Qf", &end, n * n)?;
+        for (what, list, rows, strictly) in [
+            ("Q", &ilqr.q, n, false),
+            ("R", &ilqr.r, m, true),
+            ("Qf", &end, n, false),
+        ] {
+            self.finite(what, list, rows * rows)?;
+            weights::check(what, list, rows, strictly, self.is_single)?;
+        }
         self.finite("the goal", &goal[0], n)?;
         self.finite("the inputs of the goal", &goal[1], m)?;
         self.finite("the first plan", &start, m * ilqr.steps)?;
@@ -263,9 +268,20 @@ impl Ilqr {
     }
 }
 
-/// True if the controller has a function or a type of this name after the prefix, or may have one.
+/// True if a header with a controller may have a function, a type or a constant of this name after the prefix.
 fn is_taken(name: &str) -> bool {
-    matches!(name, "rk4_step" | "linear_law" | "ilqr") || name.starts_with("ilqr_")
+    let own = [
+        "defaults",
+        "error",
+        "inputs",
+        "model",
+        "project",
+        "work",
+        "rk4_step",
+        "linear_law",
+        "ilqr",
+    ];
+    own.contains(&name) || name.starts_with("ilqr_")
 }
 
 fn length(what: &'static str, list: &[f64], expected: usize) -> Result<(), NoController> {

@@ -61,7 +61,7 @@ impl Scene<'_> {
         let refuse = |code: &str, holds| format!("if (!({holds})) return {code};\n");
         let codes = self.codes();
         let (codes, of_rules) = codes.split_at(self.parameters.len());
-        let finite = |(code, field): (&String, &String)| refuse(code, format!("pendulum_is_finite(params->{field})"));
+        let finite = |(code, field): (&String, &String)| refuse(code, format!("Pendulum_is_finite(params->{field})"));
         let (mut checks, checked) = self.plain_code(&program.checked, &mut calls);
         checks += &statements(&checked, |n| format!("const double r{n}"));
         for (code, rule) in of_rules.iter().zip(&program.rules) {
@@ -69,8 +69,8 @@ impl Scene<'_> {
                 Condition::Positive => format!("r{} > 0.0", rule.value),
                 Condition::NonNegative => format!("r{} >= 0.0", rule.value),
                 Condition::NonNegativeWithin(scale) => {
-                    calls.insert("pendulum_abs".to_owned());
-                    format!("r{} >= {} * pendulum_abs(r{scale})", rule.value, number(-ROUNDING))
+                    calls.insert("Pendulum_abs".to_owned());
+                    format!("r{} >= {} * Pendulum_abs(r{scale})", rule.value, number(-ROUNDING))
                 }
             };
             checks += &refuse(code, holds);
@@ -80,7 +80,7 @@ impl Scene<'_> {
         if self.fused {
             calls.insert("PENDULUM_FMA".to_owned());
         }
-        calls.insert("pendulum_is_finite".to_owned());
+        calls.insert("Pendulum_is_finite".to_owned());
         let mut later = Calls::new();
         let routines = self.real(self.routines(&mut later));
         let controller = self.real(self.controller_source(&mut later));

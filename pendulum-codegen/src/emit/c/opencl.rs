@@ -39,9 +39,9 @@ pub fn opencl(program: &Program) -> String {
 /// Called functions. Those of the platform are built into OpenCL C.
 fn functions_for_kernels(calls: &Calls) -> String {
     let functions = functions(calls).map(|(name, code)| match name {
-        "pendulum_sincos" => include_str!("templates/sincos.cl"),
+        "Pendulum_sincos" => include_str!("templates/sincos.cl"),
         // the types are in the file of the function
-        "pendulum_pair" => "",
+        "Pendulum_pair" => "",
         _ => code,
     });
     let built_in = |line: &&str| line.starts_with("extern");

@@ -94,10 +94,10 @@ mod tests {
     fn only_code_becomes_single() {
         let code = "double a1 = 1e-7 * x[10] + 0.1 - 1e39; // a double of 0.1\n#define PENDULUM_SQRT sqrt\n\
                     #define PENDULUM_STATES 2\n\
-                    if (a > DBL_MAX) return pendulum_abs(pendulum_rhs) + PENDULUM_SQRT(2.0);\n";
+                    if (a > DBL_MAX) return Pendulum_abs(pendulum_rhs) + PENDULUM_SQRT(2.0);\n";
         let expected = "float a1 = 1e-7f * x[10] + 0.1f - HUGE_VALF; // a double of 0.1\n#define PENDULUM_SQRTF sqrtf\n\
                         #define PENDULUM_STATES 2\n\
-                        if (a > FLT_MAX) return pendulum_absf(pendulum_rhs) + PENDULUM_SQRTF(2.0f);\n";
+                        if (a > FLT_MAX) return Pendulum_absf(pendulum_rhs) + PENDULUM_SQRTF(2.0f);\n";
         assert_eq!(single(code), expected);
     }
 }

@@ -8,9 +8,7 @@ use nalgebra::{SMatrix, SVector};
 use super::boxed::{Factor, minimize};
 use super::cost::dot;
 use super::matrix::{plus, plus_product, product, scaled, transposed};
-use super::step::{StepDerivatives, step_derivatives};
-use super::{Ilqr, IlqrError, Objective};
-use crate::inputs::Controlled;
+use super::{Ilqr, IlqrError, Objective, StepDerivatives, StepMap};
 use crate::real::Float;
 use crate::real::lanes::Routine;
 
@@ -33,8 +31,9 @@ impl<T: Float> Promise<T> {
     }
 }
 
-/// The backward pass of a motion that starts at the time `t0`. The diagonal of the second derivatives by the inputs
-/// grows by the factor `1 + damping` (D. W. Marquardt, SIAM J. Appl. Math. 11 (1963) 431), whatever their units.
+/// The backward pass of the motion in `trial`, which starts at the time `t0`. The diagonal of the second derivatives by
+/// the inputs grows by the factor `1 + damping` (D. W. Marquardt, SIAM J. Appl. Math. 11 (1963) 431), whatever their
+/// units.
 pub(super) struct Backward<T> {
     pub(super) t0: T,
     pub(super) damping: T,
@@ -43,7 +42,7 @@ pub(super) struct Backward<T> {
 impl<C, S, T, const N: usize, const M: usize, const K: usize> Routine<Ilqr<C, T, N, M, K>, S> for Backward<T>
 where
     C: Objective<T, N, M>,
-    S: Controlled<T, N, M>,
+    S: StepMap<T, N, M>,
     T: Float,
 {
     type Output = Result<Promise<T>, IlqrError>;
@@ -52,22 +51,28 @@ where
     fn run(self, ilqr: &mut Ilqr<C, T, N, M, K>, model: &S) -> Self::Output {
         let h = ilqr.h;
         let mut promise = Promise::default();
-        let (mut gradient, mut hessian) = ilqr.cost.end_derivatives(ilqr.time(self.t0, K), &ilqr.plan.end);
+        let (mut gradient, mut hessian) = ilqr.cost.end_derivatives(ilqr.time(self.t0, K), &ilqr.trial.end);
         let mut guess = [T::default(); M];
         for k in (0..K).rev() {
-            let (t, x, u) = (ilqr.time(self.t0, k), &ilqr.plan.x[k], &ilqr.plan.u[k]);
-            let StepDerivatives { a, b } = step_derivatives(model, (t, h), x, u);
+            let (t, x, u) = (ilqr.time(self.t0, k), &ilqr.trial.x[k], &ilqr.trial.u[k]);
+            let StepDerivatives { a, b } = &match model.step_derivatives(t, h, x, u) {
+                Ok(derivatives) => derivatives,
+                Err(reason) => {
+                    let reason = reason.into();
+                    return Err(IlqrError::StepFailed { node: k, reason });
+                }
+            };
             let of_cost = ilqr.cost.running_derivatives(t, x, u);
             // Damping would hide it, and the search run away.
             if Factor::new(&of_cost.uu, [true; M]).is_none() {
                 return Err(IlqrError::NotConvex { node: k });
             }
 
-            let (to_a, to_b) = (transposed(&a), transposed(&b));
-            let by_b = product(&hessian, &b);
+            let (to_a, to_b) = (transposed(a), transposed(b));
+            let by_b = product(&hessian, b);
             let by_x = plus_product(scaled(h, &of_cost.x), &to_a, &gradient);
             let by_u = plus_product(scaled(h, &of_cost.u), &to_b, &gradient);
-            let xx = plus_product(scaled(h, &of_cost.xx), &to_a, &product(&hessian, &a));
+            let xx = plus_product(scaled(h, &of_cost.xx), &to_a, &product(&hessian, a));
             let xu = plus_product(scaled(h, &of_cost.xu), &to_a, &by_b);
             let uu = plus_product(scaled(h, &of_cost.uu), &to_b, &by_b);
 

@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt;
 
-use crate::error::{Name, debug_as_display};
+use crate::error::{Name, Reason, debug_as_display};
 
 debug_as_display! { [] IlqrError; }
 
@@ -66,7 +66,15 @@ pub enum IlqrError {
         /// Its time in s.
         t: f64,
     },
-    /// No step in the direction of the search decreases the cost.
+    /// A step of the motion cannot be integrated, or has no derivatives: see [`Integrated`](super::Integrated).
+    StepFailed {
+        /// Index of the node at its start.
+        node: usize,
+        /// Reason of the method.
+        reason: Reason,
+    },
+    /// No step in the direction of the search decreases the cost: the derivatives are wrong, or the motion is at a kink
+    /// of the cost.
     NoDecrease {
         /// Number of iterations.
         iterations: usize,
@@ -157,6 +165,7 @@ impl fmt::Display for IlqrError {
                 "the motion with the inputs at the start leaves the range of numbers after node {node}, t = {t} s\n\
                  help: start from inputs that keep the motion bounded, shorten the step, or use fewer nodes"
             ),
+            Self::StepFailed { node, reason } => write!(f, "the step from node {node}: {reason}"),
             Self::NoDecrease {
                 iterations,
                 cost,
@@ -164,7 +173,8 @@ impl fmt::Display for IlqrError {
             } => write!(
                 f,
                 "no step decreases the cost of {cost} after {iterations} iterations, although its derivatives promise \
-                 {promised:.1e}\nhelp: check the derivatives of the model and of the cost, or raise the tolerance"
+                 {promised:.1e}\nhelp: check the derivatives of the model and of the cost, or raise the tolerance; with \
+                 mode switches the best motion, which is kept, may be at a kink of the cost"
             ),
             Self::TooManyIterations {
                 iterations,
@@ -177,9 +187,8 @@ impl fmt::Display for IlqrError {
             ),
             Self::ModeSwitches { constraint } => write!(
                 f,
-                "the model has mode switches at `{constraint}`, and the steps of the search are smooth\nhelp: plan \
-                 with a copy of the scene without dry friction, stops and walls, such as with smooth friction by \
-                 `tanh`"
+                "the model has mode switches at `{constraint}`, and the steps of the search are smooth\nhelp: pass \
+                 `&Integrated::new(model, Tsit5::new())`, whose steps go through them"
             ),
             Self::ClosedLoop { bodies: [a, b] } => write!(
                 f,

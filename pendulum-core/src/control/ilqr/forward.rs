@@ -2,16 +2,14 @@
 
 use nalgebra::SVector;
 
-use super::step::step;
-use super::{Ilqr, Objective};
-use crate::inputs::Controlled;
+use super::{Ilqr, IlqrError, Objective, StepMap};
 use crate::real::Float;
 use crate::real::lanes::Routine;
 
 /// The motion from the state `x0` at `t0`, into `trial`: the inputs of the plan, plus a share of their change, plus the
 /// gains times the deviation from the plan.
 ///
-/// Returns its cost, or the number of steps with a finite state.
+/// Returns its cost.
 pub(super) struct Forward<T, const N: usize> {
     pub(super) t0: T,
     pub(super) x0: SVector<T, N>,
@@ -21,10 +19,10 @@ pub(super) struct Forward<T, const N: usize> {
 impl<C, S, T, const N: usize, const M: usize, const K: usize> Routine<Ilqr<C, T, N, M, K>, S> for Forward<T, N>
 where
     C: Objective<T, N, M>,
-    S: Controlled<T, N, M>,
+    S: StepMap<T, N, M>,
     T: Float,
 {
-    type Output = Result<T, usize>;
+    type Output = Result<T, IlqrError>;
 
     #[inline(always)]
     fn run(self, ilqr: &mut Ilqr<C, T, N, M, K>, model: &S) -> Self::Output {
@@ -34,14 +32,26 @@ where
             let u = ilqr.law(k, self.share, &x);
             (ilqr.trial.x[k], ilqr.trial.u[k]) = (x, u);
             cost += ilqr.h * ilqr.cost.running(t, &x, &u);
-            x = step(model, (t, ilqr.h), &x, &u);
+            x = match model.step(t, ilqr.h, &x, &u) {
+                Ok(end) => end,
+                Err(reason) => {
+                    return Err(IlqrError::StepFailed {
+                        node: k,
+                        reason: reason.into(),
+                    });
+                }
+            };
             let is_finite = x.data.0[0].iter().all(|component| component.is_finite());
             if !is_finite {
-                return Err(k);
+                return Err(IlqrError::Diverged { node: k, t: t.to_f64() });
             }
         }
         ilqr.trial.end = x;
-        cost += ilqr.cost.end(ilqr.time(self.t0, K), &x);
-        if cost.is_finite() { Ok(cost) } else { Err(K) }
+        let t = ilqr.time(self.t0, K);
+        cost += ilqr.cost.end(t, &x);
+        match cost.is_finite() {
+            true => Ok(cost),
+            false => Err(IlqrError::Diverged { node: K, t: t.to_f64() }),
+        }
     }
 }

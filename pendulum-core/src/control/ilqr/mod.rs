@@ -5,6 +5,7 @@ mod boxed;
 mod cost;
 mod error;
 mod forward;
+mod integrated;
 mod matrix;
 mod predictive;
 mod search;
@@ -15,8 +16,10 @@ use nalgebra::{SMatrix, SVector};
 
 pub use cost::{CostDerivatives, Objective, Quadratic};
 pub use error::IlqrError;
+pub use integrated::Integrated;
 pub use predictive::{Predictive, PredictiveState};
 pub use search::{Pass, Solved};
+pub use step::{StepDerivatives, StepMap};
 pub use tracker::{Tracker, TrackerState};
 
 use crate::real::Float;
@@ -61,8 +64,8 @@ use search::Damping;
 /// ```
 ///
 /// Steps are those of the explicit midpoint rule, with inputs that are held over each: choose them short enough for it.
-/// Quaternions are normalised after each step. Models with dry friction, stops or walls, and loops without a closed
-/// form, are refused.
+/// Quaternions are normalised after each step. Models with dry friction, stops or walls are passed as [`Integrated`]
+/// ones, whose steps go through mode switches; loops without a closed form are refused.
 ///
 /// Y. Tassa, T. Erez, E. Todorov, IROS (2012) 4906; Y. Tassa, N. Mansard, E. Todorov, ICRA (2014) 1168.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +78,7 @@ pub struct Ilqr<C, T, const N: usize, const M: usize, const K: usize> {
     max_iterations: usize,
     /// The best motion.
     plan: Plan<T, N, M, K>,
-    /// The motion of the last forward pass.
+    /// The motion of the last forward pass, along which the backward pass goes.
     trial: Plan<T, N, M, K>,
     /// Change of the inputs by the last backward pass; 0 once it is in the plan.
     change: [[T; M]; K],

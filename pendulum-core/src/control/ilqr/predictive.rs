@@ -2,9 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::{Ilqr, IlqrError, Objective};
+use super::search::check_start;
+use super::{Ilqr, IlqrError, Objective, StepMap};
 use crate::control::Controller;
-use crate::inputs::Controlled;
 use crate::real::Float;
 
 /// A [`Controller`] that plans anew at each sample, by [`Ilqr::pass`], and commands the first inputs of its plan:
@@ -40,7 +40,7 @@ where
     /// Settings out of range.
     pub fn controller<S>(self, model: S) -> Result<Predictive<S, Self>, IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         self.check(&model, T::default(), &self.plan.x[0])?;
         Ok(Predictive { model, ilqr: self })
@@ -49,7 +49,7 @@ where
 
 impl<S, C, T, const N: usize, const M: usize, const K: usize> Controller<T, N, M> for Predictive<S, Ilqr<C, T, N, M, K>>
 where
-    S: Controlled<T, N, M>,
+    S: StepMap<T, N, M>,
     C: Objective<T, N, M> + Copy,
     T: Float,
 {
@@ -64,6 +64,11 @@ where
     }
 
     fn sample(&self, t: T, measured: &SVector<T, N>, state: &mut Self::State) -> [T; M] {
+        // before the plan moves on: a time that is not finite would spoil its clock
+        if let Err(failure) = check_start(t, measured) {
+            state.failure = Some(failure);
+            return [T::from_f64(f64::NAN); M];
+        }
         let h = state.ilqr.h;
         let mut start = state.t.unwrap_or(t);
         // At most one plan: what follows its end repeats its last inputs.

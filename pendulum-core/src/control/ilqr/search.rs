@@ -4,9 +4,7 @@ use nalgebra::SVector;
 
 use super::backward::{Backward, Promise};
 use super::forward::Forward;
-use super::{Ilqr, IlqrError, Objective};
-use crate::error::Name;
-use crate::inputs::Controlled;
+use super::{Ilqr, IlqrError, Objective, StepMap};
 use crate::real::Float;
 use crate::real::lanes::Isa;
 use crate::system::IntoState;
@@ -87,22 +85,25 @@ where
     /// The motion found is a local minimum: other starts may lead to others.
     ///
     /// # Errors
-    /// Settings out of range, [`IlqrError::Diverged`], [`IlqrError::NotConvex`], [`IlqrError::NoDecrease`] and
-    /// [`IlqrError::TooManyIterations`]. In the last two cases the best motion is kept.
+    /// Settings out of range, [`IlqrError::Diverged`], [`IlqrError::StepFailed`], [`IlqrError::NotConvex`],
+    /// [`IlqrError::NoDecrease`] and [`IlqrError::TooManyIterations`]. In the last two cases the best motion is kept.
     pub fn solve<S>(&mut self, model: &S, t0: T, x0: impl IntoState<T, N>) -> Result<Solved<T>, IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         let x0 = x0.into_state();
         self.check(model, t0, &x0)?;
         self.damping = Damping::none();
-        let mut cost = self.follow(model, t0, &x0)?;
+        let mut cost = self.forward(model, t0, &x0, T::default())?;
         let ulps = T::from_f64(ROUNDING_ULPS) * T::EPSILON;
         // where the least cost is zero, that of rounding errors of the motion remains
         let least = ulps * T::EPSILON * cost.abs();
         let mut decrease = T::default();
         for iterations in 1..=self.max_iterations {
             let promise = self.backward(model, t0)?;
+            if iterations == 1 {
+                self.plan = self.trial;
+            }
             let promised = promise.of(T::from_f64(1.0));
             let is_converged = self.damping.value == T::default() && promised <= self.tolerance * cost.abs();
             if is_converged || promised <= ulps * cost.abs() + least {
@@ -117,6 +118,7 @@ where
                     }
                 }
                 None => {
+                    self.trial = self.plan;
                     self.damping.grow();
                     if self.damping.value > T::from_f64(LARGEST_DAMPING) {
                         let (cost, promised) = (cost.to_f64(), promised.to_f64());
@@ -143,15 +145,17 @@ where
     /// unstable.
     ///
     /// # Errors
-    /// Settings out of range, [`IlqrError::Diverged`] and [`IlqrError::NotConvex`]. The last motion is kept.
+    /// Settings out of range, [`IlqrError::Diverged`], [`IlqrError::StepFailed`] and [`IlqrError::NotConvex`]. The last
+    /// motion is kept, but after the last two, the gains of nodes behind the one named may be those of this pass.
     pub fn pass<S>(&mut self, model: &S, t0: T, x0: impl IntoState<T, N>) -> Result<Pass<T>, IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         let x0 = x0.into_state();
         self.check(model, t0, &x0)?;
-        let cost_before = self.follow(model, t0, &x0)?;
+        let cost_before = self.forward(model, t0, &x0, T::default())?;
         let promise = self.backward(model, t0)?;
+        self.plan = self.trial;
         if promise.of(T::from_f64(1.0)) <= T::from_f64(ROUNDING_ULPS) * T::EPSILON * cost_before.abs() {
             self.damping.decay();
             return Ok(Pass {
@@ -177,34 +181,18 @@ where
         })
     }
 
-    /// The motion by the inputs and gains of the last one.
-    fn follow<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>) -> Result<T, IlqrError>
-    where
-        S: Controlled<T, N, M>,
-    {
-        match self.forward(model, t0, x0, T::default()) {
-            Ok(cost) => {
-                self.plan = self.trial;
-                Ok(cost)
-            }
-            Err(node) => Err(IlqrError::Diverged {
-                node,
-                t: self.time(t0, node).to_f64(),
-            }),
-        }
-    }
-
+    /// The backward pass along `trial`, which is not yet the plan: a pass that fails leaves that as it was.
     fn backward<S>(&mut self, model: &S, t0: T) -> Result<Promise<T>, IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         let damping = self.damping.value;
         Isa::run_routine(Backward { t0, damping }, self, model)
     }
 
-    fn forward<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>, share: T) -> Result<T, usize>
+    fn forward<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>, share: T) -> Result<T, IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         Isa::run_routine(Forward { t0, x0: *x0, share }, self, model)
     }
@@ -219,7 +207,7 @@ where
         (cost, promise): (T, Promise<T>),
     ) -> Option<(T, T)>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
         let mut share = T::from_f64(1.0);
         for _ in 0..=HALVINGS {
@@ -240,26 +228,16 @@ where
     /// Checks the settings for a model and a start.
     pub(super) fn check<S>(&self, model: &S, t0: T, x0: &SVector<T, N>) -> Result<(), IlqrError>
     where
-        S: Controlled<T, N, M>,
+        S: StepMap<T, N, M>,
     {
-        if let Some(constraint) = model.constraints().first() {
-            let constraint = Name::from(constraint.name);
-            return Err(IlqrError::ModeSwitches { constraint });
-        }
-        let mut bodies = None;
-        model.gaps(t0, x0, &mut |[a, b], _| bodies = Some([Name::from(a), Name::from(b)]));
-        if let Some(bodies) = bodies {
-            return Err(IlqrError::ClosedLoop { bodies });
-        }
+        model.check(t0, x0)?;
         if !(self.h.is_finite() && self.h > T::default()) {
             return Err(IlqrError::Step(self.h.to_f64()));
         }
         if !(self.tolerance >= T::default() && self.tolerance < T::from_f64(1.0)) {
             return Err(IlqrError::Tolerance(self.tolerance.to_f64()));
         }
-        if !(t0.is_finite() && x0.iter().all(|component| component.is_finite())) {
-            return Err(IlqrError::NotFinite { what: "the state" });
-        }
+        check_start(t0, x0)?;
         for input in 0..M {
             let (low, high) = (self.low[input], self.high[input]);
             let limits = [low, high].map(T::to_f64);
@@ -281,5 +259,13 @@ where
             }
         }
         self.cost.check()
+    }
+}
+
+/// Checks that a time and a state are finite.
+pub(super) fn check_start<T: Float, const N: usize>(t: T, x: &SVector<T, N>) -> Result<(), IlqrError> {
+    match t.is_finite() && x.iter().all(|component| component.is_finite()) {
+        true => Ok(()),
+        false => Err(IlqrError::NotFinite { what: "the state" }),
     }
 }

@@ -1,76 +1,143 @@
-//! One step of the motion, by the explicit midpoint rule, and its derivatives.
+//! One step of the motion, by the explicit midpoint rule where a model has no other, and its derivatives.
+
+use core::convert::Infallible;
+use core::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
+use super::IlqrError;
 use super::matrix::{plus_product, scaled};
+use crate::error::{Name, Reason};
 use crate::hybrid::MAX_CONSTRAINTS;
 use crate::inputs::Controlled;
 use crate::real::Float;
 use crate::system::ActsWith;
 
+/// A model whose motion [`Ilqr`](super::Ilqr) plans, as a map from the state at the start of a step to that at its end,
+/// under inputs that are held over it.
+///
+/// Every [`Controlled`] model without mode switches is one, by a step of the explicit midpoint rule.
+/// [`Integrated`](super::Integrated) is one by a method of integration.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a model with {N} state components and {M} inputs whose motion can be planned",
+    note = "`mechanism!` implements `Controlled` for scenes with inputs where `generate` has `rhs`"
+)]
+pub trait StepMap<T: Float, const N: usize, const M: usize> {
+    /// Reason why a step fails; [`Infallible`] if none does.
+    type Error: fmt::Debug + Into<Reason>;
+
+    /// State at the end of a step of length `h` from the state `x` at `t`.
+    ///
+    /// # Errors
+    /// If the step cannot be integrated.
+    fn step(&self, t: T, h: T, x: &SVector<T, N>, u: &[T; M]) -> Result<SVector<T, N>, Self::Error>;
+
+    /// Derivatives of [`step`](Self::step).
+    ///
+    /// # Errors
+    /// If the step cannot be integrated, or has no derivatives.
+    fn step_derivatives(
+        &self,
+        t: T,
+        h: T,
+        x: &SVector<T, N>,
+        u: &[T; M],
+    ) -> Result<StepDerivatives<T, N, M>, Self::Error>;
+
+    /// Checks before a search if steps can be taken, from the state `x` at `t` on. By default, nothing is wrong.
+    ///
+    /// # Errors
+    /// Those of the model: [`IlqrError::ModeSwitches`] and the like.
+    fn check(&self, _t: T, _x: &SVector<T, N>) -> Result<(), IlqrError> {
+        Ok(())
+    }
+}
+
 /// Derivatives of the state at the end of a step.
-pub(super) struct StepDerivatives<T, const N: usize, const M: usize> {
-    /// With respect to the state at its start.
-    pub(super) a: SMatrix<T, N, N>,
-    /// With respect to the inputs.
-    pub(super) b: SMatrix<T, N, M>,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepDerivatives<T, const N: usize, const M: usize> {
+    /// With respect to the state at its start: one column per component.
+    pub a: SMatrix<T, N, N>,
+    /// With respect to the inputs: one column per input.
+    pub b: SMatrix<T, N, M>,
 }
 
-/// State at the end of a step of length `h` with held inputs.
-#[inline(always)]
-pub(super) fn step<S, T, const N: usize, const M: usize>(
-    model: &S,
-    (t, h): (T, T),
-    x: &SVector<T, N>,
-    u: &[T; M],
-) -> SVector<T, N>
+impl<S, T, const N: usize, const M: usize> StepMap<T, N, M> for S
 where
     S: Controlled<T, N, M>,
     T: Float,
 {
-    let given = S::Given::with(S::Inputs::from(*u), &[T::default(); MAX_CONSTRAINTS]);
-    let half = T::from_f64(0.5) * h;
-    let middle = advanced(x, half, &model.eval(t, x, &given));
-    let mut end = advanced(x, h, &model.eval(t + half, &middle, &given));
-    model.project(t + h, &mut end);
-    end
-}
+    type Error = Infallible;
 
-/// Derivatives of [`step`], by the chain rule through both evaluations and the normalisation of quaternions.
-#[inline(always)]
-pub(super) fn step_derivatives<S, T, const N: usize, const M: usize>(
-    model: &S,
-    (t, h): (T, T),
-    x: &SVector<T, N>,
-    u: &[T; M],
-) -> StepDerivatives<T, N, M>
-where
-    S: Controlled<T, N, M>,
-    T: Float,
-{
-    let inputs = S::Inputs::from(*u);
-    let given = S::Given::with(inputs, &[T::default(); MAX_CONSTRAINTS]);
-    let half = T::from_f64(0.5) * h;
-    let (rate, by_state) = model.eval_with_jacobian(t, x, &given);
-    let by_inputs = model.input_jacobian(t, x, &inputs);
-    let middle = advanced(x, half, &rate);
-    let (middle_rate, middle_by_state) = model.eval_with_jacobian(t + half, &middle, &given);
-    let middle_by_inputs = model.input_jacobian(t + half, &middle, &inputs);
-
-    let a = plus_product(middle_by_state, &middle_by_state, &scaled(half, &by_state));
-    let b = plus_product(middle_by_inputs, &middle_by_state, &scaled(half, &by_inputs));
-    let (mut a, mut b) = (scaled(h, &a), scaled(h, &b));
-    for n in 0..N {
-        a.data.0[n][n] += T::from_f64(1.0);
+    #[inline(always)]
+    fn step(&self, t: T, h: T, x: &SVector<T, N>, u: &[T; M]) -> Result<SVector<T, N>, Self::Error> {
+        let given = S::Given::with(S::Inputs::from(*u), &[T::default(); MAX_CONSTRAINTS]);
+        let half = T::from_f64(0.5) * h;
+        let middle = advanced(x, half, &self.eval(t, x, &given));
+        let mut end = advanced(x, h, &self.eval(t + half, &middle, &given));
+        self.project(t + h, &mut end);
+        Ok(end)
     }
-    if let Some(layout) = model.layout() {
-        for places in layout.quaternions() {
-            let end = advanced(x, h, &middle_rate);
-            normalise(&mut a, &end, places.start);
-            normalise(&mut b, &end, places.start);
+
+    /// By the chain rule through both evaluations and the normalisation of quaternions.
+    #[inline(always)]
+    fn step_derivatives(
+        &self,
+        t: T,
+        h: T,
+        x: &SVector<T, N>,
+        u: &[T; M],
+    ) -> Result<StepDerivatives<T, N, M>, Self::Error> {
+        let inputs = S::Inputs::from(*u);
+        let given = S::Given::with(inputs, &[T::default(); MAX_CONSTRAINTS]);
+        let half = T::from_f64(0.5) * h;
+        let (rate, by_state) = self.eval_with_jacobian(t, x, &given);
+        let by_inputs = self.input_jacobian(t, x, &inputs);
+        let middle = advanced(x, half, &rate);
+        let (middle_rate, middle_by_state) = self.eval_with_jacobian(t + half, &middle, &given);
+        let middle_by_inputs = self.input_jacobian(t + half, &middle, &inputs);
+
+        let a = plus_product(middle_by_state, &middle_by_state, &scaled(half, &by_state));
+        let b = plus_product(middle_by_inputs, &middle_by_state, &scaled(half, &by_inputs));
+        let (mut a, mut b) = (scaled(h, &a), scaled(h, &b));
+        for n in 0..N {
+            a.data.0[n][n] += T::from_f64(1.0);
         }
+        if let Some(layout) = self.layout() {
+            for places in layout.quaternions() {
+                let end = advanced(x, h, &middle_rate);
+                normalise(&mut a, &end, places.start);
+                normalise(&mut b, &end, places.start);
+            }
+        }
+        Ok(StepDerivatives { a, b })
     }
-    StepDerivatives { a, b }
+
+    fn check(&self, t: T, x: &SVector<T, N>) -> Result<(), IlqrError> {
+        if let Some(constraint) = self.constraints().first() {
+            let constraint = Name::from(constraint.name);
+            return Err(IlqrError::ModeSwitches { constraint });
+        }
+        check_loops(self, t, x)
+    }
+}
+
+/// Checks that all loops of a model have closed forms.
+pub(super) fn check_loops<S, T, const N: usize, const M: usize>(
+    model: &S,
+    t: T,
+    x: &SVector<T, N>,
+) -> Result<(), IlqrError>
+where
+    S: Controlled<T, N, M>,
+    T: Float,
+{
+    let mut bodies = None;
+    model.gaps(t, x, &mut |[a, b], _| bodies = Some([Name::from(a), Name::from(b)]));
+    match bodies {
+        Some(bodies) => Err(IlqrError::ClosedLoop { bodies }),
+        None => Ok(()),
+    }
 }
 
 /// Derivative of the normalised quaternion at the components from `start`, in place of that of the quaternion.
@@ -109,7 +176,7 @@ fn advanced<T: Float, const N: usize>(x: &SVector<T, N>, h: T, rate: &SVector<T,
 mod tests {
     use nalgebra::{SMatrix, SVector};
 
-    use super::{StepDerivatives, step, step_derivatives};
+    use super::{StepDerivatives, StepMap};
     use crate::dual::Dual;
     use crate::inputs::Controlled;
     use crate::layout::{Slot, SlotKind, StateLayout};
@@ -185,8 +252,8 @@ mod tests {
         let x = SVector::from([0.8, 0.0, 0.6, 0.0, 1.0, -2.0, 3.0]);
         let of_x = SVector::<Dual<f64, 10>, 7>::from_fn(|n, _| Dual::variable(x[n], n));
         let of_u = [0, 1, 2].map(|m| Dual::variable(u[m], 7 + m));
-        let end = step(&Top, (Dual::constant(t), Dual::constant(h)), &of_x, &of_u);
-        let StepDerivatives { a, b } = step_derivatives(&Top, (t, h), &x, &u);
+        let Ok(end) = Top.step(Dual::constant(t), Dual::constant(h), &of_x, &of_u);
+        let Ok(StepDerivatives { a, b }) = Top.step_derivatives(t, h, &x, &u);
         for i in 0..7 {
             for j in 0..7 {
                 assert!((a[(i, j)] - end[i].slopes[j]).abs() < 1e-14, "by the state: {i}, {j}");

@@ -18,7 +18,7 @@ use crate::system::{Cast, CastJacobian, Jacobian};
 pub struct Held<T, const M: usize>(Cell<[T; M]>);
 
 impl<T: Copy, const M: usize> Held<T, M> {
-    pub(super) const fn new(inputs: [T; M]) -> Self {
+    pub(in crate::control) const fn new(inputs: [T; M]) -> Self {
         Self(Cell::new(inputs))
     }
 

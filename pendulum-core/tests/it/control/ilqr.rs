@@ -288,9 +288,14 @@ fn a_predictive_controller_moves_its_plan_on_with_the_time() {
         assert_eq!((command, state.failure), (by_hand.inputs()[0], None));
         x += SVector::from([0.01, -0.02]);
     }
-    let command = controller.sample(0.14, &SVector::from([f64::NAN, 0.0]), &mut state);
-    assert!(command[0].is_nan());
-    assert!(matches!(state.failure, Some(IlqrError::NotFinite { .. })));
+    // what is not finite does not move the plan
+    let clock = state.t;
+    for (t, angle) in [(0.14, f64::NAN), (f64::NAN, 1.0), (f64::INFINITY, 1.0)] {
+        let command = controller.sample(t, &SVector::from([angle, 0.0]), &mut state);
+        assert!(command[0].is_nan());
+        assert!(matches!(state.failure, Some(IlqrError::NotFinite { .. })));
+        assert!(state.ilqr == by_hand && state.t == clock, "{t} s, {angle}");
+    }
 }
 
 /// A cost that is the same after each turn of the arm; `effort` is the weight of the motor.
@@ -340,7 +345,13 @@ fn other_costs_lead_to_the_nearest_turn() {
 
 #[test]
 fn a_cost_that_is_not_convex_is_refused() {
-    let mut ilqr = Ilqr::<_, _, 2, 1, 150>::new(0.02, Upright { effort: -1e3 });
+    let mut ilqr = Ilqr::<_, _, 2, 1, 150>::new(0.02, Upright { effort: 1.0 });
+    ilqr.solve(&arm(), 0.0, [0.5, 0.0]).expect("a motion");
+    *ilqr.cost_mut() = Upright { effort: -1e3 };
+    let motion = |ilqr: &Ilqr<_, _, 2, 1, 150>| (*ilqr.states(), *ilqr.end(), *ilqr.inputs());
+    let before = motion(&ilqr);
+    ilqr.pass(&arm(), 0.0, [0.1, 0.0]).expect_err("refused");
+    assert!(motion(&ilqr) == before, "the motion is kept");
     let error = ilqr.solve(&arm(), 0.0, [0.1, 0.0]).expect_err("refused");
     assert!(matches!(error, IlqrError::NotConvex { .. }), "{error}");
     assert!(

@@ -6,6 +6,7 @@ mod lost;
 mod published;
 mod random;
 mod refused;
+mod through_switches;
 
 use pendulum_core::nalgebra::{DMatrix, SMatrix};
 

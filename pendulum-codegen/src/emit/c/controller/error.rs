@@ -31,6 +31,22 @@ pub enum NoController {
         /// Name of the list.
         what: &'static str,
     },
+    /// A weight is not symmetric.
+    NotSymmetric {
+        /// Name of the matrix.
+        what: &'static str,
+        /// Row and column of an entry that differs from its mirror image.
+        entry: [usize; 2],
+        /// The entry and its mirror image.
+        values: [f64; 2],
+    },
+    /// A weight is not positive semidefinite, or not definite where it has to be.
+    NotPositive {
+        /// Name of the matrix.
+        what: &'static str,
+        /// True if it has to be definite.
+        strictly: bool,
+    },
     /// The limits of an input are reversed, or not numbers.
     Limits {
         /// Name of the input.
@@ -94,6 +110,23 @@ impl Display for NoController {
                 "{what} has a number that is infinite or NaN, or too large for the precision\nhelp: pass finite \
                  numbers; limits alone may be infinite"
             ),
+            Self::NotSymmetric {
+                what,
+                entry: [i, j],
+                values: [value, mirrored],
+            } => write!(
+                f,
+                "{what} is not symmetric: entry ({i}, {j}) is {value}, and entry ({j}, {i}) is {mirrored}\nhelp: use \
+                 ({what} + {what}^T) / 2"
+            ),
+            Self::NotPositive { what, strictly } => {
+                let (kind, least) = if *strictly { ("", "> 0") } else { ("semi", ">= 0") };
+                write!(
+                    f,
+                    "{what} is not positive {kind}definite\nhelp: use a diagonal matrix with entries {least}, or \
+                     C^T W C with such a W"
+                )
+            }
             Self::Limits {
                 input,
                 limits: [low, high],

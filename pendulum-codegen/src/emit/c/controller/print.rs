@@ -9,10 +9,10 @@ use crate::program::Role;
 /// Functions of the platform and of the generator that the templates call.
 const CALLED: [&str; 5] = [
     "PENDULUM_SQRT",
-    "pendulum_abs",
-    "pendulum_is_finite",
-    "pendulum_max",
-    "pendulum_min",
+    "Pendulum_abs",
+    "Pendulum_is_finite",
+    "Pendulum_max",
+    "Pendulum_min",
 ];
 
 impl Scene<'_> {
@@ -66,7 +66,7 @@ impl Scene<'_> {
         let turns = self.program.layout.quaternions().next().is_some();
         let starts = self.program.layout.quaternions().map(|places| places.start);
         let normalised = starts
-            .map(|start| format!("pendulum_normalise(N, a, end, {start});\npendulum_normalise(M, b, end, {start});\n"));
+            .map(|start| format!("Pendulum_normalise(N, a, end, {start});\nPendulum_normalise(M, b, end, {start});\n"));
         let end_of_step = "double end[N];\nfor (int n = 0; n < N; n++) end[n] = h * rate[n] + x[n];\n";
         let values = [
             ("q", rows(&ilqr.q, n)),

@@ -1,5 +1,5 @@
 
-static @name@_inputs pendulum_given(const double u[@NAME@_INPUTS]) {
+static @name@_inputs Pendulum_given(const double u[@NAME@_INPUTS]) {
     @name@_inputs given;
     @given@
     return given;
@@ -20,9 +20,9 @@ void @name@_rk4_step(const @name@_model *model, double t, double t1, const doubl
 }
 
 // Limits of the inputs.
-static const double pendulum_low[@NAME@_INPUTS] = {@low@};
-static const double pendulum_high[@NAME@_INPUTS] = {@high@};
+static const double Pendulum_low[@NAME@_INPUTS] = {@low@};
+static const double Pendulum_high[@NAME@_INPUTS] = {@high@};
 
-static void pendulum_limit(double u[@NAME@_INPUTS], const double *low, const double *high) {
-    for (int m = 0; m < @NAME@_INPUTS; m++) u[m] = pendulum_min(pendulum_max(u[m], low[m]), high[m]);
+static void Pendulum_limit(double u[@NAME@_INPUTS], const double *low, const double *high) {
+    for (int m = 0; m < @NAME@_INPUTS; m++) u[m] = Pendulum_min(Pendulum_max(u[m], low[m]), high[m]);
 }

@@ -1,4 +1,5 @@
 // Functions that generated code may call. Each section starts with the name of one; for a function of the platform, it also gives the default.
+// Names of helpers begin with a capital, and go on in small letters: no name of a scene does, whose prefix is snake_case.
 
 //! PENDULUM_ATAN2: atan2
 #ifndef PENDULUM_ATAN2
@@ -60,53 +61,53 @@ extern double PENDULUM_TAN(double);
 #endif
 extern double PENDULUM_TANH(double);
 
-//! pendulum_abs
+//! Pendulum_abs
 // The absolute value; +0.0 of both zeros.
-static inline double pendulum_abs(double x) {
+static inline double Pendulum_abs(double x) {
     return x > 0.0 ? x : 0.0 - x;
 }
 
-//! pendulum_is_finite
-static inline int pendulum_is_finite(double x) {
+//! Pendulum_is_finite
+static inline int Pendulum_is_finite(double x) {
     return x >= -DBL_MAX && x <= DBL_MAX;
 }
 
-//! pendulum_max
+//! Pendulum_max
 // The larger of two; the left one if they are equal, or if it is NaN.
-static inline double pendulum_max(double a, double b) {
+static inline double Pendulum_max(double a, double b) {
     return a < b ? b : a;
 }
 
-//! pendulum_min
+//! Pendulum_min
 // The smaller of two; the left one if they are equal, or if it is NaN.
-static inline double pendulum_min(double a, double b) {
+static inline double Pendulum_min(double a, double b) {
     return a > b ? b : a;
 }
 
-//! pendulum_signum
+//! Pendulum_signum
 // The sign: -1, 0 or 1. Zeros and NaN are returned as they are.
-static inline double pendulum_signum(double x) {
+static inline double Pendulum_signum(double x) {
     return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
 }
 
-//! pendulum_pair
+//! Pendulum_pair
 typedef struct {
     double sin, cos;
-} pendulum_pair;
+} Pendulum_pair;
 
 typedef union {
     double number;
     uint64_t bits;
-} pendulum_bits;
+} Pendulum_bits;
 
-//! pendulum_sincos
+//! Pendulum_sincos
 // Sine and cosine of an angle in radians, to less than 1 ulp.
 //
 // The angle is reduced to [-pi/4, pi/4] by a multiple of pi/2 in parts of 37, 37 and 53 bits (Cody and Waite), and the rounding error
 // of the reduced angle is carried along. The polynomials are minimax ones, evaluated by Estrin's scheme.
-static inline pendulum_pair pendulum_sincos(double x) {
-    pendulum_bits turned, sine, cosine;
-    pendulum_pair pair;
+static inline Pendulum_pair Pendulum_sincos(double x) {
+    Pendulum_bits turned, sine, cosine;
+    Pendulum_pair pair;
     uint64_t swap;
     if (x > 1e5 || x < -1e5) {
         pair.sin = PENDULUM_SIN(x);
@@ -145,22 +146,22 @@ static inline pendulum_pair pendulum_sincos(double x) {
     return pair;
 }
 
-//! pendulum_pairf
+//! Pendulum_pairf
 typedef struct {
     float sin, cos;
-} pendulum_pairf;
+} Pendulum_pairf;
 
 typedef union {
     float number;
     uint32_t bits;
-} pendulum_bitsf;
+} Pendulum_bitsf;
 
-//! pendulum_sincosf
-// Sine and cosine of an angle in radians, to less than 1 ulp of single precision, in the steps of pendulum_sincos: multiples of pi/2 in
+//! Pendulum_sincosf
+// Sine and cosine of an angle in radians, to less than 1 ulp of single precision, in the steps of Pendulum_sincos: multiples of pi/2 in
 // parts of 12, 12, 9 and 24 bits.
-static inline pendulum_pairf pendulum_sincosf(float x) {
-    pendulum_bitsf turned, sine, cosine;
-    pendulum_pairf pair;
+static inline Pendulum_pairf Pendulum_sincosf(float x) {
+    Pendulum_bitsf turned, sine, cosine;
+    Pendulum_pairf pair;
     uint32_t swap;
     if (x > 6400.0f || x < -6400.0f) {
         pair.sin = PENDULUM_SINF(x);
@@ -191,14 +192,14 @@ static inline pendulum_pairf pendulum_sincosf(float x) {
     return pair;
 }
 
-//! pendulum_sincos_fused
+//! Pendulum_sincos_fused
 // Sine and cosine of an angle in radians, to less than 1 ulp, in fused arithmetic.
 //
 // The angle is reduced to [-pi/4, pi/4] by a multiple of pi/2 in parts of 37, 37 and 53 bits (Cody and Waite), and the rounding error
 // of the reduced angle is carried along. The polynomials are minimax ones, evaluated by Estrin's scheme.
-static inline pendulum_pair pendulum_sincos_fused(double x) {
-    pendulum_bits turned, sine, cosine;
-    pendulum_pair pair;
+static inline Pendulum_pair Pendulum_sincos_fused(double x) {
+    Pendulum_bits turned, sine, cosine;
+    Pendulum_pair pair;
     uint64_t swap;
     if (x > 1e5 || x < -1e5) {
         pair.sin = PENDULUM_SIN(x);

@@ -14,7 +14,7 @@ typedef struct {
 typedef struct {
     /// The best motion.
     @name@_ilqr_plan plan;
-    /// The motion of the last forward pass.
+    /// The motion of the last forward pass, along which the backward pass goes.
     @name@_ilqr_plan trial;
     /// Change of the inputs by the last backward pass; 0 once it is in the plan.
     double change[@NAME@_ILQR_STEPS][@NAME@_INPUTS];
@@ -47,17 +47,19 @@ void @name@_ilqr_start(@name@_ilqr *ilqr);
 
 /// Improves the plan by one backward and one forward pass from the state x0 at t0: `Ilqr::pass`.
 ///
-/// Returns 0, or the reason why the plan stays as it was.
+/// Returns 0, or the reason why the plan stays as it was. If that is @NAME@_ILQR_NOT_CONVEX, the gains of some steps at its end are new.
 int @name@_ilqr_pass(@name@_ilqr *ilqr, const @name@_model *model, double t0, const double x0[@length@]);
 
 /// Moves the plan on by a step: the last inputs and gains are repeated.
 void @name@_ilqr_shift(@name@_ilqr *ilqr);
 
 /// The inputs that the law of a step commands in the state x, within their limits: `Ilqr::command`.
+///
+/// step: from 0 to @NAME@_ILQR_STEPS - 1, which is not checked. All inputs are NaN if a component of x is NaN.
 void @name@_ilqr_command(const @name@_ilqr *ilqr, int step, const double x[@length@], @name@_inputs *u);
 
 /// A sample of model-predictive control, `Ilqr::controller`: moves the plan on with the time, takes a pass, and commands the first
 /// inputs.
 ///
-/// Returns 0, or the reason why the inputs stay as they were.
+/// Returns 0, or the reason why the inputs stay as they were. If that is @NAME@_ILQR_NOT_FINITE, all of ilqr does, too.
 int @name@_ilqr_sample(@name@_ilqr *ilqr, const @name@_model *model, double t, const double x[@length@], @name@_inputs *u);

@@ -10,6 +10,6 @@ void @name@_linear_law(const double x[@length@], @name@_inputs *u) {
         const double deviation = x[n] - x0[n];
         for (int m = 0; m < @NAME@_INPUTS; m++) inputs[m] -= gain[n][m] * deviation;
     }
-    pendulum_limit(inputs, pendulum_low, pendulum_high);
-    *u = pendulum_given(inputs);
+    Pendulum_limit(inputs, Pendulum_low, Pendulum_high);
+    *u = Pendulum_given(inputs);
 }

@@ -1,6 +1,6 @@
 
 // Derivative of the normalised quaternion at the components from `start`, in place of that of the quaternion.
-static void pendulum_normalise(int columns, double *derivative, const double end[N], int start) {
+static void Pendulum_normalise(int columns, double *derivative, const double end[N], int start) {
     double square = 0.0;
     for (int n = start; n < start + 4; n++) square += end[n] * end[n];
     const double scale = 1.0 / PENDULUM_SQRT(square);

@@ -1,6 +1,6 @@
 
 // The sums left_j right_(k - j) over j = 1 .. k - 1 of all products of series; row j - 1 holds the coefficients of order j.
-static void pendulum_sums(size_t k, size_t products, const double *left, const double *right, double *sums) {
+static void Pendulum_sums(size_t k, size_t products, const double *left, const double *right, double *sums) {
     for (size_t m = 0; m < products; m++) {
         // in two parts, so that an addition need not wait for the one before; the newest coefficients come last
         double even = 0.0, odd = 0.0;
@@ -31,7 +31,7 @@ int @name@_series(const @name@_model *model, double t, double series[][@length@]
     for (size_t k = 1; k < order; k++) {
         const double over_next = 1.0 / (double)(k + 1);
         double *const left = work->left + (k - 1) * @products@, *const right = work->right + (k - 1) * @products@;
-        pendulum_sums(k, @products@, work->left, work->right, sums);
+        Pendulum_sums(k, @products@, work->left, work->right, sums);
         @order@
     }
     return 0;

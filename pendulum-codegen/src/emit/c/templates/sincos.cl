@@ -1,10 +1,10 @@
 typedef struct {
     double sin, cos;
-} pendulum_pair;
+} Pendulum_pair;
 
 // Sine and cosine of an angle in radians, to less than 1 ulp: the steps of the Rust code, in both precisions.
-static inline pendulum_pair pendulum_sincos(double x) {
-    pendulum_pair pair;
+static inline Pendulum_pair Pendulum_sincos(double x) {
+    Pendulum_pair pair;
 #ifdef PENDULUM_SINGLE
     if (x > 6400.0f || x < -6400.0f) {
         pair.sin = sincos(x, &pair.cos);

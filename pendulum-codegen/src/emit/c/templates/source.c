@@ -40,7 +40,7 @@ int @name@_new(@name@_model *model, const @name@_params *params) {
         @code@
     }
     for (int i = 0; i < @constants@; i++) {
-        if (!pendulum_is_finite(@kept_k@)) return @NAME@_CONSTANT + i;
+        if (!Pendulum_is_finite(@kept_k@)) return @NAME@_CONSTANT + i;
     }
     for (int i = 0; i < @constants@; i++) {
         model->k[i] = @real_k@;
