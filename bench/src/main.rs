@@ -2,6 +2,7 @@
 //! into `out/`.
 
 mod compile;
+mod control;
 mod generated;
 mod lanes;
 mod library;
@@ -25,7 +26,7 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// All measurements: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 9] = [
+const MEASUREMENTS: [(&str, Measurement); 10] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),
     ("scaling", scaling::measure),
@@ -35,6 +36,7 @@ const MEASUREMENTS: [(&str, Measurement); 9] = [
     ("sweeps", sweeps::measure),
     ("linkages", linkages::measure),
     ("robots", robots::measure),
+    ("control", control::measure),
 ];
 
 fn main() -> ExitCode {
