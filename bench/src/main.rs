@@ -2,6 +2,7 @@
 //! into `out/`.
 
 mod compile;
+mod control;
 mod generated;
 mod lanes;
 mod library;
@@ -24,7 +25,7 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// All measurements: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 8] = [
+const MEASUREMENTS: [(&str, Measurement); 9] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),
     ("scaling", scaling::measure),
@@ -33,6 +34,7 @@ const MEASUREMENTS: [(&str, Measurement); 8] = [
     ("sweeps", sweeps::measure),
     ("linkages", linkages::measure),
     ("robots", robots::measure),
+    ("control", control::measure),
 ];
 
 fn main() -> ExitCode {

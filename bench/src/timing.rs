@@ -65,6 +65,12 @@ impl Times {
     }
 }
 
+impl From<Vec<f64>> for Times {
+    fn from(times: Vec<f64>) -> Self {
+        Self(times)
+    }
+}
+
 /// To a thousandth of a nanosecond, which is finer than the clock.
 impl Serialize for Times {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -2,9 +2,7 @@
 
 use std::cell::RefCell;
 use std::error::Error;
-use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::rc::Rc;
 
 use serde::Deserialize;
@@ -13,14 +11,7 @@ use twelve::{End, Problem, Request};
 
 use super::emitted::Emitted;
 use super::entrant::{Entrant, Run};
-use crate::python::python;
-
-/// Running `peers.py`.
-struct Server {
-    process: Child,
-    input: ChildStdin,
-    output: BufReader<ChildStdout>,
-}
+use crate::python::Server;
 
 /// First line of the output of `peers.py`.
 #[derive(Deserialize)]
@@ -73,7 +64,7 @@ pub(crate) fn enter(
             })
         })
         .collect();
-    let started = Server::start(root).and_then(|mut server| {
+    let started = Server::start(root, "twelve/peers/peers.py").and_then(|mut server| {
         let head: Head = serde_json::from_str(&server.ask(&Value::from(tasks))?)?;
         Ok((server, head))
     });
@@ -109,30 +100,6 @@ pub(crate) fn enter(
 const HOW: &str = "`.venv/bin/pip install heyoka scipy numba`, or set PYTHON";
 
 impl Server {
-    fn start(root: &Path) -> Result<Self, Box<dyn Error>> {
-        let mut process = Command::new(python(root))
-            .arg(root.join("twelve/peers/peers.py"))
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()?;
-        let (input, output) = (process.stdin.take(), process.stdout.take());
-        Ok(Self {
-            process,
-            input: input.ok_or("no input")?,
-            output: BufReader::new(output.ok_or("no output")?),
-        })
-    }
-
-    /// Writes a line, and reads one.
-    fn ask(&mut self, request: &Value) -> Result<String, Box<dyn Error>> {
-        writeln!(self.input, "{request}")?;
-        let mut answer = String::new();
-        if self.output.read_line(&mut answer)? == 0 {
-            return Err("no answer".into());
-        }
-        Ok(answer)
-    }
-
     fn run(&mut self, problem: usize, entrant: usize, request: Request) -> Run {
         let Request {
             tolerance,
@@ -164,13 +131,5 @@ impl Server {
             },
             nanoseconds: answer.nanoseconds,
         }
-    }
-}
-
-/// The process ends with its input, but would remain a zombie.
-impl Drop for Server {
-    fn drop(&mut self) {
-        let _ = self.process.kill();
-        let _ = self.process.wait();
     }
 }

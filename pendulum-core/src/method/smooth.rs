@@ -123,6 +123,16 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         Isa::run_routine(TakeStep(modes), self, system)
     }
 
+    /// Begins anew where the right-hand side has changed, and takes one step, in one routine.
+    #[inline]
+    pub(super) fn step_anew<S>(&mut self, system: &S, modes: &Modes<T, N>) -> Result<(), Reason>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        Isa::run_routine(StepAnew(modes), self, system)
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_on_grid<S>(&mut self, model: (&S, &Modes<T, N>), mut grid: Grid<T>) -> Result<(), Reason>
     where
@@ -295,5 +305,25 @@ where
         })?;
         smooth.statistics.accepted += 1;
         Ok(())
+    }
+}
+
+/// One step from a point where the right-hand side has changed.
+struct StepAnew<'a, T, const N: usize>(&'a Modes<T, N>);
+
+impl<C, S, T, const N: usize> Routine<Smooth<C, T, N>, S> for StepAnew<'_, T, N>
+where
+    C: Scheme<S, T, N>,
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    type Output = Result<(), Reason>;
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run(self, smooth: &mut Smooth<C, T, N>, system: &S) -> Self::Output {
+        let h = smooth.last.h.to_f64();
+        let begun = Begin(&self.0.hold).run(smooth, system);
+        begun.map_err(|reason| NonFinite::after(reason, h))?;
+        TakeStep(self.0).run(smooth, system)
     }
 }

@@ -239,29 +239,42 @@ where
         })
     }
 
-    /// Moves the end of the span to `t1`, ahead of the point reached, and continues with steps as long as before. If
-    /// the right-hand side `jumps` there, a hybrid system enters the mode that follows. The number of steps is counted
-    /// anew.
+    /// Moves the end of the span to `t1`, ahead of the point reached, where the stepper then [begins](Self::begin_anew)
+    /// or [runs](Self::run_anew) anew with steps as long as before. The number of steps is counted anew.
     #[inline]
-    pub(crate) fn go_on_to(&mut self, t1: T, jumps: bool) -> Result<(), Reason> {
+    pub(crate) fn move_end(&mut self, t1: T) -> Result<(), Reason> {
         if let Steps::Equal(grid) = &mut self.smooth.steps {
             grid.go_on_to(self.smooth.last.t1, t1)?;
         }
         self.smooth.t1 = t1;
         self.smooth.before = self.smooth.statistics.accepted + self.smooth.statistics.rejected;
+        Ok(())
+    }
+
+    /// Begins anew where the right-hand side has changed. If it `jumps`, a hybrid system enters the mode that follows.
+    pub(crate) fn begin_anew(&mut self, jumps: bool) -> Result<(), Reason> {
         if self.system.hybrid().is_none() {
-            let step = self.smooth.last;
-            self.begin()
-                .map(drop)
-                .map_err(|reason| NonFinite::after(reason, step.h.to_f64()))?;
+            let h = self.smooth.last.h.to_f64();
+            self.begin().map(drop).map_err(|reason| NonFinite::after(reason, h))?;
         } else if jumps {
             self.restart(self.t(), self.x())?;
         }
         Ok(())
     }
 
+    /// [Begins anew](Self::begin_anew), and integrates to the end.
+    #[inline]
+    pub(crate) fn run_anew(&mut self, jumps: bool) -> Result<(), Reason> {
+        if self.system.hybrid().is_none() {
+            self.smooth.step_anew(self.system, &self.modes)?;
+        } else {
+            self.begin_anew(jumps)?;
+        }
+        self.run().map(drop)
+    }
+
     /// Keeps the length of steps that the end of the span cuts short, for an integration that
-    /// [goes on](Self::go_on_to) after it.
+    /// [goes on](Self::move_end) after it.
     #[inline]
     pub(crate) fn keep_pace(&mut self) {
         if let Steps::Controlled { control, .. } = &mut self.smooth.steps {

@@ -172,7 +172,7 @@ where
         let before = stopped.len();
         for (place, run) in self.runs.iter_mut().enumerate() {
             if leg.samples
-                && let Err(reason) = sampled.sample(run, (leg, legs), &self.x[place])
+                && let Err(reason) = sampled.sample(run, (leg, legs), &self.x[place], drop)
             {
                 stopped.push(Stopped::new(self.index[place], leg.from, reason));
             }

@@ -152,10 +152,14 @@ where
         &mut self,
         stepper: &mut Stepper<'_, C, Driven<S, T, M>, T, N>,
         x0: SVector<T, N>,
+        jump: bool,
     ) -> Result<(), Reason>
     where
         Driven<S, T, M>: System<T, N>,
     {
+        if self.legs.has_started {
+            stepper.begin_anew(jump)?;
+        }
         let ended = follow(stepper, x0, &[], &mut self.legs);
         self.work = stepper.statistics();
         ended.map(drop).map_err(|early| early.reason)

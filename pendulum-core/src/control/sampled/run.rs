@@ -8,8 +8,8 @@ use super::{Controller, MAX_DELAY, Outputs, Sampled};
 use crate::error::Reason;
 use crate::real::Float;
 
-/// Number of commands that are kept: those that wait, and the one that acts.
-const KEPT: usize = MAX_DELAY + 1;
+/// Number of commands that are kept: those that wait, and the one that acts. A power of two needs no division.
+const KEPT: usize = (MAX_DELAY + 1).next_power_of_two();
 
 /// A sample of a [`Sampled`] controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,14 +59,15 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         }
     }
 
-    /// Takes a sample at the start of a leg, in the state `x`.
+    /// Takes a sample at the start of a leg, in the state `x`, and passes it to `keep`.
     #[inline(always)]
     pub(super) fn sample<T, const N: usize>(
         &self,
         run: &mut Run<T, C::State, M>,
         (leg, legs): (&Leg<T>, &Legs<T>),
         x: &SVector<T, N>,
-    ) -> Result<Sample<T, P, M>, Reason>
+        keep: impl FnOnce(Sample<T, P, M>),
+    ) -> Result<(), Reason>
     where
         T: Float,
         C: Controller<T, P, M>,
@@ -101,14 +102,15 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
             }
         }
         run.commanded[k % KEPT] = inputs;
-        Ok(Sample {
+        keep(Sample {
             t,
             measured,
             command,
             sent,
             inputs,
             acts_from: legs.acts_from(k),
-        })
+        });
+        Ok(())
     }
 }
 

@@ -27,11 +27,12 @@ pub(super) trait Witness<S, T: Float, const N: usize, const P: usize, const M: u
     /// True if the dense output of a step may be requested.
     const IS_DENSE: bool;
 
-    /// Integrates a leg to its end. The stepper was created, or restarted, in the state `x0`.
+    /// Integrates a leg to its end, from the state `x0` that the stepper has reached, and where the inputs may `jump`.
     fn leg<C: Scheme<S, T, N>>(
         &mut self,
         stepper: &mut Stepper<'_, C, S, T, N>,
         x0: SVector<T, N>,
+        jump: bool,
     ) -> Result<(), Reason>
     where
         S: System<T, N>;
@@ -51,11 +52,13 @@ impl<S, T: Float, const N: usize, const P: usize, const M: usize> Witness<S, T, 
         &mut self,
         stepper: &mut Stepper<'_, C, S, T, N>,
         _x0: SVector<T, N>,
+        jump: bool,
     ) -> Result<(), Reason>
     where
         S: System<T, N>,
     {
-        stepper.run().map(drop)
+        // the first leg has begun before: once more costs an evaluation
+        stepper.run_anew(jump)
     }
 }
 
@@ -135,18 +138,19 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let mut stepper: Option<Stepper<'_, A::Scheme, _, T, N>> = None;
         while let Some(leg) = legs.next() {
             if leg.samples {
-                let sample = self.sample(&mut run, (&leg, &legs), &x).map_err(halt(leg.from, x))?;
-                witness.sample(sample);
+                self.sample(&mut run, (&leg, &legs), &x, |sample| witness.sample(sample))
+                    .map_err(halt(leg.from, x))?;
             }
             if leg.from == leg.to {
                 continue;
             }
             let inputs = run.inputs(&leg);
             let before = system.law().get();
-            let jumps = (0..M).any(|m| inputs[m] != before[m] || !inputs[m].has_same_slopes(&before[m]));
+            let differs = |m: usize| inputs[m] != before[m] || !inputs[m].has_same_slopes(&before[m]);
+            let jump = stepper.is_some() && (0..M).any(differs);
             system.law().set(inputs);
             let stepper = match &mut stepper {
-                Some(stepper) => stepper.go_on_to(leg.to, jumps).map(|()| stepper),
+                Some(stepper) => stepper.move_end(leg.to).map(|()| stepper),
                 None => {
                     let first = method.stepper(&system, leg.from, leg.to, x);
                     first.map(|first| {
@@ -158,7 +162,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
             };
             let stepper = stepper.map_err(halt(leg.from, x))?;
             stepper.leave_end(leg.to != span.1 && !O::IS_DENSE);
-            let ended = witness.leg(stepper, x);
+            let ended = witness.leg(stepper, x, jump);
             x = stepper.x();
             ended.map_err(halt(stepper.t(), x))?;
         }
