@@ -10,6 +10,7 @@ mod linkages;
 mod machine;
 mod peers;
 mod python;
+mod questions;
 mod report;
 mod robots;
 mod rust;
@@ -25,7 +26,7 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// All measurements: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 9] = [
+const MEASUREMENTS: [(&str, Measurement); 10] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),
     ("scaling", scaling::measure),
@@ -34,7 +35,11 @@ const MEASUREMENTS: [(&str, Measurement); 9] = [
     ("sweeps", sweeps::measure),
     ("linkages", linkages::measure),
     ("robots", robots::measure),
+<<<<<<< HEAD
     ("control", control::measure),
+=======
+    ("questions", questions::measure),
+>>>>>>> questions
 ];
 
 fn main() -> ExitCode {

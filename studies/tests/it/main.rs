@@ -4,6 +4,7 @@
 mod accuracy;
 mod bifurcations;
 mod every_failure;
+mod open_questions;
 mod paper_audit;
 mod solve_accuracy;
 mod stability;
