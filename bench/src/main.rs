@@ -35,11 +35,8 @@ const MEASUREMENTS: [(&str, Measurement); 10] = [
     ("sweeps", sweeps::measure),
     ("linkages", linkages::measure),
     ("robots", robots::measure),
-<<<<<<< HEAD
     ("control", control::measure),
-=======
     ("questions", questions::measure),
->>>>>>> questions
 ];
 
 fn main() -> ExitCode {

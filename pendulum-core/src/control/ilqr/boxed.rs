@@ -148,6 +148,17 @@ pub(super) fn minimize<T: Float, const M: usize>(
             length *= T::from_f64(0.5);
         }
         if next == at {
+            // a step of any length crosses a limit that is all but reached: that input is held from now on
+            for i in 0..M {
+                let reached = at[i] + length * newton.data.0[i][0];
+                if reached > high[i] && gradient[i] < T::default() {
+                    next[i] = high[i];
+                } else if reached < low[i] && gradient[i] > T::default() {
+                    next[i] = low[i];
+                }
+            }
+        }
+        if next == at {
             break;
         }
         at = next;
@@ -231,6 +242,20 @@ mod tests {
             let reached = 0.5 * found.dot(&(matrix * found)) + slope.dot(&found);
             assert!((reached - value).abs() < 1e-12, "{case}");
             assert!((0..3).all(|m| low[m] <= found[m] && found[m] <= high[m]), "{case}");
+        }
+    }
+
+    #[test]
+    fn an_input_that_has_almost_reached_its_limit_is_held_there() {
+        let matrix = SMatrix::<f64, 2, 2>::new(1.0, 0.9, 0.9, 1.0);
+        let (slope, low, high) = ([0.0, -1.0], [-10.0, -10.0], [10.0, 0.0]);
+        for gap in [0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1.0] {
+            for turned in [false, true] {
+                let turn = |pair: [f64; 2]| if turned { pair.map(|entry| -entry) } else { pair };
+                let [low, high] = if turned { [turn(high), turn(low)] } else { [low, high] };
+                let found = minimize(&matrix, &turn(slope), [&low, &high], &turn([0.0, -gap])).expect("convex");
+                assert_eq!((found.at, found.factor.free), (turn([0.0, 0.0]), [true, false]), "{gap}");
+            }
         }
     }
 

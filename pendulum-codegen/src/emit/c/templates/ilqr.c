@@ -150,7 +150,7 @@ static int Pendulum_minimize(const double matrix[M * M], const double slope[M], 
     Pendulum_limit(at, low, high);
     for (int step = 0; step < M + 20; step++) {
         double gradient[M], sizes[M], newton[M], next[M], length = 1.0;
-        int is_free[M], is_level = 1, is_same = is_known, is_at_rest = 1;
+        int is_free[M], is_level = 1, is_same = is_known, is_stuck = 1, is_at_rest = 1;
         for (int i = 0; i < M; i++) {
             gradient[i] = slope[i];
             sizes[i] = Pendulum_abs(slope[i]);
@@ -186,6 +186,13 @@ static int Pendulum_minimize(const double matrix[M * M], const double slope[M], 
                 break;
             }
             length *= 0.5;
+        }
+        for (int i = 0; i < M; i++) is_stuck = is_stuck && next[i] == at[i];
+        for (int i = 0; i < M && is_stuck; i++) {
+            // a step of any length crosses a limit that is all but reached: that input is held from now on
+            const double reached = at[i] + length * newton[i];
+            if (reached > high[i] && gradient[i] < 0.0) next[i] = high[i];
+            else if (reached < low[i] && gradient[i] > 0.0) next[i] = low[i];
         }
         for (int i = 0; i < M; i++) {
             is_at_rest = is_at_rest && next[i] == at[i];
