@@ -28,7 +28,7 @@ int main(void) {
         } else if (cart_pole_ilqr_sample(&ilqr, &model, t, x, &u) != CART_POLE_ILQR_OK) {
             return 1;
         }
-        // the linear law has no code: of a state that is not a number, so is its force
+        // the linear law returns no code: its force is NaN where the state is
         if (!isfinite(u.push)) return 1;
         printf("%g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t, u.push, x[0], x[1], x[2], x[3]);
         cart_pole_rk4_step(&model, t, t + CART_POLE_ILQR_H, x, &u, x);

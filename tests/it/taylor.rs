@@ -6,6 +6,7 @@ use pendulum_core::real::lanes::{F64x4, Isa, Kernel, Lanes};
 use pendulum_core::taylor::MAX_ORDER;
 use pendulum_core::{Cast, CastTaylor, TaylorSeries};
 use testbed::power_series::{LENGTH, Series, difference, motion};
+use testbed::problems::{HenonHeiles, HenonHeilesParams};
 use testbed::random::Random;
 use testbed::robots::{Panda, Ur5};
 use testbed::series::*;
@@ -124,6 +125,13 @@ fn every_order_by_itself() {
 #[should_panic(expected = "the order of a series is at most 24")]
 fn beyond_the_highest_order() {
     let model = pendulums(0.1);
+    model.series(0.0, &mut [SVector::zeros(); MAX_ORDER + 2], &mut model.workspace());
+}
+
+#[test]
+#[should_panic(expected = "the order of a series is at most 24")]
+fn beyond_the_highest_order_of_a_few_products() {
+    let model = HenonHeiles::new(HenonHeilesParams {}).expect("physical");
     model.series(0.0, &mut [SVector::zeros(); MAX_ORDER + 2], &mut model.workspace());
 }
 

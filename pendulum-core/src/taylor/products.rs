@@ -240,6 +240,11 @@ impl<T: Real, const M: usize> Default for FewProducts<T, M> {
     }
 }
 
+const _: () = assert!(
+    MAX_ORDER == 24,
+    "as many orders as `for_each_order` writes out, and one more"
+);
+
 /// Writes out a block for each order `k` in `1..end`, as a constant. `end` is at most [`MAX_ORDER`].
 #[doc(hidden)]
 #[macro_export]
@@ -263,16 +268,30 @@ macro_rules! for_each_order {
 #[cfg(test)]
 mod tests {
     use super::{FewProducts, MAX_ORDER, Newest, Products};
+    use crate::real::lanes::{F64x4, Lanes};
 
     #[test]
     fn sums_of_few_products_have_the_bits_of_those_of_many() {
-        let (mut products, mut newest, mut few) = (Products::new(), Newest::new(), FewProducts::new());
+        assert_equal::<f64, 1>();
+        assert_equal::<f64, 2>();
+        assert_equal::<f64, 3>();
+        assert_equal::<F64x4, 3>();
+    }
+
+    fn assert_equal<T: Lanes<Scalar = f64>, const M: usize>() {
+        let (mut products, mut newest, mut few) = (Products::<T, M>::new(), Newest::new(), FewProducts::<T, M>::new());
         for k in 1..MAX_ORDER {
-            let of_few: [f64; 3] = few.sums(k);
-            assert_eq!(newest.add(products.sums(k)), of_few, "order {k}");
-            assert_eq!(of_few == [0.0; 3], k == 1);
-            let side = |shift: f64| [0.3, 0.5, 0.7].map(|x: f64| (x + shift + k as f64).sin());
-            let (left, right) = (side(0.1), side(0.2));
+            let (of_many, of_few) = (newest.add(products.sums(k)), few.sums(k));
+            for (many, few) in of_many.iter().zip(&of_few) {
+                for lane in 0..T::LANES {
+                    let (many, few): (f64, f64) = (many.lane(lane), few.lane(lane));
+                    assert_eq!(many.to_bits(), few.to_bits(), "order {k}");
+                    assert_eq!(few.to_bits() == 0, k == 1);
+                }
+            }
+            let number = |m: usize, lane: usize| (0.3 + 0.2 * m as f64 + 0.7 * lane as f64 + k as f64).sin();
+            let side = |shift: usize| std::array::from_fn(|m| T::from_fn(|lane| number(m + shift, lane)));
+            let (left, right) = (side(1), side(2));
             products.set(k, left, right);
             newest.push(k, left, right);
             few.set(k, left, right);

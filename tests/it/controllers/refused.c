@@ -14,7 +14,7 @@ static int is_refused(REAL t, const REAL x[NAME_STATES]) {
 }
 
 int main(void) {
-    const REAL start[NAME_STATES] = {1, 0}, kink[NAME_STATES] = {0, 0}, unknown[NAME_STATES] = {0, (REAL)NAN};
+    const REAL start[NAME_STATES] = {1, 0}, kink[NAME_STATES] = {0, 0}, crossed[NAME_STATES] = {0, 1}, unknown[NAME_STATES] = {0, (REAL)NAN};
     name_inputs u;
     if (name_new(&model, &name_defaults) != NAME_OK) return 1;
     name_ilqr_start(&ilqr);
@@ -25,6 +25,10 @@ int main(void) {
     if (name_ilqr_pass(&ilqr, &model, 0, kink) != NAME_ILQR_NOT_CONVEX) return 4;
     if (memcmp(&ilqr.plan, &before.plan, sizeof ilqr.plan) != 0) return 5;
     if (name_ilqr_pass(&ilqr, &model, 0, start) != NAME_ILQR_OK) return 6;
+    // with a rate, only those by the state are
+    memcpy(&before, &ilqr, sizeof ilqr);
+    if (name_ilqr_pass(&ilqr, &model, 0, crossed) != NAME_ILQR_NOT_CONVEX) return 9;
+    if (memcmp(&ilqr.plan, &before.plan, sizeof ilqr.plan) != 0 || memcmp(ilqr.gain[0], before.gain[0], sizeof ilqr.gain[0]) != 0) return 10;
     name_linear_law(unknown, &u);
     if (!isnan(u.motor)) return 7;
     name_ilqr_command(&ilqr, NAME_ILQR_STEPS - 1, unknown, &u);

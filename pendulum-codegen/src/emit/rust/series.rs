@@ -185,6 +185,7 @@ impl Items<'_> {
         let of_orders = if self.is_written_out() {
             quote! {
                 let end = x.len() - 1;
+                assert!(end <= #core::MAX_ORDER, "the order of a series is at most {}", #core::MAX_ORDER);
                 ::pendulum_core::for_each_order!(k in 1..end { #of_order });
             }
         } else {

@@ -107,6 +107,10 @@ where
             promise.bend += T::from_f64(0.5) * dot(&change, &bent);
             gradient = plus_product(by_x, &gain, &plus(&by_u, &bent));
             gradient = plus_product(gradient, &xu, &change);
+            // Derivatives by the state alone that are not finite, as at a kink, reach the gains and not the minimum.
+            if !gradient.iter().all(|entry| entry.is_finite()) {
+                return Err(IlqrError::NotConvex { node: k });
+            }
             let half = plus_product(xu, &gain, &scaled(T::from_f64(0.5), &uu));
             hessian = plus_symmetric(&xx, &product(&gain, &transposed(&half)));
 

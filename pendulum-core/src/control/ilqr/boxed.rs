@@ -254,7 +254,11 @@ mod tests {
                 let turn = |pair: [f64; 2]| if turned { pair.map(|entry| -entry) } else { pair };
                 let [low, high] = if turned { [turn(high), turn(low)] } else { [low, high] };
                 let found = minimize(&matrix, &turn(slope), [&low, &high], &turn([0.0, -gap])).expect("convex");
-                assert_eq!((found.at, found.factor.free), (turn([0.0, 0.0]), [true, false]), "{gap}");
+                assert_eq!(
+                    (found.at, found.factor.free),
+                    (turn([0.0, 0.0]), [true, false]),
+                    "{gap}"
+                );
             }
         }
     }

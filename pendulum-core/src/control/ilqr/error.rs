@@ -33,9 +33,9 @@ pub enum IlqrError {
         /// Its limits.
         limits: [f64; 2],
     },
-    /// A matrix or vector has an entry that is infinite or NaN.
+    /// A matrix, a vector or a time is infinite or NaN, or has such an entry.
     NotFinite {
-        /// Name of the matrix or vector.
+        /// Its name.
         what: &'static str,
     },
     /// A weight is not symmetric.
@@ -135,8 +135,7 @@ impl fmt::Display for IlqrError {
             ),
             Self::NotFinite { what } => write!(
                 f,
-                "{what} has an entry that is infinite or NaN\nhelp: pass finite weights and states; limits alone may \
-                 be infinite"
+                "{what} is not finite\nhelp: pass finite weights, states and times; limits alone may be infinite"
             ),
             Self::NotSymmetric {
                 what,
@@ -187,8 +186,8 @@ impl fmt::Display for IlqrError {
             ),
             Self::ModeSwitches { constraint } => write!(
                 f,
-                "the model has mode switches at `{constraint}`, and the steps of the search are smooth\nhelp: pass \
-                 `&Integrated::new(model, Tsit5::new())`, whose steps go through them"
+                "the model has mode switches at `{constraint}`, and the steps of the search are smooth\nhelp: plan with \
+                 `Integrated::new(model, Tsit5::new())`, in double precision, whose steps go through them"
             ),
             Self::ClosedLoop { bodies: [a, b] } => write!(
                 f,

@@ -38,7 +38,7 @@ use crate::real::Float;
 ///
 /// The method integrates each step on its own, and its derivatives as those of [dual numbers](crate::dual), once by the
 /// state and once by the inputs. They are the exact ones of the step that was taken, with their jumps at mode switches
-/// (saltation), and cost no heap. Any explicit method goes, with steps that it chooses or of fixed length; models are in
+/// (saltation), and cost no heap. Any explicit method will do, with steps that it chooses or of fixed length; models are in
 /// double precision.
 ///
 /// - Where friction holds, small forces change nothing, and their derivatives are zero: start from inputs that break the

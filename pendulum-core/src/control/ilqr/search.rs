@@ -264,8 +264,12 @@ where
 
 /// Checks that a time and a state are finite.
 pub(super) fn check_start<T: Float, const N: usize>(t: T, x: &SVector<T, N>) -> Result<(), IlqrError> {
-    match t.is_finite() && x.iter().all(|component| component.is_finite()) {
-        true => Ok(()),
-        false => Err(IlqrError::NotFinite { what: "the state" }),
-    }
+    let what = if !t.is_finite() {
+        "the time"
+    } else if !x.iter().all(|component| component.is_finite()) {
+        "the state"
+    } else {
+        return Ok(());
+    };
+    Err(IlqrError::NotFinite { what })
 }

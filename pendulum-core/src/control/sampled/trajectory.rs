@@ -57,7 +57,7 @@ impl<S, T: Float, const N: usize, const P: usize, const M: usize> Witness<S, T, 
     where
         S: System<T, N>,
     {
-        // the first leg has begun before: once more costs an evaluation
+        // on the first leg this repeats the evaluation at the start
         stepper.run_anew(jump)
     }
 }

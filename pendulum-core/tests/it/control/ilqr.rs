@@ -509,7 +509,7 @@ mod refused {
         let error = ilqr.solve(&cart(), 0.0, [f64::NAN, 0.0]).expect_err("refused");
         assert_eq!(error, IlqrError::NotFinite { what: "the state" });
         let error = ilqr.pass(&cart(), f64::INFINITY, [0.0, 0.0]).expect_err("refused");
-        assert_eq!(error, IlqrError::NotFinite { what: "the state" });
+        assert_eq!(error, IlqrError::NotFinite { what: "the time" });
         // the cost overflows
         let error = ilqr.solve(&cart(), 0.0, [1e200, 0.0]).expect_err("refused");
         assert!(matches!(error, IlqrError::Diverged { .. }), "{error}");

@@ -1,4 +1,4 @@
-//! The same bits, however many trajectories are integrated at once.
+//! Equal bits, however many trajectories are integrated at once.
 
 use std::collections::BTreeSet;
 use std::error::Error;

@@ -1,5 +1,6 @@
 // Functions that generated code may call. Each section starts with the name of one; for a function of the platform, it also gives the default.
-// Names of helpers begin with a capital, and go on in small letters: no name of a scene does, whose prefix is snake_case.
+// Names of helpers begin with a capital and go on in small letters, so that they cannot clash with names from a scene, whose prefix
+// is in snake_case.
 
 //! PENDULUM_ATAN2: atan2
 #ifndef PENDULUM_ATAN2

@@ -270,8 +270,8 @@ static int Pendulum_backward(@name@_ilqr *ilqr, const @name@_model *model, doubl
     *slope = *bend = 0.0;
     for (int k = K - 1; k >= 0; k--) {
         double a[N * N], b[N * M], by_x[N], by_u[M], xx[N * N], xu[N * M], uu[M * M], du[M];
-        double to_x[N * N], by_b[N * M], low[M], high[M], damped[M * M], bent[M], half[N * M], damping = ilqr->damping;
-        double *const change = ilqr->change[k], *const gain = ilqr->gain[k][0];
+        double to_x[N * N], by_b[N * M], low[M], high[M], damped[M * M], bent[M], half[N * M], change[M], gain[N * M];
+        double damping = ilqr->damping;
         Pendulum_step_derivatives(model, Pendulum_time(t0, k), ilqr->trial.x[k], ilqr->trial.u[k], a, b);
         Pendulum_deviation(N, Pendulum_goal, ilqr->trial.x[k], dx);
         Pendulum_deviation(M, Pendulum_rest, ilqr->trial.u[k], du);
@@ -318,6 +318,8 @@ static int Pendulum_backward(@name@_ilqr *ilqr, const @name@_model *model, doubl
         for (int m = 0; m < M; m++) bent[m] = by_u[m] + bent[m];
         Pendulum_add_product(N, M, 1, gradient, gain, bent);
         Pendulum_add_product(N, M, 1, gradient, xu, change);
+        // derivatives by the state alone that are not finite, as at a kink, reach the gains and not the minimum
+        if (!Pendulum_all_finite(N, gradient)) return 0;
         Pendulum_copy(N * M, xu, half);
         Pendulum_scale(M * M, 0.5, uu, uu);
         Pendulum_add_product(N, M, M, half, gain, uu);
@@ -331,6 +333,8 @@ static int Pendulum_backward(@name@_ilqr *ilqr, const @name@_model *model, doubl
         for (int j = 0; j < N; j++) {
             for (int i = 0; i < N; i++) hessian[i + N * j] = to_x[i + N * j] + to_x[j + N * i];
         }
+        Pendulum_copy(M, change, ilqr->change[k]);
+        Pendulum_copy(N * M, gain, ilqr->gain[k][0]);
     }
     return 1;
 }
