@@ -18,8 +18,8 @@ const NEAR: f64 = 1.6;
 const SAMPLE: f64 = 2e5;
 /// Nanoseconds for a trajectory beyond which a method is not tried with smaller tolerances.
 const PATIENCE: f64 = 3e8;
-/// Number of failures in a row that take as long, after which it is not tried either: one that takes huge numbers of steps
-/// with loose tolerances may succeed with others.
+/// Number of failures in a row that take as long, after which it is not tried either: one that takes huge numbers of
+/// steps with loose tolerances may succeed with others.
 const SLOW_FAILURES: usize = 3;
 /// Nanoseconds for a trajectory beyond which cold caches do not count.
 const LONG: f64 = 1e7;

@@ -1,8 +1,8 @@
 //! Ten questions of users of other software, each answered by a declaration and a figure.
 //!
 //! `cargo run --release -p studies --example open_questions` prints all answers, and `-- creep energy` those with these
-//! names. `-- --json` prints them as JSON, for the comparison with other software in `bench`. It takes some seconds. The
-//! page of the book, `docs/src/open-questions.md`, has the questions.
+//! names. `-- --json` prints them as JSON, for the comparison with other software in `bench`. It takes some seconds.
+//! The page of the book, `docs/src/open-questions.md`, has the questions.
 
 mod questions;
 

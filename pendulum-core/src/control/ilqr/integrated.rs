@@ -38,13 +38,13 @@ use crate::real::Float;
 ///
 /// The method integrates each step on its own, and its derivatives as those of [dual numbers](crate::dual), once by the
 /// state and once by the inputs. They are the exact ones of the step that was taken, with their jumps at mode switches
-/// (saltation), and cost no heap. Any explicit method will do, with steps that it chooses or of fixed length; models are in
-/// double precision.
+/// (saltation), and cost no heap. Any explicit method will do, with steps that it chooses or of fixed length; models
+/// are in double precision.
 ///
-/// - Where friction holds, small forces change nothing, and their derivatives are zero: start from inputs that break the
-///   joint away.
-/// - The cost has a kink where a mode begins or ends at a node, and a jump where an impact at a node changes a rate that
-///   the running cost weighs. The best motion may be there: then [`solve`](super::Ilqr::solve) ends with
+/// - Where friction holds, small forces change nothing, and their derivatives are zero: start from inputs that break
+///   the joint away.
+/// - The cost has a kink where a mode begins or ends at a node, and a jump where an impact at a node changes a rate
+///   that the running cost weighs. The best motion may be there: then [`solve`](super::Ilqr::solve) ends with
 ///   [`NoDecrease`](super::IlqrError::NoDecrease), and keeps it.
 /// - A step that has no derivatives, such as one that only touches a stop, is
 ///   [`StepFailed`](super::IlqrError::StepFailed).

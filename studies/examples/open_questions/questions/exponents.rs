@@ -23,7 +23,7 @@ mechanism! {
 /// Angles in rad, less whole turns, and momenta in N m s where `dysts` starts its double pendulum.
 const START: [f64; 4] = [-44.334542, 223.53554, -1.2249799, 2.535486];
 
-/// The same state with rates in place of momenta: those of point masses of 1 kg on rods of 1 m.
+/// State with rates in place of momenta: those of point masses of 1 kg on rods of 1 m.
 fn start() -> [f64; 4] {
     let [a, b, p, q] = START;
     let turn = std::f64::consts::TAU;

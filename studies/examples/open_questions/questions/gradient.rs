@@ -29,7 +29,7 @@ pub(crate) fn derivatives() -> Result<[f64; 2], Box<dyn Error>> {
     Ok([derivatives[(0, 0)], derivatives[(0, 1)]])
 }
 
-/// The same derivatives from the height in closed form.
+/// Closed form of these derivatives, from the height.
 ///
 /// The ball reaches the floor at `s = sqrt(2 h / g)`, and the `n`-th rebound at `s (1 + 2 e + .. + 2 e^(n-1))`; it
 /// leaves with the rate `e^n g s`.

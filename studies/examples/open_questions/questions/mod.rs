@@ -13,8 +13,8 @@ pub(crate) mod sampling;
 
 use std::error::Error;
 
-/// Answer to a question. All but the time has the same bits on every machine: functions are those of `pendulum_core`, not of
-/// the platform.
+/// Answer to a question. All but the time has the same bits on every machine: functions are those of `pendulum_core`,
+/// not of the platform.
 #[derive(Debug)]
 pub(crate) struct Answer {
     pub(crate) figure: f64,

@@ -41,7 +41,8 @@ pub(crate) fn end() -> Result<SVector<f64, 2>, Box<dyn Error>> {
         .end())
 }
 
-/// Position and rate after `time` under a constant push: a damped oscillation about the place where it holds the spring.
+/// Position and rate after `time` under a constant push: a damped oscillation about the place where it holds the
+/// spring.
 fn under(push: f64, x: [f64; 2], time: f64) -> [f64; 2] {
     let (k, half) = (20.0, 0.25);
     let frequency = f64::sqrt(k - half * half);
