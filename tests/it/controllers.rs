@@ -6,7 +6,7 @@ use std::path::Path;
 use nalgebra::{SMatrix, SVector};
 use pendulum_codegen::Controller;
 use pendulum_codegen::program::Program;
-use pendulum_core::control::{Ilqr, LinearLaw, Quadratic, linearize};
+use pendulum_core::control::{Ilqr, LinearLaw, Objective, Quadratic, linearize};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Float;
 use pendulum_core::{Controlled, control};
@@ -361,6 +361,18 @@ fn orientations_are_the_same() {
     same!(Craft, "Controller", CraftParams {}, case, [[0.0; 3]; 20]);
 }
 
+/// Names of functions and types of every header.
+const OF_HEADERS: [&str; 8] = [
+    "defaults",
+    "error",
+    "ilqr_pass",
+    "inputs",
+    "linear_law",
+    "model",
+    "project",
+    "work",
+];
+
 /// A scene whose functions have the prefix of the helpers, and an output for each of these outputs. Its derivatives are
 /// NaN at the angle 0.
 fn of_prefix(outputs: &[&str]) -> Program {
@@ -380,14 +392,16 @@ fn of_prefix(outputs: &[&str]) -> Program {
 }
 
 #[test]
-fn helpers_have_names_of_their_own_and_what_is_refused_changes_nothing() {
+fn outputs_take_no_other_name_and_what_is_refused_changes_nothing() {
     let Some(folder) = folder("Prefix") else { return };
     let ilqr = pendulum_codegen::Ilqr::new(0.02, 5, &[1.0, 0.0, 0.0, 0.1], &[0.1]).end(&[1.0, 0.0, 0.0, 1.0]);
     let controller = Controller::new().linear_law(&[3.0, 0.0], &[0.0; 2], &[0.0]).ilqr(ilqr);
     for (controller, real) in [(controller.clone().single(), "float"), (controller, "double")] {
         let plain = controller.print(&of_prefix(&[])).expect("a controller").source;
         let words = plain.split(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_'));
+        let words: BTreeSet<&str> = words.collect();
         let names: BTreeSet<&str> = words
+            .iter()
             .filter_map(|word| word.get(9..).filter(|_| word[..9].eq_ignore_ascii_case("pendulum_")))
             .filter(|name| name.chars().all(|letter| letter.is_ascii_lowercase() || letter == '_'))
             .collect();
@@ -399,10 +413,10 @@ fn helpers_have_names_of_their_own_and_what_is_refused_changes_nothing() {
             };
             assert!(names.contains(&*helper), "{helper} in {names:?}");
         }
-        let outputs: Vec<&str> = names
+        let helpers = names
             .into_iter()
-            .filter(|name| plain.contains(&format!("Pendulum_{name}")))
-            .collect();
+            .filter(|name| words.contains(&*format!("Pendulum_{name}")));
+        let outputs: Vec<&str> = helpers.chain(OF_HEADERS).collect();
         let sources = controller.print(&of_prefix(&outputs)).expect("a controller");
         let main = include_str!("controllers/refused.c")
             .replace("name", &sources.name)
@@ -410,6 +424,65 @@ fn helpers_have_names_of_their_own_and_what_is_refused_changes_nothing() {
             .replace("REAL", real);
         output(&compiled_with(&folder, &sources, &main, &STRICT), &[]);
     }
+}
+
+/// Verdict of both languages on the weights of a state with four components, in single precision or double.
+fn verdicts(program: &Program, q: &SMatrix<f64, 4, 4>, is_single: bool) -> [String; 2] {
+    let text = |error: Option<&dyn std::fmt::Display>| error.map_or("none".to_owned(), ToString::to_string);
+    let own = match is_single {
+        true => Quadratic::new(q.map(|entry| entry as f32), SMatrix::<f32, 1, 1>::identity()).check(),
+        false => Quadratic::new(*q, SMatrix::<f64, 1, 1>::identity()).check(),
+    };
+    let controller = Controller::new().ilqr(pendulum_codegen::Ilqr::new(0.02, 5, q.as_slice(), &[1.0]));
+    let controller = if is_single { controller.single() } else { controller };
+    let printed = controller.print(program);
+    [
+        text(own.as_ref().err().map(|error| error as _)),
+        text(printed.as_ref().err().map(|error| error as _)),
+    ]
+}
+
+#[test]
+fn weights_are_judged_alike() {
+    let program = pendulum_codegen::program(declaration(OWN, "CartPole").parse().expect("tokens")).expect("no errors");
+    let mut random = Random::new(7);
+    let mut seen = [0; 3];
+    for _ in 0..60 {
+        let rank = 1 + (random.between(0.0, 4.0) as usize).min(3);
+        let rows = SMatrix::<f64, 4, 4>::from_fn(|i, _| if i < rank { random.between(-1.0, 1.0) } else { 0.0 });
+        let units = SVector::<f64, 4>::from_fn(|_, _| 10_f64.powi(random.between(-4.0, 4.0) as i32));
+        let exact = SMatrix::from_diagonal(&units) * rows.transpose() * rows * SMatrix::from_diagonal(&units);
+        let is_single = random.between(0.0, 1.0) < 0.5;
+        let epsilon = if is_single {
+            f64::from(f32::EPSILON)
+        } else {
+            f64::EPSILON
+        };
+        // errors far from the limits of both checks, 1e4 and 256 ulps
+        let ulps = [0.0, 2.0, 3e3, 1e6][random.between(0.0, 4.0) as usize];
+        let kind = random.between(0.0, 2.0) as usize;
+        let mut q = exact;
+        let scale = |i: usize| exact[(i, i)].sqrt();
+        match kind {
+            0 => q[(2, 1)] += ulps * epsilon * scale(2) * scale(1),
+            _ => (0..4).for_each(|i| q[(i, i)] -= ulps * epsilon * exact[(i, i)]),
+        }
+        if is_single {
+            q = q.map(|entry| f64::from(entry as f32));
+        }
+        let [own, printed] = verdicts(&program, &q, is_single);
+        assert_eq!(
+            own, printed,
+            "{q:e}, rank {rank}, {ulps} ulps, single precision: {is_single}"
+        );
+        let sort = if own.contains("symmetric") {
+            1
+        } else {
+            2 * usize::from(own != "none")
+        };
+        seen[sort] += 1;
+    }
+    assert!(seen.iter().all(|&number| number > 5), "{seen:?}");
 }
 
 #[test]

@@ -164,9 +164,6 @@ impl Controller {
         if program.with_role(Role::Rhs).is_none() {
             return Err(NoController::NoRightHandSide);
         }
-        if let Some(taken) = program.routines.iter().find(|routine| is_taken(&routine.name)) {
-            return Err(NoController::NameTaken(taken.name.clone()));
-        }
         let (n, m) = (program.layout.len(), program.inputs.len());
         let limits = self.limits_of(m);
         for list in &limits {
@@ -266,22 +263,6 @@ impl Ilqr {
             start: self.start.clone().unwrap_or_else(|| zeros(m * self.steps)),
         }
     }
-}
-
-/// True if a header with a controller may have a function, a type or a constant of this name after the prefix.
-fn is_taken(name: &str) -> bool {
-    let own = [
-        "defaults",
-        "error",
-        "inputs",
-        "model",
-        "project",
-        "work",
-        "rk4_step",
-        "linear_law",
-        "ilqr",
-    ];
-    own.contains(&name) || name.starts_with("ilqr_")
 }
 
 fn length(what: &'static str, list: &[f64], expected: usize) -> Result<(), NoController> {

@@ -4,7 +4,7 @@
 mod block;
 mod controller;
 mod model;
-mod names;
+pub(in crate::emit) mod names;
 mod opencl;
 mod routines;
 mod single;
@@ -31,6 +31,9 @@ pub struct Sources {
 ///
 /// Results equal those of the Rust code bit for bit if `sqrt` and `fabs` are the only platform functions called. The
 /// last bits of other functions differ from platform to platform; those of the Rust code do not.
+///
+/// Functions have their names in Rust after the prefix. Outputs and events with the name of another function or type of
+/// the header, such as `error`, end in an underscore, `pendulum_error_`.
 pub fn c(program: &Program) -> Sources {
     sources(Scene::new(program, snake_case(&program.name)))
 }

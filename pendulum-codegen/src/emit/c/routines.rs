@@ -2,6 +2,7 @@
 
 use super::Scene;
 use super::block::{Calls, Piece, statements};
+use super::names::function;
 use super::template::lines;
 use crate::emit::CORRECTIONS;
 use crate::expr::Precedence;
@@ -131,12 +132,7 @@ impl Scene<'_> {
         });
         let more: String = arguments.chain(results).collect();
         let kind = outs(routine).next().map_or("double", |_| "void");
-        // as in Rust, where `jacobian` returns the matrix alone
-        let name = match routine.name.as_str() {
-            "jacobian" => "rhs_and_jacobian",
-            name => name,
-        };
-        let name = format!("{kind} @name@_{name}");
+        let name = format!("{kind} @name@_{}", function(&routine.name));
         let prototype = format!("{name}(const @name@_model *model, double t, const double x[@length@]{more})");
         self.fill(&prototype, &[]).trim_end().to_owned()
     }

@@ -1,5 +1,6 @@
 //! The header that describes a model to the functions of FMI.
 
+use super::super::c::names::function;
 use super::super::c::template::{fill, lines};
 use crate::program::{Program, Role};
 
@@ -34,7 +35,7 @@ pub(super) fn model(program: &Program, name: &str, token: &str) -> String {
     let call = |function: &str, arguments: &str| format!("{name}_{function}(m, t, x, {arguments});\n");
     let when = |holds: bool, code: String| if holds { code } else { String::new() };
     let events = program.events.iter().enumerate();
-    let events = events.map(|(n, event)| format!("out[{n}] = {name}_{}(m, t, x);", event.name));
+    let events = events.map(|(n, event)| format!("out[{n}] = {name}_{}(m, t, x);", function(&event.name)));
     let derivatives = [
         given.clone(),
         "double rates[LENGTH(STATES)], values[LENGTH(OUTPUTS)];\n(void)rates, (void)values;\n".to_owned(),

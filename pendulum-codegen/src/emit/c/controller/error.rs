@@ -15,8 +15,6 @@ pub enum NoController {
     NoRightHandSide,
     /// The model has a loop without a closed form: the bodies that close it.
     ClosedLoop([String; 2]),
-    /// A function of the model has the name of one of the controller.
-    NameTaken(String),
     /// A list does not have the length that the scene requires.
     Length {
         /// Name of the list.
@@ -95,10 +93,6 @@ impl Display for NoController {
                 f,
                 "the loop of `{a}` and `{b}` has no closed form, and its closure no derivatives\nhelp: plan with a \
                  scene whose loops have closed forms"
-            ),
-            Self::NameTaken(name) => write!(
-                f,
-                "the output or event `{name}` has the name of a function of the controller\nhelp: rename it"
             ),
             Self::Length { what, length, expected } => write!(
                 f,
