@@ -347,6 +347,20 @@ fn what_is_wrong_is_said() {
         let error = text.replacen(from, to, 1).parse::<Tape>().expect_err(to);
         assert_eq!(error.to_string(), format!("line {line} of the tape: {fact}"));
     }
+    // the first constant of the right-hand side follows what is read before it; an operation writes there
+    let rhs = text.find("routine\trhs").expect("a right-hand side");
+    let (before, after) = text[rhs..].split_once("read\tconstant").expect("constants");
+    let reads = before.lines().filter_map(|line| line.strip_prefix("read\t"));
+    let place: usize = reads.map(|read| read.split([' ', '\t']).count() - 1).sum();
+    let operation = after.find("\nmul\t").expect("a product") + "\nmul\t".len();
+    let (start, rest) = (text.len() - after.len() + operation, &after[operation..]);
+    let rest = &rest[rest.find(' ').expect("registers")..];
+    let overwritten = format!("{}{place}{rest}", &text[..start]);
+    let error = overwritten.parse::<Tape>().expect_err("overwritten").to_string();
+    assert!(
+        error.ends_with("an operation writes to the register of a constant or of a number"),
+        "{error}"
+    );
     let tape: Arc<Tape> = Arc::new(text.parse().expect("a tape"));
     let message = |error: ModelError| error.to_string();
     let wrong_length = tape.model::<6, false>(&[1.0; 7]).map(|_| ()).map_err(message);

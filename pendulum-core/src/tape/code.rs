@@ -1,5 +1,8 @@
 //! Operations on registers, and the loop that runs them.
 
+use std::collections::BTreeSet;
+use std::sync::Mutex;
+
 use super::source::{Lists, Source};
 use crate::real::Real;
 use crate::real::lanes::Routine;
@@ -45,6 +48,16 @@ macro_rules! operations {
             pub(super) fn len(&self) -> usize {
                 match self {
                     $(Self::$kind(row) => row.len(),)*
+                }
+            }
+
+            /// Registers that the operations write to.
+            fn results(&self) -> Vec<Register> {
+                match self {
+                    $(Self::$kind(row) => {
+                        let count = [$(stringify!($result)),+].len();
+                        row.iter().flat_map(|registers| &registers[..count]).copied().collect()
+                    })*
                 }
             }
 
@@ -121,11 +134,44 @@ impl Code {
         self.rows.iter().map(Row::len).sum()
     }
 
+    /// True if an operation overwrites a constant or a number.
+    pub(super) fn overwrites(&self) -> bool {
+        let numbers = self.numbers.iter().map(|&(register, _)| register);
+        let constants = self.constants.iter().map(|&(register, _)| register);
+        let kept: BTreeSet<Register> = numbers.chain(constants).collect();
+        self.rows
+            .iter()
+            .flat_map(Row::results)
+            .any(|register| kept.contains(&register))
+    }
+
     /// Runs the code on the constants of the model and the values of variables, and fills one slice after the other
     /// with its results; there may be room for fewer.
     #[inline(always)]
     pub(super) fn run<T: Real>(&self, constants: &[T], lists: &Lists<'_, T>, results: &mut [&mut [T]]) {
         self.on_registers(constants, lists, results);
+    }
+
+    /// Like [`run`](Self::run), on registers that earlier runs on the same constants have set, or that are empty.
+    #[inline(always)]
+    pub(super) fn run_again<T: Real>(
+        &self,
+        registers: &mut Vec<T>,
+        constants: &[T],
+        lists: &Lists<'_, T>,
+        results: &mut [&mut [T]],
+    ) {
+        let mut unset = None;
+        if registers.is_empty() {
+            registers.resize(self.registers, T::default());
+            unset = Some(constants);
+        }
+        let run = Run {
+            registers,
+            constants: unset,
+            lists,
+        };
+        T::call(run, results, self);
     }
 
     /// Like [`run`](Self::run), but passes each result on, with its number.
@@ -168,7 +214,7 @@ impl Code {
     {
         let run = Run {
             registers,
-            constants,
+            constants: Some(constants),
             lists,
         };
         T::call(run, into, self);
@@ -185,10 +231,34 @@ where
     code.interpret(&mut [T::default(); R], constants, lists, into);
 }
 
-/// Registers, constants and values of variables on which a code runs.
+/// Registers of the routines of a model in lanes, which keep constants and numbers: to set them takes as long as the
+/// operations. The locks are free, since each thread has models in lanes of its own.
+#[derive(Debug)]
+pub(super) struct Kept<T>(Box<[Mutex<Vec<T>>]>);
+
+impl<T> Kept<T> {
+    pub(super) fn of(routines: usize) -> Self {
+        Self((0..routines).map(|_| Mutex::default()).collect())
+    }
+
+    /// Registers of a routine.
+    #[inline(always)]
+    pub(super) fn registers(&self, routine: usize) -> Option<&Mutex<Vec<T>>> {
+        self.0.get(routine)
+    }
+}
+
+impl<T> Clone for Kept<T> {
+    fn clone(&self) -> Self {
+        Self::of(self.0.len())
+    }
+}
+
+/// Registers and values of variables on which a code runs.
 struct Run<'a, T> {
     registers: &'a mut [T],
-    constants: &'a [T],
+    /// Constants of the model, unless they are in the registers.
+    constants: Option<&'a [T]>,
     lists: &'a Lists<'a, T>,
 }
 
@@ -224,11 +294,13 @@ impl<'a, T: Real> Run<'a, T> {
     #[inline(always)]
     fn run(self, code: &Code) -> &'a [T] {
         let registers = &mut self.registers[..code.registers];
-        for &(register, number) in &code.numbers {
-            registers[usize::from(register)] = T::from_f64(number);
-        }
-        for &(register, index) in &code.constants {
-            registers[usize::from(register)] = self.constants[index];
+        if let Some(constants) = self.constants {
+            for &(register, number) in &code.numbers {
+                registers[usize::from(register)] = T::from_f64(number);
+            }
+            for &(register, index) in &code.constants {
+                registers[usize::from(register)] = constants[index];
+            }
         }
         for &(register, source, index) in &code.reads {
             registers[usize::from(register)] = self.lists.of(source)[index];

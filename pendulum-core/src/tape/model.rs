@@ -1,10 +1,10 @@
 //! Models of a tape for given parameters.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use nalgebra::SVector;
 
-use super::code::Code;
+use super::code::{Code, Kept};
 use super::error::ModelError;
 use super::source::{Lists, Source};
 use super::{Condition, Routine, Tape};
@@ -31,6 +31,7 @@ pub struct Model<T, const N: usize, const HYBRID: bool = false> {
     pub(super) tape: Arc<Tape>,
     params: Arc<[f64]>,
     constants: Vec<T>,
+    kept: Kept<T>,
     /// Index of the routine for each role, if the tape has it.
     places: [Option<usize>; Role::ALL.len()],
     /// Values of the inputs.
@@ -190,6 +191,7 @@ impl Tape {
             tape: self.clone(),
             params: params.into(),
             constants: self.checked_constants(params)?,
+            kept: Kept::of(0),
             places: self.places()?,
             inputs: vec![0.0; self.inputs.len()],
             active: length,
@@ -340,8 +342,13 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         given: &Given<'_, T>,
         results: &mut [&mut [T]],
     ) {
-        let code = &self.tape.routines[routine].code;
-        code.run(&self.constants, &lists(&t, x, given), results);
+        let (code, lists) = (&self.tape.routines[routine].code, lists(&t, x, given));
+        if const { T::LANES > 1 }
+            && let Some(Ok(mut registers)) = self.kept.registers(routine).map(Mutex::try_lock)
+        {
+            return code.run_again(&mut registers, &self.constants, &lists, results);
+        }
+        code.run(&self.constants, &lists, results);
     }
 
     /// Like [`evaluate`](Self::evaluate), but passes each result on, with its number.
@@ -379,6 +386,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
             tape: self.tape.clone(),
             params: self.params.clone(),
             constants: self.constants.clone(),
+            kept: self.kept.clone(),
             places: self.places,
             inputs: self.inputs.clone(),
             active: self.active,
@@ -386,11 +394,12 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     }
 
     /// Model with these constants and inputs.
-    fn with_numbers<U>(&self, constants: Vec<U>, inputs: Vec<U>) -> Model<U, N, HYBRID> {
+    fn with_numbers<U: Real>(&self, constants: Vec<U>, inputs: Vec<U>) -> Model<U, N, HYBRID> {
         Model {
             tape: self.tape.clone(),
             params: self.params.clone(),
             constants,
+            kept: Kept::of(if U::LANES > 1 { self.tape.routines.len() } else { 0 }),
             places: self.places,
             inputs,
             active: self.active,
@@ -399,6 +408,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
 }
 
 /// Lists that a routine reads.
+#[inline(always)]
 pub(super) fn lists<'a, T, const N: usize>(t: &'a T, x: &'a SVector<T, N>, given: &Given<'a, T>) -> Lists<'a, T> {
     Lists::new()
         .with(Source::Time, core::slice::from_ref(t))

@@ -446,6 +446,9 @@ impl Reader<'_> {
             match Row::new(name, &operands) {
                 Some(row) => code.push(row),
                 None if name == "result" => match results.filter(|&results| results != operands.len()) {
+                    None if code.overwrites() => {
+                        return self.error("an operation writes to the register of a constant or of a number");
+                    }
                     None => {
                         code.results = operands;
                         return Ok(code);

@@ -50,6 +50,7 @@ impl Source {
 pub(super) struct Lists<'a, T>([&'a [T]; Source::ALL.len()]);
 
 impl<'a, T> Lists<'a, T> {
+    #[inline(always)]
     pub(super) fn new() -> Self {
         Self([&[]; Source::ALL.len()])
     }
