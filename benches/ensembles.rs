@@ -9,7 +9,7 @@ use std::time::Instant;
 use nalgebra::SVector;
 use pendulum_core::dense::Dense;
 use pendulum_core::prelude::*;
-use pendulum_core::{Observer, Occurrence, Reason};
+use pendulum_core::{Need, Observer, Occurrence, Reason};
 
 mechanism! {
     /// Two rods of 1 kg and 1 m, joined by a spring with a damper.
@@ -69,8 +69,11 @@ impl Samples {
 }
 
 impl Observer<f64, 4> for Samples {
-    fn looks_into(&self, _t0: f64, t1: f64) -> bool {
-        self.next() < t1
+    fn needs(&self, _t0: f64, t1: f64) -> Need {
+        match self.next() < t1 {
+            true => Need::Inside,
+            false => Need::Nothing,
+        }
     }
 
     fn step(&mut self, dense: &Dense<'_, f64, 4>) {

@@ -119,7 +119,7 @@ pub use method::{
 };
 pub use real::{Float, Real};
 #[cfg(feature = "std")]
-pub use solution::{BelowTolerance, Observer, OutsideSpan, Solution, Unresolved};
+pub use solution::{BelowTolerance, Need, Observer, OutsideSpan, Solution, Unresolved};
 pub use statistics::Statistics;
 pub use system::{
     Acting, Adjoint, Canonical, Cast, CastJacobian, ControlledAdjoint, Energy, FnSystem, IntoState, Jacobian,

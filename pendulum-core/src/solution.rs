@@ -234,15 +234,25 @@ impl<T: Float, const N: usize> Solution<T, N> {
     }
 }
 
+/// Part of a step that an [`Observer`] needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Need {
+    /// Nothing: [`Observer::step`] need not be called.
+    Nothing,
+    /// The ends of the step alone.
+    Ends,
+    /// All states within the step.
+    Inside,
+}
+
 /// Observer of a trajectory during the integration, for
 /// [`ObservedEnsemble::observe`](crate::ObservedEnsemble::observe). A [`Solution`] is an observer that records
 /// everything.
 pub trait Observer<T, const N: usize> {
-    /// True if the states within a step from `t0` to `t1` are needed, which is the default.
-    ///
-    /// If not, [`step`](Self::step) may receive only the ends of the step, which takes less time.
-    fn looks_into(&self, _t0: T, _t1: T) -> bool {
-        true
+    /// The part of a step from `t0` to `t1` that is needed: by default, all of it. [`step`](Self::step) may receive
+    /// more. The less is needed, the less time the step takes.
+    fn needs(&self, _t0: T, _t1: T) -> Need {
+        Need::Inside
     }
 
     /// True if every step is kept; methods with fixed steps then reject more than ten million steps. False by default.
@@ -262,7 +272,7 @@ pub trait Observer<T, const N: usize> {
     /// Called before the first step with the tolerance of the step size control; not called for fixed steps.
     fn within(&mut self, _tolerance: Tolerance<T>) {}
 
-    /// Called after each step, or after the part of a step before an event acts. Steps are contiguous except for jumps.
+    /// Called after each step that is needed, or after the part of a step before an event acts. Steps are contiguous except for jumps.
     fn step(&mut self, dense: &Dense<'_, T, N>);
 
     /// Called when a reset or an impact changes the state at the current time.
@@ -294,8 +304,8 @@ impl<O: Observer<T, N> + ?Sized, T, const N: usize> Observer<T, N> for &mut O {
         (**self).start(t, x);
     }
 
-    fn looks_into(&self, t0: T, t1: T) -> bool {
-        (**self).looks_into(t0, t1)
+    fn needs(&self, t0: T, t1: T) -> Need {
+        (**self).needs(t0, t1)
     }
 
     fn keeps_all(&self) -> bool {

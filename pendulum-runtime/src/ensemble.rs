@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use nalgebra::SVector;
 use pendulum_core::dense::Dense;
 use pendulum_core::tape::ModelError;
-use pendulum_core::{EnsembleError, ObservedEnsemble, Observer, Reason};
+use pendulum_core::{EnsembleError, Need, ObservedEnsemble, Observer, Reason};
 use rayon::prelude::*;
 
 use crate::error::Error;
@@ -77,8 +77,11 @@ impl<const N: usize> Observer<f64, N> for Samples<'_> {
         self.sampler.start(t, x);
     }
 
-    fn looks_into(&self, _t0: f64, t1: f64) -> bool {
-        self.sampler.has_any_until(t1)
+    fn needs(&self, _t0: f64, t1: f64) -> Need {
+        match self.sampler.has_any_until(t1) {
+            true => Need::Inside,
+            false => Need::Nothing,
+        }
     }
 
     fn is_cancelled(&self) -> bool {

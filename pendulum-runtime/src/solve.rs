@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use pendulum_core::dense::Dense;
 use pendulum_core::hybrid::{self, Mode};
 use pendulum_core::{Direction, Statistics, System};
-use pendulum_core::{Event as CoreEvent, Missed, Observer, Occurrence as CoreOccurrence, Reason, Solution};
+use pendulum_core::{Event as CoreEvent, Missed, Need, Observer, Occurrence as CoreOccurrence, Reason, Solution};
 
 use crate::error::Error;
 use crate::method::{Method, Task};
@@ -428,8 +428,11 @@ impl<const N: usize> Observer<f64, N> for Recorder<'_, N> {
         }
     }
 
-    fn looks_into(&self, _t0: f64, t1: f64) -> bool {
-        self.sampler.as_ref().is_none_or(|sampler| sampler.has_any_until(t1))
+    fn needs(&self, _t0: f64, t1: f64) -> Need {
+        match &self.sampler {
+            Some(sampler) if !sampler.has_any_until(t1) => Need::Ends,
+            _ => Need::Inside,
+        }
     }
 
     fn keeps_all(&self) -> bool {

@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use pendulum_core::dense::Dense;
 use pendulum_core::nalgebra::SVector;
 use pendulum_core::{
-    Cast, EnsembleError, Event, Method, ObservedEnsemble, Observer, Occurrence, Reason, Solution, System,
+    Cast, EnsembleError, Event, Method, Need, ObservedEnsemble, Observer, Occurrence, Reason, Solution, System,
 };
 use serde_json::{Value, json};
 
@@ -393,8 +393,11 @@ impl<'s, const N: usize> Seen<'s, N> {
 }
 
 impl<const N: usize> Observer<f64, N> for Seen<'_, N> {
-    fn looks_into(&self, _t0: f64, t1: f64) -> bool {
-        !self.extrema.is_empty() || self.sample_before(t1).is_some()
+    fn needs(&self, _t0: f64, t1: f64) -> Need {
+        match self.extrema.is_empty() && self.sample_before(t1).is_none() {
+            true => Need::Ends,
+            false => Need::Inside,
+        }
     }
 
     fn step(&mut self, dense: &Dense<'_, f64, N>) {

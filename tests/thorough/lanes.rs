@@ -8,7 +8,7 @@ use pendulum_core::method::{Fixed, PowerSeries, Rosenbrock};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::{F32x8, F32x16, F64x4, F64x8, Isa, Kernel, LaneElement, Lanes};
 use pendulum_core::tableau::HairerWanner4;
-use pendulum_core::{Cast, CastJacobian, EnsembleError, Float, Observer, Real, Reason, SolveError};
+use pendulum_core::{Cast, CastJacobian, EnsembleError, Float, Need, Observer, Real, Reason, SolveError};
 use testbed::random::Random;
 use testbed::robots::{Ur5, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
@@ -661,8 +661,11 @@ fn observers_see_what_solutions_keep() {
 struct Third(usize, Vec<SVector<f64, 4>>);
 
 impl Observer<f64, 4> for Third {
-    fn looks_into(&self, _t0: f64, _t1: f64) -> bool {
-        self.0 % 3 == 2
+    fn needs(&self, _t0: f64, _t1: f64) -> Need {
+        match self.0 % 3 {
+            2 => Need::Inside,
+            _ => Need::Ends,
+        }
     }
 
     fn step(&mut self, dense: &Dense<'_, f64, 4>) {
@@ -671,6 +674,59 @@ impl Observer<f64, 4> for Third {
         }
         self.1.push(dense.step().x1);
         self.0 += 1;
+    }
+}
+
+/// Observer of the ends of steps after the first second, which may cancel at once.
+struct Late {
+    ends: Vec<f64>,
+    cancels: bool,
+}
+
+impl Observer<f64, 4> for Late {
+    fn needs(&self, _t0: f64, t1: f64) -> Need {
+        match t1 < 1.0 {
+            true => Need::Nothing,
+            false => Need::Ends,
+        }
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.cancels
+    }
+
+    fn step(&mut self, dense: &Dense<'_, f64, 4>) {
+        self.ends.push(dense.step().t1);
+    }
+}
+
+#[test]
+fn steps_that_no_observer_needs_are_left_out() {
+    let (models, starts) = pendulums(20);
+    let late = |cancels| Late {
+        ends: Vec::new(),
+        cancels,
+    };
+    for isa in Isa::available() {
+        let mut seen: Vec<_> = (0..20).map(|n| late(n % 3 == 2)).collect();
+        let ended = Tsit5::new().observe_on(isa, &models, (0.0, 2.0), &starts, |_| &[], &mut seen);
+        let Err(EnsembleError::Stopped { stopped, .. }) = ended else {
+            panic!("{isa:?}: none was cancelled");
+        };
+        let mut cancelled: Vec<_> = stopped.iter().map(|own| own.index).collect();
+        cancelled.sort_unstable();
+        assert_eq!(cancelled, [2, 5, 8, 11, 14, 17], "{isa:?}");
+        assert!(
+            stopped
+                .iter()
+                .all(|own| own.reason == Reason::Cancelled && own.t > 0.0 && own.t < 1.0)
+        );
+        for (n, seen) in seen.iter().enumerate().filter(|(_, seen)| !seen.cancels) {
+            let mut alone = late(false);
+            let ended = Tsit5::new().follow(&models[n], 0.0, 2.0, starts[n], &[], &mut alone);
+            ended.expect("regular");
+            assert!(alone.ends == seen.ends && seen.ends[0] >= 1.0, "{isa:?}, {n}");
+        }
     }
 }
 

@@ -17,6 +17,7 @@ use crate::method::{
     place, toggle,
 };
 use crate::real::lanes::{Kernel, LaneElement, Lanes};
+use crate::solution::Need;
 use crate::statistics::Statistics;
 use crate::system::{Cast, System};
 
@@ -240,26 +241,34 @@ where
         within: &mut Vec<SVector<T, N>>,
     ) {
         let span = |lane: usize| (step.t0.lane(lane), step.t1.lane(lane));
-        let mut looks = [false; MOST_LANES];
+        let mut needs = [Need::Nothing; MOST_LANES];
         for (lane, index) in members.busy(V::LANES) {
-            looks[lane] = members.is_accepted(lane) && self.watch.looks_into(index, span(lane));
+            if members.is_accepted(lane) {
+                needs[lane] = self.watch.needs(index, span(lane));
+            }
         }
         let mut work = Statistics::default();
-        if looks[..V::LANES].contains(&true) {
+        if needs[..V::LANES].contains(&Need::Inside) {
             scheme.dense(system, step, &mut work);
         }
         for (lane, index) in members.busy_at_first(V::LANES) {
-            if !members.is_accepted(lane) {
-                continue;
-            }
-            let looks_into = looks[lane].then(|| (scheme.coefficients_in(lane), scheme.work_in(lane, &work)));
-            match show_lane(&mut self.watch, (lane, index), step, looks_into, within) {
+            let inside = match needs[lane] {
+                Need::Nothing => continue,
+                Need::Ends => None,
+                Need::Inside => Some((scheme.coefficients_in(lane), scheme.work_in(lane, &work))),
+            };
+            match show_lane(&mut self.watch, (lane, index), step, inside, within) {
                 Ok(None) => {}
                 Ok(Some(x)) => self.leave(members, (lane, index), x),
                 Err(early) => {
                     members.t[lane] = early.t;
                     self.stop(members, (lane, index), early.x, early.reason);
                 }
+            }
+        }
+        for (lane, index) in members.busy_at_first(V::LANES) {
+            if members.is_accepted(lane) && self.watch.is_cancelled(index) {
+                self.stop(members, (lane, index), in_lane(&step.x1, lane), Reason::Cancelled);
             }
         }
     }

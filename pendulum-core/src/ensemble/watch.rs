@@ -9,7 +9,7 @@ use crate::event::Event;
 use crate::method::{Early, Scheme, Search, Stepper, follow, see};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
-use crate::solution::Observer;
+use crate::solution::{Need, Observer};
 use crate::statistics::Statistics;
 use crate::step_size::Tolerance;
 use crate::system::System;
@@ -48,8 +48,11 @@ pub trait Watch<T: Float, const N: usize> {
         work: &Statistics,
     ) -> Result<(), Reason>;
 
-    /// True if the states within a step will be evaluated.
-    fn looks_into(&self, index: usize, span: (T, T)) -> bool;
+    /// The part of a step that will be evaluated.
+    fn needs(&self, index: usize, span: (T, T)) -> Need;
+
+    /// True if a trajectory is stopped by its observer.
+    fn is_cancelled(&self, index: usize) -> bool;
 
     /// Receives a step of a lane. Returns the state at a terminal event in this step, if there is one.
     fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Early<T, N>>;
@@ -61,20 +64,20 @@ pub trait Watch<T: Float, const N: usize> {
     fn finish(&mut self, index: usize);
 }
 
-/// Passes the step of a lane to [`Watch::see`] and returns its result. `looks_into` holds the coefficients of the dense
+/// Passes the step of a lane to [`Watch::see`] and returns its result. `inside` holds the coefficients of the dense
 /// output and the evaluations they took, if the states within the step will be evaluated.
 #[inline(always)]
 pub(super) fn show_lane<V: Lanes, W: Watch<V::Scalar, N>, const N: usize>(
     watch: &mut W,
     (lane, index): (usize, usize),
     step: &Step<V, N>,
-    looks_into: Option<(&[SVector<V, N>], Statistics)>,
+    inside: Option<(&[SVector<V, N>], Statistics)>,
     within: &mut Vec<SVector<V::Scalar, N>>,
 ) -> Result<Option<SVector<V::Scalar, N>>, Early<V::Scalar, N>> {
     let end = |t: V, x: &SVector<V, N>| (t.lane(lane), in_lane(x, lane));
     let step = Step::new(end(step.t0, &step.x0), end(step.t1, &step.x1));
     within.clear();
-    if let Some((coefficients, work)) = looks_into {
+    if let Some((coefficients, work)) = inside {
         for coefficient in coefficients {
             within.push(in_lane(coefficient, lane));
         }
@@ -121,7 +124,11 @@ impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
         Ok(())
     }
 
-    fn looks_into(&self, _index: usize, _span: (T, T)) -> bool {
+    fn needs(&self, _index: usize, _span: (T, T)) -> Need {
+        Need::Nothing
+    }
+
+    fn is_cancelled(&self, _index: usize) -> bool {
         false
     }
 
@@ -199,13 +206,21 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         Ok(())
     }
 
-    fn looks_into(&self, index: usize, (t0, t1): (T, T)) -> bool {
-        !self.events[index].is_empty() || self.observers[index].looks_into(t0, t1)
+    fn needs(&self, index: usize, (t0, t1): (T, T)) -> Need {
+        if self.events[index].is_empty() {
+            self.observers[index].needs(t0, t1)
+        } else {
+            Need::Inside
+        }
+    }
+
+    fn is_cancelled(&self, index: usize) -> bool {
+        self.observers[index].is_cancelled()
     }
 
     fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Early<T, N>> {
         let observer = &mut self.observers[index];
-        let seen = match &mut self.searches[index] {
+        match &mut self.searches[index] {
             Some(search) if !self.events[index].is_empty() => {
                 // Trajectories with resets are integrated alone, so the state is kept here.
                 Ok(see(search, dense, observer, |_, x| Ok(*x))?.map(|stop| stop.x))
@@ -214,12 +229,7 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
                 observer.step(dense);
                 Ok(None)
             }
-        };
-        if observer.is_cancelled() {
-            let step = dense.step();
-            return Err(Early::at((step.t1, step.x1))(Reason::Cancelled));
         }
-        seen
     }
 
     fn work(&mut self, index: usize, work: &Statistics) {

@@ -11,7 +11,7 @@ use crate::error::{ParameterError, Reason};
 use crate::layout::StateLayout;
 use crate::method::Method;
 use crate::real::Real;
-use crate::solution::Observer;
+use crate::solution::{Need, Observer};
 use crate::system::{Parametric, System};
 
 /// Number of variables of a dual number: as many as a vector register holds. More variables are computed in parts, each
@@ -254,8 +254,11 @@ impl<S, const N: usize, const K: usize> Observer<Dual<f64, K>, N> for Sampler<'_
 where
     S: System<Dual<f64, K>, N>,
 {
-    fn looks_into(&self, _t0: Dual<f64, K>, t1: Dual<f64, K>) -> bool {
-        self.times.get(self.next).is_some_and(|&t| t <= t1.value)
+    fn needs(&self, _t0: Dual<f64, K>, t1: Dual<f64, K>) -> Need {
+        match self.times.get(self.next) {
+            Some(&t) if t <= t1.value => Need::Inside,
+            _ => Need::Nothing,
+        }
     }
 
     fn step(&mut self, dense: &Dense<'_, Dual<f64, K>, N>) {

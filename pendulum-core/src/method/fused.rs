@@ -9,7 +9,7 @@ use crate::event::{Event, Missed, Occurrence};
 use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::method::{Adaptive, Fixed, Method, watch};
 use crate::real::Fused;
-use crate::solution::{Observer, Solution};
+use crate::solution::{Need, Observer, Solution};
 use crate::statistics::Statistics;
 use crate::step_size::Tolerance;
 use crate::system::{Cast, IntoState};
@@ -206,8 +206,8 @@ impl<O: Observer<f64, N>, const N: usize> Observer<Fused<f64>, N> for Plain<'_, 
         self.0.is_cancelled()
     }
 
-    fn looks_into(&self, t0: Fused<f64>, t1: Fused<f64>) -> bool {
-        self.0.looks_into(t0.0, t1.0)
+    fn needs(&self, t0: Fused<f64>, t1: Fused<f64>) -> Need {
+        self.0.needs(t0.0, t1.0)
     }
 
     fn keeps_all(&self) -> bool {

@@ -161,14 +161,14 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     /// ```
     /// use pendulum_core::dense::Dense;
     /// use pendulum_core::prelude::*;
-    /// use pendulum_core::{Observer, Reason};
+    /// use pendulum_core::{Need, Observer, Reason};
     ///
     /// /// The greatest height among the ends of steps.
     /// struct Top(f64);
     ///
     /// impl Observer<f64, 2> for Top {
-    ///     fn looks_into(&self, _t0: f64, _t1: f64) -> bool {
-    ///         false
+    ///     fn needs(&self, _t0: f64, _t1: f64) -> Need {
+    ///         Need::Ends
     ///     }
     ///
     ///     fn step(&mut self, dense: &Dense<'_, f64, 2>) {

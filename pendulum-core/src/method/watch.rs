@@ -11,7 +11,7 @@ use crate::method::input::{of_reset, place};
 use crate::method::scheme::Scheme;
 use crate::method::search::{Found, Search, What};
 use crate::real::Float;
-use crate::solution::{Observer, Solution};
+use crate::solution::{Need, Observer, Solution};
 use crate::step_size::Tolerance;
 use crate::system::System;
 
@@ -135,10 +135,10 @@ where
             restarted.map_err(Early::at((step.t0, step.x0)))?;
         }
         if events.is_empty() {
-            if observer.looks_into(step.t0, step.t1) {
-                observe(&stepper.dense(), T::from_f64(1.0), observer);
-            } else {
-                observer.step(&Dense::new(step, &[]));
+            match observer.needs(step.t0, step.t1) {
+                Need::Nothing => {}
+                Need::Ends => observer.step(&Dense::new(step, &[])),
+                Need::Inside => observe(&stepper.dense(), T::from_f64(1.0), observer),
             }
             continue;
         }

@@ -84,7 +84,7 @@ impl<R: Fuse> Register for Fused<R> {
     }
 
     #[inline(always)]
-    fn lane(self, i: usize) -> Fused<f64> {
+    fn lane(&self, i: usize) -> Fused<f64> {
         Fused(self.0.lane(i))
     }
 

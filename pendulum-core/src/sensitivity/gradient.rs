@@ -7,7 +7,7 @@ use crate::dual::{Dual, variables};
 use crate::error::Reason;
 use crate::method::{AdjointStep, DiscreteAdjoint, Method};
 use crate::real::{Float, Real};
-use crate::solution::Observer;
+use crate::solution::{Need, Observer};
 use crate::system::{Adjoint, IntoState};
 
 /// Maximum number of states that are kept.
@@ -184,8 +184,8 @@ impl<T, const N: usize> Checkpoints<T, N> {
 }
 
 impl<T: Float, const N: usize> Observer<T, N> for Checkpoints<T, N> {
-    fn looks_into(&self, _t0: T, _t1: T) -> bool {
-        false
+    fn needs(&self, _t0: T, _t1: T) -> Need {
+        Need::Ends
     }
 
     fn step(&mut self, dense: &Dense<'_, T, N>) {

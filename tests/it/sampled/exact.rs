@@ -5,7 +5,7 @@ use pendulum_core::control::{Held, Sampled};
 use pendulum_core::dense::Dense;
 use pendulum_core::dual::Dual;
 use pendulum_core::prelude::*;
-use pendulum_core::{InputLaw, Observer, Statistics, WithInputs};
+use pendulum_core::{InputLaw, Need, Observer, Statistics, WithInputs};
 
 use super::{HOLD, Robot, RobotInputs, START, Wave, cart, robot, tight};
 
@@ -14,8 +14,8 @@ use super::{HOLD, Robot, RobotInputs, START, Wave, cart, robot, tight};
 struct Work(Statistics);
 
 impl<T, const N: usize> Observer<T, N> for Work {
-    fn looks_into(&self, _t0: T, _t1: T) -> bool {
-        false
+    fn needs(&self, _t0: T, _t1: T) -> Need {
+        Need::Nothing
     }
 
     fn step(&mut self, _dense: &Dense<'_, T, N>) {}

@@ -10,7 +10,7 @@ use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::inputs::{Controlled, WithInputs};
 use crate::method::{Method, Scheme, Stepper, check_start, follow, require};
 use crate::real::Float;
-use crate::solution::{Observer, Solution};
+use crate::solution::{Need, Observer, Solution};
 use crate::statistics::Statistics;
 use crate::step_size::Tolerance;
 use crate::system::{IntoState, System};
@@ -190,8 +190,8 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Observer<T, N> for Legwise<'_,
         self.has_started = true;
     }
 
-    fn looks_into(&self, t0: T, t1: T) -> bool {
-        self.observer.looks_into(t0, t1)
+    fn needs(&self, t0: T, t1: T) -> Need {
+        self.observer.needs(t0, t1)
     }
 
     fn keeps_all(&self) -> bool {

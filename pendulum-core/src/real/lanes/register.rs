@@ -31,7 +31,7 @@ pub trait Register:
     /// Sets each lane to `f(lane)`.
     fn from_fn(f: &mut impl FnMut(usize) -> Self::Scalar) -> Self;
     /// Returns the number in lane `i < LANES`.
-    fn lane(self, i: usize) -> Self::Scalar;
+    fn lane(&self, i: usize) -> Self::Scalar;
     /// Sets the lanes to the first numbers of a slice.
     #[inline(always)]
     fn load(from: &[Self::Scalar]) -> Self {
@@ -100,8 +100,8 @@ macro_rules! one_lane {
             }
 
             #[inline(always)]
-            fn lane(self, _: usize) -> Self {
-                self
+            fn lane(&self, _: usize) -> Self {
+                *self
             }
 
             #[inline(always)]
@@ -226,7 +226,7 @@ impl<R: Register> Register for Pair<R> {
     }
 
     #[inline(always)]
-    fn lane(self, i: usize) -> R::Scalar {
+    fn lane(&self, i: usize) -> R::Scalar {
         if i < R::LANES {
             self.0.lane(i)
         } else {

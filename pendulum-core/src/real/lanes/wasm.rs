@@ -62,7 +62,7 @@ impl Register for V64 {
     }
 
     #[inline(always)]
-    fn lane(self, i: usize) -> f64 {
+    fn lane(&self, i: usize) -> f64 {
         if i == 0 {
             f64x2_extract_lane::<0>(self.0)
         } else {

@@ -56,6 +56,12 @@ macro_rules! register {
                 // SAFETY: a vector has the layout of the array of its lanes, and all bit patterns are valid.
                 unsafe { transmute::<$vector, [$scalar; $lanes]>(self.0) }
             }
+
+            #[inline(always)]
+            fn as_array(&self) -> &[$scalar; $lanes] {
+                // SAFETY: as above, and a vector is aligned to more than its lanes.
+                unsafe { transmute::<&$vector, &[$scalar; $lanes]>(&self.0) }
+            }
         }
 
         impl Register for $name {
@@ -100,8 +106,9 @@ macro_rules! register {
             }
 
             #[inline(always)]
-            fn lane(self, i: usize) -> $scalar {
-                self.to_array()[i]
+            fn lane(&self, i: usize) -> $scalar {
+                // by reference, so that vectors in memory are not copied for each of their lanes
+                self.as_array()[i]
             }
 
             #[inline(always)]
