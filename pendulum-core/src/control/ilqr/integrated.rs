@@ -124,6 +124,6 @@ where
     S: Controlled<T, N, M>,
     T: Float,
 {
-    let system = WithInputs::of(model, Held::new(u));
+    let system = WithInputs::of(model, Held(u));
     method.stepper(&system, t0, t1, x)?.run()
 }

@@ -153,7 +153,15 @@ where
     {
         let x0 = x0.into_state();
         self.check(model, t0, &x0)?;
-        let cost_before = self.forward(model, t0, &x0, T::default())?;
+        self.checked_pass(model, t0, &x0)
+    }
+
+    /// A [pass](Self::pass) with settings, a time and a state that have been checked.
+    pub(super) fn checked_pass<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>) -> Result<Pass<T>, IlqrError>
+    where
+        S: StepMap<T, N, M>,
+    {
+        let cost_before = self.forward(model, t0, x0, T::default())?;
         let promise = self.backward(model, t0)?;
         self.plan = self.trial;
         if promise.of(T::from_f64(1.0)) <= T::from_f64(ROUNDING_ULPS) * T::EPSILON * cost_before.abs() {
@@ -164,7 +172,7 @@ where
                 share: T::default(),
             });
         }
-        let (cost, share) = match self.line_search(model, t0, &x0, (cost_before, promise)) {
+        let (cost, share) = match self.line_search(model, t0, x0, (cost_before, promise)) {
             Some((cost, share)) => {
                 self.damping.decay();
                 (cost, share)
@@ -263,7 +271,7 @@ where
 }
 
 /// Checks that a time and a state are finite.
-pub(super) fn check_start<T: Float, const N: usize>(t: T, x: &SVector<T, N>) -> Result<(), IlqrError> {
+fn check_start<T: Float, const N: usize>(t: T, x: &SVector<T, N>) -> Result<(), IlqrError> {
     let what = if !t.is_finite() {
         "the time"
     } else if !x.iter().all(|component| component.is_finite()) {
