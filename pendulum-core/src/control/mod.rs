@@ -86,6 +86,8 @@ pub use output_feedback::{Estimate, OutputFeedback};
 pub use regulator::{LinearLaw, Regulator};
 #[cfg(feature = "std")]
 pub use sampled::SampledSolution;
-pub use sampled::{Components, Controller, Held, MAX_DELAY, Outputs, Pid, PidState, Sample, Sampled, WholeState};
+pub use sampled::{
+    Commanded, Components, Controller, Held, MAX_DELAY, Outputs, Pid, PidState, Sample, Sampled, WholeState,
+};
 #[cfg(feature = "std")]
 pub use state_space::{StateSpace, linearize};

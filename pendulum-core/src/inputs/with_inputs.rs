@@ -116,10 +116,6 @@ impl<S, L, const M: usize> WithInputs<S, L, M> {
     pub(crate) const fn of(system: S, law: L) -> Self {
         Self { system, law }
     }
-
-    pub(crate) const fn law(&self) -> &L {
-        &self.law
-    }
 }
 
 impl<T, S, L, const N: usize, const M: usize> System<T, N> for WithInputs<S, L, M>

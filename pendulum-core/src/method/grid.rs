@@ -93,7 +93,7 @@ impl<T: Float> Grid<T> {
     }
 
     fn largest(&self) -> T {
-        self.t0.abs().max(self.t1.abs())
+        self.t0.abs().at_least(self.t1.abs())
     }
 }
 

@@ -89,6 +89,13 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         Isa::run_routine(Begin(hold), self, system)
     }
 
+    /// Adds the length of the last step to the failure to begin at its end.
+    #[inline]
+    pub(super) fn begun_anew(&self, begun: Result<SVector<T, N>, Reason>) -> Result<(), Reason> {
+        let h = self.last.h.to_f64();
+        begun.map(drop).map_err(|reason| NonFinite::after(reason, h))
+    }
+
     /// Computes the dense output of the last step.
     pub(super) fn find_dense<S>(&mut self, system: &S, hold: &Hold<T>)
     where
@@ -321,9 +328,8 @@ where
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run(self, smooth: &mut Smooth<C, T, N>, system: &S) -> Self::Output {
-        let h = smooth.last.h.to_f64();
         let begun = Begin(&self.0.hold).run(smooth, system);
-        begun.map_err(|reason| NonFinite::after(reason, h))?;
+        smooth.begun_anew(begun)?;
         TakeStep(self.0).run(smooth, system)
     }
 }

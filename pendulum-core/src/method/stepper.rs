@@ -12,7 +12,7 @@ use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::hybrid::{self, Ambiguity, InMode, MAX_CONSTRAINTS, Mode, Modes};
 use crate::method::input::{place, require};
-use crate::method::scheme::{NonFinite, Scheme};
+use crate::method::scheme::Scheme;
 use crate::method::smooth::{Smooth, Steps};
 #[cfg(feature = "std")]
 use crate::method::step_control::{Pace, StepControl};
@@ -254,8 +254,8 @@ where
     /// Begins anew where the right-hand side has changed. If it `jumps`, a hybrid system enters the mode that follows.
     pub(crate) fn begin_anew(&mut self, jumps: bool) -> Result<(), Reason> {
         if self.system.hybrid().is_none() {
-            let h = self.smooth.last.h.to_f64();
-            self.begin().map(drop).map_err(|reason| NonFinite::after(reason, h))?;
+            let begun = self.begin();
+            self.smooth.begun_anew(begun)?;
         } else if jumps {
             self.restart(self.t(), self.x())?;
         }

@@ -1,7 +1,7 @@
 //! Motions between samples: exact, at the cost of the steps.
 
 use nalgebra::SVector;
-use pendulum_core::control::{Held, Sampled};
+use pendulum_core::control::{Commanded, Sampled};
 use pendulum_core::dense::Dense;
 use pendulum_core::dual::Dual;
 use pendulum_core::prelude::*;
@@ -94,7 +94,7 @@ fn a_record_has_the_end_and_is_held_between_samples() {
 /// Evaluations of 10 s at 1 kHz, relative to those of 10,000 plain steps.
 fn share<A>(method: &A) -> f64
 where
-    A: Method<WithInputs<Robot, Held<f64, 2>, 2>, f64, 4>,
+    A: for<'c> Method<WithInputs<Robot, Commanded<'c, f64, 2>, 2>, f64, 4>,
     A: Method<WithInputs<Robot, fn(f64, &SVector<f64, 4>) -> RobotInputs, 2>, f64, 4>,
 {
     let (mut sampled, mut plain) = (Work::default(), Work::default());

@@ -34,12 +34,14 @@ impl<T: Float> Promise<T> {
 /// The backward pass of the motion in `trial`, which starts at the time `t0`. The diagonal of the second derivatives by
 /// the inputs grows by the factor `1 + damping` (D. W. Marquardt, SIAM J. Appl. Math. 11 (1963) 431), whatever their
 /// units.
-pub(super) struct Backward<T> {
+pub(super) struct Backward<'t, T, const M: usize, const K: usize> {
     pub(super) t0: T,
     pub(super) damping: T,
+    /// Difference of the gradient by the inputs from that of `trial`, at a kink of the cost.
+    pub(super) tilt: Option<&'t [[T; M]; K]>,
 }
 
-impl<C, S, T, const N: usize, const M: usize, const K: usize> Routine<Ilqr<C, T, N, M, K>, S> for Backward<T>
+impl<C, S, T, const N: usize, const M: usize, const K: usize> Routine<Ilqr<C, T, N, M, K>, S> for Backward<'_, T, M, K>
 where
     C: Objective<T, N, M>,
     S: StepMap<T, N, M>,
@@ -71,7 +73,12 @@ where
             let (to_a, to_b) = (transposed(a), transposed(b));
             let by_b = product(&hessian, b);
             let by_x = plus_product(scaled(h, &of_cost.x), &to_a, &gradient);
-            let by_u = plus_product(scaled(h, &of_cost.u), &to_b, &gradient);
+            let mut by_u = plus_product(scaled(h, &of_cost.u), &to_b, &gradient);
+            if const { S::HAS_KINKS }
+                && let Some(tilt) = self.tilt
+            {
+                by_u = plus(&by_u, &tilt[k].into());
+            }
             let xx = plus_product(scaled(h, &of_cost.xx), &to_a, &product(&hessian, a));
             let xu = plus_product(scaled(h, &of_cost.xu), &to_a, &by_b);
             let uu = plus_product(scaled(h, &of_cost.uu), &to_b, &by_b);

@@ -73,8 +73,8 @@ pub enum IlqrError {
         /// Reason of the method.
         reason: Reason,
     },
-    /// No step in the direction of the search decreases the cost: the derivatives are wrong, or the motion is at a kink
-    /// of the cost.
+    /// No step in the direction of the search decreases the cost: the derivatives are wrong, or the motion is at a jump
+    /// or kink of the cost.
     NoDecrease {
         /// Number of iterations.
         iterations: usize,
@@ -173,7 +173,7 @@ impl fmt::Display for IlqrError {
                 f,
                 "no step decreases the cost of {cost} after {iterations} iterations, although its derivatives promise \
                  {promised:.1e}\nhelp: check the derivatives of the model and of the cost, or raise the tolerance; with \
-                 mode switches the best motion, which is kept, may be at a kink of the cost"
+                 mode switches the best motion, which is kept, may be at a jump or kink of the cost"
             ),
             Self::TooManyIterations {
                 iterations,

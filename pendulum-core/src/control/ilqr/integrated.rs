@@ -43,9 +43,12 @@ use crate::real::Float;
 ///
 /// - Where friction holds, small forces change nothing, and their derivatives are zero: start from inputs that break
 ///   the joint away.
-/// - The cost has a kink where a mode begins or ends at a node, and a jump where an impact at a node changes a rate
-///   that the running cost weighs. The best motion may be there: then [`solve`](super::Ilqr::solve) ends with
-///   [`NoDecrease`](super::IlqrError::NoDecrease), and keeps it.
+/// - The cost has a kink where a mode begins or ends at a node, and the best motion is often there. Where no step
+///   decreases the cost, [`solve`](super::Ilqr::solve) also tries the inputs without the gains, which respond to the
+///   jump of the state at an impact, and then goes along the kink. Along several of them it is slow: it ends after ten
+///   decreases in a row below the tolerance.
+/// - The cost has a jump where an impact at a node changes a rate that the running cost weighs. Then `solve` may end
+///   with [`NoDecrease`](super::IlqrError::NoDecrease), and keeps the best motion.
 /// - A step that has no derivatives, such as one that only touches a stop, is
 ///   [`StepFailed`](super::IlqrError::StepFailed).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +76,8 @@ where
         + Method<Differentiated<S, N, M, N>, Dual<f64, N>, N>
         + Method<Differentiated<S, N, M, M>, Dual<f64, M>, N>,
 {
+    const HAS_KINKS: bool = S::HYBRID;
+
     type Error = Reason;
 
     fn step(&self, t: f64, h: f64, x: &SVector<f64, N>, u: &[f64; M]) -> Result<SVector<f64, N>, Reason> {
@@ -124,6 +129,6 @@ where
     S: Controlled<T, N, M>,
     T: Float,
 {
-    let system = WithInputs::of(model, Held::new(u));
+    let system = WithInputs::of(model, Held(u));
     method.stepper(&system, t0, t1, x)?.run()
 }

@@ -6,6 +6,7 @@ mod cost;
 mod error;
 mod forward;
 mod integrated;
+mod kink;
 mod matrix;
 mod predictive;
 mod search;

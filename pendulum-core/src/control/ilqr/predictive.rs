@@ -2,7 +2,6 @@
 
 use nalgebra::SVector;
 
-use super::search::check_start;
 use super::{Ilqr, IlqrError, Objective, StepMap};
 use crate::control::Controller;
 use crate::real::Float;
@@ -65,7 +64,7 @@ where
 
     fn sample(&self, t: T, measured: &SVector<T, N>, state: &mut Self::State) -> [T; M] {
         // before the plan moves on: a time that is not finite would spoil its clock
-        if let Err(failure) = check_start(t, measured) {
+        if let Err(failure) = state.ilqr.check(&self.model, t, measured) {
             state.failure = Some(failure);
             return [T::from_f64(f64::NAN); M];
         }
@@ -83,7 +82,7 @@ where
             start = t;
         }
         state.t = Some(start);
-        match state.ilqr.pass(&self.model, t, *measured) {
+        match state.ilqr.checked_pass(&self.model, t, measured) {
             Ok(_) => {
                 state.failure = None;
                 state.ilqr.plan.u[0]

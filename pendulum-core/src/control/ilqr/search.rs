@@ -19,6 +19,8 @@ const DAMPING_FACTOR: f64 = 2.0;
 const LEAST_DAMPING: f64 = 1e-6;
 /// Damping after which the search ends.
 const LARGEST_DAMPING: f64 = 1e8;
+/// Number of decreases in a row below the tolerance after which a search among kinks ends.
+const PATIENCE: usize = 10;
 /// Decrease of the cost put down to rounding, in ulps.
 const ROUNDING_ULPS: f64 = 64.0;
 
@@ -82,7 +84,8 @@ where
     /// Searches for the motion of least cost from the state `x0` at `t0`, beginning with the inputs and gains of the
     /// last motion, or the inputs of [`start`](Self::start).
     ///
-    /// The motion found is a local minimum: other starts may lead to others.
+    /// The motion found is a local minimum: other starts may lead to others. Through mode switches the search also ends
+    /// after ten decreases in a row below the tolerance.
     ///
     /// # Errors
     /// Settings out of range, [`IlqrError::Diverged`], [`IlqrError::StepFailed`], [`IlqrError::NotConvex`],
@@ -99,8 +102,9 @@ where
         // where the least cost is zero, that of rounding errors of the motion remains
         let least = ulps * T::EPSILON * cost.abs();
         let mut decrease = T::default();
+        let (mut tilt, mut small) = (None, 0);
         for iterations in 1..=self.max_iterations {
-            let promise = self.backward(model, t0)?;
+            let promise = self.backward(model, t0, tilt.as_ref())?;
             if iterations == 1 {
                 self.plan = self.trial;
             }
@@ -109,16 +113,31 @@ where
             if is_converged || promised <= ulps * cost.abs() + least {
                 return Ok(Solved { cost, iterations });
             }
-            match self.line_search(model, t0, &x0, (cost, promise)) {
+            let mut found = self.line_search(model, t0, &x0, (cost, promise));
+            if const { S::HAS_KINKS } && found.is_none() {
+                found = self.line_search_without_gains(model, t0, &x0, (cost, promise));
+            }
+            match found {
                 Some((next, share)) => {
                     decrease = cost - next;
                     cost = next;
+                    tilt = None;
+                    small = if decrease > self.tolerance * cost.abs() {
+                        0
+                    } else {
+                        small + 1
+                    };
+                    if const { S::HAS_KINKS } && small == PATIENCE {
+                        return Ok(Solved { cost, iterations });
+                    }
                     if share == T::from_f64(1.0) {
                         self.damping.decay();
                     }
                 }
+                None if const { S::HAS_KINKS } && self.tilt(model, t0, &mut tilt, promised) => {}
                 None => {
                     self.trial = self.plan;
+                    tilt = None;
                     self.damping.grow();
                     if self.damping.value > T::from_f64(LARGEST_DAMPING) {
                         let (cost, promised) = (cost.to_f64(), promised.to_f64());
@@ -153,8 +172,16 @@ where
     {
         let x0 = x0.into_state();
         self.check(model, t0, &x0)?;
-        let cost_before = self.forward(model, t0, &x0, T::default())?;
-        let promise = self.backward(model, t0)?;
+        self.checked_pass(model, t0, &x0)
+    }
+
+    /// A [pass](Self::pass) with settings, a time and a state that have been checked.
+    pub(super) fn checked_pass<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>) -> Result<Pass<T>, IlqrError>
+    where
+        S: StepMap<T, N, M>,
+    {
+        let cost_before = self.forward(model, t0, x0, T::default())?;
+        let promise = self.backward(model, t0, None)?;
         self.plan = self.trial;
         if promise.of(T::from_f64(1.0)) <= T::from_f64(ROUNDING_ULPS) * T::EPSILON * cost_before.abs() {
             self.damping.decay();
@@ -164,7 +191,7 @@ where
                 share: T::default(),
             });
         }
-        let (cost, share) = match self.line_search(model, t0, &x0, (cost_before, promise)) {
+        let (cost, share) = match self.line_search(model, t0, x0, (cost_before, promise)) {
             Some((cost, share)) => {
                 self.damping.decay();
                 (cost, share)
@@ -182,12 +209,12 @@ where
     }
 
     /// The backward pass along `trial`, which is not yet the plan: a pass that fails leaves that as it was.
-    fn backward<S>(&mut self, model: &S, t0: T) -> Result<Promise<T>, IlqrError>
+    pub(super) fn backward<S>(&mut self, model: &S, t0: T, tilt: Option<&[[T; M]; K]>) -> Result<Promise<T>, IlqrError>
     where
         S: StepMap<T, N, M>,
     {
         let damping = self.damping.value;
-        Isa::run_routine(Backward { t0, damping }, self, model)
+        Isa::run_routine(Backward { t0, damping, tilt }, self, model)
     }
 
     fn forward<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>, share: T) -> Result<T, IlqrError>
@@ -199,7 +226,7 @@ where
 
     /// Takes the largest share of the change of the inputs that decreases the cost enough. Returns the cost and the
     /// share, or `None` if there is none.
-    fn line_search<S>(
+    pub(super) fn line_search<S>(
         &mut self,
         model: &S,
         t0: T,
@@ -263,7 +290,7 @@ where
 }
 
 /// Checks that a time and a state are finite.
-pub(super) fn check_start<T: Float, const N: usize>(t: T, x: &SVector<T, N>) -> Result<(), IlqrError> {
+fn check_start<T: Float, const N: usize>(t: T, x: &SVector<T, N>) -> Result<(), IlqrError> {
     let what = if !t.is_finite() {
         "the time"
     } else if !x.iter().all(|component| component.is_finite()) {

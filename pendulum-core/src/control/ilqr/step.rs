@@ -23,6 +23,9 @@ use crate::system::ActsWith;
     note = "`mechanism!` implements `Controlled` for scenes with inputs where `generate` has `rhs`"
 )]
 pub trait StepMap<T: Float, const N: usize, const M: usize> {
+    /// True if steps go through mode switches, so that the cost of a motion has kinks. Default: false.
+    const HAS_KINKS: bool = false;
+
     /// Reason why a step fails; [`Infallible`] if none does.
     type Error: fmt::Debug + Into<Reason>;
 

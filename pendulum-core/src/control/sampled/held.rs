@@ -13,35 +13,21 @@ use crate::real::lanes::Lanes;
 #[cfg(feature = "std")]
 use crate::system::{Cast, CastJacobian, Jacobian};
 
-/// The law of `M` inputs that hold their values: a model with it is the system that a method integrates between the
-/// samples of a [`Sampled`](super::Sampled) controller.
-pub struct Held<T, const M: usize>(Cell<[T; M]>);
-
-impl<T: Copy, const M: usize> Held<T, M> {
-    pub(in crate::control) const fn new(inputs: [T; M]) -> Self {
-        Self(Cell::new(inputs))
-    }
-
-    pub(super) fn get(&self) -> [T; M] {
-        self.0.get()
-    }
-
-    pub(super) fn set(&self, inputs: [T; M]) {
-        self.0.set(inputs);
-    }
-}
+/// The law of `M` inputs that hold their values.
+#[derive(Clone, Copy, Debug)]
+pub struct Held<T, const M: usize>(pub(in crate::control) [T; M]);
 
 impl<T: Real, const N: usize, const M: usize> ControlLaw<T, N, M> for Held<T, M> {
     #[inline(always)]
     fn inputs(&self, _t: T, _x: &SVector<T, N>) -> [T; M] {
-        self.get()
+        self.0
     }
 }
 
 impl<T: Real, const N: usize, const M: usize> LawJacobian<T, N, M> for Held<T, M> {
     #[inline(always)]
     fn inputs_and_jacobian(&self, _t: T, _x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>) {
-        (self.get(), SMatrix::from_element(T::default()))
+        (self.0, SMatrix::from_element(T::default()))
     }
 
     #[inline(always)]
@@ -53,9 +39,39 @@ impl<T: Real, const N: usize, const M: usize> LawJacobian<T, N, M> for Held<T, M
     }
 }
 
-impl<T: Copy + fmt::Debug, const M: usize> fmt::Debug for Held<T, M> {
+/// The law of `M` inputs that a [`Sampled`](super::Sampled) controller changes: they are [`Held`] in between. A model
+/// with it is the system that a method integrates from sample to sample.
+///
+/// The inputs are behind a reference, so that the parameters of the model are not beside a `Cell`: the compiler would
+/// load all of them again after each call.
+#[derive(Clone, Copy)]
+pub struct Commanded<'c, T, const M: usize>(pub(super) &'c Cell<[T; M]>);
+
+impl<T: Real, const N: usize, const M: usize> ControlLaw<T, N, M> for Commanded<'_, T, M> {
+    #[inline(always)]
+    fn inputs(&self, _t: T, _x: &SVector<T, N>) -> [T; M] {
+        self.0.get()
+    }
+}
+
+impl<T: Real, const N: usize, const M: usize> LawJacobian<T, N, M> for Commanded<'_, T, M> {
+    #[inline(always)]
+    fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>) {
+        Held(self.0.get()).inputs_and_jacobian(t, x)
+    }
+
+    #[inline(always)]
+    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, M>
+    where
+        T: Lanes,
+    {
+        Held(self.0.get()).time_derivative(t, x)
+    }
+}
+
+impl<T: Copy + fmt::Debug, const M: usize> fmt::Debug for Commanded<'_, T, M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("Held").field(&self.get()).finish()
+        f.debug_tuple("Commanded").field(&self.0.get()).finish()
     }
 }
 
@@ -74,7 +90,7 @@ impl<S: CastControlled<N, M>, const N: usize, const M: usize> Cast<N> for Holdin
     type In<T: Real> = WithInputs<S::In<T>, Held<T, M>, M>;
 
     fn cast<T: Real>(&self) -> Self::In<T> {
-        WithInputs::of(self.system.cast(), Held::new(self.inputs.map(T::from_f64)))
+        WithInputs::of(self.system.cast(), Held(self.inputs.map(T::from_f64)))
     }
 
     #[inline]
@@ -83,7 +99,7 @@ impl<S: CastControlled<N, M>, const N: usize, const M: usize> Cast<N> for Holdin
         Self: 'm,
     {
         let inputs = core::array::from_fn(|m| V::from_fn(|lane| V::Scalar::from_f64(models(lane).inputs[m])));
-        WithInputs::of(S::gather(|lane| &models(lane).system), Held::new(inputs))
+        WithInputs::of(S::gather(|lane| &models(lane).system), Held(inputs))
     }
 }
 

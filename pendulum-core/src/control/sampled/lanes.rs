@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::held::Holding;
 use super::legs::{Leg, Legs};
 use super::run::Run;
-use super::{Controller, Held, Outputs, Sampled};
+use super::{Commanded, Controller, Outputs, Sampled};
 use crate::ensemble::{EnsembleError, Marches, Stopped, check_models, conclude, go_on, model_of};
 use crate::error::Reason;
 use crate::inputs::{CastControlled, WithInputs};
@@ -55,7 +55,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
     where
-        A: Marches<Holding<S, M>, T, N> + Method<WithInputs<S::In<T>, Held<T, M>, M>, T, N>,
+        A: Marches<Holding<S, M>, T, N> + for<'c> Method<WithInputs<S::In<T>, Commanded<'c, T, M>, M>, T, N>,
         C: Controller<T, P, M>,
         W: Outputs<T, N, P>,
         S: CastControlled<N, M, In<T>: Clone> + Clone,

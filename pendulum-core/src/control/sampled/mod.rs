@@ -14,7 +14,7 @@ mod run;
 mod trajectory;
 
 pub use controller::Controller;
-pub use held::Held;
+pub use held::{Commanded, Held};
 pub use outputs::{Components, Outputs, WholeState};
 pub use pid::{Pid, PidState};
 #[cfg(feature = "std")]
@@ -231,7 +231,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
             let rule = "the lower limit of an input must not exceed the upper one: pass them as `limits(low, high)`";
             require(low <= high, "limits", low, rule)?;
             let rule = "the inputs before the first command must be finite";
-            require(start.is_finite(), "start", start, rule)?;
+            require(T::from_f64(start).is_finite(), "start", start, rule)?;
             if !(low <= start && start <= high) {
                 let limits = [low, high];
                 return Err(Reason::StartBeyondLimits { input, start, limits });

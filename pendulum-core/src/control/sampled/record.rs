@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::trajectory::{Driven, Witness};
-use super::{Controller, Held, Outputs, Sample, Sampled};
+use super::{Commanded, Controller, Outputs, Sample, Sampled};
 use crate::dense::Dense;
 use crate::error::{Reason, SolveError};
 use crate::hybrid::{Ambiguity, Impact, Mode};
@@ -56,7 +56,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         x0: impl IntoState<T, N>,
     ) -> Result<SampledSolution<T, N, P, M>, SolveError<T, N>>
     where
-        A: Method<WithInputs<S, Held<T, M>, M>, T, N>,
+        A: for<'c> Method<WithInputs<S, Commanded<'c, T, M>, M>, T, N>,
         C: Controller<T, P, M>,
         W: Outputs<T, N, P>,
         S: Controlled<T, N, M> + Clone,
@@ -102,7 +102,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         sample: impl FnMut(Sample<T, P, M>),
     ) -> Result<SVector<T, N>, Reason>
     where
-        A: Method<WithInputs<S, Held<T, M>, M>, T, N>,
+        A: for<'c> Method<WithInputs<S, Commanded<'c, T, M>, M>, T, N>,
         C: Controller<T, P, M>,
         W: Outputs<T, N, P>,
         S: Controlled<T, N, M> + Clone,
@@ -138,7 +138,7 @@ struct Recorder<'o, O, F, T> {
     work: Statistics,
 }
 
-impl<S, T, O, F, const N: usize, const P: usize, const M: usize> Witness<Driven<S, T, M>, T, N, P, M>
+impl<'c, S, T, O, F, const N: usize, const P: usize, const M: usize> Witness<Driven<'c, S, T, M>, T, N, P, M>
     for Recorder<'_, O, F, T>
 where
     S: Controlled<T, N, M>,
@@ -148,14 +148,14 @@ where
 {
     const IS_DENSE: bool = true;
 
-    fn leg<C: Scheme<Driven<S, T, M>, T, N>>(
+    fn leg<C: Scheme<Driven<'c, S, T, M>, T, N>>(
         &mut self,
-        stepper: &mut Stepper<'_, C, Driven<S, T, M>, T, N>,
+        stepper: &mut Stepper<'_, C, Driven<'c, S, T, M>, T, N>,
         x0: SVector<T, N>,
         jump: bool,
     ) -> Result<(), Reason>
     where
-        Driven<S, T, M>: System<T, N>,
+        Driven<'c, S, T, M>: System<T, N>,
     {
         if self.legs.has_started {
             stepper.begin_anew(jump)?;

@@ -34,7 +34,7 @@ pub struct Sample<T, const P: usize, const M: usize> {
 pub(super) struct Run<T, S, const M: usize> {
     state: S,
     noise: Noise,
-    /// True without noise, and without a resolution of measurements.
+    /// True without noise and resolutions.
     is_exact: bool,
     /// Inputs commanded by the last samples, at the number of each modulo the length.
     commanded: [[T; M]; KEPT],
@@ -51,9 +51,14 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         Run {
             state: self.controller.start(T::from_f64(self.period)),
             noise: Noise::new(self.seed, member),
-            is_exact: [&self.noise[..], &self.input_noise, &self.resolution]
-                .iter()
-                .all(|deviations| deviations.iter().all(|&deviation| deviation == 0.0)),
+            is_exact: [
+                &self.noise[..],
+                &self.input_noise,
+                &self.resolution,
+                &self.input_resolution,
+            ]
+            .iter()
+            .all(|deviations| deviations.iter().all(|&deviation| deviation == 0.0)),
             commanded: [start; KEPT],
             start,
         }
@@ -82,13 +87,15 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let mut sent = command;
         for (input, sent) in sent.iter_mut().enumerate() {
             let (low, high) = (T::from_f64(self.low[input]), T::from_f64(self.high[input]));
-            let command = *sent;
-            *sent = rounded(command, self.input_resolution[input])
-                .at_least(low)
-                .at_most(high);
-            if !(command.is_finite() && sent.is_finite()) {
+            let mut is_finite = sent.is_finite();
+            if !run.is_exact {
+                *sent = rounded(*sent, self.input_resolution[input]);
+                is_finite &= sent.is_finite();
+            }
+            if !is_finite {
                 return Err(Reason::CommandNotFinite { input, t: t.to_f64() });
             }
+            *sent = sent.at_least(low).at_most(high);
         }
         self.controller.sent(&command, &sent, &mut run.state);
         let mut inputs = sent;

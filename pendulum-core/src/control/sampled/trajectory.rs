@@ -1,9 +1,11 @@
 //! Trajectories of sampled controllers, one at a time.
 
+use core::cell::Cell;
+
 use nalgebra::SVector;
 
 use super::legs::Legs;
-use super::{Controller, Held, Outputs, Sample, Sampled};
+use super::{Commanded, Controller, Outputs, Sample, Sampled};
 use crate::error::Reason;
 use crate::inputs::{Controlled, WithInputs};
 use crate::method::{Method, Scheme, Stepper, check_start, place};
@@ -11,8 +13,8 @@ use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::system::{IntoState, System};
 
-/// A model with held inputs.
-pub(super) type Driven<S, T, const M: usize> = WithInputs<S, Held<T, M>, M>;
+/// A model with commanded inputs.
+pub(super) type Driven<'c, S, T, const M: usize> = WithInputs<S, Commanded<'c, T, M>, M>;
 
 /// Premature end of a trajectory.
 #[cfg_attr(not(feature = "std"), allow(dead_code, reason = "only ensembles return the place"))]
@@ -78,7 +80,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         x0: impl IntoState<T, N>,
     ) -> Result<SVector<T, N>, Reason>
     where
-        A: Method<WithInputs<S, Held<T, M>, M>, T, N>,
+        A: for<'c> Method<WithInputs<S, Commanded<'c, T, M>, M>, T, N>,
         C: Controller<T, P, M>,
         W: Outputs<T, N, P>,
         S: Controlled<T, N, M> + Clone,
@@ -98,7 +100,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         member: u64,
     ) -> Result<SVector<T, N>, Halt<T, N>>
     where
-        A: Method<WithInputs<S, Held<T, M>, M>, T, N>,
+        A: for<'c> Method<WithInputs<S, Commanded<'c, T, M>, M>, T, N>,
         C: Controller<T, P, M>,
         W: Outputs<T, N, P>,
         S: Controlled<T, N, M> + Clone,
@@ -119,15 +121,16 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         witness: &mut O,
     ) -> Result<(SVector<T, N>, Statistics), Halt<T, N>>
     where
-        A: Method<Driven<S, T, M>, T, N>,
+        A: for<'c> Method<Driven<'c, S, T, M>, T, N>,
         C: Controller<T, P, M>,
         W: Outputs<T, N, P>,
         S: Controlled<T, N, M> + Clone,
         T: Float,
-        O: Witness<Driven<S, T, M>, T, N, P, M>,
+        O: for<'c> Witness<Driven<'c, S, T, M>, T, N, P, M>,
     {
         let halt = |t, x| move |reason| Halt { reason, t, x };
-        let system = WithInputs::of(model.clone(), Held::new(self.start.map(T::from_f64)));
+        let held = Cell::new(self.start.map(T::from_f64));
+        let system = WithInputs::of(model.clone(), Commanded(&held));
         let checked = check_start(span.0, span.1, &x0)
             .and_then(|()| self.check(span))
             .and_then(|()| self.outputs.check())
@@ -135,7 +138,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let mut x = checked.map_err(halt(span.0, x0))?;
         let mut run = self.run(member);
         let mut legs = Legs::new(span, self.period, self.delay);
-        let mut stepper: Option<Stepper<'_, A::Scheme, _, T, N>> = None;
+        let mut stepper: Option<Stepper<'_, _, _, T, N>> = None;
         while let Some(leg) = legs.next() {
             if leg.samples {
                 self.sample(&mut run, (&leg, &legs), &x, |sample| witness.sample(sample))
@@ -145,10 +148,10 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
                 continue;
             }
             let inputs = run.inputs(&leg);
-            let before = system.law().get();
+            let before = held.get();
             let differs = |m: usize| inputs[m] != before[m] || !inputs[m].has_same_slopes(&before[m]);
             let jump = stepper.is_some() && (0..M).any(differs);
-            system.law().set(inputs);
+            held.set(inputs);
             let stepper = match &mut stepper {
                 Some(stepper) => stepper.move_end(leg.to).map(|()| stepper),
                 None => {

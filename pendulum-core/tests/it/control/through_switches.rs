@@ -27,6 +27,18 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A rod with a motor too weak to stop it before it rebounds; the angle is 0 hanging.
+    pub Rebounding {
+        input motor: N m,
+        gravity: [0, -9.81, 0],
+        body rod on ground {
+            solids: [rod(1, [0, 0, 0], [0, -0.5, 0])], joint: revolute(z), coordinate: angle, torque: motor,
+            stop: [-2.5, 0.6] restitution(0.7),
+        }
+    }
+}
+
 /// Accuracy of the integration, far below that of the differences.
 const ACCURATE: f64 = 1e-12;
 /// Change of a component for a difference, in both directions.
@@ -186,7 +198,7 @@ fn forces_below_the_friction_are_a_local_minimum() {
     assert!((solved.cost - 100.0).abs() < 1e-9, "{solved:?}");
 }
 
-/// The cart sticks, slips and rebounds. The search comes to a kink of the cost, and keeps the best motion.
+/// The cart sticks, slips and rebounds. The search goes along several kinks of the cost, which takes long.
 #[test]
 fn a_pole_swings_up_between_stops() {
     let model = Integrated::new(railed(), Tsit5::new());
@@ -206,6 +218,32 @@ fn a_pole_swings_up_between_stops() {
     let rebounds = steps().filter(|[before, after]| before * after < -0.1).count();
     assert!(held > 5 && rebounds > 0, "{held} steps at rest, {rebounds} rebounds");
     assert!(ilqr.states().iter().all(|x| x[0].abs() <= 0.5));
+}
+
+/// The impact comes to a node, where the cost has a kink: the search goes along it to the same motion from all starts.
+#[test]
+fn searches_end_at_a_kink_of_the_cost() {
+    let model = Integrated::new(Rebounding::new(ReboundingParams {}).expect("physical"), Tsit5::new());
+    let cost = Quadratic::diagonal([0.0, 0.0], [0.05])
+        .end(diagonal([100.0, 10.0]))
+        .goal([-1.0, 0.0], [0.0]);
+    for start in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+        let mut ilqr = Ilqr::<_, _, 2, 1, 60>::new(0.025, cost)
+            .limits([-2.0], [2.0])
+            .start([start]);
+        let solved = ilqr.solve(&model, 0.0, [0.0, 5.0]).expect("a motion");
+        assert!(
+            solved.iterations < 50 && solved.cost < 1.7e-3,
+            "{start} N m: {solved:?}"
+        );
+        assert!(
+            ilqr.states()
+                .windows(2)
+                .any(|pair| pair[0][1] > 2.0 && pair[1][1] < -1.0),
+            "rebounds"
+        );
+        assert!(ilqr.gain(0).norm() > 0.0, "the gains are kept");
+    }
 }
 
 #[test]
