@@ -50,8 +50,11 @@ export class Engine {
   ask(request) {
     const known = !this.module && this.#known.get(JSON.stringify(request));
     if (!known) return this.#compute(request);
-    // the worker has to have the mechanism, too
-    if (request.do === "declare") this.#compute(request);
+    // the worker has to have the mechanism, too, and so does one that takes its place meanwhile
+    if (request.do === "declare") {
+      this.#kept = { declare: request };
+      this.#compute(request);
+    }
     return Promise.resolve(known);
   }
 

@@ -65,6 +65,7 @@ async function declare() {
   app.again = true;
   if (app.declaring) return;
   app.declaring = true;
+  panel.wait();
   try {
     while (app.again) {
       app.again = false;
@@ -73,6 +74,7 @@ async function declare() {
       if (app.again) continue;
       const isMechanism = answer.is === "mechanism";
       if (isMechanism) await take(answer);
+      else if (app.about) panel.take(app.about);
       complain(answer.problems ?? [], answer.why);
       document.body.classList.toggle("stale", !isMechanism && app.about !== null);
     }

@@ -14,7 +14,7 @@ const TABS = {
 /** Longest equations that are typeset, in characters: others take seconds, and nobody reads them. */
 const LONGEST = 40000;
 /** Time in ms from a change of the text until equations are derived: the mechanism moves first, and while someone types. */
-const LATER = 500;
+const LATER = 700;
 const DELIMITERS = [
   { left: "\\[", right: "\\]", display: true },
   { left: "$", right: "$", display: false },
@@ -58,9 +58,14 @@ export class Panel {
     this.select(this.tab, LATER);
   }
 
+  /** Leaves the worker alone until another mechanism is taken, or a tab is selected. */
+  wait() {
+    clearTimeout(this.later);
+  }
+
   /** Shows a tab; what the worker prints for it follows after a time in ms. */
-  select(name, wait = 0) {
-    Object.assign(this, { tab: name, wait });
+  select(name, patience = 0) {
+    Object.assign(this, { tab: name, patience });
     for (const tab of this.tabs.children) {
       const own = tab.dataset.name === name;
       tab.setAttribute("aria-selected", String(own));
@@ -68,7 +73,7 @@ export class Panel {
     }
     this.panel.setAttribute("aria-label", name);
     this.canvas = null;
-    clearTimeout(this.later);
+    this.wait();
     if (this.about) this[TABS[name]]();
   }
 
@@ -82,7 +87,7 @@ export class Panel {
       if (this.about !== about || this.tab !== tab) return;
       if (answer.is === "refused") this.panel.replaceChildren(answer.why);
       else show(answer);
-    }, this.wait);
+    }, this.patience);
   }
 
   /** Shows the comment on the mechanism, and until its equations are typeset those of its former declaration. */
