@@ -6,6 +6,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { deflateRawSync } from "node:zlib";
 import { build } from "esbuild";
+import { begin, FIRST } from "./page/first.js";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const page = (name) => join(here, "page", name);
@@ -72,22 +73,40 @@ async function bundled(entry, names = {}) {
   return result.outputFiles[0].text;
 }
 
+/** Requests at the start of the page, and their answers, by its own worker. */
+async function answers(wasm, example) {
+  const all = [];
+  let last;
+  globalThis.self = { postMessage: (message) => (last = message) };
+  await import("./page/worker.js");
+  self.onmessage({ data: { module: new WebAssembly.Module(wasm) } });
+  const ask = async (request) => {
+    self.onmessage({ data: { request } });
+    all.push([JSON.stringify(request), last.answer, [...last.numbers]]);
+    return last;
+  };
+  await begin({ ask }, example);
+  return all;
+}
+
 const packed = (content) => deflateRawSync(content, { level: 9 }).toString("base64");
 
 const wasm = module();
-const packedModule = packed(wasm);
 const worker = await bundled(page("worker.js"));
-const script = await bundled(page("main.js"), { gallery: [...gallery(), robot()], styles: katex() });
-const packedScript = packed(script);
+const examples = [...gallery(), robot()];
+const known = await answers(wasm, examples.find(({ title }) => title.includes(FIRST)));
 const parts = {
   style: read(page("look.css")) + read(page("style.css")),
   picture: read(join(here, "../docs/swing.svg")).replace(/^<\?xml[^>]*\?>/, ""),
-  packed: `${packedScript}\n${packedModule}`,
   loader: read(page("loader.js")).replace("WORKER", () => JSON.stringify(worker.trim())),
+  script: packed(await bundled(page("main.js"), { gallery: examples, answers: known })),
+  module: packed(wasm),
+  formulas: packed(await bundled(page("formulas.js"), { styles: katex() })),
 };
 const html = read(page("index.html")).replace(/\{\{(\w+)\}\}/g, (_, name) => parts[name]);
 const file = process.argv[2] ?? join(here, "../out/pendulum.html");
 mkdirSync(dirname(file), { recursive: true });
 writeFileSync(file, html);
 const size = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
-console.log(`${file}: ${size(html.length)}; module ${size(wasm.length)}, packed ${size(packedModule.length)}; script and fonts packed ${size(packedScript.length)}`);
+const of = ["script", "module", "formulas"].map((name) => `${name} ${size(parts[name].length)}`);
+console.log(`${file}: ${size(html.length)}; packed: ${of.join(", ")}; module ${size(wasm.length)}`);

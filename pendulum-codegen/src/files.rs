@@ -45,14 +45,22 @@ pub fn program(tokens: TokenStream) -> Result<Program, Errors> {
 
 /// Like [`program()`], but with paths relative to `folder`.
 pub fn program_in(folder: &Path, tokens: TokenStream) -> Result<Program, Errors> {
-    pipeline::program(tokens, &[], &|name| text_of(folder, name))
+    pipeline::program(tokens, Wanted::Also(&[]), &|name| text_of(folder, name))
 }
 
-/// Like [`program()`], but adds the words `also` to the list `generate` of the declaration, except those that the scene
-/// cannot have, and reads the file of a robot by the function `files`, which returns the text of a file by its name, or
-/// why it cannot be read and a help text.
-pub fn program_with(tokens: TokenStream, also: &[&str], files: &Files<'_>) -> Result<Program, Errors> {
-    pipeline::program(tokens, also, files)
+/// Like [`program()`], but generates what `wanted` says, and reads the file of a robot by the function `files`, which
+/// returns the text of a file by its name, or why it cannot be read and a help text.
+pub fn program_with(tokens: TokenStream, wanted: Wanted<'_>, files: &Files<'_>) -> Result<Program, Errors> {
+    pipeline::program(tokens, wanted, files)
+}
+
+/// What to generate for a declaration, in words of its list `generate`. Words that the scene cannot have are left out.
+#[derive(Clone, Copy, Debug)]
+pub enum Wanted<'a> {
+    /// What the declaration lists, these words, and the equations as text.
+    Also(&'a [&'a str]),
+    /// `rhs` and these words, without the equations as text.
+    Only(&'a [&'a str]),
 }
 
 const MANIFEST: &str = "CARGO_MANIFEST_DIR";

@@ -7,8 +7,9 @@ use crate::dynamics::Dynamics;
 use crate::emit::rust;
 use crate::error::{Code, Errors};
 use crate::expr::Graph;
+use crate::files::Wanted;
 use crate::lower::Lowered;
-use crate::program::{NotFinite, Program};
+use crate::program::{Extent, NotFinite, Program};
 use crate::urdf::Files;
 use crate::{check, lower, parse, urdf};
 
@@ -19,7 +20,7 @@ pub(crate) fn expand(tokens: TokenStream, files: &Files<'_>) -> (TokenStream, Op
     let Some(mut scene) = scene else {
         return (errors.to_compile_errors(), None);
     };
-    let items = match compile(&mut scene, files, errors, false) {
+    let items = match compile(&mut scene, files, errors, Extent::Short) {
         Ok(program) => rust::items(&scene.head, &program),
         Err(errors) => {
             let is_possible = scene.items.is_possible();
@@ -34,24 +35,24 @@ pub(crate) fn expand(tokens: TokenStream, files: &Files<'_>) -> (TokenStream, Op
     (items, scene.items.robot.map(|robot| robot.path))
 }
 
-/// Compiles a declaration into a program, or returns all of its errors. The words `also` are added to its `generate`.
-pub(crate) fn program(tokens: TokenStream, also: &[&str], files: &Files<'_>) -> Result<Program, Errors> {
+/// Compiles a declaration into a program with what is wanted, or returns all of its errors.
+pub(crate) fn program(tokens: TokenStream, wanted: Wanted<'_>, files: &Files<'_>) -> Result<Program, Errors> {
+    let (words, extent) = match wanted {
+        Wanted::Also(words) => (words, Extent::Full),
+        Wanted::Only(words) => (words, Extent::None),
+    };
     let (scene, errors) = parse::parse(tokens);
     match scene {
         Some(mut scene) => {
-            scene.items.also = also.iter().map(|&word| word.to_owned()).collect();
-            compile(&mut scene, files, errors, true)
+            scene.items.also = words.iter().map(|&word| word.to_owned()).collect();
+            scene.items.only = matches!(wanted, Wanted::Only(_));
+            compile(&mut scene, files, errors, extent)
         }
         None => Err(errors),
     }
 }
 
-fn compile(
-    scene: &mut Scene,
-    files: &Files<'_>,
-    mut errors: Errors,
-    needs_full_equations: bool,
-) -> Result<Program, Errors> {
+fn compile(scene: &mut Scene, files: &Files<'_>, mut errors: Errors, extent: Extent) -> Result<Program, Errors> {
     if urdf::read(scene, files, &mut errors).is_err() {
         return Err(errors);
     }
@@ -60,7 +61,7 @@ fn compile(
     let Lowered { model, spans } = lower::lower(&graph, scene, errors)?;
     let dynamics = Dynamics::new(&model);
     check::check(&model, &spans, &dynamics, later)?;
-    Program::new(&model, &dynamics, needs_full_equations).map_err(|NotFinite(constant)| {
+    Program::new(&model, &dynamics, extent).map_err(|NotFinite(constant)| {
         let fact = format!("the constant `{constant}` is out of range in double precision");
         let help = "it overflows or divides by zero: choose other units or numbers";
         Errors::one(Code::NumberRange, scene.head.name.span(), fact, help)

@@ -31,14 +31,14 @@ use nalgebra::{Point3, SVector};
 )]
 pub trait Shapes<const N: usize> {
     /// Returns the shapes at the time `t` in the state `x`, in the order of declaration: the solids of the bodies, then
-    /// their joints, then springs and dampers, then points.
+    /// their joints, then springs and dampers, then points, then walls.
     fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape<'_>>;
 }
 
 /// A shape to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape<'a> {
-    /// Name of its body, or of the point; for springs and dampers, the body of their first end.
+    /// Name of its body, of the point, or of the wall; for springs and dampers, the body of their first end.
     pub name: &'a str,
     /// Body to which it belongs, for springs and dampers that of the first end; `ground` if the body is at rest.
     pub body: &'a str,
@@ -82,11 +82,14 @@ pub enum ShapeKind {
     Point,
     /// A named point at rest.
     Anchor,
+    /// A flat [wall](crate::mechanism#walls) that keeps a point off: the foot of this point on the wall, and a point
+    /// 1 m away on the side where the gap is positive. Walls of other forms have no shape.
+    Wall,
 }
 
 impl ShapeKind {
     /// All kinds.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Mass,
         Self::Rod,
         Self::Disk,
@@ -101,6 +104,7 @@ impl ShapeKind {
         Self::Damper,
         Self::Point,
         Self::Anchor,
+        Self::Wall,
     ];
 }
 

@@ -74,6 +74,27 @@ pub(crate) fn hatching(from: Place, to: Place) -> Vec<[Place; 2]> {
     (0..count).map(stroke).collect()
 }
 
+/// Part of the line through two places, in its direction, within a drawing whose size is given in pixels of the picture
+/// (Liang and Barsky 1984).
+pub(crate) fn clipped([from, to]: [Place; 2], extent: [f64; 2]) -> Option<[Place; 2]> {
+    let (x, y) = (f64::from(from.0), f64::from(from.1));
+    let (dx, dy) = (f64::from(to.0) - x, f64::from(to.1) - y);
+    let (mut first, mut last) = (f64::NEG_INFINITY, f64::INFINITY);
+    for (at, ahead, end) in [(x, dx, extent[0]), (y, dy, extent[1])] {
+        let ends = [-at, f64::from(px(end)) - at];
+        if ahead == 0.0 {
+            let is_within = ends[0] <= 0.0 && 0.0 <= ends[1];
+            is_within.then_some(())?;
+        } else {
+            let ends = ends.map(|end| end / ahead);
+            first = first.max(ends[0].min(ends[1]));
+            last = last.min(ends[0].max(ends[1]));
+        }
+    }
+    let place = |by: f64| ((x + by * dx).round() as i32, (y + by * dy).round() as i32);
+    (first < last).then(|| [place(first), place(last)])
+}
+
 /// Support below a pivot: its triangle, and the ends of the ground under it.
 pub(crate) fn support((x, y): Place) -> (Vec<Place>, [Place; 2]) {
     let (half, high, wide) = (px(5.0), px(9.0), px(8.0));

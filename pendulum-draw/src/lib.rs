@@ -100,7 +100,7 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
     }
 
     /// Adds a surface at rest, a line between two points of the ground frame. The right-hand side of the way from one
-    /// to the other is solid. The declaration of a wall is a formula, which has no place.
+    /// to the other is solid. Flat [walls](ShapeKind::Wall) of the declaration are drawn only if no surface is added.
     #[must_use]
     pub fn wall(mut self, from: [f64; 3], to: [f64; 3]) -> Self {
         self.walls.push([from, to].map(Vector3::from));

@@ -25,6 +25,8 @@ const SHORTEST: f64 = 240.0;
 const MARGIN: f64 = 28.0;
 /// Height of the caption below the drawing, in pixels.
 const CAPTION: f64 = 26.0;
+/// Half the length of a wall that is not seen from its side, in pixels.
+const PATCH: f64 = 40.0;
 /// Mean length of a coil of a spring, in pixels.
 const COIL: f64 = 8.0;
 
@@ -72,7 +74,7 @@ impl Motion {
             }
         };
         let extended = frames.iter().flat_map(|frame| &frame.parts);
-        for part in extended.filter(|part| part.kind != ShapeKind::Guide) {
+        for part in extended.filter(|part| !matches!(part.kind, ShapeKind::Guide | ShapeKind::Wall)) {
             part.points.iter().for_each(|point| include(point, part.radius));
         }
         walls.iter().flatten().for_each(|point| include(point, 0.0));
@@ -148,6 +150,22 @@ impl Motion {
         ((self.scale() * mean / COIL) as usize).clamp(4, 20)
     }
 
+    /// Ends of a declared wall: across the drawing if it is seen from its side, else near the point that it keeps off.
+    fn surface(&self, wall: &Part) -> Option<[Place; 2]> {
+        let [[ax, ay], [bx, by]] = [wall.points[0], wall.points[1]];
+        let (nx, ny) = (bx - ax, by - ay);
+        let seen = nx.hypot(ny);
+        let at = |length: f64| {
+            let by = length / (self.scale() * seen);
+            self.place([ax + by * ny, ay - by * nx])
+        };
+        match seen {
+            0.999.. => glyph::clipped([at(-LONGEST), at(LONGEST)], self.extent()),
+            0.05.. => Some([at(-PATCH), at(PATCH)]),
+            _ => None,
+        }
+    }
+
     /// Ends of the part of a guide along which its body moves.
     fn rail(&self, guide: &Part) -> Option<[[f64; 2]; 2]> {
         let [[ax, ay], [bx, by]] = [guide.points[0], guide.points[1]];
@@ -219,6 +237,13 @@ impl<'a> Still<'a> {
     {
         for &[from, to] in &self.motion.walls {
             draw_surface(page, self.motion.place(from), self.motion.place(to))?;
+        }
+        if self.motion.walls.is_empty() {
+            let last = self.bodies.last().map_or(&[][..], |frame| &frame.parts);
+            let declared = last.iter().filter(|part| part.kind == ShapeKind::Wall);
+            for [from, to] in declared.filter_map(|wall| self.motion.surface(wall)) {
+                draw_surface(page, from, to)?;
+            }
         }
         let parts = self.motion.frames.first().map_or(&[][..], |frame| &frame.parts);
         for guide in parts.iter().filter(|part| part.kind == ShapeKind::Guide) {

@@ -234,7 +234,9 @@ fn bodies_reach_their_points_and_slide_on_guides() -> Result<(), Box<dyn Error>>
 }
 
 /// The caption of a picture, and the number of its lines.
-fn caption_and_lines(drawing: &Drawing<'_, Cart, 10>) -> Result<(Vec<String>, usize), Box<dyn Error>> {
+fn caption_and_lines<M: Shapes<N>, const N: usize>(
+    drawing: &Drawing<'_, M, N>,
+) -> Result<(Vec<String>, usize), Box<dyn Error>> {
     let [svg, _] = drawing.picture(&stem("caption"))?;
     let svg = fs::read_to_string(svg)?;
     let texts = svg
@@ -283,5 +285,62 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Box<dyn Error>> {
     assert!(error.to_string().contains("must be finite"), "{error}");
     let still = Drawing::new(&zoo, &solution).speed(0.0).animation(&stem("still"));
     assert!(still.expect_err("no speed").to_string().contains("positive"));
+    Ok(())
+}
+
+mechanism! {
+    /// A ball among walls of several forms.
+    Court {
+        params { room: m = 2 }
+        gravity: [0, -9.81, 0],
+        body slide on ground { joint: prismatic(x), coordinate: x }
+        body ball on slide { mass: 1, joint: prismatic(y), coordinate: y }
+        point tip on ball at [0, 0.5, 0],
+        wall floor { gap: y },
+        wall side { gap: room - tip.x + 0.1 m*sin(t*1 rad/s) },
+        wall slope { gap: 3*x + 4*y + 10 },
+        wall bowl { gap: y + 9 - x^2*0.1/1 m },
+        generate: [rhs, shapes],
+    }
+}
+
+#[test]
+fn flat_walls_are_below_their_points() -> Result<(), Box<dyn Error>> {
+    let court = Court::new(CourtParams::default())?;
+    let t = 0.25_f64;
+    let shapes = court.shapes(t, &SVector::from([1.0, 2.0, 0.0, 0.0]));
+    let walls: Vec<_> = shapes.iter().filter(|shape| shape.kind == ShapeKind::Wall).collect();
+    let names: Vec<&str> = walls.iter().map(|wall| wall.name).collect();
+    assert_eq!(names, ["floor", "side", "slope"]);
+    // the gap of the slope is 5 times the distance from it, 21/5
+    let feet = [
+        [1.0, 0.0, 0.0],
+        [2.0 + 0.1 * t.sin(), 2.5, 0.0],
+        [1.0 - 0.6 * 4.2, 2.0 - 0.8 * 4.2, 0.0],
+    ];
+    let normals = [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.6, 0.8, 0.0]];
+    for ((wall, foot), normal) in walls.iter().zip(feet).zip(normals) {
+        assert!((wall.points[0].coords - SVector::from(foot)).norm() < 1e-15, "{wall:?}");
+        assert!(
+            (wall.points[1] - wall.points[0] - SVector::from(normal)).norm() < 1e-15,
+            "{wall:?}"
+        );
+    }
+    Ok(())
+}
+
+#[test]
+fn declared_walls_are_drawn_unless_surfaces_are_added() -> Result<(), Box<dyn Error>> {
+    let court = Court::new(CourtParams::default())?;
+    let solution = Rk45::new().solve(&court, 0.0, 1.0, [0.0, 1.0, 0.5, 0.0])?;
+    let drawing = Drawing::new(&court, &solution);
+    // a line, and strokes 5 pixels apart, across the picture of 240 pixels or more
+    let (_, across) = caption_and_lines(&drawing)?;
+    assert!(across > 40, "{across}");
+    let (_, added) = caption_and_lines(&drawing.clone().wall([0.0, 0.0, 0.0], [0.01, 0.0, 0.0]))?;
+    assert!(added < across - 40, "{added} {across}");
+    // from above, the floor is seen from no side, and the others are
+    let (_, above) = caption_and_lines(&drawing.seen_from([0.0, 1.0, 0.0], [1.0, 0.0, 0.0]))?;
+    assert!(above < across, "{above} {across}");
     Ok(())
 }

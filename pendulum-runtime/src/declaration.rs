@@ -5,8 +5,8 @@ use std::error;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use pendulum_codegen::Unreadable;
 use pendulum_codegen::program::Program;
+use pendulum_codegen::{Unreadable, Wanted};
 use proc_macro2::{Span, TokenStream, TokenTree};
 
 use crate::worker;
@@ -79,6 +79,7 @@ pub struct Declaration {
     folder: PathBuf,
     files: BTreeMap<String, String>,
     also: Vec<String>,
+    only: bool,
 }
 
 impl Declaration {
@@ -113,6 +114,14 @@ impl Declaration {
         self
     }
 
+    /// Leaves out what the declaration lists in `generate`, except `rhs`, and the equations as text: a model in about half
+    /// the time, for its motion. Words that are [added](Self::also) are generated.
+    #[must_use]
+    pub fn only_motion(mut self) -> Self {
+        self.only = true;
+        self
+    }
+
     /// Generated code in C99: the header, then the source.
     ///
     /// # Errors
@@ -136,6 +145,7 @@ impl Declaration {
     }
 
     /// Text of the declaration.
+    #[cfg(feature = "full")]
     pub(crate) fn text(&self) -> &str {
         &self.text
     }
@@ -150,6 +160,7 @@ impl Declaration {
     }
 
     /// Another text, with the files of this declaration.
+    #[cfg(feature = "full")]
     pub(crate) fn with_text(&self, text: &str) -> Self {
         Self {
             text: text.to_owned(),
@@ -171,7 +182,12 @@ impl Declaration {
                 )
             })?;
             let also: Vec<&str> = self.also.iter().map(String::as_str).collect();
-            let program = pendulum_codegen::program_with(unwrapped(tokens), &also, &|name| self.file_of(name));
+            let wanted = if self.only {
+                Wanted::Only(&also)
+            } else {
+                Wanted::Also(&also)
+            };
+            let program = pendulum_codegen::program_with(unwrapped(tokens), wanted, &|name| self.file_of(name));
             program.map_err(|errors| DeclarationError {
                 problems: errors
                     .iter()

@@ -1,26 +1,38 @@
-// Requests to the worker, one after the other.
+// Requests to the worker, which answers them one after the other.
 /** Longest time that a request may take, in ms. */
 const LIMIT = 8000;
 
 export class Engine {
   #worker;
   #queue = [];
+  /** Time at which the worker began with the first request, in ms. */
+  #began = 0;
   #next = 0;
   /** The last requests that gave the worker its mechanism: a new worker gets them, too. */
   #kept = {};
 
-  /** Takes the first worker, the function that starts further ones, and the one that is called if there is no module. */
-  constructor({ start, worker, fail }) {
+  /** Answers and their numbers by the texts of requests, for the time until the module is compiled. */
+  #known;
+
+  /**
+   * Takes the first worker and its messages up to now, the function that starts further ones, the one that is called if
+   * there is no module, and known answers.
+   */
+  constructor({ start, worker, early, fail, known }) {
     Object.assign(this, { start, fail });
+    this.#known = new Map(known.map(([request, answer, numbers]) => [request, { answer, numbers: new Float64Array(numbers), took: 0 }]));
     this.#listen(worker);
+    early.forEach(worker.onmessage);
   }
 
   #listen(worker) {
     this.#worker = worker;
     worker.onmessage = ({ data }) => {
       if (data.broken) this.fail(data.broken);
-      else if (data.module) this.module = data.module;
-      else this.#take(data);
+      else if (data.module) {
+        this.module = data.module;
+        this.#watch();
+      } else this.#take(data);
     };
   }
 
@@ -36,18 +48,42 @@ export class Engine {
 
   /** Resolves to the answer, its numbers, and the time that it took in ms. */
   ask(request) {
+    const known = !this.module && this.#known.get(JSON.stringify(request));
+    if (!known) return this.#compute(request);
+    // the worker has to have the mechanism, too, and so does one that takes its place meanwhile
+    if (request.do === "declare") {
+      this.#kept = { declare: request };
+      this.#compute(request);
+    }
+    return Promise.resolve(known);
+  }
+
+  #compute(request) {
     return new Promise((resolve) => {
-      this.#queue.push({ id: this.#next++, request, resolve });
-      if (this.#queue.length === 1) this.#post();
+      const asked = { id: this.#next++, request, resolve };
+      this.#queue.push(asked);
+      this.#post(asked);
+      if (this.#queue.length === 1) this.#watch();
     });
   }
 
-  #post() {
+  #post({ id, request }) {
+    this.#worker.postMessage({ id, request });
+  }
+
+  /** Time for which the worker computes an answer, in ms. */
+  get busy() {
+    return this.module && this.#queue.length > 0 ? performance.now() - this.#began : 0;
+  }
+
+  /** Stops the worker if the first request takes too long. */
+  #watch() {
     const [first] = this.#queue;
-    if (!first) return;
+    // the time to unpack the module is not that of a request
+    if (!first || !this.module) return;
+    this.#began = performance.now();
     const why = `this took longer than ${LIMIT / 1000} s and was stopped: make the mechanism or its motion simpler`;
     first.timer = setTimeout(() => this.stop(why), LIMIT);
-    this.#worker.postMessage({ id: first.id, request: first.request });
   }
 
   #take({ id, failed, ...result }) {
@@ -61,19 +97,20 @@ export class Engine {
     this.#queue.shift();
     if (result.answer.is === "mechanism") this.#kept = { declare: first.request };
     if (first.request.do === "set" && result.answer.is === "done") this.#kept.set = first.request;
-    this.#post();
+    this.#watch();
     first.resolve(result);
   }
 
   /** Ends the computation under way, and goes on with the next one in another worker. */
   stop(why) {
-    if (!this.module) return this.fail("the module was not unpacked in time");
+    if (!this.module) return;
     this.#renew();
     const first = this.#queue.shift();
     if (first) {
       clearTimeout(first.timer);
       first.resolve({ answer: { is: "refused", why }, numbers: new Float64Array(), took: 0 });
     }
-    this.#post();
+    this.#queue.forEach((asked) => this.#post(asked));
+    this.#watch();
   }
 }

@@ -1,22 +1,23 @@
 // The page: an editor, the mechanism in motion, and what is known about it.
+import known from "answers";
 import examples from "gallery";
-import katexStyle from "styles";
 import { Editor, proposal } from "./editor.js";
 import { element } from "./element.js";
 import { Engine } from "./engine.js";
+import { declaration, FIRST, METHODS } from "./first.js";
 import { fromHash, toHash } from "./link.js";
 import { Panel } from "./panel.js";
 import { Simulation } from "./simulation.js";
 import { View } from "./view.js";
 
-const METHODS = ["Vern9", "Taylor", "Rk4", "Rodas5P", "Gauss6", "Auto"];
 const FIXED = ["Rk4", "Gauss6"];
-const FIRST = "Point masses";
+
+/** Time of a computation after which it can be stopped, in ms. */
+const PATIENCE = 1000;
 
 const $ = (id) => document.getElementById(id);
-document.head.append(element("style", { textContent: katexStyle }));
 
-const engine = new Engine(window.pendulumWorker);
+const engine = new Engine({ ...loader, known });
 const editor = new Editor($("editor"), { onChange: declare });
 const view = new View($("canvas"), { onDrag: drag, onDrop: drop });
 const panel = new Panel($("tabs"), $("panel"), engine);
@@ -64,14 +65,16 @@ async function declare() {
   app.again = true;
   if (app.declaring) return;
   app.declaring = true;
+  panel.wait();
   try {
     while (app.again) {
       app.again = false;
-      const { answer, took } = await engine.ask({ do: "declare", text: editor.text, files: app.files, method: chosen.method });
+      const { answer, took } = await engine.ask(declaration(editor.text, app.files, chosen.method));
       app.took = took;
       if (app.again) continue;
       const isMechanism = answer.is === "mechanism";
       if (isMechanism) await take(answer);
+      else if (app.about) panel.take(app.about);
       complain(answer.problems ?? [], answer.why);
       document.body.classList.toggle("stale", !isMechanism && app.about !== null);
     }
@@ -115,7 +118,8 @@ async function take(about) {
   const hasSameFields = isSame && declared(about) === declared(app.about);
   if (hasSameFields) Object.assign(about, { parameters: app.about.parameters, inputs: app.about.inputs });
   const notes = [...about.notes];
-  const refused = await put(about);
+  const isAsDeclared = [...about.parameters, ...about.inputs].every((own) => own.value === own.declared);
+  const refused = isAsDeclared ? null : await put(about);
   if (refused) {
     notes.push(refused);
     for (const own of [...about.parameters, ...about.inputs]) own.value = own.declared;
@@ -302,6 +306,7 @@ function tick(now) {
       app.drawn++;
     }
   }
+  $("stop").hidden = engine.busy < PATIENCE;
   // the worker has another mechanism while a text is compiled
   if (simulation && !app.declaring && app.held === undefined) simulation.prepare();
   requestAnimationFrame(tick);
@@ -330,6 +335,7 @@ function connect() {
     draw();
   };
   $("again").onclick = again;
+  $("stop").onclick = () => engine.stop("this was stopped by the button");
   $("canvas").onkeydown = (event) => {
     const action = { " ": $("play").onclick, ArrowRight: $("step").onclick, Home: again }[event.key];
     if (!action) return;

@@ -1,5 +1,4 @@
 // Tabs below: equations, counts, generated code and plots.
-import typeset from "katex/contrib/auto-render";
 import { element } from "./element.js";
 import { plot } from "./plot.js";
 
@@ -14,6 +13,12 @@ const TABS = {
 };
 /** Longest equations that are typeset, in characters: others take seconds, and nobody reads them. */
 const LONGEST = 40000;
+/** Time in ms from a change of the text until equations are derived: the mechanism moves first, and while someone types. */
+const LATER = 700;
+const DELIMITERS = [
+  { left: "\\[", right: "\\]", display: true },
+  { left: "$", right: "$", display: false },
+];
 const BLUE = "#2f6fa8";
 
 export class Panel {
@@ -22,6 +27,7 @@ export class Panel {
     for (const name of Object.keys(TABS)) {
       const tab = element("button", { textContent: name, onclick: () => this.select(name) });
       tab.setAttribute("role", "tab");
+      tab.setAttribute("aria-controls", panel.id);
       tab.dataset.name = name;
       tabs.append(tab);
     }
@@ -49,11 +55,17 @@ export class Panel {
       this.pass = { component: 0, value: 0 };
     }
     this.about = about;
-    this.select(this.tab);
+    this.select(this.tab, LATER);
   }
 
-  select(name) {
-    this.tab = name;
+  /** Leaves the worker alone until another mechanism is taken, or a tab is selected. */
+  wait() {
+    clearTimeout(this.later);
+  }
+
+  /** Shows a tab; what the worker prints for it follows after a time in ms. */
+  select(name, patience = 0) {
+    Object.assign(this, { tab: name, patience });
     for (const tab of this.tabs.children) {
       const own = tab.dataset.name === name;
       tab.setAttribute("aria-selected", String(own));
@@ -61,45 +73,65 @@ export class Panel {
     }
     this.panel.setAttribute("aria-label", name);
     this.canvas = null;
+    this.wait();
     if (this.about) this[TABS[name]]();
   }
 
+  /** Asks the worker, and passes its answer to `show`, unless another mechanism or another tab is shown by then. */
+  ask(request, show) {
+    const { about, tab } = this;
+    const key = JSON.stringify(request);
+    this.later = setTimeout(async () => {
+      about.answers ??= {};
+      const answer = (about.answers[key] ??= (await this.engine.ask(request)).answer);
+      if (this.about !== about || this.tab !== tab) return;
+      if (answer.is === "refused") this.panel.replaceChildren(answer.why);
+      else show(answer);
+    }, this.patience);
+  }
+
+  /** Shows the comment on the mechanism, and until its equations are typeset those of its former declaration. */
   equations() {
-    const { latex, docs } = this.about;
-    if (this.typeset?.latex === latex) return this.panel.replaceChildren(...this.typeset.parts);
-    const place = element("div", { textContent: latex });
-    const delimiters = [
-      { left: "\\[", right: "\\]", display: true },
-      { left: "$", right: "$", display: false },
-    ];
-    if (latex.length < LONGEST) typeset(place, { delimiters, throwOnError: false, maxExpand: 1e5 });
-    const copy = element("button", { textContent: "Copy LaTeX", onclick: () => navigator.clipboard?.writeText(latex) });
-    this.typeset = { latex, parts: [element("p", { textContent: docs }), copy, place] };
-    this.panel.replaceChildren(...this.typeset.parts);
+    const { name, docs } = this.about;
+    if (this.typeset?.name !== name) this.typeset = null;
+    const show = () => this.panel.replaceChildren(element("p", { textContent: docs }), ...(this.typeset?.parts ?? []));
+    show();
+    this.ask({ do: "describe" }, async ({ latex }) => {
+      if (this.typeset?.latex === latex) return;
+      const place = element("div", { textContent: latex });
+      if (latex.length < LONGEST) {
+        await (this.formulas ??= loader.run("formulas"));
+        window.typeset(place, { delimiters: DELIMITERS, throwOnError: false, maxExpand: 1e5 });
+      }
+      const copy = element("button", { textContent: "Copy LaTeX", onclick: () => navigator.clipboard?.writeText(latex) });
+      this.typeset = { name, latex, parts: [copy, place] };
+      if (this.tab === "Equations" && this.about.name === name) show();
+    });
   }
 
   operations() {
-    const head = ["Function", "Form", "+ −", "×", "÷", "sin, cos", "other"].map((text) => element("th", { textContent: text, scope: "col" }));
-    const rows = this.about.functions.map(({ name, docs, form, operations }) =>
-      element(
-        "tr",
-        { title: docs },
-        element("th", { textContent: name, scope: "row" }),
-        element("td", { textContent: form }),
-        ...operations.map((count) => element("td", { textContent: count, className: "number" })),
-      ),
-    );
-    this.panel.replaceChildren(element("table", {}, element("thead", {}, element("tr", {}, ...head)), element("tbody", {}, ...rows)));
+    if (!this.panel.querySelector("table")) this.panel.replaceChildren();
+    this.ask({ do: "describe" }, ({ functions }) => {
+      const head = ["Function", "Form", "+ −", "×", "÷", "sin, cos", "other"].map((text) => element("th", { textContent: text, scope: "col" }));
+      const rows = functions.map(({ name, docs, form, operations }) =>
+        element(
+          "tr",
+          { title: docs },
+          element("th", { textContent: name, scope: "row" }),
+          element("td", { textContent: form }),
+          ...operations.map((count) => element("td", { textContent: count, className: "number" })),
+        ),
+      );
+      this.panel.replaceChildren(element("table", {}, element("thead", {}, element("tr", {}, ...head)), element("tbody", {}, ...rows)));
+    });
   }
 
-  async code(language) {
-    const wanted = this.tab;
+  code(language) {
     if (!this.panel.querySelector("pre")) this.panel.replaceChildren();
-    const { answer } = await this.engine.ask({ do: "code", language });
-    if (this.tab !== wanted) return;
-    if (answer.is !== "code") return this.panel.replaceChildren(answer.why);
-    const copy = element("button", { textContent: "Copy", onclick: () => navigator.clipboard?.writeText(answer.text) });
-    this.panel.replaceChildren(copy, element("pre", { textContent: answer.text, tabIndex: 0 }));
+    this.ask({ do: "code", language }, ({ text }) => {
+      const copy = element("button", { textContent: "Copy", onclick: () => navigator.clipboard?.writeText(text) });
+      this.panel.replaceChildren(copy, element("pre", { textContent: text, tabIndex: 0 }));
+    });
   }
 
   rust() {

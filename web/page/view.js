@@ -11,9 +11,13 @@ const SPATIAL = (() => {
   return [unit(right), unit(cross(towards, right))];
 })();
 
-/** True for shapes that a hand can move, and whose motion is drawn. */
-const moves = ({ body, kind }) => body !== "ground" && kind !== "Guide";
+const hasEnds = ({ kind }) => !painter.endless.has(kind);
 
+/** True for shapes that a hand can move, and whose motion is drawn. */
+const moves = ({ body, kind }) => body !== "ground" && hasEnds({ kind });
+
+/** Number of paths of points that are drawn. */
+const TRAILS = 6;
 /** Mechanisms that are drawn as one path, where there are many. */
 const AT_ONCE = 16;
 
@@ -58,13 +62,13 @@ export class View {
     frames.forEach((frame) => this.widen(frame));
   }
 
-  /** Points of all shapes in space, but for guides, which have no end. */
+  /** Points in space of all shapes that have ends. */
   points(numbers) {
     const points = [];
     let place = 0;
     for (const shape of this.shapes) {
       for (let n = 0; n < shape.points; n++, place += 3) {
-        if (shape.kind !== "Guide") points.push([numbers[place], numbers[place + 1], numbers[place + 2]]);
+        if (hasEnds(shape)) points.push([numbers[place], numbers[place + 1], numbers[place + 2]]);
       }
       place += 1;
     }
@@ -96,10 +100,10 @@ export class View {
     const kinds = this.shapes.map(({ kind }) => kind);
     const flat = this.flat(numbers);
     const places = ([points, radius]) => Array.from({ length: points.length / 2 }, (_, k) => [points[2 * k], points[2 * k + 1], radius]);
-    const all = flat.filter((_, n) => kinds[n] !== "Guide").flatMap(places);
+    const all = flat.filter((_, n) => hasEnds(this.shapes[n])).flatMap(places);
     if (all.length === 0) return;
     const supports = flat.filter((_, n) => kinds[n] === "Support").flatMap(places);
-    const isFree = this.shapes.every(moves);
+    const isFree = this.shapes.every((shape) => moves(shape) || shape.kind === "Wall");
     const about = kinds.includes("Guide") || (supports.length === 0 && !isFree) ? null : supports.length > 0 ? supports : all;
     if (about) {
       const middle = (k) => about.reduce((sum, place) => sum + place[k], 0) / about.length;
@@ -136,7 +140,7 @@ export class View {
     return [(px - x(0)) / scale, (y(0) - py) / scale];
   }
 
-  /** Draws a frame, with the path of its last moving point. */
+  /** Draws a frame, with the paths of its points. */
   draw(frame, past, { trail, text }) {
     const { canvas } = this;
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
@@ -147,27 +151,25 @@ export class View {
     this.on = painter(canvas, this.shapes, this.bounds ?? [-1, 1, -1, 1], ratio);
     this.on.clear();
     if (frame.crowd) this.drawCrowd(frame.crowd);
-    if (trail) this.drawTrail(past);
+    if (trail) this.traced().forEach((place) => this.drawTrail(past, place));
     if (frame.twin) this.on.paint(this.flat(frame.twin.shapes), 0.4);
     this.on.paint(this.flat(frame.shapes));
     this.on.write(text);
   }
 
-  /** Number of the shape, and of its point, whose path is drawn: a tip. */
-  tip() {
-    const named = this.shapes.findLastIndex((shape) => shape.kind === "Point");
-    const shape = named >= 0 ? named : this.shapes.findLastIndex((own) => moves(own) && own.kind !== "Pivot");
-    return shape < 0 ? null : [shape, this.shapes[shape].kind === "Rod" ? 1 : 0];
+  /** Numbers of the shapes, and of their points, whose paths are drawn: the declared points, or else a tip. */
+  traced() {
+    const named = this.shapes.flatMap(({ kind }, shape) => (kind === "Point" ? [[shape, 0]] : []));
+    if (named.length > 0) return named.slice(-TRAILS);
+    const shape = this.shapes.findLastIndex((own) => moves(own) && own.kind !== "Pivot");
+    return shape < 0 ? [] : [[shape, this.shapes[shape].kind === "Rod" ? 1 : 0]];
   }
 
-  drawTrail(past) {
-    const tip = this.tip();
-    if (!tip) return;
+  drawTrail(past, [shape, point]) {
     const context = this.canvas.getContext("2d");
-    const [shape, point] = tip;
     const before = this.shapes.slice(0, shape).reduce((sum, own) => sum + 3 * own.points + 1, 0);
-    context.lineWidth = 1.5;
-    context.strokeStyle = "#d08a2e";
+    context.lineWidth = 1.2;
+    context.strokeStyle = this.on.colour(this.shapes[shape].body);
     const length = Math.min(past.length, 240);
     for (let n = past.length - length + 1; n < past.length; n++) {
       context.globalAlpha = 0.7 * ((n - past.length + length) / length);
@@ -187,7 +189,7 @@ export class View {
     const { x, y } = this.on;
     context.globalAlpha = 0.1;
     context.lineWidth = 1;
-    context.strokeStyle = "#2f6fa8";
+    context.strokeStyle = this.on.colour(this.shapes.find(moves)?.body);
     // one path of a thousand takes longer than many of a few
     let drawn = 0;
     context.beginPath();

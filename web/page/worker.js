@@ -1,17 +1,21 @@
 // Computes apart from the page, which can end it at any time.
 let exports;
-let ready;
+/** Requests that came before the module. */
+const waiting = [];
+
+function start(module) {
+  exports = new WebAssembly.Instance(module).exports;
+  waiting.splice(0).forEach(answer);
+}
 
 /** Unpacks the module of a new page, and gives it to the page for later workers. */
 async function unpack(text) {
-  const binary = atob(text);
-  const bytes = new Uint8Array(binary.length);
-  for (let n = 0; n < bytes.length; n++) bytes[n] = binary.charCodeAt(n);
+  const bytes = Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
   const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   // compilation of the stream takes longer than that of the whole, whose functions are compiled when they are called
   const module = await WebAssembly.compile(await new Response(unpacked).arrayBuffer());
-  exports = new WebAssembly.Instance(module).exports;
   self.postMessage({ module });
+  start(module);
 }
 
 function answer({ id, request }) {
@@ -31,8 +35,8 @@ function answer({ id, request }) {
 }
 
 self.onmessage = ({ data }) => {
-  if (data.packed) ready = unpack(data.packed).catch((error) => self.postMessage({ broken: String(error) }));
-  else if (data.module) exports = new WebAssembly.Instance(data.module).exports;
-  else if (ready) ready.then(() => answer(data));
-  else answer(data);
+  if (data.packed) unpack(data.packed).catch((error) => self.postMessage({ broken: String(error) }));
+  else if (data.module) start(data.module);
+  else if (exports) answer(data);
+  else waiting.push(data);
 };

@@ -90,6 +90,8 @@ pub enum Request {
         /// Directions of the screen in space: to the right, and up.
         view: [[f64; 3]; 2],
     },
+    /// Equations of the mechanism, and what its functions cost: all that its motion does not need.
+    Describe,
     /// Print generated code.
     Code {
         /// `rust` or `c`.
@@ -134,6 +136,13 @@ pub enum Answer {
     State {
         /// State.
         x: Vec<f64>,
+    },
+    /// Equations of the mechanism, and its functions.
+    Description {
+        /// Equations of motion in LaTeX.
+        latex: String,
+        /// Functions and what they cost.
+        functions: Vec<Function>,
     },
     /// Generated code.
     Code {
@@ -181,10 +190,6 @@ pub struct About {
     pub components: Vec<Component>,
     /// Names of joints with dry friction or stops, and of walls.
     pub constraints: Vec<String>,
-    /// Functions and what they cost.
-    pub functions: Vec<Function>,
-    /// Equations of motion in LaTeX.
-    pub latex: String,
     /// Shapes to draw; a frame has the places of their points.
     pub shapes: Vec<Shape>,
     /// True if there is an energy.

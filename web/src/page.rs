@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use pendulum_runtime::{
-    Declaration, Error, Event, Method, Model, Motion, Options, Quantity as OwnQuantity, SlotKind, Stopped,
+    Declaration, Error, Event, Function as OwnFunction, Method, Model, Motion, Options, Quantity as OwnQuantity,
+    SlotKind, Stopped,
 };
 
 use crate::crowd::Crowd;
@@ -52,6 +53,7 @@ impl Page {
         };
         Ok(match request {
             Request::Declare { text, files, method } => self.declare(&text, files, &method)?,
+            Request::Describe => self.describe()?,
             Request::Code { language } => self.code(&language)?,
             Request::Set { values, inputs } => {
                 let model = mechanism()?;
@@ -124,7 +126,8 @@ impl Page {
             declaration = declaration.file(name, text);
         }
         let mut notes = Vec::new();
-        let model = match Model::declared(&declaration, &[]) {
+        let motion = declaration.clone().only_motion();
+        let model = match Model::declared(&motion, &[]) {
             Err(Error::NoValue { parameters }) => {
                 let names = parameters.join("`, `");
                 let have = if parameters.len() > 1 {
@@ -134,7 +137,7 @@ impl Page {
                 };
                 notes.push(format!("`{names}` {have} in the declaration: {ASSUMED} is assumed"));
                 let values: Vec<(&str, f64)> = parameters.iter().map(|name| (name.as_str(), ASSUMED)).collect();
-                Model::declared(&declaration, &values)
+                Model::declared(&motion, &values)
             }
             model => model,
         };
@@ -152,6 +155,25 @@ impl Page {
         self.crowd = None;
         self.model = Some(model);
         Ok(Answer::Mechanism(Box::new(about)))
+    }
+
+    /// Compiles the declaration anew, with all that it lists.
+    fn describe(&self) -> Result<Answer, Error> {
+        let values = self.model.as_ref().map(|model| {
+            let names = model.parameters().iter().map(|own| own.name.as_str());
+            names.zip(model.values().iter().copied()).collect::<Vec<_>>()
+        });
+        let model = Model::declared(&self.declaration, &values.unwrap_or_default())?;
+        let function = |own: &OwnFunction| Function {
+            name: own.name.clone(),
+            docs: own.docs.clone(),
+            form: own.form.clone(),
+            operations: own.operations,
+        };
+        Ok(Answer::Description {
+            latex: model.latex().to_owned(),
+            functions: model.functions().iter().map(function).collect(),
+        })
     }
 
     fn code(&self, language: &str) -> Result<Answer, Error> {
@@ -285,17 +307,6 @@ fn about(model: &Model, notes: Vec<String>) -> Result<About, Error> {
             })
             .collect(),
         constraints: model.constraints().map(str::to_owned).collect(),
-        functions: model
-            .functions()
-            .iter()
-            .map(|own| Function {
-                name: own.name.clone(),
-                docs: own.docs.clone(),
-                form: own.form.clone(),
-                operations: own.operations,
-            })
-            .collect(),
-        latex: model.latex().to_owned(),
         shapes: shapes
             .iter()
             .map(|shape| Shape {

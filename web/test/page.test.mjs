@@ -1,6 +1,6 @@
 // The page in a browser: `node --test test/`, after `node build.mjs`. PAGE is the file, CHROMIUM the browser.
 import assert from "node:assert/strict";
-import { existsSync, mkdirSync, readFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, statSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -71,6 +71,41 @@ test("moves from a file, without errors or requests", async (t) => {
   t.diagnostic(`moved within ${Math.round(began)} ms of the start of the page`);
   await page.waitForTimeout(1500);
   await page.screenshot({ path: join(pictures, "page.png"), fullPage: true });
+});
+
+test("the page is one file of at most 2.5 MB", () => {
+  assert.ok(statSync(file).size <= 2.5e6, statSync(file).size);
+});
+
+test("the first example moves before the module is compiled, as the worker computes it", async (t) => {
+  const init = () => {
+    const post = Worker.prototype.postMessage;
+    window.held = [];
+    window.asked = [];
+    Worker.prototype.postMessage = function (message, ...rest) {
+      if (message.request) window.asked.push(message.request.do);
+      if (message.packed) window.held.push(() => post.call(this, message, ...rest));
+      else post.call(this, message, ...rest);
+    };
+  };
+  const page = await opened(t, { init });
+  const shown = await page.evaluate(() => {
+    const { now, ahead, past } = window.pendulum.app.simulation;
+    return { asked: window.asked, frames: [...past, now, ...ahead].map(({ t, x, reference }) => [t, ...x, ...reference.x]) };
+  });
+  // all but the declaration, which the worker needs, is known
+  assert.deepEqual([...new Set(shown.asked)].filter((request) => request !== "move"), ["declare"]);
+  await page.evaluate(() => window.held.forEach((post) => post()));
+  const start = await page.evaluate(() => window.pendulum.app.about.start);
+  const computed = await ask(page, { do: "move", by: { method: "Vern9", tolerance: 1e-9 }, span: [0, 0.1], x: start, frames: 6 });
+  const width = computed.answer.width;
+  const own = Array.from({ length: 6 }, (_, n) => computed.numbers.slice(n * width, n * width + 1 + start.length));
+  const first = shown.frames.filter(([t]) => t > 0 && t < 0.11);
+  const of = new Map(first.map((frame) => [frame[0], frame.slice(0, 1 + start.length)]));
+  for (const frame of own) if (of.has(frame[0])) assert.deepEqual(bitsOf(of.get(frame[0])), bitsOf(frame));
+  assert.ok(own.some((frame) => of.has(frame[0])));
+  await goesOn(page);
+  await page.waitForFunction(() => window.pendulum.app.simulation.now.t > 1);
 });
 
 test("a mistake is marked at its token, and the fix moves again", async (t) => {
@@ -212,15 +247,17 @@ test("energy without friction stays within 1e-9 for a minute", async (t) => {
   assert.ok(drift < 1e-9, drift);
 });
 
-test("bits after 1e5 steps are those of other machines", async (t) => {
-  const { text, request, x } = JSON.parse(readFileSync(join(here, "../tests/bits.json"), "utf8"));
+test("bits after 1e5 steps, and through stops, walls and friction, are those of other machines", async (t) => {
+  const cases = JSON.parse(readFileSync(join(here, "../tests/bits.json"), "utf8"));
   const page = await opened(t);
   await page.click("#play");
   await page.evaluate(() => (window.pendulum.app.simulation = null));
-  await ask(page, { do: "declare", text, method: "Vern9" });
-  const { answer, took } = await ask(page, request);
-  t.diagnostic(`1e5 steps of Rk4 in ${took.toFixed(0)} ms`);
-  assert.deepEqual(bitsOf(answer.x), x);
+  for (const { text, request, x } of cases.reverse()) {
+    await ask(page, { do: "declare", text, method: "Vern9" });
+    const { answer, took } = await ask(page, request);
+    t.diagnostic(`${answer.steps} steps of ${request.by.method} in ${took.toFixed(0)} ms`);
+    assert.deepEqual(bitsOf(answer.x), x);
+  }
   // lanes compute the same as one motion alone
   const by = { method: "Rk4", h: 1e-3 };
   await ask(page, { do: "gather", t: 0, x: [2, 1, 0, 0], count: 7, spread: 1e-3 });
@@ -336,8 +373,69 @@ test("declarations of the book open here", async (t) => {
   assert.equal(await other.evaluate(() => window.pendulum.editor.text), PENDULUM);
 });
 
+test("a computation that takes long can be stopped", async (t) => {
+  const page = await opened(t);
+  await declare(page, PENDULUM);
+  const answer = page.evaluate(async () => {
+    const by = { method: "Rk4", h: 1e-7 };
+    return (await window.pendulum.engine.ask({ do: "move", by, span: [0, 100], x: [2, 0], frames: 1 })).answer;
+  });
+  await page.click("#stop");
+  assert.match((await answer).why, /stopped by the button/);
+  await page.waitForSelector("#stop", { state: "hidden" });
+  await page.click("#again");
+  await page.waitForFunction(() => window.pendulum.app.simulation.now.t < 1);
+  if ((await page.getAttribute("#play", "aria-pressed")) === "false") await page.click("#play");
+  await goesOn(page);
+});
+
+test("texts of any kind are answered, and a good one moves afterwards", async (t) => {
+  const page = await opened(t);
+  const texts = ["", "}", '"', "pub", "\u{1f600}\u0000", "(".repeat(20000), "pub A { params { a: m = 1e999 } }", `pub A { let x = ${"(".repeat(3000)}1${")".repeat(3000)} }`];
+  for (const text of texts) {
+    await page.evaluate((text) => (window.pendulum.editor.text = text), text);
+    await page.waitForFunction(() => !window.pendulum.app.declaring && document.querySelectorAll("#problems li").length > 0);
+  }
+  await declare(page, PENDULUM);
+  await goesOn(page);
+});
+
+test("walls are drawn where they are", async (t) => {
+  const page = await opened(t);
+  await declare(page, PENDULUM.replace("    body", "    point tip on bob at [0, -l, 0],\n    wall floor { gap: tip.y + 0.6 },\n    body"));
+  await goesOn(page);
+  await page.click("#play");
+  const rows = await page.evaluate(() => {
+    const { view } = window.pendulum.app;
+    const context = view.canvas.getContext("2d");
+    const ratio = view.canvas.width / view.canvas.clientWidth;
+    const drawn = (y) => {
+      const { data } = context.getImageData(0, Math.round(y * ratio), view.canvas.width, 1);
+      return data.filter((_, n) => n % 4 === 3 && data[n] > 0).length / view.canvas.width;
+    };
+    return { on: drawn(view.on.y(-0.6)), above: drawn(view.on.y(-0.6) - 12), below: drawn(view.on.y(-0.6) + 3) };
+  });
+  assert.ok(rows.on > 0.99 && rows.above < 0.2 && rows.below > 0.1, JSON.stringify(rows));
+  await page.locator("#canvas").screenshot({ path: join(pictures, "wall.png") });
+});
+
+test("equations follow after the motion, and stay while someone types", async (t) => {
+  const page = await opened(t);
+  await declare(page, PENDULUM);
+  await page.waitForSelector("#panel .katex");
+  await page.evaluate(() => (window.texts = new MutationObserver(() => (window.lost ||= !document.querySelector("#panel .katex"))).observe(document.getElementById("panel"), { childList: true, subtree: true })));
+  await page.click(".cm-content");
+  await page.keyboard.press("Control+End");
+  await page.keyboard.type("// more");
+  const before = await page.textContent("#panel");
+  await declare(page, PENDULUM.replace("gravity: [0, -g, 0]", "gravity: [0, -2*g, 0]"));
+  await page.waitForFunction((before) => document.getElementById("panel").textContent !== before, before);
+  assert.equal(await page.evaluate(() => window.lost), false);
+});
+
 test("a worker that is ended starts again", async (t) => {
   const page = await opened(t);
+  await page.waitForFunction(() => window.pendulum.engine.module);
   await page.evaluate(() => window.pendulum.engine.stop("stopped"));
   await page.click("#again");
   await page.waitForFunction(() => window.pendulum.app.simulation.now.t === 0 || window.pendulum.app.simulation.past[0]?.t < 0.1);
@@ -354,8 +452,10 @@ test("phones: nothing is wider than the screen", async (t) => {
   await page.screenshot({ path: join(pictures, "phone.png"), fullPage: true });
 });
 
-test("dark", async (t) => {
+test("dark and light", async (t) => {
+  const back = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   const page = await opened(t, { colorScheme: "dark" });
+  assert.deepEqual([await back(page), await back(await opened(t))], ["rgb(22, 24, 27)", "rgb(251, 251, 249)"]);
   await page.waitForTimeout(800);
   await page.screenshot({ path: join(pictures, "dark.png"), fullPage: true });
 });

@@ -10,6 +10,8 @@ const DOUBLE: &str = "pub Double {
     body lower on upper { solids: [point(1, [0, -l, 0])], joint: revolute(z) at [0, -l, 0], coordinate: b }
 }";
 
+const VIEW: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+
 fn ask(page: &mut Page, request: &Value) -> (Value, Vec<f64>) {
     let (text, numbers) = page.answer_json(request.to_string().as_bytes());
     (serde_json::from_str(&text).expect("valid JSON"), numbers)
@@ -127,29 +129,54 @@ fn frames_are_equally_spaced_and_keep_the_energy() {
     assert!((energy(9) - energy(0)).abs() < 1e-10, "{} {}", energy(0), energy(9));
 }
 
-/// The browser must have these bits after 1e5 steps, too: `test/page.test.mjs` reads the same file.
+/// The browser must have these bits, too: `test/page.test.mjs` reads the same file. The first motion is 1e5 steps of a
+/// double pendulum, the second goes through stops, walls and sticking friction.
 #[test]
-fn bits_after_many_steps() {
-    let (mut page, _) = declared(DOUBLE);
-    let by = json!({ "method": "Rk4", "h": 1e-3 });
-    let request = json!({ "do": "move", "by": by, "span": [0.0, 100.0], "x": [2.0, 1.0, 0.0, 0.0], "frames": 1 });
-    let (answer, _) = ask(&mut page, &request);
-    let bits: Vec<String> = numbers(&answer["x"])
-        .iter()
-        .map(|x| format!("{:016x}", x.to_bits()))
-        .collect();
-    let expected: Value = serde_json::from_str(include_str!("bits.json")).expect("valid JSON");
-    assert_eq!(
-        (answer["steps"].as_u64(), json!(bits)),
-        (Some(100_000), expected["x"].clone())
-    );
-    assert_eq!(
-        (DOUBLE, request),
-        (expected["text"].as_str().expect("a text"), expected["request"].clone())
-    );
+fn bits_of_motions() {
+    let cases: Value = serde_json::from_str(include_str!("bits.json")).expect("valid JSON");
+    for case in cases.as_array().expect("a list") {
+        let (mut page, about) = declared(case["text"].as_str().expect("a text"));
+        assert_eq!(about["is"], "mechanism", "{about}");
+        let (answer, _) = ask(&mut page, &case["request"]);
+        assert_eq!(answer["stopped"], Value::Null);
+        let bits: Vec<String> = numbers(&answer["x"])
+            .iter()
+            .map(|x| format!("{:016x}", x.to_bits()))
+            .collect();
+        assert_eq!(json!(bits), case["x"], "{answer}");
+    }
 }
 
-const VIEW: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+#[test]
+fn a_description_follows_with_the_values_that_were_set() {
+    let (mut page, about) = declared(&DOUBLE.replace("l: m = 1.0", "l: m"));
+    assert_eq!(about["functions"], Value::Null);
+    ask(&mut page, &json!({ "do": "set", "values": [2.0, 9.81], "inputs": [] }));
+    let (answer, _) = ask(&mut page, &json!({ "do": "describe" }));
+    assert!(
+        answer["latex"].as_str().is_some_and(|latex| latex.contains("\\ddot")),
+        "{answer}"
+    );
+    let names = answer["functions"].as_array().expect("functions").iter();
+    let names: Vec<_> = names.filter_map(|function| function["name"].as_str()).collect();
+    assert!(names.contains(&"jacobian"), "{names:?}");
+}
+
+#[test]
+fn flat_walls_have_shapes() {
+    let text = DOUBLE.replace(
+        "gravity:",
+        "point tip on lower at [0, -l, 0], wall floor { gap: tip.y + 3*l } gravity:",
+    );
+    let (mut page, about) = declared(&text);
+    let wall = shape(&about, "Wall", "ground");
+    let (_, frame) = ask(&mut page, &json!({ "do": "look", "t": 0.0, "x": [0.0, 1.0, 0.0, 0.0] }));
+    let foot = place(&about, &frame, wall, 0);
+    assert!(
+        (foot[0] - 1_f64.sin()).abs() < 1e-15 && (foot[1] + 3.0).abs() < 1e-15,
+        "{foot:?}"
+    );
+}
 
 #[test]
 fn a_hand_moves_a_body_to_where_it_points() {

@@ -71,6 +71,8 @@ pub(crate) struct Items {
     pub generate: Option<(Ident, Vec<Ident>)>,
     /// Words of `generate` that are added where the scene can have them.
     pub also: Vec<String>,
+    /// True if nothing but `rhs` and the added words is generated.
+    pub only: bool,
 }
 
 /// `name: unit = default`

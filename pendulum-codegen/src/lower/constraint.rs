@@ -307,6 +307,7 @@ pub(super) fn constrain<'g>(tree: &mut Tree<'g>, walls: Vec<Wall<'g>>) -> Vec<Co
             coordinate: Some(own),
             motion: body.motion.clone(),
             value: tree.position_of(&body.motion),
+            declared: tree.position_of(&body.motion),
             force,
             law,
         });
@@ -322,6 +323,7 @@ pub(super) fn constrain<'g>(tree: &mut Tree<'g>, walls: Vec<Wall<'g>>) -> Vec<Co
             coordinate: None,
             motion: Combination::default(),
             value: gap,
+            declared: gap,
             force,
             law,
         });

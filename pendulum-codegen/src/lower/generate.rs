@@ -23,9 +23,12 @@ pub(super) struct Has {
 
 impl Lower<'_> {
     /// Routines to generate: those listed, or the default ones if the list is omitted, and those added to it that the
-    /// scene can have.
+    /// scene can have; or `rhs` and the added ones only.
     pub(super) fn generate(&mut self, items: &Items, has: Has) -> BTreeSet<&'static str> {
         let mut words = self.listed(items, has);
+        if items.only {
+            words = ["rhs"].into();
+        }
         let is_added = |word: &&str| items.also.iter().any(|also| also == *word) && hindrance(word, has).is_none();
         words.extend(program::words().into_iter().filter(is_added));
         words

@@ -19,6 +19,8 @@ pub(crate) struct Constraint<'g> {
     pub motion: Combination,
     /// Constrained function of the state.
     pub value: Expr<'g>,
+    /// The value as declared, in terms of the symbols of points.
+    pub declared: Expr<'g>,
     /// Symbol of the constraint force.
     pub force: Expr<'g>,
     /// Friction, limits and restitution.

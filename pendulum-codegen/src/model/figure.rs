@@ -45,4 +45,6 @@ pub enum FigureKind {
     Point,
     /// A named point that does not move.
     Anchor,
+    /// A flat wall: the foot of the point that it keeps off, and a point 1 m away on its side.
+    Wall,
 }

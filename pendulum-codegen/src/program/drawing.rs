@@ -4,9 +4,9 @@ use rustc_hash::FxHashMap;
 
 use super::block::{Block, Variable};
 use super::build::{NotFinite, block};
-use crate::expr::{Expr, ExprId};
+use crate::expr::{Derivative, Expr, ExprId, Level};
 use crate::form::{self, Chosen, Forms};
-use crate::model::{Action, Body, BodyId, FigureKind, Model, Poses};
+use crate::model::{Action, Body, BodyId, Constraint, FigureKind, Model, Poses};
 use crate::screw::Vec3;
 
 /// Outlines of a scene, and code for their positions.
@@ -54,6 +54,7 @@ impl<'g> Sketch<'g> {
         shown.joints();
         shown.springs_and_dampers();
         shown.points();
+        shown.walls();
         Self {
             chosen: form::values(forms, model, &shown.values),
             outlines: shown.outlines,
@@ -218,6 +219,57 @@ impl<'g> Shown<'_, 'g> {
             self.show(&point.name, kind, &[(point.place.body, point.place.at)], None);
         }
     }
+
+    /// Adds the flat walls.
+    fn walls(&mut self) {
+        let model = self.model;
+        for wall in model.constraints.iter().filter(|own| own.coordinate.is_none()) {
+            let touching = self.touching_point(wall).or_else(|| self.touching_body(wall));
+            if let Some((at, normal)) = touching {
+                let unit = (1 / normal.dot(normal).sqrt()) * normal;
+                let foot = at - (wall.value / normal.dot(normal)) * normal;
+                let ends = [foot, foot + unit].map(|end| (None, end));
+                self.show(&wall.name, FigureKind::Wall, &ends, None);
+            }
+        }
+    }
+
+    /// Position of the declared point that a flat wall keeps off, and the derivative of the gap by this position.
+    fn touching_point(&self, wall: &Constraint<'g>) -> Option<(Vec3<'g>, Vec3<'g>)> {
+        let by = |x: Expr<'g>| Derivative::by(x).of(wall.declared);
+        let slopes = self
+            .model
+            .points
+            .iter()
+            .map(|point| (point, Vec3(point.position.0.map(by))));
+        let mut touching = slopes.filter(|(_, slope)| !slope.is_zero());
+        let (point, normal) = touching.next()?;
+        let is_alone = touching.next().is_none() && self.model.coordinates.iter().all(|own| by(own.position).is_zero());
+        let position = self.poses.point(point.place.body, point.place.at);
+        (is_alone && is_fixed(normal)).then_some((position, normal))
+    }
+
+    /// Origin of the first body whose motion changes the gap of a flat wall as the coordinates do, and the derivative of
+    /// the gap by its position.
+    fn touching_body(&self, wall: &Constraint<'g>) -> Option<(Vec3<'g>, Vec3<'g>)> {
+        let graph = self.model.graph;
+        let coordinates = || self.model.coordinates.iter().map(|own| Derivative::by(own.position));
+        let slopes: Vec<Expr<'g>> = coordinates().map(|mut by| by.of(wall.value)).collect();
+        let normal = |origin: Vec3<'g>| {
+            let ways: Vec<Vec3<'g>> = coordinates().map(|mut by| Vec3(origin.0.map(|x| by.of(x)))).collect();
+            let parts = slopes.iter().zip(&ways).filter(|(slope, _)| !slope.is_zero());
+            let normal = parts.fold(Vec3::zero(graph), |sum, (&slope, &way)| sum + slope * way);
+            let explains = |(&slope, &way): (&Expr<'g>, &Vec3<'g>)| normal.dot(way) == slope;
+            (is_fixed(normal) && slopes.iter().zip(&ways).all(explains)).then_some((origin, normal))
+        };
+        let origin = |(n, _)| self.poses.point(Some(n), Vec3::zero(graph));
+        self.model.bodies().map(origin).find_map(normal)
+    }
+}
+
+/// True if a vector is constant in time, for given parameters.
+fn is_fixed(vector: Vec3<'_>) -> bool {
+    vector.0.iter().all(|x| x.level() <= Level::Parameter)
 }
 
 fn name_of<'m>(model: &'m Model<'_>, body: Option<BodyId>) -> &'m str {

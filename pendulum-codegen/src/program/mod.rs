@@ -20,6 +20,7 @@ use rustc_hash::FxHashMap;
 pub use block::{Block, Coefficient, Let, Local, MultiplyAdd, Signs, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
 pub use drawing::{Drawing, Outline};
+pub(crate) use equations::Extent;
 pub use equations::{ConstraintForce, Equations, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout, StateVariable};
 pub use output::Event;
@@ -161,12 +162,12 @@ pub(crate) const FINITE_CONSTANT: &str = "a constant of the equations is not fin
                                           a divisor is zero, or a number is too large";
 
 impl Program {
-    /// Generates the program of a scene. The full form of its equations is left empty if it is not needed.
+    /// Generates the program of a scene, with its equations as text to an extent.
     ///
     /// # Errors
     ///
     /// Returns the first constant without a finite value.
-    pub(crate) fn new<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>, needs_full: bool) -> Result<Self, NotFinite> {
+    pub(crate) fn new<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>, extent: Extent) -> Result<Self, NotFinite> {
         let g = model.graph;
         let mut forms = Forms::new(model, dynamics);
         let chosen = chosen(&mut forms, model);
@@ -196,7 +197,10 @@ impl Program {
         let (rules, checked) = rules(model);
         let of_parameters = parameters(model);
         let force = &dynamics.lagrangian.force;
-        let equations = equations::equations(model, force, needs_full, forms.recursive(), forms.closed());
+        let equations = match extent {
+            Extent::None => Equations::default(),
+            _ => equations::equations(model, force, extent, forms.recursive(), forms.closed()),
+        };
         Ok(Self {
             name: model.name.clone(),
             docs: model.docs.clone(),

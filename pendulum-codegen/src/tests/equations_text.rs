@@ -10,7 +10,7 @@ use crate::dynamics::Dynamics;
 use crate::expr::{Definition, Formula, Graph, SymbolKind};
 use crate::model::Model;
 use crate::program::equations::equations;
-use crate::program::{Equations, Listing};
+use crate::program::{Equations, Extent, Listing};
 
 /// Maximum length of the text for a chain of eight links, in bytes.
 const PAGE: usize = 5_000;
@@ -145,7 +145,7 @@ fn written<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>,
     let equations = equations(
         &model,
         &dynamics.lagrangian.force,
-        true,
+        Extent::Full,
         (&recursive.balance, &recursive.lagrangian),
         None,
     );

@@ -6,7 +6,7 @@ use crate::dynamics::Dynamics;
 use crate::error::Errors;
 use crate::expr::{Graph, MOST_POWER, Unary, ratio};
 use crate::lower::{Lowered, lower};
-use crate::program::Program;
+use crate::program::{Extent, Program};
 
 /// Minimum stack size of the threads on which compilers expand macros, in bytes.
 const STACK: usize = 8 << 20;
@@ -23,7 +23,7 @@ fn expand(declaration: &str) -> Result<(Program, usize), String> {
     let Lowered { model, spans } = lower(&graph, &scene, errors).map_err(|errors| errors.to_string())?;
     let dynamics = Dynamics::new(&model);
     check(&model, &spans, &dynamics, Errors::default()).map_err(|errors| errors.to_string())?;
-    let program = Program::new(&model, &dynamics, true).map_err(|constant| constant.0)?;
+    let program = Program::new(&model, &dynamics, Extent::Full).map_err(|constant| constant.0)?;
     Ok((program, graph.len()))
 }
 

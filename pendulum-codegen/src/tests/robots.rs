@@ -548,7 +548,7 @@ fn joints_follow_those_that_follow() {
     let around = text.replace("<child link=\"first\"/>", "<child link=\"first\"/><mimic joint=\"c\"/>");
     let read = |_: &str| Ok(around.clone());
     let scene = "pub A { robot: urdf(\"around.urdf\") }".parse().expect("tokens");
-    let refused = crate::pipeline::program(scene, &[], &read)
+    let refused = crate::pipeline::program(scene, crate::Wanted::Also(&[]), &read)
         .expect_err("a circle")
         .to_string();
     assert!(

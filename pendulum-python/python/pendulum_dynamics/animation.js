@@ -3,7 +3,7 @@
   const bounds = [Infinity, -Infinity, Infinity, -Infinity];
   for (const frame of scene.frames) {
     frame.forEach(([points, radius], n) => {
-      if (scene.shapes[n].kind === "Guide") return;
+      if (painter.endless.has(scene.shapes[n].kind)) return;
       for (let i = 0; i < points.length; i += 2) {
         bounds[0] = Math.min(bounds[0], points[i] - radius);
         bounds[1] = Math.max(bounds[1], points[i] + radius);

@@ -28,6 +28,22 @@ fn words_are_added_where_the_mechanism_can_have_them() {
 }
 
 #[test]
+fn a_model_of_the_motion_alone_has_the_same_motion() {
+    let text = BALL.replace("[rhs]", "[rhs, jacobian, mass_matrix]");
+    let declaration = Declaration::new(&text).also(["energy"]);
+    let [whole, alone] = [declaration.clone(), declaration.only_motion()]
+        .map(|declaration| Model::declared(&declaration, &[]).expect("valid"));
+    assert_eq!(names(&alone), ["rhs", "kinetic", "potential"]);
+    assert_eq!(names(&whole).len(), 5);
+    assert_eq!(alone.latex(), "");
+    let x = whole.state(&[]).expect("a state");
+    assert_eq!(whole.rhs(0.0, &x).expect("valid"), alone.rhs(0.0, &x).expect("valid"));
+    // errors are those of the whole list
+    let wrong = Declaration::new(&BALL.replace("[rhs]", "[rhs, nothing]")).only_motion();
+    assert!(matches!(Model::declared(&wrong, &[]), Err(Error::Declaration(_))));
+}
+
+#[test]
 fn robots_come_from_texts_that_are_given() {
     let text = "pub Arm { robot: urdf(\"arm.urdf\"), gravity: [0, 0, -9.81] }";
     assert!(matches!(Model::parse(text), Err(Error::Declaration(_))));

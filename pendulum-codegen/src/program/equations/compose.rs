@@ -8,7 +8,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::names::name_parts;
 use super::torques::Torques;
-use super::{ConstraintForce, Equations, Listing, Row, RowKind};
+use super::{ConstraintForce, Equations, Extent, Listing, Row, RowKind};
 use crate::dynamics::{Balance, Lagrangian};
 use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand};
 use crate::form::expanded;
@@ -38,7 +38,7 @@ const RECURSIVE: usize = 40;
 pub(crate) fn equations<'g>(
     model: &Model<'g>,
     force: &[Expr<'g>],
-    needs_full: bool,
+    extent: Extent,
     recursive: (&Balance<'g>, &Lagrangian<'g>),
     closed: Option<(&Balance<'g>, &Lagrangian<'g>)>,
 ) -> Equations {
@@ -60,9 +60,9 @@ pub(crate) fn equations<'g>(
         driven: !model.drives.is_empty(),
         acted: !model.actions.is_empty(),
         short: composer.short(),
-        full: match needs_full {
-            true => composer.full(force),
-            false => Listing::default(),
+        full: match extent {
+            Extent::Full => composer.full(force),
+            _ => Listing::default(),
         },
     }
 }

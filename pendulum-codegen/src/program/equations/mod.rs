@@ -12,6 +12,17 @@ use lines::wrapped;
 
 use crate::expr::{Definition, Formula, latex_definitions};
 
+/// Forms of the equations that are wanted; the others are left empty.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// None.
+    None,
+    /// The short form.
+    Short,
+    /// Both forms.
+    Full,
+}
+
 /// Equations of motion of a scene: `A qdd + b = Q`.
 ///
 /// `{}` prints them in the shortest form found, with the names of the declaration; `{:#}` prints every `let` and every
