@@ -215,9 +215,12 @@ fn the_stiff_beside_the_free() {
         .map(|brake| Braked::new(BrakedParams { brake }).expect("physical"))
         .collect();
     let starts: Vec<_> = (0..45).map(|n| SVector::from([0.05 * f64::from(n), 0.0])).collect();
-    for tolerance in [1e-3, 1e-6, 1e-9] {
+    // from 1e-9 on, trajectories that turn stiff leave their lanes
+    for tolerance in [1e-3, 1e-6, 2e-9, 1e-9] {
         let method = Auto::new().rtol(tolerance).atol(tolerance);
         assert_ensemble(method, &models, (0.0, 4.0), &starts);
+        // the brake is on at the start, where a first step is unstable
+        assert_ensemble(method, &models, (0.5, 1.0), &starts);
         let swings = || Event::new(|_, x: &SVector<f64, 2>| x[1]);
         let hangs = Event::new(|t, x: &SVector<f64, 2>| if t > 1.0 { x[0].abs() - 0.1 } else { 1.0 });
         // trajectories with the terminal event leave their lanes early

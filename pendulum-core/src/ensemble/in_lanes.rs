@@ -11,10 +11,10 @@ use super::watch::{Watch, show_lane};
 use super::{Expanded, InLanes, MOST_LANES, Stopped, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::hybrid::{Hold, InMode};
+use crate::hybrid::{Hold, InMode, Modes};
 use crate::method::{
-    Adaptive, Estimates, Method, NonFinite, Pace, Scheme, Stalled, StepControl, StepFailure, is_within_tolerance, jump,
-    place, toggle,
+    Adaptive, Early, Estimates, Method, NonFinite, Pace, Progress, Scheme, Stalled, StepControl, StepFailure, Stepper,
+    is_within_tolerance, jump, place, toggle,
 };
 use crate::real::lanes::{Kernel, LaneElement, Lanes};
 use crate::solution::Need;
@@ -178,6 +178,17 @@ where
             scheme.accept(&InMode::new(&system, leave.hold()), &step, lanes, work);
             x = lanes.select(&x_new, &x);
             self.take_out(&mut members, &x);
+            if const { F::LEAVES } {
+                for (lane, index) in members.busy_at_first(V::LANES) {
+                    if F::leaves(&scheme, lane) {
+                        let modes = Modes::none(members.t[lane]);
+                        self.go_on_alone(index, &members.progress(lane, in_lane(&x, lane), modes), &steps);
+                        members.leave(lane);
+                        // the empty lane requests nothing
+                        scheme.enter(lane, index);
+                    }
+                }
+            }
         }
     }
 
@@ -387,6 +398,24 @@ where
                 }
             }
         }
+    }
+
+    /// Integrates a trajectory that leaves its lane to its end.
+    #[cold]
+    fn go_on_alone(&mut self, index: usize, progress: &Progress<T, N>, steps: &Pacing<T>) {
+        let Pacing::Controlled(control) = steps else { return };
+        let model = model_of(self.models, index).cast::<T>();
+        let scheme = self.method.family().alone(&model, Some(control.tolerance));
+        let stepper = scheme.and_then(|scheme| Stepper::resume(&model, scheme, self.span.1, *control, progress));
+        let ended = match stepper {
+            Ok(mut stepper) => self.watch.go_on(index, &mut stepper, progress.steps),
+            Err(reason) => Err(Early::at((progress.t, progress.x))(reason)),
+        };
+        self.x[index] = ended.unwrap_or_else(|Early { reason, t, x }| {
+            self.stopped.push(Stopped { index, t, reason });
+            x
+        });
+        self.watch.finish(index);
     }
 
     /// Fills free lanes with waiting trajectories; with equal steps, only once all lanes are free. Returns true if any

@@ -25,6 +25,9 @@ pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>,
     /// True if lanes also integrate hybrid systems, while no constraint is held.
     const IN_MODES: bool = true;
 
+    /// True if trajectories may [leave](Self::leaves) their lanes.
+    const LEAVES: bool = false;
+
     /// Working memory of a step in lanes.
     type Stages<V: Lanes<Scalar = T>>: Scheme<Expanded<M, V, N>, V, N>;
 
@@ -38,6 +41,20 @@ pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>,
         tolerance: Option<Tolerance<T>>,
         is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason>;
+
+    /// True if the trajectory in a lane must continue [alone](Self::alone) from its present point.
+    #[inline(always)]
+    fn leaves<V: Lanes<Scalar = T>>(_stages: &Self::Stages<V>, _lane: usize) -> bool {
+        false
+    }
+
+    /// Scheme of a trajectory that leaves its lane. It begins anew.
+    ///
+    /// # Errors
+    /// See [`OneStep::scheme`].
+    fn alone(&self, system: &M::In<T>, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        self.scheme(system, tolerance)
+    }
 }
 
 impl<M, B, T, const STAGES: usize, const N: usize> InLanes<M, T, N> for Explicit<B, STAGES>
@@ -200,16 +217,19 @@ impl<M: CastJacobian<N>, T: Real, const N: usize> Jacobian<T, N> for Expanded<M,
     }
 }
 
-impl<M, B, T, const STAGES: usize, const N: usize> InLanes<M, T, N> for SwitchingFrom<B, STAGES>
+impl<M, B, I, T, const STAGES: usize, const STIFF: usize, const N: usize> InLanes<M, T, N>
+    for SwitchingFrom<B, I, STAGES, STIFF>
 where
     M: CastJacobian<N>,
     B: Bounded<STAGES>,
+    I: RosenbrockMethod<STIFF>,
     M::In<T>: Jacobian<T, N>,
     T: LaneElement,
 {
     const NARROW: bool = true;
     const IN_MODES: bool = false;
-    type Stages<V: Lanes<Scalar = T>> = SwitchInLanes<B, V, STAGES, N>;
+    const LEAVES: bool = true;
+    type Stages<V: Lanes<Scalar = T>> = SwitchInLanes<B, I, V, STAGES, STIFF, N>;
 
     #[inline(always)]
     fn stages<V: Lanes<Scalar = T>>(
@@ -217,8 +237,17 @@ where
         system: &Expanded<M, V, N>,
         tolerance: Option<Tolerance<T>>,
         _is_dense: bool,
-    ) -> Result<SwitchInLanes<B, V, STAGES, N>, Reason> {
+    ) -> Result<Self::Stages<V>, Reason> {
         SwitchInLanes::new(system, tolerance)
+    }
+
+    #[inline(always)]
+    fn leaves<V: Lanes<Scalar = T>>(stages: &Self::Stages<V>, lane: usize) -> bool {
+        stages.leaves(lane)
+    }
+
+    fn alone(&self, system: &M::In<T>, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        Self::stiff(system, tolerance)
     }
 }
 

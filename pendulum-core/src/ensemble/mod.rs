@@ -36,7 +36,8 @@ use watch::Watch;
 ///
 /// Explicit methods, [`Taylor`](crate::Taylor), Rosenbrock methods and [`Auto`](crate::Auto) run in lanes of vector
 /// registers, one trajectory per lane. [`Radau5`](crate::Radau5) and the Gauss methods integrate the trajectories one
-/// by one, as do Rosenbrock methods and `Auto` for [hybrid](crate::hybrid) systems.
+/// by one, as do Rosenbrock methods and `Auto` for [hybrid](crate::hybrid) systems, and `Auto` with tolerances up to
+/// 1e-9 from where a trajectory turns stiff.
 pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// Integrates from each of the states `starts` at `t0` to `t1`, and returns the final states.
     ///

@@ -10,7 +10,7 @@ use crate::method::{
 };
 use crate::real::lanes::{Isa, LaneElement};
 use crate::system::{Cast, CastJacobian, Jacobian};
-use crate::tableau::{Tsitouras5, Verner7, Verner9};
+use crate::tableau::{HairerWanner4, Steinebach5, Tsitouras5, Verner7, Verner9};
 
 /// A kind of method for ensembles. By default it integrates trajectories one by one; methods [`InLanes`] override this.
 pub trait Together<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> + Sized {
@@ -100,9 +100,9 @@ where
     {
         let method = march.method;
         match Choice::within(Some(&method.tolerance::<T>()?)) {
-            Choice::Tsit5 => isa.run(march.by(&method.by(SwitchingFrom::<Tsitouras5, 7>::new()))),
-            Choice::Vern7 => isa.run(march.by(&method.by(SwitchingFrom::<Verner7, 11>::new()))),
-            Choice::Vern9 => isa.run(march.by(&method.by(SwitchingFrom::<Verner9, 17>::new()))),
+            Choice::Tsit5 => isa.run(march.by(&method.by(SwitchingFrom::<Tsitouras5, HairerWanner4, 7, 6>::new()))),
+            Choice::Vern7 => isa.run(march.by(&method.by(SwitchingFrom::<Verner7, Steinebach5, 11, 8>::new()))),
+            Choice::Vern9 => isa.run(march.by(&method.by(SwitchingFrom::<Verner9, Steinebach5, 17, 8>::new()))),
         }
     }
 }

@@ -39,6 +39,21 @@ pub trait Watch<T: Float, const N: usize> {
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized;
 
+    /// Integrates a trajectory that has left its lane after this many steps, because it switched to another method, and
+    /// returns its final state.
+    ///
+    /// # Errors
+    /// Reason and place of an early stop.
+    fn go_on<C, S>(
+        &mut self,
+        index: usize,
+        stepper: &mut Stepper<'_, C, S, T, N>,
+        steps: usize,
+    ) -> Result<SVector<T, N>, Early<T, N>>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized;
+
     /// Called when a trajectory starts in a lane. `work` counts the evaluations so far.
     fn start(
         &mut self,
@@ -112,6 +127,19 @@ impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
     {
         let ended = stepper.run();
         ended.map_err(Early::at((stepper.t(), stepper.x())))
+    }
+
+    fn go_on<C, S>(
+        &mut self,
+        index: usize,
+        stepper: &mut Stepper<'_, C, S, T, N>,
+        _steps: usize,
+    ) -> Result<SVector<T, N>, Early<T, N>>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        self.run((index, stepper.x()), stepper, None)
     }
 
     fn start(
@@ -188,6 +216,39 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         tolerance.into_iter().for_each(|tolerance| observer.within(tolerance));
         let ended = follow(stepper, x0, self.events[index], observer);
         observer.finish(stepper.statistics());
+        ended
+    }
+
+    fn go_on<C, S>(
+        &mut self,
+        index: usize,
+        stepper: &mut Stepper<'_, C, S, T, N>,
+        steps: usize,
+    ) -> Result<SVector<T, N>, Early<T, N>>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        let ended = loop {
+            let step = match stepper.step() {
+                Ok(Some(step)) => step,
+                Ok(None) => break Ok(stepper.x()),
+                Err(reason) => break Err(Early::at((stepper.t(), stepper.x()))(reason)),
+            };
+            let seen = if self.looks_into(index, (step.t0, step.t1)) {
+                self.see(index, &stepper.dense())
+            } else {
+                self.see(index, &Dense::new(step, &[]))
+            };
+            match seen {
+                Ok(None) => {}
+                Ok(Some(x)) => break Ok(x),
+                Err(early) => break Err(early),
+            }
+        };
+        let mut work = stepper.statistics();
+        (work.accepted, work.switches) = (work.accepted - steps, work.switches + 1);
+        self.work[index].add(&work);
         ended
     }
 

@@ -357,6 +357,11 @@ where
 {
     const TABLEAU: RadauTableau<STAGES, PAIRS> = RadauIIA::<STAGES, PAIRS>::TABLEAU;
 
+    /// Jacobian of the next step, which may be that at the start of an earlier one.
+    pub(super) fn jacobian(&self) -> &SMatrix<T, N, N> {
+        &self.matrix.jacobian
+    }
+
     /// Error of a step of length `h`: the difference between the slope of its polynomial at the start and the given
     /// `slope` of the system, filtered by the matrix of the iteration. Hairer and Wanner, IV.8, Eq. 8.19.
     #[cfg_attr(not(debug_assertions), inline(always))]

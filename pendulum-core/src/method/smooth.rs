@@ -173,12 +173,12 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         let t = self.t();
         let system = InMode::new(model.0, &model.1.hold);
         let mut proposed = self.scheme.prepare(&system, t, &self.last.x1, &mut self.statistics);
-        pace.set_order(self.scheme.error_order());
         loop {
             let steps = self.statistics.accepted + self.statistics.rejected - self.before;
             let t_new = control.plan(&mut pace.h, (t, self.t1), steps, proposed.take())?;
             let outcome = self.attempt_and_advance(model, t_new, is_within_tolerance);
             let failure = outcome.err();
+            pace.set_order(self.scheme.error_order());
             let kept = self.scheme.keeps_length();
             let verdict = control.judge(&mut pace, (t, t_new), outcome, C::PROPOSES, kept);
             if let Ok(true) = verdict {

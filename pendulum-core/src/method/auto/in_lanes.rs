@@ -4,7 +4,8 @@ use std::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use super::{Bounded, Stiffness, Switch, Switching, fastest_rate, ones};
+use super::stiffness::{Stiffness, even, fastest_rate};
+use super::{BARELY_TOO_LARGE, Bounded, Switch, Switching, is_tight};
 use crate::dense::Step;
 use crate::ensemble::{MOST_LANES, in_lane, set_lane};
 use crate::error::Reason;
@@ -14,25 +15,45 @@ use crate::method::Explicit;
 use crate::method::explicit::ExplicitStages;
 use crate::method::rosenbrock::RosenbrockStages;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
+use crate::method::step_control::is_within_tolerance;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
 use crate::step_size::{Estimates, Tolerance};
 use crate::system::{Jacobian, System};
-use crate::tableau::Steinebach5;
+use crate::tableau::RosenbrockMethod;
 
-/// [`Switching`] with the explicit method as a type parameter: the code of all three would exceed the stack of a thread
-/// in unoptimised builds.
+/// [`Switching`] with the tableaus of its methods as type parameters: the code of all of them would exceed the stack of
+/// a thread in unoptimised builds.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SwitchingFrom<B, const STAGES: usize>(PhantomData<B>);
+pub(crate) struct SwitchingFrom<B, I, const STAGES: usize, const STIFF: usize>(PhantomData<(B, I)>);
 
-impl<B: Bounded<STAGES>, const STAGES: usize> SwitchingFrom<B, STAGES> {
+impl<B, I, const STAGES: usize, const STIFF: usize> SwitchingFrom<B, I, STAGES, STIFF>
+where
+    B: Bounded<STAGES>,
+    I: RosenbrockMethod<STIFF>,
+{
     pub(crate) fn new() -> Self {
         Self(PhantomData)
     }
+
+    /// Scheme of a trajectory that turns stiff.
+    pub(crate) fn stiff<S, T, const N: usize>(
+        system: &S,
+        tolerance: Option<Tolerance<T>>,
+    ) -> Result<Switch<T, N>, Reason>
+    where
+        S: Jacobian<T, N> + ?Sized,
+        T: Float,
+    {
+        let mut switch: Switch<T, N> = Switching.scheme(system, tolerance)?;
+        switch.stiffness.is_stiff = true;
+        Ok(switch)
+    }
 }
 
-impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for SwitchingFrom<B, STAGES>
+impl<B, I, S, T, const STAGES: usize, const STIFF: usize, const N: usize> OneStep<S, T, N>
+    for SwitchingFrom<B, I, STAGES, STIFF>
 where
     S: Jacobian<T, N> + ?Sized,
     T: Float,
@@ -44,13 +65,15 @@ where
     }
 }
 
-impl<B, const STAGES: usize> Estimates for SwitchingFrom<B, STAGES> {}
+impl<B, I, const STAGES: usize, const STIFF: usize> Estimates for SwitchingFrom<B, I, STAGES, STIFF> {}
 
 /// Both methods in lanes, one of which is active in each lane. If lanes differ, both take a step in all of them.
 #[derive(Clone, Debug)]
-pub(crate) struct SwitchInLanes<B, V: Lanes, const STAGES: usize, const N: usize> {
+pub(crate) struct SwitchInLanes<B, I, V: Lanes, const STAGES: usize, const STIFF: usize, const N: usize> {
     explicit: ExplicitStages<B, V, STAGES, N>,
-    implicit: RosenbrockStages<Steinebach5, V, 8, N, PerLane<V, N>>,
+    implicit: RosenbrockStages<I, V, STIFF, N, PerLane<V, N>>,
+    /// True if trajectories that turn stiff [leave](Self::leaves) their lanes.
+    is_tight: bool,
     stiffness: [Stiffness; MOST_LANES],
     /// Directions of the fastest change, for power iteration.
     fastest: SVector<V, N>,
@@ -72,9 +95,10 @@ struct Work {
     changed: u64,
 }
 
-impl<B, V, const STAGES: usize, const N: usize> SwitchInLanes<B, V, STAGES, N>
+impl<B, I, V, const STAGES: usize, const STIFF: usize, const N: usize> SwitchInLanes<B, I, V, STAGES, STIFF, N>
 where
     B: Bounded<STAGES>,
+    I: RosenbrockMethod<STIFF>,
     V: Lanes,
 {
     pub(crate) fn new<S>(system: &S, tolerance: Option<Tolerance<V::Scalar>>) -> Result<Self, Reason>
@@ -84,11 +108,38 @@ where
         Ok(Self {
             explicit: Explicit::new().scheme(system, tolerance)?,
             implicit: RosenbrockStages::new(tolerance),
+            is_tight: is_tight(tolerance.as_ref()),
             stiffness: [Stiffness::default(); MOST_LANES],
-            fastest: ones(system.active()),
+            fastest: even(system.active()),
             active: system.active(),
             slope: SVector::from_element(V::default()),
             work: Work::default(),
+        })
+    }
+
+    /// True if the trajectory in a lane turns stiff and must continue alone, by a method that does not run in lanes.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn leaves(&self, lane: usize) -> bool {
+        self.is_tight && self.stiffness[lane].changes
+    }
+
+    /// Judges the lanes whose first step of length `h` is rejected, and returns the errors to report.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn judge_first(&mut self, h: V, error: V) -> V {
+        let is_doubtful = |own: &Stiffness, lane| own.doubts_rejected() && !is_within_tolerance(error.lane(lane));
+        let mut own = self.stiffness[..V::LANES].iter().enumerate();
+        if !own.any(|(lane, own)| is_doubtful(own, lane)) {
+            return error;
+        }
+        let measured = self.explicit.stiffness(h);
+        for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
+            if is_doubtful(own, lane) {
+                own.after_rejected(measured.lane(lane).to_f64(), B::LIMIT);
+            }
+        }
+        V::from_fn(|lane| match self.stiffness[lane].changes {
+            true => V::Scalar::from_f64(BARELY_TOO_LARGE),
+            false => error.lane(lane),
         })
     }
 
@@ -113,9 +164,11 @@ where
     }
 }
 
-impl<B, S, V, const STAGES: usize, const N: usize> Scheme<S, V, N> for SwitchInLanes<B, V, STAGES, N>
+impl<B, I, S, V, const STAGES: usize, const STIFF: usize, const N: usize> Scheme<S, V, N>
+    for SwitchInLanes<B, I, V, STAGES, STIFF, N>
 where
     B: Bounded<STAGES>,
+    I: RosenbrockMethod<STIFF>,
     S: Jacobian<V, N> + ?Sized,
     V: Lanes,
 {
@@ -135,7 +188,8 @@ where
 
     fn enter(&mut self, lane: usize, _index: usize) {
         self.stiffness[lane] = Stiffness::default();
-        set_lane(&mut self.fastest, lane, &ones(self.active));
+        self.stiffness[lane].begin();
+        set_lane(&mut self.fastest, lane, &even(self.active));
     }
 
     // work is counted for each lane
@@ -186,6 +240,9 @@ where
         if some_free {
             let (t_new, work) = (self.end_of_free(start.0, t_new), &mut self.work.explicit);
             error = self.explicit.attempt(system, start, (t_new, x_new), work)?;
+            if const { B::YIELDS_AT_ONCE } {
+                error = self.judge_first(t_new - start.0, error);
+            }
         }
         if some_stiff {
             let (mut x_stiff, work) = (*x_new, &mut self.work.implicit);

@@ -1,0 +1,172 @@
+//! Detection of stiffness.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::cost::Operations;
+use crate::linear::{image, square};
+use crate::method::operations as count;
+use crate::real::{Float, Real};
+
+/// Fraction of the stability limit at which it limits the explicit steps: error estimates grow before the errors do
+/// (with Verner's method of order 9 the fraction hovers about 0.6).
+const AT_THE_LIMIT: f64 = 0.55;
+/// Fraction of the stability limit above which it limits steps along a smooth solution. With Verner's method of order 9
+/// and a tolerance of 1e-12, steps along the slow solution of Robertson's problem stay between 0.4 and 0.55.
+const AT_THE_LIMIT_IF_SMOOTH: f64 = 0.35;
+/// Change of the derivative over a step, in units of `|h lambda|`, below which a solution is smooth: it does not move
+/// at the fastest rate `lambda`.
+const SMOOTH: f64 = 0.1;
+/// Multiple of the stability limit from which a rejected first step is unstable rather than inaccurate. Later steps are
+/// at most three times as long as stable ones.
+const UNSTABLE: f64 = 10.0;
+/// Number of steps at the limit that make a system stiff, without [`FREE`] others in a row between them.
+const STIFF: usize = 8;
+/// Number of steps in a row below the limit that reset the count, or that return to the explicit method.
+const FREE: usize = 4;
+/// Fraction of the stability limit up to which an implicit step could as well be explicit.
+const WITHIN: f64 = 0.3;
+
+/// Detection of stiffness from the steps so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Stiffness {
+    /// True if the implicit method is active.
+    pub(crate) is_stiff: bool,
+    /// True if the other method takes the next step.
+    pub(crate) changes: bool,
+    /// True if the active method has not accepted a step.
+    at_start: bool,
+    /// Number of steps at the limit of stability.
+    at_limit: usize,
+    /// Number of steps in a row that are not.
+    free: usize,
+}
+
+impl Stiffness {
+    /// Restarts the counts for the active method.
+    pub(crate) fn begin(&mut self) {
+        (self.changes, self.at_start, self.at_limit, self.free) = (false, true, 0, 0);
+    }
+
+    /// True if [`after_rejected`](Self::after_rejected) is to judge a rejected step.
+    pub(crate) fn doubts_rejected(&self) -> bool {
+        self.at_start && !self.is_stiff
+    }
+
+    /// Requests the implicit method if a rejected explicit step was far beyond the limit of stability.
+    pub(crate) fn after_rejected(&mut self, measured: f64, limit: f64) {
+        self.changes = measured > UNSTABLE * limit;
+    }
+
+    /// True if [`after_explicit`](Self::after_explicit) depends on the change of the derivative.
+    pub(crate) fn needs_turn(measured: f64, limit: f64) -> bool {
+        measured > AT_THE_LIMIT_IF_SMOOTH * limit
+    }
+
+    /// Counts an explicit step by its `|h lambda|` and the relative change of the derivative over it, and requests a
+    /// switch after too many at the limit of stability.
+    pub(crate) fn after_explicit(&mut self, measured: f64, turn: f64, limit: f64) {
+        self.at_start = false;
+        let is_smooth = turn < SMOOTH * measured;
+        let share = if is_smooth {
+            AT_THE_LIMIT_IF_SMOOTH
+        } else {
+            AT_THE_LIMIT
+        };
+        if measured > share * limit {
+            self.at_limit += 1;
+            self.free = 0;
+        } else {
+            self.free += 1;
+            if self.free >= FREE {
+                self.at_limit = 0;
+            }
+        }
+        self.changes = self.at_limit >= STIFF;
+    }
+
+    /// Counts an implicit step, and requests a switch if explicit steps of such lengths would have been stable for a
+    /// while.
+    pub(crate) fn after_implicit(&mut self, measured: f64, limit: f64) {
+        if measured <= WITHIN * limit {
+            self.free += 1;
+        } else {
+            self.free = 0;
+        }
+        self.changes = self.free >= FREE;
+    }
+}
+
+/// First vector of a power iteration, of length 1 and without padding.
+pub(crate) fn even<T: Real, const N: usize>(active: usize) -> SVector<T, N> {
+    let component = 1.0 / libm::sqrt(active as f64);
+    SVector::from_fn(|n, _| T::from_f64(if n < active { component } else { 0.0 }))
+}
+
+/// Magnitude of the largest eigenvalue of a matrix, by two power iterations from `v` of length 1, which converges to
+/// its eigenvector.
+///
+/// A complex pair makes `v` rotate; the mean over both iterations smooths its effect.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn fastest_rate<T: Float, const N: usize>(
+    matrix: &SMatrix<T, N, N>,
+    v: &mut SVector<T, N>,
+    active: usize,
+) -> T {
+    let mut product = T::from_f64(1.0);
+    for _ in 0..2 {
+        let image = image(matrix, v);
+        let growth = square(&image).sqrt();
+        if !(growth.is_finite() && growth > T::default()) {
+            *v = even(active);
+            return T::default();
+        }
+        product *= growth;
+        *v = image * (T::from_f64(1.0) / growth);
+    }
+    product.sqrt()
+}
+
+/// Operations of [`fastest_rate`], and of its product with the length of a step.
+pub(super) const fn of_fastest_rate(n: usize) -> Operations {
+    let image = Operations::new(n * n, n * n, 0, 0, 0, n + 1);
+    let growth = count::square(n).and(Operations::new(0, 0, 0, 0, 1, 20));
+    let iteration = image
+        .and(growth)
+        .and(count::multiplied(n))
+        .and(Operations::new(0, 1, 1, 0, 0, 5));
+    iteration.times(2).and(Operations::new(0, 1, 0, 0, 2, 21))
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector};
+
+    use super::{even, fastest_rate};
+
+    #[test]
+    fn the_fastest_rate_is_that_of_the_largest_eigenvalue() {
+        let symmetric = SMatrix::<f64, 2, 2>::new(-3.0, 1.0, 1.0, -3.0);
+        // almost the eigenvector of -2
+        let mut v = SVector::from([1.0, 0.999]).normalize();
+        for _ in 0..40 {
+            fastest_rate(&symmetric, &mut v, 2);
+        }
+        assert!((fastest_rate(&symmetric, &mut v, 2) - 4.0).abs() < 1e-9);
+        assert!((v.norm() - 1.0).abs() < 1e-12 && (v[0] + v[1]).abs() < 1e-9, "{v}");
+        // a pair +-5 i: over two iterations the vector grows by 25 and makes half a turn
+        let turning = SMatrix::<f64, 2, 2>::new(0.0, 50.0, -0.5, 0.0);
+        assert!((fastest_rate(&turning, &mut v, 2) - 5.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_shows_no_rate_is_left_for_another_direction() {
+        let second = SMatrix::<f64, 2, 2>::new(0.0, 0.0, 0.0, -7.0);
+        for mut v in [[1.0, 0.0], [0.0, 0.0], [f64::NAN, 1.0]].map(SVector::from) {
+            assert_eq!(fastest_rate(&second, &mut v, 2), 0.0);
+            assert_eq!(v, even::<f64, 2>(2));
+            // 7 / sqrt(2), then 7
+            assert!((fastest_rate(&second, &mut v, 2).powi(4) - 7.0_f64.powi(4) / 2.0).abs() < 1e-9);
+            assert!((fastest_rate(&second, &mut v, 2) - 7.0).abs() < 1e-12);
+        }
+    }
+}
