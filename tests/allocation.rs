@@ -7,11 +7,11 @@
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
-use pendulum_core::Reason;
 use pendulum_core::control::{Ilqr, Integrated, Pid, Quadratic, Sampled};
 use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::Isa;
+use pendulum_core::{Reason, TaylorSeries};
 use testbed::mechanisms::Tree;
 use testbed::methods::Promise;
 use testbed::scenes::{DoublePendulum, double_pendulum};
@@ -119,6 +119,16 @@ fn steps_do_not_allocate() {
     testbed::each_without_estimate!(fixed);
     testbed::each_without_estimate!(longer);
     testbed::each_adaptive!(adaptive);
+}
+
+/// The first series of equations by hand makes room for all.
+#[test]
+fn series_by_hand_do_not_allocate_again() {
+    let (_, arenstorf, _) = testbed::by_hand::three();
+    let mut series = [SVector::from([0.5, 0.3, 0.1, -1.2]); 16];
+    let mut work = arenstorf.workspace();
+    assert_ne!(allocations(|| arenstorf.series(0.0, &mut series, &mut work)), 0);
+    assert_eq!(allocations(|| arenstorf.series(0.0, &mut series, &mut work)), 0);
 }
 
 mechanism! {

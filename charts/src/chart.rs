@@ -3,13 +3,13 @@
 use std::error::Error;
 use std::ops::Range;
 
-use plotters::coord::Shift;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, ValueFormatter};
+use plotters::coord::{CoordTranslate, Shift};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 pub use crate::curve::Curve;
-use crate::label::draw_labels;
+use crate::label::{Path, Point, draw_labels};
 use crate::line::draw_legend;
 pub use crate::line::{Line, Marker, Stroke};
 use crate::page::{GREY, GRID, INK, MARGIN, Picture, bold, px, text, width, write_line};
@@ -177,7 +177,7 @@ impl Figure {
             points.retain(|point| !outside(point));
             line.draw_marks(plot, points)?;
         }
-        draw_labels(area, plot, &curves)
+        name_curves(area, plot, &curves)
     }
 
     /// Labels the x axis once, below each column of panels.
@@ -193,6 +193,42 @@ impl Figure {
         }
         Ok(())
     }
+}
+
+/// Draws the labels of the curves of the panel `area`, whose points are in `plot`.
+fn name_curves<B, C>(
+    area: &DrawingArea<B, Shift>,
+    plot: &DrawingArea<B, C>,
+    curves: &[Curve],
+) -> Result<(), Box<dyn Error>>
+where
+    B: DrawingBackend,
+    B::ErrorType: 'static,
+    C: CoordTranslate<From = (f64, f64)>,
+{
+    let (left, top) = area.get_base_pixel();
+    let unit = f64::from(px(1.0));
+    let place = |(x, y): (i32, i32)| (f64::from(x - left) / unit, f64::from(y - top) / unit);
+    let (columns, rows) = plot.get_pixel_range();
+    let frame = [place((columns.start, rows.start)), place((columns.end, rows.end))];
+    let path = |curve: &'_ Curve| -> Vec<Point> {
+        // labels may stand on areas
+        let first = match curve.line.stroke {
+            Stroke::Area => curve.points.len().saturating_sub(1),
+            _ => 0,
+        };
+        let points = curve.points[first..].iter();
+        points.map(|point| place(plot.map_coordinate(point))).collect()
+    };
+    let paths: Vec<_> = curves
+        .iter()
+        .map(|curve| Path {
+            points: path(curve),
+            color: curve.line.color,
+            name: curve.label.as_deref(),
+        })
+        .collect();
+    draw_labels(area, frame, &paths, 21.0)
 }
 
 impl Column {

@@ -3,19 +3,16 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
-use plotters::coord::{CoordTranslate, Shift};
+use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::curve::Curve;
-use crate::line::Stroke;
 use crate::page::{px, text, width as page_width};
 
-/// Size of the letters; like all lengths here in pixels of the picture.
-const EM: f64 = 21.0;
-/// Height of a label.
-const HEIGHT: f64 = 24.0;
-/// Distances from a point to its label; from the second one on, a line joins them.
+/// Height of a label over the size of its letters.
+const HEIGHT: f64 = 8.0 / 7.0;
+/// Distances from a point to its label, as all lengths here in pixels of the picture; from the second one on, a line
+/// joins them.
 const DISTANCES: [f64; 7] = [11.0, 20.0, 34.0, 50.0, 70.0, 95.0, 125.0];
 /// Number of directions of a label from its point.
 const DIRECTIONS: usize = 24;
@@ -25,15 +22,23 @@ const SAMPLES: f64 = 3.0;
 const ROUNDS: usize = 6;
 
 /// Point in pixels of the picture.
-type Point = (f64, f64);
+pub(crate) type Point = (f64, f64);
+
+/// Path of a curve, whose name belongs to its last point.
+pub(crate) struct Path<'c> {
+    pub points: Vec<Point>,
+    pub color: RGBColor,
+    pub name: Option<&'c str>,
+}
 
 /// Label of a curve.
 struct Label<'c> {
-    curve: &'c Curve,
     name: &'c str,
+    color: RGBColor,
     /// Last point of the curve.
     from: Point,
-    width: f64,
+    /// Width and height.
+    size: (f64, f64),
 }
 
 /// Place of a label.
@@ -51,48 +56,33 @@ struct Place {
     rightward: f64,
 }
 
-/// Draws the labels of the curves of the panel `area`, whose points are in `plot`: inside of the axes, and as far as
-/// possible not on curves and not on one another.
-pub(crate) fn draw_labels<B, C>(
+/// Draws the names of paths, in letters of the size `em`: inside of the frame, and as far as possible not on paths and
+/// not on one another.
+pub(crate) fn draw_labels<B: DrawingBackend>(
     area: &DrawingArea<B, Shift>,
-    plot: &DrawingArea<B, C>,
-    curves: &[Curve],
+    frame: [Point; 2],
+    paths: &[Path<'_>],
+    em: f64,
 ) -> Result<(), Box<dyn Error>>
 where
-    B: DrawingBackend,
     B::ErrorType: 'static,
-    C: CoordTranslate<From = (f64, f64)>,
 {
-    let (left, top) = area.get_base_pixel();
     let unit = f64::from(px(1.0));
-    let place = |(x, y): (i32, i32)| (f64::from(x - left) / unit, f64::from(y - top) / unit);
-    let (columns, rows) = plot.get_pixel_range();
-    let frame = [place((columns.start, rows.start)), place((columns.end, rows.end))];
-    let pixels = |curve: &Curve| -> Vec<Point> {
-        let points = curve.points.iter();
-        points.map(|point| place(plot.map_coordinate(point))).collect()
-    };
     let mut labels = Vec::new();
-    for curve in curves {
-        if let (Some(name), Some(last)) = (&curve.label, pixels(curve).last()) {
-            let (width, _) = area.estimate_text_size(name, &text(EM, curve.line.color))?;
-            let width = f64::from(width) / unit;
+    for path in paths {
+        if let (Some(name), Some(last)) = (path.name, path.points.last()) {
+            let (width, _) = area.estimate_text_size(name, &text(em, path.color))?;
             labels.push(Label {
-                curve,
                 name,
+                color: path.color,
                 from: *last,
-                width,
+                size: (f64::from(width) / unit, HEIGHT * em),
             });
         }
     }
-    let is_line = |curve: &&Curve| !matches!(curve.line.stroke, Stroke::Area);
-    let obstacles: Vec<Point> = curves
-        .iter()
-        .filter(is_line)
-        .flat_map(|curve| samples(&pixels(curve)))
-        .collect();
+    let obstacles: Vec<Point> = paths.iter().flat_map(|path| samples(&path.points)).collect();
     for (label, place) in labels.iter().zip(places(&labels, frame, &obstacles)) {
-        label.draw(area, &place)?;
+        label.draw(area, &place, em)?;
     }
     Ok(())
 }
@@ -168,7 +158,7 @@ impl Label<'_> {
             for direction in 0..DIRECTIONS {
                 let (sin, cos) = (TAU * direction as f64 / DIRECTIONS as f64).sin_cos();
                 // the nearest point of the label is at the distance
-                let (half, high) = (0.5 * self.width, 0.5 * HEIGHT);
+                let (half, high) = (0.5 * self.size.0, 0.5 * self.size.1);
                 let reach = distance + (half / cos.abs().max(1e-9)).min(high / sin.abs().max(1e-9));
                 let (x, y) = (self.from.0 + cos * reach, self.from.1 + sin * reach);
                 let end = (
@@ -187,11 +177,16 @@ impl Label<'_> {
         places
     }
 
-    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>, place: &Place) -> Result<(), Box<dyn Error>>
+    fn draw<B: DrawingBackend>(
+        &self,
+        area: &DrawingArea<B, Shift>,
+        place: &Place,
+        em: f64,
+    ) -> Result<(), Box<dyn Error>>
     where
         B::ErrorType: 'static,
     {
-        let color = self.curve.line.color;
+        let color = self.color;
         if let Some(line) = place.line {
             let ends = line.map(|(x, y)| (px(x), px(y)));
             area.draw(&PathElement::new(ends, color.stroke_width(page_width(1.2))))?;
@@ -199,7 +194,7 @@ impl Label<'_> {
         let corners = [(px(place.x[0]), px(place.y[0])), (px(place.x[1]), px(place.y[1]))];
         // covers the lines of the grid
         area.draw(&Rectangle::new(corners, WHITE.mix(0.75).filled()))?;
-        let style = text(EM, color).pos(Pos::new(HPos::Left, VPos::Center));
+        let style = text(em, color).pos(Pos::new(HPos::Left, VPos::Center));
         area.draw_text(self.name, &style, (corners[0].0, px(0.5 * (place.y[0] + place.y[1]))))?;
         Ok(())
     }

@@ -7,6 +7,7 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use crate::label::{Path, Point, draw_labels};
 use crate::page::{GREY, GRID, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::scale::{Scale, label};
 
@@ -37,7 +38,7 @@ pub struct Curve {
     pub points: Vec<(f64, f64)>,
     /// Exponents of the powers drawn through the first point.
     pub guides: Vec<i32>,
-    /// Text above the first point.
+    /// Text beside the first point; may be empty.
     pub name: String,
 }
 
@@ -60,11 +61,17 @@ struct Frame {
 }
 
 impl Frame {
-    fn place(&self, (x, y): (f64, f64)) -> (i32, i32) {
+    /// Place in the picture.
+    fn at(&self, (x, y): (f64, f64)) -> Point {
         (
-            px(self.left + self.size.0 * self.x.part(x)),
-            px(self.top + self.size.1 * (1.0 - self.y.part(y))),
+            self.left + self.size.0 * self.x.part(x),
+            self.top + self.size.1 * (1.0 - self.y.part(y)),
         )
+    }
+
+    fn place(&self, point: (f64, f64)) -> (i32, i32) {
+        let (x, y) = self.at(point);
+        (px(x), px(y))
     }
 }
 
@@ -149,10 +156,28 @@ impl Panels {
             }
         }
         page.draw(&PathElement::new(points, curve.color.stroke_width(width(curve.width))))?;
-        let (left, at) = frame.place((x, y));
-        let above = text(17.0, curve.color).pos(Pos::new(HPos::Left, VPos::Bottom));
-        page.draw_text(&curve.name, &above, (left - px(3.0), at - px(6.0)))?;
         Ok(())
+    }
+
+    fn draw_names<B: DrawingBackend>(
+        curves: &[Curve],
+        frame: &Frame,
+        page: &DrawingArea<B, Shift>,
+    ) -> Result<(), Box<dyn Error>>
+    where
+        B::ErrorType: 'static,
+    {
+        let path = |curve: &Curve| curve.points.iter().rev().map(|&point| frame.at(point)).collect();
+        let paths: Vec<_> = curves
+            .iter()
+            .map(|curve| Path {
+                points: path(curve),
+                color: curve.color,
+                name: Some(curve.name.as_str()).filter(|name| !name.is_empty()),
+            })
+            .collect();
+        let end = (frame.left + frame.size.0, frame.top + frame.size.1);
+        draw_labels(page, [(frame.left, frame.top), end], &paths, 17.0)
     }
 
     fn draw_legend<B: DrawingBackend>(&self, page: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
@@ -199,6 +224,7 @@ impl Picture for Panels {
                 for curve in curves {
                     Self::draw_curve(curve, &frame, page)?;
                 }
+                Self::draw_names(curves, &frame, page)?;
                 let title = format!("{caption}: {}", self.columns[column].label);
                 let above = bold(20.0).pos(Pos::new(HPos::Left, VPos::Center));
                 page.draw_text(&title, &above, (px(frame.left), px(frame.top - 32.0)))?;

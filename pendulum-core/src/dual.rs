@@ -536,7 +536,7 @@ where
 }
 
 /// 1 if `a` is larger, 0 if `b` is, and 1/2 if they are equal.
-fn over<T: Real>(a: T, b: T) -> T {
+pub(crate) fn over<T: Real>(a: T, b: T) -> T {
     T::from_f64(0.5) + T::from_f64(0.5) * (a - b).signum()
 }
 

@@ -4,13 +4,20 @@
 //! `k` of all intermediate results of the right-hand side give those of order `k + 1` of the state (Jorba and Zou, "A
 //! software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
 //! Mathematics 2005; Griewank and Walther, "Evaluating Derivatives" 2008, ch. 13). [`mechanism!`](crate::mechanism)
-//! generates the recurrences of a scene whose `generate` contains `taylor`.
+//! generates the recurrences of a scene whose `generate` contains `taylor`. Those of equations by hand,
+//! [`EquationsSystem`](crate::system::EquationsSystem), follow from their operations, which are recorded.
 
 mod products;
+#[cfg(feature = "std")]
+mod recorded;
+#[cfg(feature = "std")]
+mod recording;
 
 use nalgebra::SVector;
 
 pub use self::products::{FewProducts, Newest, Products};
+#[cfg(feature = "std")]
+pub use self::recording::Recording;
 use crate::constraint::Hold;
 use crate::real::Real;
 use crate::system::{Cast, System};
@@ -21,7 +28,9 @@ pub const MAX_ORDER: usize = 24;
 /// A [`System`] with the power series of its motions.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no Taylor series of its motions",
-    note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`"
+    note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`",
+    note = "a system of your own has it as `EquationsSystem(equations)`, with `Equations`, which are generic over \
+            number types, and the feature `std`"
 )]
 pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
     /// Memory of the recurrences: some kilobytes, without heap allocation.
@@ -64,7 +73,9 @@ pub trait HybridSeries<T: Real, const N: usize> {
 /// A [`Cast`] with power series in every number type, including lanes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no Taylor series of its motions in other number types",
-    note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`"
+    note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`",
+    note = "a system of your own has it as `EquationsSystem(equations)`, with `Equations`, which are generic over \
+            number types, and the feature `std`"
 )]
 pub trait CastTaylor<const N: usize>: Cast<N> {
     /// The [`TaylorSeries::Workspace`] of the model in a number type.

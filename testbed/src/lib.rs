@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 #![allow(missing_docs, reason = "fields and functions whose names say what they are")]
 
+pub mod by_hand;
 pub mod chains;
 pub mod contacts;
 pub mod counted;

@@ -9,7 +9,9 @@ use std::error::Error;
 
 use nalgebra::SVector;
 use pendulum_core::accuracy::Reference;
-use pendulum_core::{Cast, Jacobian, Method, Radau9, Radau13, SolveError, Taylor, TaylorSeries, Vern9, mechanism};
+use pendulum_core::{
+    Canonical, Cast, Jacobian, Method, Radau9, Radau13, SolveError, Taylor, TaylorSeries, Vern9, mechanism,
+};
 use serde_json::Value;
 
 use crate::counted::Counted;
@@ -23,7 +25,7 @@ mechanism! {
     /// A star in the field of a galaxy (M. Henon, C. Heiles, Astron. J. 69 (1964) 73).
     pub HenonHeiles {
         units: none,
-        generate: [rhs, jacobian, energy, taylor],
+        generate: [rhs, jacobian, energy, taylor, canonical],
         potential: (x^2 + y^2)/2 + x^2*y - y^3/3,
         body slide on ground { joint: prismatic(x), coordinate: x }
         body star on slide { mass: 1, joint: prismatic(y), coordinate: y }
@@ -51,7 +53,7 @@ mechanism! {
     /// Seven stars of masses 1 to 7 in a plane.
     pub Pleiades {
         units: none,
-        generate: [rhs, jacobian, energy, taylor],
+        generate: [rhs, jacobian, energy, taylor, canonical],
         body slide1 on ground { joint: prismatic(x), coordinate: x1 }
         body star1 on slide1 { mass: 1, joint: prismatic(y), coordinate: y1 }
         body slide2 on ground { joint: prismatic(x), coordinate: x2 }
@@ -156,6 +158,15 @@ pub trait Visitor {
     where
         S: Cast<N, In<f64> = S> + Jacobian<f64, N> + TaylorSeries<f64, N> + 'static,
         S::In<Counted>: Jacobian<Counted, N> + TaylorSeries<Counted, N>;
+
+    /// Receives a problem that keeps its energy and is not stiff: symplectic methods suit it.
+    fn visit_conservative<S, const N: usize>(&mut self, scene: Scene<S, N>)
+    where
+        S: Cast<N, In<f64> = S> + Jacobian<f64, N> + TaylorSeries<f64, N> + Canonical<f64, N> + 'static,
+        S::In<Counted>: Jacobian<Counted, N> + TaylorSeries<Counted, N> + Canonical<Counted, N>,
+    {
+        self.visit(scene, false);
+    }
 }
 
 /// Passes the twelve problems to a visitor, with reference solutions.
@@ -180,7 +191,7 @@ pub fn each(visitor: &mut impl Visitor) -> Result<(), Box<dyn Error>> {
         [2.0, 2.5, 0.0, 0.0],
         10.0,
     );
-    visitor.visit(chaotic.explicit()?.ends_at(known("large_swing", 10.0)), false);
+    visitor.visit_conservative(chaotic.explicit()?.ends_at(known("large_swing", 10.0)));
     let stiff = problem(
         "stiff",
         "double pendulum, stiff axles",
@@ -195,16 +206,11 @@ pub fn each(visitor: &mut impl Visitor) -> Result<(), Box<dyn Error>> {
     let arenstorf = problem("arenstorf", "Arenstorf orbit", arenstorf, start, 17.065_216_560_157_964);
     visitor.visit(arenstorf.explicit()?, false);
     let pleiades = Pleiades::new(PleiadesParams {})?;
-    visitor.visit(
-        problem("pleiades", "Pleiades", pleiades, PLEIADES, 3.0).explicit()?,
-        false,
-    );
+    visitor.visit_conservative(problem("pleiades", "Pleiades", pleiades, PLEIADES, 3.0).explicit()?);
     let henon_heiles = HenonHeiles::new(HenonHeilesParams {})?;
     let start = [0.3, 0.0, 0.0, 0.4];
-    visitor.visit(
-        problem("henon_heiles", "Hénon and Heiles", henon_heiles, start, 100.0).explicit()?,
-        false,
-    );
+    let henon_heiles = problem("henon_heiles", "Hénon and Heiles", henon_heiles, start, 100.0);
+    visitor.visit_conservative(henon_heiles.explicit()?);
 
     let van_der_pol = VanDerPol::new(VanDerPolParams::default())?;
     visitor.visit(
@@ -239,8 +245,8 @@ pub fn each(visitor: &mut impl Visitor) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Positions and velocities along both axes by turns.
-const PLEIADES: [f64; 28] = {
+/// Start of [`Pleiades`]: positions and velocities, along both axes by turns.
+pub const PLEIADES: [f64; 28] = {
     let x = [3.0, 3.0, -1.0, -3.0, 2.0, -2.0, 2.0];
     let y = [3.0, -3.0, 2.0, 0.0, 0.0, -4.0, 4.0];
     let (u, v) = (

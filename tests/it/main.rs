@@ -36,6 +36,7 @@ mod sincos;
 mod states;
 mod stiff;
 mod taylor;
+mod taylor_by_hand;
 mod taylor_traps;
 mod trajectories;
 mod urdf;

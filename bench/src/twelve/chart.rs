@@ -1,10 +1,10 @@
-//! Charts of time over error.
+//! Charts of time and operations over error.
 
 use charts::page::{BLUE, GREEN, INK, ORANGE, PURPLE, RGBColor, SKY, VERMILION};
 use charts::panels::{self, Column, Panels};
 use twelve::OURS;
 
-use super::results::{Curve, Measure, Point};
+use super::results::{Cost, Curve, Measure, Point};
 use super::write::Measured;
 
 /// Libraries and their colours, distinguishable with any colour vision (Okabe and Ito, 2008).
@@ -28,17 +28,23 @@ const RANGE: (f64, f64) = (1e-14, 1e-2);
 const SELECTIVE: f64 = 1e-8;
 
 /// Chart with a column for each problem, and a row for each measure of the error.
-pub(crate) fn chart(name: &str, problems: &[Measured]) -> Panels {
+pub(crate) fn chart(name: &str, problems: &[Measured], cost: Cost) -> Panels {
     let row = |(caption, measure): (&str, Measure)| {
-        let panels = problems.iter().map(|measured| panel(&measured.curves, measure));
+        let panels = problems.iter().map(|measured| panel(&measured.curves, measure, cost));
         (caption.to_owned(), panels.collect())
     };
+    let (what, of) = match cost {
+        Cost::Time => ("Time", "Microseconds for a trajectory"),
+        Cost::Operations => (
+            "Operations",
+            "Additions and multiplications of the model, or of series, for a trajectory",
+        ),
+    };
     Panels {
-        title: format!("Time to reach an error: {name}"),
-        subtitle:
-            "Microseconds for a trajectory over its relative error; of each library the method that is the first \
-                   to reach 1e-8, of ours all"
-                .to_owned(),
+        title: format!("{what} to reach an error: {name}"),
+        subtitle: format!(
+            "{of} over its relative error; of each library the method that is the first to reach 1e-8, of ours all"
+        ),
         legend: legend(problems.iter().flat_map(|measured| &measured.curves)),
         x: "relative error".to_owned(),
         x_ticks: (0..=6).map(|n| RANGE.0 * 100.0_f64.powi(n)).collect(),
@@ -67,13 +73,13 @@ fn legend<'a>(curves: impl Iterator<Item = &'a Curve> + Clone) -> Vec<Vec<(RGBCo
 }
 
 /// Curves of all of our methods, and of the best method of each library.
-fn panel(curves: &[Curve], measure: Measure) -> Vec<panels::Curve> {
+fn panel(curves: &[Curve], measure: Measure, cost: Cost) -> Vec<panels::Curve> {
     let mut drawn = Vec::new();
     for (library, color) in LIBRARIES.into_iter().rev() {
         let of = curves.iter().filter(|curve| curve.by == library);
         let key = |curve: &Curve| {
-            let point = curve.reaching(measure, SELECTIVE);
-            point.map_or(f64::INFINITY, |point| point.least)
+            let point = curve.reaching(measure, cost, SELECTIVE);
+            point.map_or(f64::INFINITY, |point| point.cost(cost))
         };
         let best = of.clone().min_by(|a, b| key(a).total_cmp(&key(b)));
         for curve in of {
@@ -82,7 +88,7 @@ fn panel(curves: &[Curve], measure: Measure) -> Vec<panels::Curve> {
                 drawn.push(panels::Curve {
                     color,
                     width: if library == OURS && is_best { 4.0 } else { 2.5 },
-                    points: front(curve, measure),
+                    points: front(curve, measure, cost),
                     guides: Vec::new(),
                     name: if library == OURS {
                         curve.method.to_owned()
@@ -96,19 +102,23 @@ fn panel(curves: &[Curve], measure: Measure) -> Vec<panels::Curve> {
     drawn
 }
 
-/// Pareto front of a method: settings that no other one beats in both error and time (in microseconds), beginning with
-/// the most accurate.
-fn front(curve: &Curve, measure: Measure) -> Vec<(f64, f64)> {
-    let in_range = |point: &&Point| (RANGE.0..=RANGE.1).contains(&point.error(measure));
+/// Pareto front of a method: settings that no other one beats in both error and cost (microseconds or operations),
+/// beginning with the most accurate.
+fn front(curve: &Curve, measure: Measure, cost: Cost) -> Vec<(f64, f64)> {
+    let in_range = |point: &&Point| (RANGE.0..=RANGE.1).contains(&point.error(measure)) && point.cost(cost).is_finite();
     let mut points: Vec<&Point> = curve.points.iter().filter(in_range).collect();
     points.retain(|point| {
         curve
-            .reaching(measure, point.error(measure))
-            .is_some_and(|best| best.least >= point.least)
+            .reaching(measure, cost, point.error(measure))
+            .is_some_and(|best| best.cost(cost) >= point.cost(cost))
     });
+    let unit = match cost {
+        Cost::Time => 1e-3,
+        Cost::Operations => 1.0,
+    };
     points.sort_by(|a, b| a.error(measure).total_cmp(&b.error(measure)));
     points
         .iter()
-        .map(|point| (point.error(measure), 1e-3 * point.least))
+        .map(|point| (point.error(measure), unit * point.cost(cost)))
         .collect()
 }

@@ -124,9 +124,9 @@ fn load(
     problem: &Problem,
 ) -> Result<Entrant, Box<dyn Error>> {
     let (length, t1, h0) = (problem.model.length, problem.t1, first_step(problem));
-    let (x0, absolute) = (problem.x0.clone(), problem.absolute);
+    let (x0, absolute, flops) = (problem.x0.clone(), problem.absolute, problem.flops);
     // a task, and an end without and with output times
-    let load = |outputs| library::load(library, symbol, 5 + length, 3 + length + outputs * length);
+    let load = |outputs| library::load(library, symbol, 5 + length, 4 + length + outputs * length);
     let (plain, dense) = (load(0)?, load(OUTPUTS)?);
     Ok(Entrant::timed(by, method, move |request| {
         let Request {
@@ -137,14 +137,15 @@ fn load(
         let task = [&[tolerance, absolute * tolerance, t1, h0, outputs as f64][..], &x0].concat();
         let program = if outputs == OUTPUTS { &dense } else { &plain };
         let end = (program.value)(&task.repeat(times));
-        let (end, along) = end.split_at(3 + length);
+        let (end, along) = end.split_at(4 + length);
         Ok(End {
             t: end[0],
             x: end[1..=length].to_vec(),
             evaluations: Some(end[1 + length] as usize),
+            operations: Some(flops.of(end[1 + length] as usize, end[2 + length] as usize)),
             along: along
                 .chunks(length)
-                .take(end[2 + length] as usize)
+                .take(end[3 + length] as usize)
                 .map(<[f64]>::to_vec)
                 .collect(),
         })

@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 use serde::Deserialize;
 use serde_json::{Value, json};
-use twelve::{End, Problem, Request};
+use twelve::{End, Flops, Problem, Request};
 
 use super::emitted::Emitted;
 use super::entrant::{Entrant, Run};
@@ -31,6 +31,10 @@ struct Answer {
     #[serde(default)]
     x: Vec<f64>,
     evaluations: Option<usize>,
+    #[serde(default)]
+    jacobians: usize,
+    /// Of heyoka, which has expressions of its own.
+    operations: Option<f64>,
     #[serde(default)]
     along: Vec<Vec<f64>>,
     #[serde(default)]
@@ -85,7 +89,8 @@ pub(crate) fn enter(
                 .into_iter()
                 .find(|library| *library == by)
                 .ok_or("an unknown library")?;
-            let run = move |request| server.borrow_mut().run(problem, entrant, request);
+            let flops = (by == "SciPy").then_some(problems[problem].flops);
+            let run = move |request| server.borrow_mut().run([problem, entrant], request, flops);
             entrants.push(Entrant {
                 by,
                 // kept to the end of the program
@@ -100,7 +105,8 @@ pub(crate) fn enter(
 const HOW: &str = "`.venv/bin/pip install heyoka scipy numba`, or set PYTHON";
 
 impl Server {
-    fn run(&mut self, problem: usize, entrant: usize, request: Request) -> Run {
+    /// `flops` are those of the emitted C, if it is called.
+    fn run(&mut self, [problem, entrant]: [usize; 2], request: Request, flops: Option<Flops>) -> Run {
         let Request {
             tolerance,
             times,
@@ -116,9 +122,12 @@ impl Server {
             t,
             x,
             evaluations,
+            jacobians,
+            operations,
             along,
             ..
         } = answer;
+        let calls = || flops.map(|flops| flops.of(evaluations.unwrap_or(0), jacobians));
         Run {
             end: match answer.error {
                 Some(why) => Err(why),
@@ -126,6 +135,7 @@ impl Server {
                     t,
                     x,
                     evaluations,
+                    operations: operations.or_else(calls),
                     along,
                 }),
             },

@@ -1,5 +1,7 @@
 //! Results of a method over its tolerances.
 
+use twelve::End;
+
 pub(crate) struct Curve {
     pub by: &'static str,
     pub method: &'static str,
@@ -16,6 +18,8 @@ pub(crate) struct Point {
     pub errors: [f64; MEASURES.len()],
     /// Evaluations of the right-hand side, if the library reports them.
     pub evaluations: Option<usize>,
+    /// Additions and multiplications of the model, if the library counts its calls.
+    pub operations: Option<f64>,
     /// Minimum time per trajectory, in nanoseconds.
     pub least: f64,
     /// Median time per trajectory, in nanoseconds.
@@ -33,6 +37,13 @@ pub(crate) enum Measure {
 
 pub(crate) const MEASURES: [Measure; 2] = [Measure::End, Measure::Along];
 
+/// Cost of a trajectory.
+#[derive(Clone, Copy)]
+pub(crate) enum Cost {
+    Time,
+    Operations,
+}
+
 impl Curve {
     pub(crate) fn new(by: &'static str, method: &'static str) -> Self {
         Self {
@@ -44,21 +55,30 @@ impl Curve {
     }
 
     /// The cheapest setting with at most this error.
-    pub(crate) fn reaching(&self, measure: Measure, error: f64) -> Option<&Point> {
+    pub(crate) fn reaching(&self, measure: Measure, cost: Cost, error: f64) -> Option<&Point> {
         let good = self.points.iter().filter(|point| point.error(measure) <= error);
-        good.min_by(|a, b| a.least.total_cmp(&b.least))
+        good.min_by(|a, b| a.cost(cost).total_cmp(&b.cost(cost)))
     }
 }
 
 impl Point {
     /// A point whose times are not measured yet.
-    pub(crate) fn new(tolerance: f64, errors: [f64; MEASURES.len()], evaluations: Option<usize>) -> Self {
+    pub(crate) fn new(tolerance: f64, errors: [f64; MEASURES.len()], end: &End) -> Self {
         Self {
             tolerance,
             errors,
-            evaluations,
+            evaluations: end.evaluations,
+            operations: end.operations,
             least: f64::NAN,
             median: f64::NAN,
+        }
+    }
+
+    /// Nanoseconds, or operations; infinite where they are not known.
+    pub(crate) fn cost(&self, cost: Cost) -> f64 {
+        match cost {
+            Cost::Time => self.least,
+            Cost::Operations => self.operations.unwrap_or(f64::INFINITY),
         }
     }
 

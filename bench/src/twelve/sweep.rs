@@ -62,7 +62,7 @@ pub(crate) fn sweep(problem: &Problem, entrants: &[Entrant]) -> (Vec<Curve>, Vec
             match end {
                 Ok(end) => settings.push(Setting {
                     curve,
-                    point: Point::new(tolerance, errors(problem, entrant, tolerance, &end), end.evaluations),
+                    point: Point::new(tolerance, errors(problem, entrant, tolerance, &end), &end),
                     samples: Vec::new(),
                     first: run.nanoseconds,
                 }),

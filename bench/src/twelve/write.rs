@@ -10,7 +10,7 @@ use twelve::{OURS, Problem};
 
 use super::cells::{Cell, Fastest, LIMITS, TARGETS};
 use super::chart::chart;
-use super::results::{Curve, Measure};
+use super::results::{Cost, Curve, Measure};
 use super::sweep::Setting;
 use crate::report::{list, number, table, write};
 
@@ -39,7 +39,8 @@ pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn
         write(out.join("twelve.json"), &serde_json::to_string(&raw(results))?)?,
     ];
     for (name, problems) in GROUPS.into_iter().zip(results.problems.chunks(TOGETHER)) {
-        files.extend(chart(name, problems).save(&out.join(name))?);
+        files.extend(chart(name, problems, Cost::Time).save(&out.join(name))?);
+        files.extend(chart(name, problems, Cost::Operations).save(&out.join(format!("{name}_operations")))?);
     }
     Ok(files)
 }
@@ -156,7 +157,9 @@ fn times(measured: &Measured) -> String {
     let known: Vec<f64> = measured.cells.iter().map(|cell| cell.target).collect();
     for curve in &measured.curves {
         let time = |target: f64| {
-            let point = curve.reaching(Measure::End, target).filter(|_| known.contains(&target));
+            let point = curve
+                .reaching(Measure::End, Cost::Time, target)
+                .filter(|_| known.contains(&target));
             number(point.map(|point| 1e-3 * point.least))
         };
         let bold = if curve.by == OURS { "**" } else { "" };
@@ -175,6 +178,7 @@ fn raw(results: &Results) -> Value {
                 "by": curve.by, "method": curve.method, "tolerance": setting.point.tolerance,
                 "error": finite(setting.point.error(Measure::End)),
                 "error_along": finite(setting.point.error(Measure::Along)), "evaluations": setting.point.evaluations,
+                "operations": setting.point.operations,
                 "least": setting.point.least, "median": setting.point.median,
                 "nanoseconds": setting.samples.iter().map(|sample| sample.round()).collect::<Vec<_>>(),
             })

@@ -18,6 +18,7 @@ static void explicitly(int table, const Task *task, End *end, long count) {
         long evaluations = 0;
         ERKStepGetNumRhsEvals(solver, &evaluations);
         end->evaluations = evaluations;
+        end->jacobians = 0;
     }
     ERKStepFree(&solver);
     free_objects(&own);
@@ -39,6 +40,9 @@ static void implicitly(int order, const Task *task, End *end, long count) {
         long explicit_ones = 0, evaluations = 0;
         ARKStepGetNumRhsEvals(solver, &explicit_ones, &evaluations);
         end->evaluations = evaluations;
+        long jacobians = 0;
+        ARKStepGetNumJacEvals(solver, &jacobians);
+        end->jacobians = jacobians;
     }
     ARKStepFree(&solver);
     free_objects(&own);

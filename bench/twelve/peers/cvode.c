@@ -25,6 +25,9 @@ static void integrate(int method, const Task *task, End *end, long count) {
         long evaluations = 0;
         CVodeGetNumRhsEvals(cvode, &evaluations);
         end->evaluations = evaluations;
+        long jacobians = 0;
+        if (method == CV_BDF) CVodeGetNumJacEvals(cvode, &jacobians);
+        end->jacobians = jacobians;
     }
     CVodeFree(&cvode);
     free_objects(&own);

@@ -4,7 +4,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
-static long evaluations;
+static long evaluations, jacobians;
 
 static int rhs(double t, const double x[], double slope[], void *data) {
     (void)t, (void)data;
@@ -15,6 +15,7 @@ static int rhs(double t, const double x[], double slope[], void *data) {
 
 static int jacobian(double t, const double x[], double *rows, double slope[], void *data) {
     (void)t, (void)data;
+    jacobians++;
     model_jacobian_rows(x, rows);
     memset(slope, 0, LENGTH * sizeof *slope);
     return GSL_SUCCESS;
@@ -30,11 +31,12 @@ static void integrate(const gsl_odeiv2_step_type *type, const Task *task, End *e
     for (long n = 0; n < count; n++) {
         double t = 0.0;
         memcpy(end->x, task[n].x0, sizeof end->x);
-        evaluations = 0;
+        evaluations = jacobians = 0;
         gsl_odeiv2_driver_reset_hstart(driver, task->h0);
         int status = gsl_odeiv2_driver_apply(driver, &t, task[n].t1, end->x);
         end->t = status == GSL_SUCCESS ? t : -1.0;
         end->evaluations = evaluations;
+        end->jacobians = jacobians;
     }
     gsl_odeiv2_driver_free(driver);
 }

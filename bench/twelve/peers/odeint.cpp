@@ -11,7 +11,7 @@ namespace ublas = boost::numeric::ublas;
 
 namespace {
 
-long evaluations;
+long evaluations, jacobians;
 
 struct Rhs {
     template <class State> void operator()(const State &x, State &slope, double) {
@@ -22,6 +22,7 @@ struct Rhs {
 
 struct Jacobian {
     template <class State, class Matrix> void operator()(const State &x, Matrix &rows, double, State &slope) {
+        jacobians++;
         model_jacobian_rows(&x[0], &rows.data()[0]);
         std::fill(slope.begin(), slope.end(), 0.0);
     }
@@ -73,10 +74,11 @@ void integrate(State x, Make make, MakeDense make_dense, System system, const Ta
             } catch (const std::exception &) { // too many failed steps
             }
         }
-        evaluations = 0;
+        evaluations = jacobians = 0;
         end->t = march(make(task->absolute, task->relative), system, x, task[n]);
         std::copy_n(x.begin(), LENGTH, end->x);
         end->evaluations = evaluations;
+        end->jacobians = jacobians;
     }
 }
 

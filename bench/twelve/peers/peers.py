@@ -14,6 +14,7 @@ import time
 import warnings
 
 import numpy as np
+from counted import series
 from equations import OWN, from_tape
 
 warnings.filterwarnings("ignore")
@@ -43,7 +44,7 @@ class Heyoka:
         self.hy, self.problem, self.compact = heyoka, problem, compact
         self.method = f"Taylor, {form}" + (", compact" if compact else "")
         self.equations = OWN[problem["name"]](heyoka) if form == "own form" else from_tape(heyoka, problem)
-        self.compiled, self.nothing = {}, math.inf
+        self.compiled, self.nothing, self.flops = {}, math.inf, {}
 
     def integrator(self, tolerance):
         if tolerance not in self.compiled:
@@ -52,6 +53,13 @@ class Heyoka:
                 self.equations, start, tol=tolerance, compact_mode=self.compact, fast_math=True
             )
         return self.compiled[tolerance]
+
+    def operations(self, tolerance):
+        """Additions and multiplications of a step's series."""
+        if tolerance not in self.flops:
+            integrator = self.integrator(tolerance)
+            self.flops[tolerance] = series(integrator.decomposition, len(self.problem["x0"]), integrator.order)
+        return self.flops[tolerance]
 
     def run(self, tolerance, times, outputs):
         integrator, start = self.integrator(tolerance), np.array(self.problem["x0"])
@@ -75,6 +83,7 @@ class Heyoka:
             "t": integrator.time,
             "x": integrator.state.tolist(),
             "evaluations": steps,
+            "operations": steps * self.operations(tolerance),
             "nanoseconds": 1e9 * (whole / times - self.nothing),
         }
         if outputs:
@@ -140,6 +149,7 @@ class SciPy:
             "t": float(solution.t[-1]),
             "x": solution.y[:, -1].tolist(),
             "evaluations": int(solution.nfev),
+            "jacobians": int(solution.njev),
             "nanoseconds": 1e9 * seconds / times,
             "along": along,
         }

@@ -26,7 +26,7 @@ typedef struct {
 
 typedef struct {
     /* Time reached; less than the end of the task if the integration failed. */
-    double t, x[LENGTH], evaluations;
+    double t, x[LENGTH], evaluations, jacobians;
     /* Number of states at output times, by dense output; 0 if the method has none. */
     double outputs, along[][LENGTH];
 } End;

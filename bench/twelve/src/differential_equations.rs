@@ -69,8 +69,14 @@ macro_rules! entrants {
             let mut outputs = Outputs { times: outputs, along: Vec::new() };
             let solution = solve_ode(&mut method, &Slopes($task), 0.0, $task.t1, &start, &mut outputs);
             let solution = solution.map_err(|error| format!("{error:?}"))?;
-            let evaluations = Some(solution.evals.function);
-            Ok(Reached { t: method.t(), x: *method.y(), evaluations, along: outputs.along })
+            let calls = solution.evals;
+            Ok(Reached {
+                t: method.t(),
+                x: *method.y(),
+                evaluations: Some(calls.function),
+                operations: Some($task.flops.of(calls.function, calls.jacobian)),
+                along: outputs.along,
+            })
         }),)*]
     };
 }

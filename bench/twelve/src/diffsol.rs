@@ -58,7 +58,7 @@ macro_rules! entrant {
                     }
                     if let OdeSolverStopReason::TstopReached = reason {
                         let end = method.state();
-                        return Ok(End { t: end.t, x: state(end.y), evaluations: None, along });
+                        return Ok(End { t: end.t, x: state(end.y), evaluations: None, operations: None, along });
                     }
                 }
                 Err("too many steps".to_owned())

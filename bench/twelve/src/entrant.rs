@@ -4,6 +4,8 @@ use std::hint::black_box;
 
 use nalgebra::SVector;
 
+use crate::flops::Flops;
+
 /// Method of a library on a problem.
 pub struct Entrant {
     pub by: &'static str,
@@ -32,6 +34,8 @@ pub struct End {
     pub x: Vec<f64>,
     /// Evaluations of the right-hand side, if the library counts them; of Taylor methods, series.
     pub evaluations: Option<usize>,
+    /// Additions and multiplications of all evaluations and Jacobians, if the library counts them.
+    pub operations: Option<f64>,
     /// States at the output times by dense output; none if the method has no dense output.
     pub along: Vec<Vec<f64>>,
 }
@@ -49,6 +53,7 @@ pub(crate) struct Motion<S, const N: usize> {
     pub t1: f64,
     /// Absolute tolerance over the relative one.
     pub absolute: f64,
+    pub flops: Flops,
 }
 
 pub(crate) type Task<S, const N: usize> = &'static Motion<S, N>;
@@ -58,6 +63,7 @@ pub(crate) struct Reached<const N: usize> {
     pub t: f64,
     pub x: [f64; N],
     pub evaluations: Option<usize>,
+    pub operations: Option<f64>,
     pub along: Vec<[f64; N]>,
 }
 
@@ -79,6 +85,7 @@ impl Entrant {
                 t: reached.t,
                 x: reached.x.to_vec(),
                 evaluations: reached.evaluations,
+                operations: reached.operations,
                 along: reached.along.iter().map(|x| x.to_vec()).collect(),
             })
         };

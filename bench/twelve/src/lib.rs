@@ -5,6 +5,7 @@
 mod differential_equations;
 mod diffsol;
 mod entrant;
+mod flops;
 mod model;
 mod ode_solvers;
 mod ours;
@@ -17,6 +18,7 @@ use testbed::problems::{self, Visitor};
 use testbed::work::Scene;
 
 pub use entrant::{End, Entrant, Integrate, Request, output_times};
+pub use flops::Flops;
 pub use model::Model;
 pub use ours::OURS;
 
@@ -41,6 +43,7 @@ pub struct Problem {
     /// Uncertainty of `along`, relative to its largest component.
     pub uncertainty_along: f64,
     pub model: &'static Model,
+    pub flops: Flops,
     pub entrants: Vec<Entrant>,
 }
 
@@ -71,12 +74,14 @@ impl Visitor for All {
         let end = scene.reference.at(scene.t1).expect("the end");
         let uncertainty = scene.reference.uncertainty(scene.t1) / end.amax();
         let (name, title, t1) = (scene.name, scene.title, scene.t1);
+        let flops = Flops::count(&scene.model, &scene.x0);
         // entrants are kept to the end of the program
         let task: entrant::Task<S, N> = Box::leak(Box::new(entrant::Motion {
             model: scene.model,
             x0: scene.x0,
             t1,
             absolute: absolute(name),
+            flops,
         }));
         let outputs = output_times(t1, OUTPUTS);
         let (along, uncertainty_along) = ours::known_along(task, is_stiff, &outputs).expect("states along the way");
@@ -108,6 +113,7 @@ impl Visitor for All {
             along: along.iter().map(|x| x.as_slice().to_vec()).collect(),
             uncertainty_along: uncertainty_along / size,
             model,
+            flops,
             entrants: entrants.into_iter().flatten().collect(),
         });
     }

@@ -26,10 +26,12 @@ macro_rules! entrant {
             }
             let statistics = method.integrate().map_err(|error| error.to_string())?;
             let (t, x) = (method.x_out(), method.y_out());
+            let evaluations = statistics.num_eval as usize;
             Ok(Reached {
                 t: *t.last().ok_or("no points")?,
                 x: x.last().ok_or("no points")?.data.0[0],
-                evaluations: Some(statistics.num_eval as usize),
+                evaluations: Some(evaluations),
+                operations: Some($task.flops.of(evaluations, 0)),
                 // the first point is the start
                 along: x.iter().skip(1).take(outputs.len()).map(|x| x.data.0[0]).collect(),
             })

@@ -1,11 +1,14 @@
 //! Our own methods.
 
 use nalgebra::SVector;
+use pendulum_core::taylor::MAX_ORDER;
 use pendulum_core::{
-    Auto, Jacobian, Method, Radau5, Radau9, Radau13, Rodas4, Rodas5P, Taylor, TaylorSeries, Tsit5, Vern7, Vern9,
+    Auto, Jacobian, Method, Radau5, Radau9, Radau13, Rodas4, Rodas5P, Statistics, Taylor, TaylorSeries, Tsit5, Vern7,
+    Vern9,
 };
 
 use crate::entrant::{Entrant, Reached, Task, due};
+use crate::flops::Flops;
 
 /// Name under which our methods enter.
 pub const OURS: &str = "ours";
@@ -13,29 +16,52 @@ pub const OURS: &str = "ours";
 /// A method for each name, with its settings for a relative and an absolute tolerance.
 macro_rules! entrants {
     ($task:expr; $($method:ident)*) => {
-        vec![$(entrant($task, stringify!($method), |rtol, atol| $method::new().rtol(rtol).atol(atol)),)*]
+        vec![$(entrant($task, stringify!($method), |rtol, atol| $method::new().rtol(rtol).atol(atol), calls),)*]
     };
+}
+
+/// Operations of the model in a run with a tolerance.
+type Operations = fn(&Flops, f64, &Statistics) -> f64;
+
+fn calls(flops: &Flops, _tolerance: f64, work: &Statistics) -> f64 {
+    flops.of(work.evaluations, work.jacobians)
+}
+
+/// Operations of the series of `Taylor`, whose order follows from the larger one of its tolerances.
+fn series(flops: &Flops, tolerance: f64, work: &Statistics) -> f64 {
+    let order = (5.0 - 0.5 * tolerance.ln()).ceil() as usize;
+    (work.evaluations * flops.series[order.clamp(4, MAX_ORDER)]) as f64
 }
 
 pub(crate) fn smooth<S, const N: usize>(task: Task<S, N>) -> Vec<Entrant>
 where
     S: Jacobian<f64, N> + TaylorSeries<f64, N>,
 {
-    entrants!(task; Tsit5 Vern7 Vern9 Taylor Auto)
+    let taylor = entrant(task, "Taylor", |rtol, atol| Taylor::new().rtol(rtol).atol(atol), series);
+    let mut entrants = entrants!(task; Tsit5 Vern7 Vern9 Auto);
+    entrants.push(taylor);
+    entrants
 }
 
 pub(crate) fn stiff<S: Jacobian<f64, N>, const N: usize>(task: Task<S, N>) -> Vec<Entrant> {
     entrants!(task; Rodas4 Rodas5P Radau5 Radau9 Radau13 Auto)
 }
 
-fn entrant<S, M, const N: usize>(task: Task<S, N>, name: &'static str, make: fn(f64, f64) -> M) -> Entrant
+fn entrant<S, M, const N: usize>(
+    task: Task<S, N>,
+    name: &'static str,
+    make: fn(f64, f64) -> M,
+    operations: Operations,
+) -> Entrant
 where
     M: Method<S, f64, N> + 'static,
     S: Jacobian<f64, N>,
 {
     Entrant::new(OURS, name, task.t1, move |tolerance, outputs| {
         let method = make(tolerance, task.absolute * tolerance);
-        integrate(&method, &task.model, [0.0, task.t1], task.x0, outputs)
+        let (mut reached, work) = integrate(&method, &task.model, [0.0, task.t1], task.x0, outputs)?;
+        reached.operations = Some(operations(&task.flops, tolerance, &work));
+        Ok(reached)
     })
 }
 
@@ -45,7 +71,7 @@ fn integrate<S, M, const N: usize>(
     [t0, t1]: [f64; 2],
     x0: SVector<f64, N>,
     outputs: &[f64],
-) -> Result<Reached<N>, String>
+) -> Result<(Reached<N>, Statistics), String>
 where
     M: Method<S, f64, N>,
     S: Jacobian<f64, N>,
@@ -57,12 +83,15 @@ where
             along.push(stepper.dense().at(t).into());
         }
     }
-    Ok(Reached {
+    let work = stepper.statistics();
+    let reached = Reached {
         t: stepper.t(),
         x: stepper.x().into(),
-        evaluations: Some(stepper.statistics().evaluations),
+        evaluations: Some(work.evaluations),
+        operations: None,
         along,
-    })
+    };
+    Ok((reached, work))
 }
 
 /// Tolerance of references.
@@ -102,7 +131,7 @@ where
 {
     let (mut t, mut x) = (0.0, task.x0);
     let leg = |&output: &f64| {
-        x = integrate(method, &task.model, [t, output], x, &[])?.x.into();
+        x = integrate(method, &task.model, [t, output], x, &[])?.0.x.into();
         t = output;
         Ok(x)
     };

@@ -19,6 +19,9 @@ use crate::taylor::{MAX_ORDER, TaylorSeries};
 
 /// The Taylor method, with an order determined by the tolerance; see [`Adaptive`] for its settings.
 ///
+/// It needs [power series](TaylorSeries): of a declaration whose `generate` has `taylor`, or, slower, of
+/// [equations by hand](crate::system::Equations).
+///
 /// Each step evaluates the power series of the motion once. It is as long as keeps the last terms below the tolerance:
 /// À. Jorba and M. Zou, "A software package for the numerical integration of ODEs by means of high-order Taylor
 /// methods", Experimental Mathematics 14 (2005) 99-117. A step is rejected if the derivative at its end differs from

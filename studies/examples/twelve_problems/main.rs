@@ -1,5 +1,5 @@
-//! Methods on twelve problems: errors over time, operations and tolerance. Left out are `Gauss4` and `Gauss6`, and on
-//! stiff problems the explicit methods.
+//! Methods on twelve problems: errors over time, operations and tolerance. Explicit methods are left out on stiff
+//! problems, Gauss methods on all but the three that keep their energy: the large swing, Pleiades, Hénon and Heiles.
 //!
 //! `cargo run --release -p studies --features long --example twelve_problems` builds for ten minutes and runs for four.
 //! It prints a table of the fastest methods, and writes charts, a page on which hovering shows values, and all
