@@ -235,12 +235,15 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
                 Ok(None) => break Ok(stepper.x()),
                 Err(reason) => break Err(Early::at((stepper.t(), stepper.x()))(reason)),
             };
-            let seen = if self.looks_into(index, (step.t0, step.t1)) {
-                self.see(index, &stepper.dense())
-            } else {
-                self.see(index, &Dense::new(step, &[]))
+            let seen = match self.needs(index, (step.t0, step.t1)) {
+                Need::Nothing => Ok(None),
+                Need::Ends => self.see(index, &Dense::new(step, &[])),
+                Need::Inside => self.see(index, &stepper.dense()),
             };
             match seen {
+                Ok(None) if self.is_cancelled(index) => {
+                    break Err(Early::at((step.t1, step.x1))(Reason::Cancelled));
+                }
                 Ok(None) => {}
                 Ok(Some(x)) => break Ok(x),
                 Err(early) => break Err(early),
