@@ -99,28 +99,6 @@ fn what_makes_no_controller_is_refused() {
             "a controller needs equations of motion",
         ),
         (
-            of(
-                "pub A {
-                    input f: N,
-                    output rk4_step: s,
-                    body b on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: f }
-                }",
-                Controller::new(),
-            ),
-            "the output or event `rk4_step` has the name of a function of the controller",
-        ),
-        (
-            of(
-                "pub A {
-                    input f: N,
-                    event ilqr: s,
-                    body b on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: f }
-                }",
-                Controller::new(),
-            ),
-            "the output or event `ilqr` has the name of a function of the controller",
-        ),
-        (
             of(ARM, Controller::new().limits(&[-1.0], &[1.0])),
             "a list of limits has 1 numbers, and the scene requires 2",
         ),
@@ -139,17 +117,6 @@ fn what_makes_no_controller_is_refused() {
         (
             of(ARM, Controller::new().linear_law(&[f64::NAN; 4], &[0.0; 2], &[0.0; 2])),
             "the gain has a number that is infinite or NaN, or too large for the precision",
-        ),
-        (
-            of(
-                "pub A {
-                    input f: N,
-                    output error: s,
-                    body b on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: f }
-                }",
-                Controller::new(),
-            ),
-            "the output or event `error` has the name of a function of the controller",
         ),
         (
             of(
