@@ -54,7 +54,8 @@ pub fn program_with(tokens: TokenStream, wanted: Wanted<'_>, files: &Files<'_>) 
     pipeline::program(tokens, wanted, files)
 }
 
-/// What to generate for a declaration, in words of its list `generate`. Words that the scene cannot have are left out.
+/// Request for a declaration: what is generated, in words of its list `generate`. Words that the scene cannot have are
+/// left out.
 #[derive(Clone, Copy, Debug)]
 pub enum Wanted<'a> {
     /// What the declaration lists, these words, and the equations as text.

@@ -272,7 +272,8 @@ pub trait Observer<T, const N: usize> {
     /// Called before the first step with the tolerance of the step size control; not called for fixed steps.
     fn within(&mut self, _tolerance: Tolerance<T>) {}
 
-    /// Called after each step that is needed, or after the part of a step before an event acts. Steps are contiguous except for jumps.
+    /// Called after each step that is needed, or after the part of a step before an event acts. Steps are contiguous
+    /// except for jumps and for steps that are left out.
     fn step(&mut self, dense: &Dense<'_, T, N>);
 
     /// Called when a reset or an impact changes the state at the current time.

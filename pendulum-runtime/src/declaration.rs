@@ -114,8 +114,8 @@ impl Declaration {
         self
     }
 
-    /// Leaves out what the declaration lists in `generate`, except `rhs`, and the equations as text: a model in about half
-    /// the time, for its motion. Words that are [added](Self::also) are generated.
+    /// Leaves out what the declaration lists in `generate`, except `rhs`, and the equations as text: a model in about
+    /// half the time, for its motion. Words that are [added](Self::also) are generated.
     #[must_use]
     pub fn only_motion(mut self) -> Self {
         self.only = true;

@@ -72,7 +72,7 @@ enum Function {
     Fractional,
     Table,
     Powers,
-    /// The same rate as of [`Powers`](Self::Powers).
+    /// Has the rate of [`Powers`](Self::Powers).
     Logarithms,
 }
 
@@ -115,7 +115,8 @@ impl Equations<2> for Of {
             Function::Exp => (-size).exp() * a,
             Function::Ln => size.ln(),
             Function::Sqrt => size.sqrt() - (two * size).sqrt(),
-            // the series of the exponential function, from which the other side is, rounds the more the faster this varies
+            // the series of the exponential function, from which the other side is, rounds the more the faster this
+            // varies
             Function::Tanh => ((a + t) / (two + two)).tanh(),
             Function::Abs => a.abs() - (two * b).abs(),
             Function::Signum => a.signum() * b,

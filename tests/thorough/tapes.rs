@@ -348,19 +348,44 @@ fn what_is_wrong_is_said() {
         assert_eq!(error.to_string(), format!("line {line} of the tape: {fact}"));
     }
     // the first constant of the right-hand side follows what is read before it; an operation writes there
-    let rhs = text.find("routine\trhs").expect("a right-hand side");
-    let (before, after) = text[rhs..].split_once("read\tconstant").expect("constants");
+    let (head, rhs) = text.split_at(text.find("routine\trhs").expect("a right-hand side"));
+    let (before, after) = rhs.split_once("read\tconstant").expect("constants");
     let reads = before.lines().filter_map(|line| line.strip_prefix("read\t"));
     let place: usize = reads.map(|read| read.split([' ', '\t']).count() - 1).sum();
-    let operation = after.find("\nmul\t").expect("a product") + "\nmul\t".len();
-    let (start, rest) = (text.len() - after.len() + operation, &after[operation..]);
-    let rest = &rest[rest.find(' ').expect("registers")..];
-    let overwritten = format!("{}{place}{rest}", &text[..start]);
-    let error = overwritten.parse::<Tape>().expect_err("overwritten").to_string();
-    assert!(
-        error.ends_with("an operation writes to the register of a constant or of a number"),
-        "{error}"
-    );
+    let (before_product, product) = after.split_once("\nmul\t").expect("a product");
+    let (_, others) = product.split_once(' ').expect("registers");
+    let overwritten = format!("{head}{before}read\tconstant{before_product}\nmul\t{place} {others}");
+    // no operation writes to a last register
+    let (start, count) = rhs.split_once("registers\t").expect("registers");
+    let (count, code) = count.split_once('\n').expect("code");
+    let last: usize = count.parse().expect("a number");
+    let (operations, results) = code.split_once("result\t").expect("results");
+    let (_, others) = results.split_once(' ').expect("results");
+    let with_last = |operations: &str, results: &str| {
+        format!("{head}{start}registers\t{}\n{operations}result\t{results}", last + 1)
+    };
+    let (before_product, product) = operations.split_once("\nmul\t").expect("a product");
+    let (of_product, following) = product.split_once(' ').expect("registers");
+    let (_, following) = following.split_once(' ').expect("operands");
+    let unset = format!("{before_product}\nmul\t{of_product} {last} {following}");
+    let cases = [
+        (
+            overwritten,
+            "an operation writes to the register of a constant or of a number",
+        ),
+        (
+            with_last(&unset, results),
+            "an operation reads a register before anything is written to it",
+        ),
+        (
+            with_last(operations, &format!("{last} {others}")),
+            "a result is a register that nothing is written to",
+        ),
+    ];
+    for (text, fact) in cases {
+        let error = text.parse::<Tape>().expect_err(fact).to_string();
+        assert!(error.ends_with(fact), "{error}");
+    }
     let tape: Arc<Tape> = Arc::new(text.parse().expect("a tape"));
     let message = |error: ModelError| error.to_string();
     let wrong_length = tape.model::<6, false>(&[1.0; 7]).map(|_| ()).map_err(message);

@@ -74,12 +74,12 @@ async function declare() {
       if (app.again) continue;
       const isMechanism = answer.is === "mechanism";
       if (isMechanism) await take(answer);
-      else if (app.about) panel.take(app.about);
       complain(answer.problems ?? [], answer.why);
       document.body.classList.toggle("stale", !isMechanism && app.about !== null);
     }
   } finally {
     app.declaring = false;
+    if (panel.waits && app.about) panel.take(app.about);
   }
 }
 

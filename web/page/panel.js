@@ -55,11 +55,13 @@ export class Panel {
       this.pass = { component: 0, value: 0 };
     }
     this.about = about;
+    this.waits = false;
     this.select(this.tab, LATER);
   }
 
-  /** Leaves the worker alone until another mechanism is taken, or a tab is selected. */
+  /** Leaves the worker alone until a mechanism is taken. */
   wait() {
+    this.waits = true;
     clearTimeout(this.later);
   }
 
@@ -73,20 +75,24 @@ export class Panel {
     }
     this.panel.setAttribute("aria-label", name);
     this.canvas = null;
-    this.wait();
+    clearTimeout(this.later);
     if (this.about) this[TABS[name]]();
   }
 
   /** Asks the worker, and passes its answer to `show`, unless another mechanism or another tab is shown by then. */
   ask(request, show) {
+    if (this.waits) return;
     const { about, tab } = this;
     const key = JSON.stringify(request);
     this.later = setTimeout(async () => {
       about.answers ??= {};
       const answer = (about.answers[key] ??= (await this.engine.ask(request)).answer);
       if (this.about !== about || this.tab !== tab) return;
-      if (answer.is === "refused") this.panel.replaceChildren(answer.why);
-      else show(answer);
+      if (answer.is === "refused") {
+        // asked again when the tab is selected
+        delete about.answers[key];
+        this.panel.replaceChildren(answer.why);
+      } else show(answer);
     }, this.patience);
   }
 

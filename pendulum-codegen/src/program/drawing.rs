@@ -249,8 +249,8 @@ impl<'g> Shown<'_, 'g> {
         (is_alone && is_fixed(normal)).then_some((position, normal))
     }
 
-    /// Origin of the first body whose motion changes the gap of a flat wall as the coordinates do, and the derivative of
-    /// the gap by its position.
+    /// Origin of the first body whose motion changes the gap of a flat wall as the coordinates do, and the derivative
+    /// of the gap by its position.
     fn touching_body(&self, wall: &Constraint<'g>) -> Option<(Vec3<'g>, Vec3<'g>)> {
         let graph = self.model.graph;
         let coordinates = || self.model.coordinates.iter().map(|own| Derivative::by(own.position));

@@ -72,8 +72,8 @@ pub struct Switching;
 const LOOSE: f64 = 1e-4;
 /// Tolerance above which Verner's method of order 7 is used.
 const MIDDLE: f64 = 1e-8;
-/// Tolerance up to which the method of Radau takes the place of `Rodas5P`. With 1e-8 and above it fails on some reactions
-/// or takes many short steps (Robertson's problem).
+/// Tolerance up to which the method of Radau takes the place of `Rodas5P`. With 1e-8 and above it fails on some
+/// reactions or takes many short steps (Robertson's problem).
 const TIGHT: f64 = 1e-9;
 /// Mean square of the error that a rejected step of an unstable method reports: the next one is about as long.
 const BARELY_TOO_LARGE: f64 = 1.001;
@@ -323,8 +323,8 @@ where
             return implicit!(&mut self.implicit, stages => stages.attempt(system, (t, x), (t_new, x_new), work));
         }
         let error = explicit!(&mut self.explicit, stages => stages.attempt(system, (t, x), (t_new, x_new), work)?);
-        if const { Tsitouras5::YIELDS_AT_ONCE }
-            && let Free::Tsit5(stages) = &self.explicit
+        // as `Bounded::YIELDS_AT_ONCE` says
+        if let Free::Tsit5(stages) = &self.explicit
             && self.stiffness.doubts_rejected()
             && !is_within_tolerance(error)
         {

@@ -60,10 +60,10 @@ pub trait Equations<const N: usize>: Clone + PartialEq {
 /// [dual numbers](crate::dual).
 ///
 /// With the feature `std` it has [power series](crate::TaylorSeries). The right-hand side is called once for each
-/// series, with numbers that record the operations on them. Branches are those of the values at the start of the series:
-/// of comparisons, [`piecewise`](Real::piecewise), [`abs`](Real::abs), which is constant at 0, [`signum`](Real::signum),
-/// [`at_least`](Real::at_least) and [`at_most`](Real::at_most), which are the mean of two equal numbers. Memory is
-/// allocated for the first series of a trajectory.
+/// series, with numbers that record the operations on them. Branches are those of the values at the start of the
+/// series: of comparisons, [`piecewise`](Real::piecewise), [`abs`](Real::abs), which is constant at 0,
+/// [`signum`](Real::signum), [`at_least`](Real::at_least) and [`at_most`](Real::at_most), which are the mean of two
+/// equal numbers. Memory is allocated for the first series of a trajectory.
 ///
 /// A type of its own, as [`FnSystem`](super::FnSystem), because an implementation for all equations would rule out every
 /// other generic implementation.

@@ -51,12 +51,12 @@ macro_rules! operations {
                 }
             }
 
-            /// Registers that the operations write to.
-            fn results(&self) -> Vec<Register> {
+            /// Registers that each operation writes to and reads.
+            fn registers(&self) -> Vec<(&[Register], &[Register])> {
                 match self {
                     $(Self::$kind(row) => {
-                        let count = [$(stringify!($result)),+].len();
-                        row.iter().flat_map(|registers| &registers[..count]).copied().collect()
+                        let results = [$(stringify!($result)),+].len();
+                        row.iter().map(|registers| registers.split_at(results)).collect()
                     })*
                 }
             }
@@ -134,15 +134,29 @@ impl Code {
         self.rows.iter().map(Row::len).sum()
     }
 
-    /// True if an operation overwrites a constant or a number.
-    pub(super) fn overwrites(&self) -> bool {
+    /// Checks that a second run on the same registers has the results of the first.
+    ///
+    /// # Errors
+    /// If it may have others: the reason.
+    pub(super) fn check(&self) -> Result<(), &'static str> {
         let numbers = self.numbers.iter().map(|&(register, _)| register);
         let constants = self.constants.iter().map(|&(register, _)| register);
         let kept: BTreeSet<Register> = numbers.chain(constants).collect();
-        self.rows
-            .iter()
-            .flat_map(Row::results)
-            .any(|register| kept.contains(&register))
+        let reads = self.reads.iter().map(|&(register, ..)| register);
+        let mut set: BTreeSet<Register> = kept.iter().copied().chain(reads).collect();
+        for (results, operands) in self.rows.iter().flat_map(Row::registers) {
+            if operands.iter().any(|operand| !set.contains(operand)) {
+                return Err("an operation reads a register before anything is written to it");
+            }
+            if results.iter().any(|result| kept.contains(result)) {
+                return Err("an operation writes to the register of a constant or of a number");
+            }
+            set.extend(results);
+        }
+        match self.results.iter().all(|result| set.contains(result)) {
+            true => Ok(()),
+            false => Err("a result is a register that nothing is written to"),
+        }
     }
 
     /// Runs the code on the constants of the model and the values of variables, and fills one slice after the other

@@ -446,12 +446,9 @@ impl Reader<'_> {
             match Row::new(name, &operands) {
                 Some(row) => code.push(row),
                 None if name == "result" => match results.filter(|&results| results != operands.len()) {
-                    None if code.overwrites() => {
-                        return self.error("an operation writes to the register of a constant or of a number");
-                    }
                     None => {
                         code.results = operands;
-                        return Ok(code);
+                        return code.check().or_else(|reason| self.error(reason)).map(|()| code);
                     }
                     Some(results) => {
                         return self.error(format!("{results} results are expected, not {}", operands.len()));

@@ -69,7 +69,8 @@ std::thread_local! {
 pub(super) fn record<T: Real>(operation: Operation, value: &T, factor: &T) -> Place {
     RECORDED.with_borrow_mut(|recorded| {
         let rows = recorded.as_mut().and_then(|rows| rows.downcast_mut::<Rows<T>>());
-        rows.map_or(0, |rows| rows.push(operation, value, factor))
+        rows.expect("equations compute with their own numbers, on one thread")
+            .push(operation, value, factor)
     })
 }
 

@@ -168,6 +168,8 @@ export default function painter(canvas, shapes, bounds, ratio = 1) {
   };
   // A scale on the left, and a text on the right.
   const write = (text) => {
+    // nothing fits a canvas that is not laid out
+    if (!(width > 0)) return;
     context.fillStyle = context.strokeStyle = ground;
     context.font = "13px sans-serif";
     const most = (0.25 * width) / scale;

@@ -47,8 +47,9 @@ use crate::real::Float;
 ///   decreases the cost, [`solve`](super::Ilqr::solve) also tries the inputs without the gains, which respond to the
 ///   jump of the state at an impact, and then goes along the kink. Along several of them it is slow: it ends after ten
 ///   decreases in a row below the tolerance.
-/// - The cost has a jump where an impact at a node changes a rate that the running cost weighs. Then `solve` may end
-///   with [`NoDecrease`](super::IlqrError::NoDecrease), and keeps the best motion.
+/// - The cost has a jump where an impact at a node changes a rate that the running cost weighs. There `solve` may end
+///   at a motion that is not a minimum, or with [`NoDecrease`](super::IlqrError::NoDecrease), and keeps the best
+///   motion.
 /// - A step that has no derivatives, such as one that only touches a stop, is
 ///   [`StepFailed`](super::IlqrError::StepFailed).
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,11 @@
 //! Search at a kink of the cost, where an impact or another mode switch comes to a node.
 //!
-//! The gradients by the inputs differ on both sides. A direction that crosses the kink decreases the cost on neither, so
-//! that the line search fails. Their convex combination of least norm, in the metric of the backward pass, gives the
+//! The gradients by the inputs differ on both sides. A direction that crosses the kink decreases the cost on neither,
+//! so that the line search fails. Their convex combination of least norm, in the metric of the backward pass, gives the
 //! direction along the kink, and vanishes at a minimum.
 //!
-//! C. Lemaréchal, "Nondifferentiable optimization", Handbooks in OR and MS 1 (1989) 529; K. C. Kiwiel, Math. Program. 27
-//! (1983) 320, for combinations that replace what they combine.
+//! C. Lemaréchal, "Nondifferentiable optimization", Handbooks in OR and MS 1 (1989) 529; K. C. Kiwiel, Math. Program.
+//! 27 (1983) 320, for combinations that replace what they combine.
 
 use nalgebra::SVector;
 
@@ -29,14 +29,14 @@ where
         t0: T,
         x0: &SVector<T, N>,
         promise: (T, Promise<T>),
-    ) -> Option<(T, T)>
+    ) -> Result<(T, T), bool>
     where
         S: StepMap<T, N, M>,
     {
         let mut dx = zeros();
         for k in 0..K {
             let (t, x, u) = (self.time(t0, k), &self.plan.x[k], &self.plan.u[k]);
-            let StepDerivatives { a, b } = model.step_derivatives(t, self.h, x, u).ok()?;
+            let StepDerivatives { a, b } = model.step_derivatives(t, self.h, x, u).map_err(|_| false)?;
             let du = plus_product(self.change[k].into(), &transposed(&self.gain[k]), &dx);
             dx = plus_product(product(&a, &dx), &b, &du);
             self.change[k] = du.into();

@@ -30,7 +30,7 @@ const ROUNDING_ULPS: f64 = 64.0;
 pub struct Solved<T> {
     /// Cost of the motion.
     pub cost: T,
-    /// Number of backward passes.
+    /// Number of iterations.
     pub iterations: usize,
 }
 
@@ -114,11 +114,11 @@ where
                 return Ok(Solved { cost, iterations });
             }
             let mut found = self.line_search(model, t0, &x0, (cost, promise));
-            if const { S::HAS_KINKS } && found.is_none() {
+            if const { S::HAS_KINKS } && found.is_err() {
                 found = self.line_search_without_gains(model, t0, &x0, (cost, promise));
             }
             match found {
-                Some((next, share)) => {
+                Ok((next, share)) => {
                     decrease = cost - next;
                     cost = next;
                     tilt = None;
@@ -134,8 +134,8 @@ where
                         self.damping.decay();
                     }
                 }
-                None if const { S::HAS_KINKS } && self.tilt(model, t0, &mut tilt, promised) => {}
-                None => {
+                Err(is_whole) if const { S::HAS_KINKS } && is_whole && self.tilt(model, t0, &mut tilt, promised) => {}
+                Err(_) => {
                     self.trial = self.plan;
                     tilt = None;
                     self.damping.grow();
@@ -192,11 +192,11 @@ where
             });
         }
         let (cost, share) = match self.line_search(model, t0, x0, (cost_before, promise)) {
-            Some((cost, share)) => {
+            Ok((cost, share)) => {
                 self.damping.decay();
                 (cost, share)
             }
-            None => {
+            Err(_) => {
                 self.damping.grow();
                 (cost_before, T::default())
             }
@@ -225,31 +225,36 @@ where
     }
 
     /// Takes the largest share of the change of the inputs that decreases the cost enough. Returns the cost and the
-    /// share, or `None` if there is none.
+    /// share.
+    ///
+    /// # Errors
+    /// If there is none; true if the last trial is a whole motion.
     pub(super) fn line_search<S>(
         &mut self,
         model: &S,
         t0: T,
         x0: &SVector<T, N>,
         (cost, promise): (T, Promise<T>),
-    ) -> Option<(T, T)>
+    ) -> Result<(T, T), bool>
     where
         S: StepMap<T, N, M>,
     {
-        let mut share = T::from_f64(1.0);
+        let (mut share, mut is_whole) = (T::from_f64(1.0), false);
         for _ in 0..=HALVINGS {
             let promised = promise.of(share);
-            if let Ok(next) = self.forward(model, t0, x0, share)
+            let reached = self.forward(model, t0, x0, share);
+            is_whole = reached.is_ok();
+            if let Ok(next) = reached
                 && promised > T::default()
                 && cost - next >= T::from_f64(SUFFICIENT) * promised
             {
                 self.plan = self.trial;
                 self.change = [[T::default(); M]; K];
-                return Some((next, share));
+                return Ok((next, share));
             }
             share *= T::from_f64(0.5);
         }
-        None
+        Err(is_whole)
     }
 
     /// Checks the settings for a model and a start.

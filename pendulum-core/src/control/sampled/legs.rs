@@ -71,6 +71,7 @@ impl<T: Float> Legs<T> {
     /// Time of a sample plus a fraction of the period, at most the end.
     #[inline(always)]
     fn time(&self, sample: usize, fraction: f64) -> T {
+        // signed integers convert in one instruction
         let t = self.t0 + T::from_f64(self.period * (sample as i64 as f64 + fraction));
         if t < self.latest { t } else { self.t1 }
     }

@@ -191,7 +191,8 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Observer<T, N> for Legwise<'_,
     }
 
     fn needs(&self, t0: T, t1: T) -> Need {
-        self.observer.needs(t0, t1)
+        // a step tells that the mode after a jump is known
+        self.observer.needs(t0, t1).max(Need::Ends)
     }
 
     fn keeps_all(&self) -> bool {
