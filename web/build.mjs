@@ -4,7 +4,6 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { deflateRawSync } from "node:zlib";
 import { build } from "esbuild";
 import { begin, FIRST } from "./page/first.js";
 
@@ -15,10 +14,11 @@ const read = (path) => readFileSync(path, "utf8");
 /** Fonts that equations of motion use; others are left out. */
 const FONTS = /KaTeX_(Main-Regular|Math-Italic|Size[1-4]-Regular)\.woff2/;
 
+const target = process.env.CARGO_TARGET_DIR ?? join(here, "../target");
+
 /** Compiles the module and returns its bytes. */
 function module() {
   const env = { ...process.env, RUSTFLAGS: "-C target-feature=+simd128 -C link-arg=-zstack-size=16777216" };
-  const target = process.env.CARGO_TARGET_DIR ?? join(here, "../target");
   const flags = ["build", "--release", "--target", "wasm32-unknown-unknown", "--target-dir", target];
   execFileSync("cargo", flags, { cwd: here, env, stdio: "inherit" });
   return readFileSync(join(target, "wasm32-unknown-unknown/release/pendulum_web.wasm"));
@@ -89,7 +89,11 @@ async function answers(wasm, example) {
   return all;
 }
 
-const packed = (content) => deflateRawSync(content, { level: 9 }).toString("base64");
+/** Deflates, a twentieth shorter than zlib does. */
+function packed(content) {
+  const flags = ["run", "--quiet", "--release", "--package", "pack", "--target-dir", target];
+  return execFileSync("cargo", flags, { cwd: here, input: content, maxBuffer: 2 ** 26 }).toString("base64");
+}
 
 const wasm = module();
 const worker = await bundled(page("worker.js"));
