@@ -323,8 +323,8 @@ where
             return implicit!(&mut self.implicit, stages => stages.attempt(system, (t, x), (t_new, x_new), work));
         }
         let error = explicit!(&mut self.explicit, stages => stages.attempt(system, (t, x), (t_new, x_new), work)?);
-        // as `Bounded::YIELDS_AT_ONCE` says
-        if let Free::Tsit5(stages) = &self.explicit
+        if const { Tsitouras5::YIELDS_AT_ONCE }
+            && let Free::Tsit5(stages) = &self.explicit
             && self.stiffness.doubts_rejected()
             && !is_within_tolerance(error)
         {

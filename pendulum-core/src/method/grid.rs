@@ -93,7 +93,9 @@ impl<T: Float> Grid<T> {
     }
 
     fn largest(&self) -> T {
-        self.t0.abs().at_least(self.t1.abs())
+        let [start, end] = [self.t0, self.t1].map(T::abs);
+        // unlike `max`, without a case for NaN
+        if start < end { end } else { start }
     }
 }
 
