@@ -58,7 +58,7 @@ pub fn program_with(tokens: TokenStream, wanted: Wanted<'_>, files: &Files<'_>) 
 /// left out.
 #[derive(Clone, Copy, Debug)]
 pub enum Wanted<'a> {
-    /// What the declaration lists, these words, and the equations as text.
+    /// The words that the declaration lists, these, and the equations as text.
     Also(&'a [&'a str]),
     /// `rhs` and these words, without the equations as text.
     Only(&'a [&'a str]),

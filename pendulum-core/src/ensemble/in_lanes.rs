@@ -263,23 +263,25 @@ where
             scheme.dense(system, step, &mut work);
         }
         for (lane, index) in members.busy_at_first(V::LANES) {
-            let inside = match needs[lane] {
-                Need::Nothing => continue,
-                Need::Ends => None,
-                Need::Inside => Some((scheme.coefficients_in(lane), scheme.work_in(lane, &work))),
+            if !members.is_accepted(lane) {
+                continue;
+            }
+            let inside = || (scheme.coefficients_in(lane), scheme.work_in(lane, &work));
+            let seen = match needs[lane] {
+                Need::Nothing => Ok(None),
+                Need::Ends => show_lane(&mut self.watch, (lane, index), step, None, within),
+                Need::Inside => show_lane(&mut self.watch, (lane, index), step, Some(inside()), within),
             };
-            match show_lane(&mut self.watch, (lane, index), step, inside, within) {
+            match seen {
+                Ok(None) if self.watch.is_cancelled(index) => {
+                    self.stop(members, (lane, index), in_lane(&step.x1, lane), Reason::Cancelled);
+                }
                 Ok(None) => {}
                 Ok(Some(x)) => self.leave(members, (lane, index), x),
                 Err(early) => {
                     members.t[lane] = early.t;
                     self.stop(members, (lane, index), early.x, early.reason);
                 }
-            }
-        }
-        for (lane, index) in members.busy_at_first(V::LANES) {
-            if members.is_accepted(lane) && self.watch.is_cancelled(index) {
-                self.stop(members, (lane, index), in_lane(&step.x1, lane), Reason::Cancelled);
             }
         }
     }

@@ -52,7 +52,33 @@ pub trait Watch<T: Float, const N: usize> {
     ) -> Result<SVector<T, N>, Early<T, N>>
     where
         C: Scheme<S, T, N>,
-        S: System<T, N> + ?Sized;
+        S: System<T, N> + ?Sized,
+    {
+        let ended = loop {
+            let step = match stepper.step() {
+                Ok(Some(step)) => step,
+                Ok(None) => break Ok(stepper.x()),
+                Err(reason) => break Err(Early::at((stepper.t(), stepper.x()))(reason)),
+            };
+            let seen = match self.needs(index, (step.t0, step.t1)) {
+                Need::Nothing => Ok(None),
+                Need::Ends => self.see(index, &Dense::new(step, &[])),
+                Need::Inside => self.see(index, &stepper.dense()),
+            };
+            match seen {
+                Ok(None) if self.is_cancelled(index) => {
+                    break Err(Early::at((step.t1, step.x1))(Reason::Cancelled));
+                }
+                Ok(None) => {}
+                Ok(Some(x)) => break Ok(x),
+                Err(early) => break Err(early),
+            }
+        };
+        let mut work = stepper.statistics();
+        (work.accepted, work.switches) = (work.accepted - steps, work.switches + 1);
+        self.work(index, &work);
+        ended
+    }
 
     /// Called when a trajectory starts in a lane. `work` counts the evaluations so far.
     fn start(
@@ -129,19 +155,6 @@ impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
         ended.map_err(Early::at((stepper.t(), stepper.x())))
     }
 
-    fn go_on<C, S>(
-        &mut self,
-        index: usize,
-        stepper: &mut Stepper<'_, C, S, T, N>,
-        _steps: usize,
-    ) -> Result<SVector<T, N>, Early<T, N>>
-    where
-        C: Scheme<S, T, N>,
-        S: System<T, N> + ?Sized,
-    {
-        self.run((index, stepper.x()), stepper, None)
-    }
-
     fn start(
         &mut self,
         _index: usize,
@@ -216,42 +229,6 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         tolerance.into_iter().for_each(|tolerance| observer.within(tolerance));
         let ended = follow(stepper, x0, self.events[index], observer);
         observer.finish(stepper.statistics());
-        ended
-    }
-
-    fn go_on<C, S>(
-        &mut self,
-        index: usize,
-        stepper: &mut Stepper<'_, C, S, T, N>,
-        steps: usize,
-    ) -> Result<SVector<T, N>, Early<T, N>>
-    where
-        C: Scheme<S, T, N>,
-        S: System<T, N> + ?Sized,
-    {
-        let ended = loop {
-            let step = match stepper.step() {
-                Ok(Some(step)) => step,
-                Ok(None) => break Ok(stepper.x()),
-                Err(reason) => break Err(Early::at((stepper.t(), stepper.x()))(reason)),
-            };
-            let seen = match self.needs(index, (step.t0, step.t1)) {
-                Need::Nothing => Ok(None),
-                Need::Ends => self.see(index, &Dense::new(step, &[])),
-                Need::Inside => self.see(index, &stepper.dense()),
-            };
-            match seen {
-                Ok(None) if self.is_cancelled(index) => {
-                    break Err(Early::at((step.t1, step.x1))(Reason::Cancelled));
-                }
-                Ok(None) => {}
-                Ok(Some(x)) => break Ok(x),
-                Err(early) => break Err(early),
-            }
-        };
-        let mut work = stepper.statistics();
-        (work.accepted, work.switches) = (work.accepted - steps, work.switches + 1);
-        self.work[index].add(&work);
         ended
     }
 

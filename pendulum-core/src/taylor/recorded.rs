@@ -79,6 +79,17 @@ impl<T: Real> Recorded<T> {
         }
     }
 
+    /// A function whose derivative is a sum with its square, in one row after that of the square.
+    #[inline(always)]
+    fn by_its_square(self, value: T, derivative: impl FnOnce(Self) -> Self) -> Self {
+        self.of_one(value, |a| {
+            let slope = Self::slope(a);
+            let result = Self::result(Operation::Chain(slope, slope + 3), value);
+            let _ = derivative(result * result);
+            result
+        })
+    }
+
     /// Power with a whole exponent of at least 1, by products, which are exact where the base is zero.
     fn power(self, exponent: u32) -> Self {
         let (mut power, mut base, mut exponent) = (None, self, exponent);
@@ -251,14 +262,7 @@ impl<T: Real> Real for Recorded<T> {
 
     #[inline(always)]
     fn tan(self) -> Self {
-        let value = self.value.tan();
-        self.of_one(value, |a| {
-            let slope = Self::slope(a);
-            let tan = Self::result(Operation::Chain(slope, slope + 3), value);
-            // its derivative, in the third row after the slope
-            let _ = tan * tan + Self::from_f64(1.0);
-            tan
-        })
+        self.by_its_square(self.value.tan(), |square| square + Self::from_f64(1.0))
     }
 
     #[inline(always)]
@@ -290,14 +294,7 @@ impl<T: Real> Real for Recorded<T> {
 
     #[inline(always)]
     fn tanh(self) -> Self {
-        let value = self.value.tanh();
-        self.of_one(value, |a| {
-            let slope = Self::slope(a);
-            let tanh = Self::result(Operation::Chain(slope, slope + 3), value);
-            // its derivative, in the third row after the slope
-            let _ = Self::from_f64(1.0) - tanh * tanh;
-            tanh
-        })
+        self.by_its_square(self.value.tanh(), |square| Self::from_f64(1.0) - square)
     }
 
     /// Continued smoothly from the start on, and constant where it is zero there.

@@ -191,7 +191,7 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Observer<T, N> for Legwise<'_,
     }
 
     fn needs(&self, t0: T, t1: T) -> Need {
-        // a step tells that the mode after a jump is known
+        // `step` notes that no jump is left to announce
         self.observer.needs(t0, t1).max(Need::Ends)
     }
 
