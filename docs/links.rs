@@ -1,5 +1,7 @@
 //! Tests of links between the Markdown files of the repository: the linked files and headings exist.
 
+mod files;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -47,26 +49,9 @@ fn anchor(heading: &str) -> String {
         .collect()
 }
 
-/// Collects all Markdown files below a folder, except build outputs and packages.
-fn collect(folder: &Path, pages: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder)
-        .expect("a folder")
-        .map(|entry| entry.expect("an entry").path())
-    {
-        let name = entry.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        if entry.is_dir() && !name.starts_with('.') && !["target", "out", "node_modules"].contains(&name) {
-            collect(&entry, pages);
-        } else if name.ends_with(".md") {
-            pages.push(entry);
-        }
-    }
-}
-
 #[test]
 fn links_lead_somewhere() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut pages = Vec::new();
-    collect(&root, &mut pages);
+    let pages = files::ending_in(".md");
     let mut broken = Vec::new();
     let mut followed = 0;
     for path in &pages {

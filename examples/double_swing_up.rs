@@ -124,7 +124,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let figure = Figure {
         title: "A double pendulum on a cart, swung up and held at 200 Hz".to_owned(),
         subtitle: format!(
-            "Planned for 4 s by iterative LQR, with at most {LIMIT} N; then held by LQR on the estimate of a Kalman filter"
+            "Planned for 4 s by iterative LQR, with at most {LIMIT} N; then held by LQR on the estimate of a Kalman \
+             filter"
         ),
         size: (1800, 680),
         legend: vec![

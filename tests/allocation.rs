@@ -191,7 +191,8 @@ mechanism! {
     pub Block {
         input push: N,
         body block on ground {
-            mass: 1, joint: prismatic(x), coordinate: s, torque: push, dry_friction: 2, stop: [-1, 0.6] restitution(0.3),
+            mass: 1, joint: prismatic(x), coordinate: s,
+            torque: push, dry_friction: 2, stop: [-1, 0.6] restitution(0.3),
         }
     }
 }

@@ -1,5 +1,5 @@
-//! Results to the last bit, on every machine and in every build: their digests against those in `bits.txt`, and in fused
-//! arithmetic against those in `bits_fused.txt`.
+//! Results to the last bit, on every machine and in every build: their digests against those in `bits.txt`, and in
+//! fused arithmetic against those in `bits_fused.txt`.
 //!
 //! `cargo test` compares the digests of an unoptimised build. `.ci/run` also compares those of an optimised build, and
 //! of both for all instruction sets of the machine.

@@ -99,7 +99,8 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     let task = Task::new()?;
     let server = RefCell::new(Server::start(root, "control/crocoddyl_peer.py")?);
     let answer = server.borrow_mut().ask(&task.described(root));
-    let answer = answer.map_err(|why| format!("{why}; `.venv/bin/pip install crocoddyl==3.2.1 pin==4.0.0`, or set PYTHON"))?;
+    let install = "`.venv/bin/pip install crocoddyl==3.2.1 pin==4.0.0`, or set PYTHON";
+    let answer = answer.map_err(|why| format!("{why}; {install}"))?;
     let head: Head = serde_json::from_str(&answer)?;
 
     let mut entrants = vec![

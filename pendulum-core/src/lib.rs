@@ -40,10 +40,10 @@
 //! | [`event`] | events along a trajectory |
 //! | [`error`] | errors |
 //! | [`sensitivity`] | derivatives of trajectories by initial conditions and parameters |
-//! | [`fit`](https://docs.rs/pendulum-core/latest/pendulum_core/fit) | parameters from measurements, with the feature `fit` |
+//! | [`fit`](https://docs.rs/pendulum-core/latest/pendulum_core/fit) | parameters from measurements (feature `fit`) |
 //! | [`control`] | linear models, LQR, Kalman filters, controllability; motions of least cost; sampled controllers |
 //! | [`stability`] | equilibria, periodic orbits and their bifurcations, chaos, and the limits of methods |
-//! | [`accuracy`] | reference solutions, error estimates, the fastest method for an error, and work-precision measurements |
+//! | [`accuracy`] | reference solutions, error estimates, the fastest method for an error, work and precision |
 //! | [`shapes`] | geometry of a mechanism for drawing |
 //! | [`cost`] | counted operations of generated functions |
 //!

@@ -129,8 +129,8 @@ impl<T: Float> Tolerance<T> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not estimate its error, so it cannot keep a tolerance",
     label = "has no error estimate",
-    note = "use fixed steps, as in `Rk4`, `Gauss4`, `Gauss6` and `Gauss16`, or a method with an error estimate: `Rk45`, \
-            `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Auto`, and for stiff systems `Rodas4`, `Rodas5P` or `Radau5`"
+    note = "use fixed steps, as in `Rk4`, `Gauss4`, `Gauss6` and `Gauss16`, or a method with an error estimate: \
+            `Rk45`, `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Auto`, and for stiff systems `Rodas4`, `Rodas5P` or `Radau5`"
 )]
 pub trait Estimates {}
 

@@ -62,7 +62,7 @@ fn named(values: &[(String, f64)]) -> Vec<(&str, f64)> {
     values.iter().map(|(name, value)| (name.as_str(), *value)).collect()
 }
 
-/// What an event is: a function, the name of a declared one, or a name with a value.
+/// Event as it is given: a function, the name of a declared one, or a name with a value.
 #[derive(FromPyObject)]
 enum What {
     Declared(String),

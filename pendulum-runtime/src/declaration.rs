@@ -35,9 +35,9 @@ pub struct Problem {
     pub source: String,
     /// Code, such as `M002`, with a page in the documentation.
     pub code: String,
-    /// What is wrong.
+    /// The mistake.
     pub message: String,
-    /// What to do.
+    /// The remedy.
     pub help: String,
 }
 

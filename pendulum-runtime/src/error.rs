@@ -52,7 +52,7 @@ pub enum Error {
     },
     /// The declaration does not ask for a function.
     NotGenerated {
-        /// What needs the function.
+        /// Name of the task that needs the function.
         what: String,
         /// Word of `generate` that asks for it.
         word: &'static str,
@@ -61,7 +61,7 @@ pub enum Error {
     Setting {
         /// The setting.
         what: String,
-        /// What holds for it.
+        /// Rule that its values keep.
         rule: String,
     },
     /// The parameters are impossible.

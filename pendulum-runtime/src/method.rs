@@ -91,8 +91,8 @@ pub(crate) trait TaskInLanes<const N: usize> {
 
 impl Method {
     /// The method of this name, in upper or lower case: `Rk4`, `Gauss4`, `Gauss6` and `Gauss16` with a fixed step, or
-    /// `Rk45`, `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Rodas4`, `Rodas5P`, `Radau5`, `Radau9`, `Radau13` and `Auto` with a
-    /// tolerance.
+    /// `Rk45`, `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Rodas4`, `Rodas5P`, `Radau5`, `Radau9`, `Radau13` and `Auto` with
+    /// a tolerance.
     ///
     /// # Errors
     /// If there is no such method; the error names the most similar one.

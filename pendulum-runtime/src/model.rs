@@ -28,7 +28,7 @@ pub struct Model {
     pub(crate) engine: Arc<dyn Engine>,
 }
 
-/// What does not depend on the values of parameters.
+/// Parts that do not depend on the values of parameters.
 struct About {
     tape: Arc<Tape>,
     docs: String,
@@ -74,7 +74,7 @@ pub struct Component {
 pub struct Function {
     /// Name.
     pub name: String,
-    /// What it computes.
+    /// Its result, in words.
     pub docs: String,
     /// Lists that it takes beside the time and the state: `accelerations`, `weights`, `direction` or `forces`.
     pub arguments: Vec<&'static str>,

@@ -10,7 +10,8 @@ use std::error::Error;
 use nalgebra::SVector;
 use pendulum_core::accuracy::Reference;
 use pendulum_core::{
-    Canonical, Cast, Jacobian, Method, Radau9, Radau13, SolveError, Taylor, TaylorSeries, Vern9, mechanism,
+    Canonical, Cast, CastJacobian, CastTaylor, Jacobian, Method, Radau9, Radau13, SolveError, Taylor, TaylorSeries,
+    Vern9, mechanism,
 };
 use serde_json::Value;
 
@@ -156,13 +157,19 @@ pub trait Visitor {
     /// Receives a problem, and whether explicit methods cannot solve it.
     fn visit<S, const N: usize>(&mut self, scene: Scene<S, N>, is_stiff: bool)
     where
-        S: Cast<N, In<f64> = S> + Jacobian<f64, N> + TaylorSeries<f64, N> + 'static,
+        S: Cast<N, In<f64> = S> + CastJacobian<N> + CastTaylor<N> + Jacobian<f64, N> + TaylorSeries<f64, N> + 'static,
         S::In<Counted>: Jacobian<Counted, N> + TaylorSeries<Counted, N>;
 
     /// Receives a problem that keeps its energy and is not stiff: symplectic methods suit it.
     fn visit_conservative<S, const N: usize>(&mut self, scene: Scene<S, N>)
     where
-        S: Cast<N, In<f64> = S> + Jacobian<f64, N> + TaylorSeries<f64, N> + Canonical<f64, N> + 'static,
+        S: Cast<N, In<f64> = S>
+            + CastJacobian<N>
+            + CastTaylor<N>
+            + Jacobian<f64, N>
+            + TaylorSeries<f64, N>
+            + Canonical<f64, N>
+            + 'static,
         S::In<Counted>: Jacobian<Counted, N> + TaylorSeries<Counted, N> + Canonical<Counted, N>,
     {
         self.visit(scene, false);

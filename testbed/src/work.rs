@@ -2,9 +2,14 @@
 
 use nalgebra::SVector;
 use pendulum_core::accuracy::{Measured, Problem, Reference, Report, Sweep};
-use pendulum_core::{Cast, Method, Operations, Statistics, System};
+use pendulum_core::{Cast, Ensemble, Method, Operations, Statistics, System};
 
 use crate::counted::{Counted, spent};
+
+/// Suffix of the names of methods that integrate many trajectories side by side.
+pub const LANES: &str = ", lanes";
+/// Number of these trajectories.
+pub const TOGETHER: u32 = 64;
 
 /// Methods whose settings are step sizes; those of others are tolerances.
 pub const FIXED: [&str; 4] = ["Rk4", "Gauss4", "Gauss6", "Gauss16"];
@@ -25,6 +30,17 @@ type Work = (Operations, Statistics);
 impl<S: Cast<N, In<f64> = S> + System<f64, N>, const N: usize> Scene<S, N> {
     pub fn problem(&self) -> Problem<'_, S, N> {
         Problem::new(&self.model, 0.0, self.t1, self.x0, &self.reference)
+    }
+
+    /// Starts of the other trajectories of an ensemble: the last component, a rate in mechanisms, differs by multiples
+    /// of 1e-4 of the largest.
+    fn neighbours(&self) -> Vec<SVector<f64, N>> {
+        let neighbour = |n: u32| {
+            let mut x = self.x0;
+            x[N - 1] += 1e-4 * self.x0.amax() * f64::from(n);
+            x
+        };
+        (1..TOGETHER).map(neighbour).collect()
     }
 
     /// Counts the operations of a method from the start to the end; `None` if it does not reach the end.
@@ -55,15 +71,14 @@ impl Measurement {
             .runs
             .iter()
             .position(|run| run.setting == setting)?;
-        Some(self.operations.get(n)?[run]?.flops())
+        Some(self.operations.get(n)?.get(run)?.as_ref()?.flops())
     }
 }
 
 /// Methods to measure on a scene.
 pub struct Study<'s, S, const N: usize> {
     scene: &'s Scene<S, N>,
-    /// The methods so far.
-    pub sweep: Sweep<'s, S, N>,
+    sweep: Sweep<'s, S, N>,
     counted: Vec<Vec<Option<Work>>>,
 }
 
@@ -85,6 +100,19 @@ impl<'s, S: Cast<N, In<f64> = S> + System<f64, N>, const N: usize> Study<'s, S, 
         let counted = settings.clone().map(|setting| self.scene.count(&make(setting)));
         self.counted.push(counted.collect());
         self.sweep = self.sweep.method(name, settings, make);
+        self
+    }
+
+    /// Adds a method that integrates the trajectory together with [others](TOGETHER), whose starts are a little apart;
+    /// its operations are not counted.
+    #[must_use]
+    pub fn in_lanes<M>(mut self, name: &str, settings: impl Iterator<Item = f64>, make: impl Fn(f64) -> M) -> Self
+    where
+        M: Ensemble<S, f64, N> + 's,
+    {
+        self.counted.push(Vec::new());
+        let name = format!("{name}{LANES}");
+        self.sweep = self.sweep.ensemble(name, settings, &self.scene.neighbours(), make);
         self
     }
 
@@ -122,6 +150,16 @@ macro_rules! adaptive {
     };
 }
 
+/// Like `adaptive!`, for methods in lanes.
+#[macro_export]
+macro_rules! adaptive_in_lanes {
+    ($study:expr, $tolerances:expr; $($method:ident)*) => {
+        $study$(.in_lanes(stringify!($method), $tolerances, |tol| {
+            pendulum_core::$method::new().rtol(tol).atol(tol)
+        }))*
+    };
+}
+
 /// Tolerances from 1e-3 down to `least`, two per decade.
 pub fn tolerances(least: f64) -> impl Iterator<Item = f64> + Clone {
     let tolerance = |n: u32| 10.0_f64.powf(-0.5 * f64::from(n));
@@ -131,7 +169,11 @@ pub fn tolerances(least: f64) -> impl Iterator<Item = f64> + Clone {
 }
 
 /// Setting of a run, in words, with its work.
-pub fn note(setting: &str, measured: &Measured) -> String {
+pub fn note(method: &str, setting: f64, measured: &Measured) -> String {
+    let setting = match FIXED.contains(&method) {
+        true => format!("step of {setting:.3e}"),
+        false => format!("tolerance {setting:.1e}"),
+    };
     let work = measured.work.map(|work| {
         let steps = work.accepted + work.rejected;
         format!("; {steps} steps, {} evaluations", work.evaluations)

@@ -41,7 +41,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same with a pair of forces that turns it about the vertical.
+    /// The plate with a pair of forces that turns it about the vertical.
     pub Steered {
         input front: N, input back: N, input left: N, input right: N, input yaw: N,
         gravity: [0, 0, -9.81],

@@ -218,7 +218,8 @@ fn fused_code_is_the_same() {
         all.into_iter().map(|number| number.0).collect()
     });
     let Some(folder) = folder("Wrist") else { return };
-    let main = "#include <stdio.h>\n#include \"wrist.h\"\ndouble twice(double a, double b, double c) { return a * b + c; }\n\
+    let main = "#include <stdio.h>\n#include \"wrist.h\"\n\
+                double twice(double a, double b, double c) { return a * b + c; }\n\
                 int main(void) { printf(\"%d\", wrist_rounds_once()); return 0; }\n";
     // a platform whose operation rounds twice
     for (fma, expected) in [("fma", "1"), ("twice", "0")] {

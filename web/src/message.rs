@@ -61,7 +61,7 @@ pub enum Request {
         t: f64,
         /// State in their middle.
         x: Vec<f64>,
-        /// How many.
+        /// Number of states.
         count: usize,
         /// Difference between the first and the last, as in `near`.
         spread: f64,
@@ -169,9 +169,9 @@ pub struct Place {
     pub width: usize,
     /// Code, such as `M002`.
     pub code: String,
-    /// What is wrong.
+    /// The mistake.
     pub message: String,
-    /// What to do.
+    /// The remedy.
     pub help: String,
 }
 
@@ -196,7 +196,7 @@ pub struct About {
     pub has_energy: bool,
     /// State in which the page starts.
     pub start: Vec<f64>,
-    /// What was assumed or repaired.
+    /// Assumptions, and repairs of a robot.
     pub notes: Vec<String>,
 }
 
@@ -229,7 +229,7 @@ pub struct Component {
 pub struct Function {
     /// Name.
     pub name: String,
-    /// What it computes.
+    /// Its result, in words.
     pub docs: String,
     /// Form of the code.
     pub form: String,
@@ -250,7 +250,7 @@ pub struct Shape {
     pub points: usize,
 }
 
-/// What a motion was, beside its frames.
+/// Facts about a motion, beside its frames.
 #[derive(Debug, Default, Serialize)]
 pub struct Moved {
     /// Number of numbers in a frame.

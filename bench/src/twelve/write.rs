@@ -200,7 +200,8 @@ fn raw(results: &Results) -> Value {
         json!({
             "name": name, "title": title, "is_stiff": is_stiff,
             "uncertainty": uncertainty, "uncertainty_along": uncertainty_along,
-            "cells": measured.cells, "cells_along": measured.cells_along, "settings": measured.settings.iter().map(setting).collect::<Vec<_>>(),
+            "cells": measured.cells, "cells_along": measured.cells_along,
+            "settings": measured.settings.iter().map(setting).collect::<Vec<_>>(),
             "failures": failures.collect::<Vec<_>>(),
         })
     };

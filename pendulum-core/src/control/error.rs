@@ -183,8 +183,8 @@ impl<const N: usize> fmt::Display for ControlError<N> {
                 let (do_not, themselves, their) = words(modes);
                 write!(
                     f,
-                    "the process noise does not drive {modes}, which {do_not} decay by {themselves}\nhelp: give {their} \
-                     components noise in W"
+                    "the process noise does not drive {modes}, which {do_not} decay by {themselves}\nhelp: give \
+                     {their} components noise in W"
                 )
             }
             Self::NoConvergence { residual } => write!(

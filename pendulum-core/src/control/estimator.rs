@@ -18,7 +18,7 @@ pub struct Estimator<const N: usize, const P: usize> {
     /// | | estimate |
     /// |---|---|
     /// | continuous | `z' = A z + B du + drift + L (y - e)` |
-    /// | sampled | correction by the measurement, `z + L (y - e)`; prediction of the next sample, `A z + B du + drift` |
+    /// | sampled | correction by the measurement, `z + L (y - e)`; prediction for the next, `A z + B du + drift` |
     pub gain: SMatrix<f64, N, P>,
     /// Covariance of the error of the estimate; for a sampled model, that of the prediction, before the correction.
     pub covariance: SMatrix<f64, N, N>,

@@ -38,7 +38,7 @@
 //! | [`Ilqr`] | iterative LQR: motions of least cost within limits of the inputs, held by their gains or planned anew |
 //! | [`Integrated`] | models for `Ilqr` with dry friction, stops and walls |
 //! | [`Sampled`] | runs a [`Controller`] at the times of a clock: delay, limits, resolution, noise |
-//! | [`Pid`], [`StateSpace::output_feedback`] | ready controllers: PID without windup, a law on the estimate of a filter |
+//! | [`Pid`], [`StateSpace::output_feedback`] | ready controllers: PID without windup, a law on an estimate |
 //!
 //! A model that cannot be stabilized is an error with each mode that the inputs do not reach: its eigenvalue, and its
 //! direction in the names of the model.

@@ -216,8 +216,8 @@ pub fn check_models<M: Cast<N>, X, const N: usize>(models: &[M], starts: &[X]) -
     let rule = "an ensemble takes one model for all starts, or one for each";
     let fits = models.len() == 1 || models.len() == starts.len();
     require(fits, "models", models.len() as f64, rule)?;
-    let rule = "the models of an ensemble may differ in the constants of declarations, not in laws of inputs or equations \
-                by hand, as this one does";
+    let rule = "the models of an ensemble may differ in the constants of declarations, not in laws of inputs or \
+                equations by hand, as this one does";
     let strange = models.iter().position(|model| !model.shares_lanes(&models[0]));
     require(strange.is_none(), "models", strange.unwrap_or(0) as f64, rule)
 }

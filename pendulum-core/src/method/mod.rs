@@ -347,9 +347,9 @@ pub type Gauss6 = Fixed<Gauss<3>>;
 /// The Gauss-Legendre method of order 16 in canonical variables, with a fixed step; see [`Gauss`].
 ///
 /// For smooth motions over long times: without friction, the error of the energy is the random walk of rounding errors.
-/// Over a million swings of a double pendulum (0.3 and 0.4 rad, steps of 0.4 s, a fifth of a swing) it stays below 2e-13
-/// of the energy; with [`Taylor`] at its tightest tolerance, in 0.4 of the time, it drifts by 2e-12. Larger motions need
-/// shorter steps: where the iterations do not converge, an error says so.
+/// Over a million swings of a double pendulum (0.3 and 0.4 rad, steps of 0.4 s, a fifth of a swing) it stays below
+/// 2e-13 of the energy; with [`Taylor`] at its tightest tolerance, in 0.4 of the time, it drifts by 2e-12. Larger
+/// motions need shorter steps: where the iterations do not converge, an error says so.
 ///
 /// Dense output of order 8.
 pub type Gauss16 = Fixed<Gauss<8, 4>>;

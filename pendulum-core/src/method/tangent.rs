@@ -26,7 +26,8 @@ pub(crate) use in_lanes::{Carried, CarriedStages, Carry};
 /// The explicit method of the tableau `B`, with `K` tangents `v' = J(t, x) v`.
 ///
 /// A step of the tangents is the derivative of the step of the state: the same tableau, with the Jacobian at each of
-/// its stages, which is evaluated once with the right-hand side. Their errors are kept within the tolerance too, relative to the length of each tangent.
+/// its stages, which is evaluated once with the right-hand side. Their errors are kept within the tolerance too,
+/// relative to the length of each tangent.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tangent<B, const STAGES: usize, const K: usize>(Explicit<B, STAGES>);
 

@@ -12,8 +12,8 @@ use crate::real::Real;
 /// `N` is the length of the state, `P` the number of parameters.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `adjoint`",
-    note = "`mechanism!` generates it for scenes where `generate` has `rhs` and `adjoint`, without dry friction, stops, \
-            walls and loops without a closed form; a model with inputs has it as `model.with_law(law)`",
+    note = "`mechanism!` generates it for scenes where `generate` has `rhs` and `adjoint`, without dry friction, \
+            stops, walls and loops without a closed form; a model with inputs has it as `model.with_law(law)`",
     note = "derivatives of the others are computed forward, by `sensitivity::solve`"
 )]
 pub trait Adjoint<T: Real, const N: usize, const P: usize>: System<T, N> {

@@ -65,8 +65,8 @@ pub trait Equations<const N: usize>: Clone + PartialEq {
 /// [`signum`](Real::signum), [`at_least`](Real::at_least) and [`at_most`](Real::at_most), which are the mean of two
 /// equal numbers. Memory is allocated for the first series of a trajectory.
 ///
-/// A type of its own, as [`FnSystem`](super::FnSystem), because an implementation for all equations would rule out every
-/// other generic implementation.
+/// A type of its own, as [`FnSystem`](super::FnSystem), because an implementation for all equations would rule out
+/// every other generic implementation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EquationsSystem<E>(pub E);
 

@@ -14,8 +14,8 @@ pub struct Simpler {
     /// friction, stops nor walls.
     pub declaration: String,
     /// Errors that are predicted before the model runs, to first order in the change, in the order of
-    /// [`Answer::outputs`]: the largest at 200 times, relative to the largest size of the output. Infinite if they could
-    /// not be computed.
+    /// [`Answer::outputs`]: the largest at 200 times, relative to the largest size of the output. Infinite if they
+    /// could not be computed.
     pub predicted: Vec<f64>,
     /// Errors of its motions.
     pub observed: Vec<f64>,

@@ -118,8 +118,8 @@ impl<'q> Origin<'q> {
         Change::all(&self.outline)
     }
 
-    /// The models with some changes: after at most one change the linear ones, then, unless there are no changes, the one
-    /// with these alone.
+    /// The models with some changes: after at most one change the linear ones, then, unless there are no changes, the
+    /// one with these alone.
     pub(super) fn candidates(&self, changes: &[Change]) -> Vec<Result<Candidate, Refused>> {
         let words: Vec<String> = changes.iter().map(ToString::to_string).collect();
         let refused = |changes: &[String], reason| {
@@ -192,8 +192,8 @@ impl<'q> Origin<'q> {
         self.added.iter().any(|own| own == output)
     }
 
-    /// Compiles a text. Parts that have no effect after a change are left out; a parameter that is still used, but drops
-    /// out, is replaced by its value.
+    /// Compiles a text. Parts that have no effect after a change are left out; a parameter that is still used, but
+    /// drops out, is replaced by its value.
     fn compiled(&self, mut outline: Outline) -> Result<(Outline, Model), String> {
         for _ in 0..MOST_IDLE {
             let error = match self

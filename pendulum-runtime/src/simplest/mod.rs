@@ -58,13 +58,13 @@ impl Default for Question {
 }
 
 /// Finds the simplest declaration that answers a question. Tries a linear model about the equilibrium nearest to each
-/// start, the removal of each friction, each joint fixed where it starts, each spring of a joint rigid, and all pairs of
-/// these.
+/// start, the removal of each friction, each joint fixed where it starts, each spring of a joint rigid, and all pairs
+/// of these.
 ///
 /// The error of each is predicted before it runs, to first order in the change: with `y` the part of the full motion
 /// that the simpler model has, and `F` its flow from one sample to the next, `e' = F(y) - y' + DF(y) e`. Near impacts
-/// and mode switches that move in time, this is rough. Then it runs, by `Auto` with a thousandth of the error as tolerance.
-/// Where the two agree, the error is small and regular: it grows in proportion to what was left out.
+/// and mode switches that move in time, this is rough. Then it runs, by `Auto` with a thousandth of the error as
+/// tolerance. Where the two agree, the error is small and regular: it grows in proportion to what was left out.
 ///
 /// Balls, free joints and springs between points are left as they are. The bodies of a robot from a file are written
 /// out, unless the declaration changes its links.

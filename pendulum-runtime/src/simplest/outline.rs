@@ -162,8 +162,8 @@ impl Outline {
         self.of("units").next().is_some()
     }
 
-    /// Part that can be left out at a line and a column of the text, which start at 1: a parameter, a force along a joint,
-    /// or an item that others may use.
+    /// Part that can be left out at a line and a column of the text, which start at 1: a parameter, a force along a
+    /// joint, or an item that others may use.
     pub(super) fn idle(&self, line: usize, column: usize) -> Option<&Part> {
         let begin: usize = self.text.split_inclusive('\n').take(line - 1).map(str::len).sum();
         let within = self.text[begin..].char_indices().nth(column - 1);

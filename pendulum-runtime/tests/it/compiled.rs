@@ -117,7 +117,8 @@ fn named(name: &str) -> Named {
 /// Compares each method on a compiled model and on one of the text.
 macro_rules! same {
     ($compiled:expr, $model:expr, $start:expr) => {
-        same!($compiled, $model, $start; Rk4 Gauss4 Gauss6 Gauss16 Rk45 Tsit5 Vern7 Vern9 Taylor Rodas4 Rodas5P Radau5 Radau9 Radau13 Auto)
+        same!($compiled, $model, $start; Rk4 Gauss4 Gauss6 Gauss16 Rk45 Tsit5 Vern7 Vern9 Taylor Rodas4 Rodas5P Radau5
+            Radau9 Radau13 Auto)
     };
     ($compiled:expr, $model:expr, $start:expr; $($name:ident)*) => { $({
         let method = named(stringify!($name));

@@ -1,4 +1,4 @@
-//! What is wrong is said, and where.
+//! Errors say where the mistake is.
 
 use pendulum_runtime::{Error, Event, Members, Method, Model, Options, Robot};
 

@@ -37,7 +37,7 @@ fn problem(problem: &Problem) -> Value {
         "name": problem.name,
         "t1": problem.t1,
         "size": problem.size,
-        "uncertainty": problem.uncertainty,
+        "uncertainty": problem.uncertainty[0] / problem.size,
         "runs": runs.collect::<Vec<_>>(),
     })
 }

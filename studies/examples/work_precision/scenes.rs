@@ -98,12 +98,3 @@ pub(crate) fn problem(scene: &Scene) -> Problem<'_, DoublePendulum, 4> {
     let energy = |x| scene.model.energy(0.0, x);
     scene.problem().energy(energy(&scene.x0) - energy(&SVector::zeros()))
 }
-
-/// Initial states close to the one of the scene.
-pub(crate) fn neighbours(scene: &Scene) -> Vec<SVector<f64, 4>> {
-    let shift = |n: u32| SVector::from([1e-4 * f64::from(n), 0.0, 0.0, 0.0]);
-    (1..NEIGHBOURS).map(|n| scene.x0 + shift(n)).collect()
-}
-
-/// Number of trajectories of an ensemble.
-pub(crate) const NEIGHBOURS: u32 = 64;

@@ -42,8 +42,8 @@ pub fn c(program: &Program) -> Sources {
 /// code for `Fused<f64>` bit for bit, except for the coefficients of series and under the same condition on the
 /// functions of the platform.
 ///
-/// Without `-mfma`, or the like for another processor, the calls take much longer than a multiplication and an addition.
-/// The function `<name>_rounds_once` tells if the platform rounds as IEEE 754 demands.
+/// Without `-mfma`, or the like for another processor, the calls take much longer than a multiplication and an
+/// addition. The function `<name>_rounds_once` tells if the platform rounds as IEEE 754 demands.
 pub fn c_fused(program: &Program) -> Sources {
     let scene = Scene::new(program, snake_case(&program.name));
     sources(Scene { fused: true, ..scene })

@@ -14,7 +14,8 @@ pub(super) fn inlined_into_lanes() -> TokenStream {
 }
 
 impl Items<'_> {
-    /// `impl Parametric<N, P>`, or `impl ParametricControlled<N, M, P>` with inputs, if the model has a right-hand side.
+    /// `impl Parametric<N, P>`, or `impl ParametricControlled<N, M, P>` with inputs, if the model has a right-hand
+    /// side.
     pub(super) fn over_parameters(&self) -> Option<TokenStream> {
         self.program.with_role(Role::Rhs)?;
         let (name, length, allowed, params) = (&self.head.name, self.length(), allowed(), self.parameters_name());

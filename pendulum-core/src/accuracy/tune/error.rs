@@ -59,9 +59,9 @@ impl fmt::Display for TuneError {
                 methods: [a, b],
             } => write!(
                 f,
-                "an error of {error:.1e} is not reached in `f64`: `{a}` and `{b}` with the smallest tolerances differ by \
-                 {uncertainty:.1e} at the end; state an error well above that, or shorten the span if the motion is \
-                 chaotic"
+                "an error of {error:.1e} is not reached in `f64`: `{a}` and `{b}` with the smallest tolerances differ \
+                 by {uncertainty:.1e} at the end; state an error well above that, or shorten the span if the motion \
+                 is chaotic"
             ),
             Self::NotReached {
                 error,

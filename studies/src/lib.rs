@@ -1,0 +1,3 @@
+//! Charts that several studies draw.
+
+pub mod panels;
