@@ -2,6 +2,7 @@
 
 #[cfg(feature = "std")]
 mod in_lanes;
+mod stiff;
 mod stiffness;
 
 use nalgebra::SVector;
@@ -12,11 +13,10 @@ use crate::error::Reason;
 use crate::hybrid::InMode;
 use crate::method::explicit::{self, ExplicitStages};
 use crate::method::operations as count;
-use crate::method::radau::RadauStages;
-use crate::method::rosenbrock::{self, RosenbrockStages};
+use crate::method::rosenbrock;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::step_control::is_within_tolerance;
-use crate::method::{Adaptive, Explicit, RadauIIA, Rosenbrock};
+use crate::method::{Adaptive, Explicit, RadauIIA};
 use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::step_size::{Estimates, Tolerance};
@@ -62,7 +62,8 @@ pub type Auto = Adaptive<Switching>;
 
 #[cfg(feature = "std")]
 pub(crate) use in_lanes::{SwitchInLanes, SwitchingFrom};
-use stiffness::{Stiffness, even, fastest_rate, of_fastest_rate};
+use stiff::Stiff;
+use stiffness::{Stiffness, even, of_fastest_rate};
 
 /// Kind of method of [`Auto`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -228,42 +229,6 @@ impl<T: Float, const N: usize> Free<T, N> {
     }
 }
 
-/// The implicit method.
-#[derive(Clone, Debug)]
-enum Stiff<T, const N: usize> {
-    Rodas4(RosenbrockStages<HairerWanner4, T, 6, N>),
-    Rodas5P(RosenbrockStages<Steinebach5, T, 8, N>),
-    Radau13(RadauStages<T, 7, 3, N>),
-}
-
-/// Matches on the implicit method.
-macro_rules! implicit {
-    ($stiff:expr, $stages:ident => $value:expr) => {
-        match $stiff {
-            Stiff::Rodas4($stages) => $value,
-            Stiff::Rodas5P($stages) => $value,
-            Stiff::Radau13($stages) => $value,
-        }
-    };
-}
-
-impl<T: Float, const N: usize> Stiff<T, N> {
-    /// Creates the method for a tolerance.
-    fn new<S>(system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self, Reason>
-    where
-        S: Jacobian<T, N> + ?Sized,
-    {
-        let least = larger(tolerance.as_ref());
-        Ok(if least > LOOSE {
-            Self::Rodas4(OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?)
-        } else if !is_tight(tolerance.as_ref()) {
-            Self::Rodas5P(OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?)
-        } else {
-            Self::Radau13(OneStep::<S, T, N>::scheme(&RadauIIA, system, tolerance)?)
-        })
-    }
-}
-
 impl<T: Float, const N: usize> Switch<T, N> {
     /// Begins with the other method.
     #[cold]
@@ -284,7 +249,7 @@ where
 {
     fn error_order(&self) -> usize {
         if self.stiffness.is_stiff {
-            implicit!(&self.implicit, stages => Scheme::<S, T, N>::error_order(stages))
+            self.implicit.error_order::<S>()
         } else {
             explicit!(&self.explicit, stages => Scheme::<S, T, N>::error_order(stages))
         }
@@ -292,9 +257,10 @@ where
 
     #[inline(always)]
     fn keeps_length(&self) -> (f64, f64) {
-        match &self.implicit {
-            Stiff::Radau13(stages) if self.stiffness.is_stiff => Scheme::<S, T, N>::keeps_length(stages),
-            _ => (1.0, 1.0),
+        if self.stiffness.is_stiff {
+            self.implicit.keeps_length::<S>()
+        } else {
+            (1.0, 1.0)
         }
     }
 
@@ -302,7 +268,7 @@ where
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         self.stiffness.begin();
         if self.stiffness.is_stiff {
-            implicit!(&mut self.implicit, stages => stages.begin(system, t, x, work))
+            self.implicit.begin(system, t, x, work)
         } else {
             explicit!(&mut self.explicit, stages => stages.begin(system, t, x, work))
         }
@@ -320,7 +286,7 @@ where
             self.change(system, t, x, work);
         }
         if self.stiffness.is_stiff {
-            return implicit!(&mut self.implicit, stages => stages.attempt(system, (t, x), (t_new, x_new), work));
+            return self.implicit.attempt(system, (t, x), (t_new, x_new), work);
         }
         let error = explicit!(&mut self.explicit, stages => stages.attempt(system, (t, x), (t_new, x_new), work)?);
         if const { Tsitouras5::YIELDS_AT_ONCE }
@@ -345,7 +311,7 @@ where
         work: &mut Statistics,
     ) -> Option<&SVector<T, N>> {
         if self.stiffness.is_stiff {
-            implicit!(&mut self.implicit, stages => stages.arrive(system, end, work))
+            Some(self.implicit.arrive(system, end, work))
         } else {
             explicit!(&mut self.explicit, stages => stages.arrive(system, end, work))
         }
@@ -355,10 +321,8 @@ where
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
         let limit = self.explicit.limit();
         if self.stiffness.is_stiff {
-            implicit!(&mut self.implicit, stages => stages.accept(system, step, lanes, work));
             work.stiff += 1;
-            let jacobian = implicit!(&self.implicit, stages => stages.jacobian());
-            let rate = fastest_rate(jacobian, &mut self.fastest, system.active());
+            let rate = self.implicit.accept(system, (step, lanes), &mut self.fastest, work);
             self.stiffness.after_implicit((step.h.abs() * rate).to_f64(), limit);
         } else {
             let (measured, turn) = explicit!(&mut self.explicit, stages => {
@@ -374,7 +338,7 @@ where
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         if self.stiffness.is_stiff {
-            implicit!(&mut self.implicit, stages => stages.dense(system, step, work))
+            self.implicit.dense(system, step, work)
         } else {
             explicit!(&mut self.explicit, stages => stages.dense(system, step, work))
         }
@@ -382,7 +346,7 @@ where
 
     fn coefficients(&self) -> &[SVector<T, N>] {
         if self.stiffness.is_stiff {
-            implicit!(&self.implicit, stages => Scheme::<S, T, N>::coefficients(stages))
+            self.implicit.coefficients::<S>()
         } else {
             explicit!(&self.explicit, stages => Scheme::<S, T, N>::coefficients(stages))
         }

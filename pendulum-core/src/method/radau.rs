@@ -362,6 +362,11 @@ where
         &self.matrix.jacobian
     }
 
+    /// Derivative at the end of the last attempt.
+    pub(super) fn end(&self) -> &SVector<T, N> {
+        &self.end
+    }
+
     /// Error of a step of length `h`: the difference between the slope of its polynomial at the start and the given
     /// `slope` of the system, filtered by the matrix of the iteration. Hairer and Wanner, IV.8, Eq. 8.19.
     #[cfg_attr(not(debug_assertions), inline(always))]

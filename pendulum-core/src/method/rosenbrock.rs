@@ -169,6 +169,11 @@ where
         &self.start().jacobian
     }
 
+    /// Derivative at the end of the last attempt.
+    pub(super) fn end(&self) -> &SVector<T, N> {
+        &self.points[usize::from(!self.swapped)].slope
+    }
+
     /// Linearization at the start of the next step.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn start(&self) -> &Linearisation<T, N> {
