@@ -33,6 +33,7 @@
 //! | [`layout`] | kind and place of each component of a state |
 //! | [`real`], [`dual`] | the number types: scalars, fused ones, lanes and dual numbers |
 //! | [`ensemble`] | many trajectories at once, in the lanes of vector registers |
+//! | [`batch`] | right-hand sides and other functions of many states at once |
 //! | [`method`] | the methods, and the [`Stepper`] beneath them, which uses no heap |
 //! | [`tableau`] | Butcher tableaus as data |
 //! | [`taylor`] | power series of motions |
@@ -63,6 +64,8 @@
 
 #[cfg(feature = "std")]
 pub mod accuracy;
+#[cfg(feature = "std")]
+pub mod batch;
 pub mod control;
 pub mod cost;
 pub mod dense;

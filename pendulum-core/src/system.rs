@@ -269,7 +269,7 @@ pub trait Energy<T: Real, const N: usize> {
     fn potential(&self, t: T, x: &SVector<T, N>) -> T;
 
     /// Total energy: kinetic plus potential. Constant in time if no drive or friction acts on the model.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn energy(&self, t: T, x: &(impl IntoState<T, N> + Copy)) -> T
     where
         Self: Sized,

@@ -3,6 +3,7 @@
 
 mod adjoints;
 mod balls;
+mod batches;
 mod c_code;
 mod canonical;
 mod clamp;

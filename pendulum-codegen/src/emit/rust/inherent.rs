@@ -18,10 +18,9 @@ impl Items<'_> {
             .filter(|routine| routine.role.is_function());
         let methods = routines.map(|routine| {
             let (doc, function) = (&routine.doc, self.inherent_function(routine));
-            let inline = if matches!(routine.role, Role::LoopMargins | Role::TurnMargins) {
-                inlined_into_lanes()
-            } else {
-                quote!(#[inline])
+            let inline = match routine.role {
+                Role::Function | Role::LoopMargins | Role::TurnMargins => inlined_into_lanes(),
+                _ => quote!(#[inline]),
             };
             quote!(#[doc = #doc] #inline pub #function)
         });

@@ -54,9 +54,10 @@ impl Items<'_> {
     /// Implementation of a trait whose methods are all routines of the same names, if the scene has them.
     fn of_trait(&self, name: &str, methods: &[Role]) -> Option<TokenStream> {
         let routines: Option<Vec<&Routine>> = methods.iter().map(|&role| self.program.with_role(role)).collect();
+        let inline = inlined_into_lanes();
         let methods = routines?.into_iter().map(|routine| {
             let function = self.function(&format_ident!("{}", routine.name), routine);
-            quote!(#[inline] #function)
+            quote!(#inline #function)
         });
         Some(self.implement(Some(self.named(name)), &methods.collect()))
     }
