@@ -107,6 +107,7 @@ where
 /// The result is a matrix of `R` rows and `C` columns.
 ///
 /// ```
+/// use pendulum_core::Real;
 /// use pendulum_core::batch::{self, StateFunction};
 /// use pendulum_core::prelude::*;
 ///

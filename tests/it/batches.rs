@@ -1,5 +1,6 @@
 //! Functions of many states at once have the bits of each evaluation alone, whatever remains in the last lanes.
 
+use pendulum_core::Real;
 use pendulum_core::batch::{self, StateFunction};
 use pendulum_core::error::Reason;
 use pendulum_core::prelude::*;

@@ -2432,7 +2432,8 @@ t29 = t27 + t26 - t27
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 14>
     for BallPendulum<T> {
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 14>) -> T {
             let [_, _, _, _, qw_b, qx_b, qy_b, qz_b, qdx_a, qdy_a, qdz_a, qdx_b, qdy_b,
             qdz_b] = x.data.0[0];
@@ -2490,7 +2491,8 @@ t29 = t27 + t26 - t27
                 );
             T::from_f64(0.5) * qdy_a.mul_add(t29, t30)
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 14>) -> T {
             let [qw_a, qx_a, qy_a, qz_a, qw_b, qx_b, qy_b, qz_b, _, _, _, _, _, _] = x
                 .data
@@ -2513,7 +2515,8 @@ t29 = t27 + t26 - t27
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> BallPendulum<T> {
         ///The momenta of the coordinates: the mass matrix times their rates.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn momentum(
             &self,
             t: T,

@@ -782,7 +782,8 @@ k43 = b*w^2*ny^2*(m1 + m2)
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 4>
     for DrivenPivot<T> {
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
             let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
             let k4 = self.constants[4];
@@ -819,7 +820,8 @@ k43 = b*w^2*ny^2*(m1 + m2)
                     );
             t4 + t5
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
             let [q_theta1, q_theta2, _, _] = x.data.0[0];
             let k9 = self.constants[9];
@@ -834,7 +836,8 @@ k43 = b*w^2*ny^2*(m1 + m2)
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> DrivenPivot<T> {
         ///Forces supplied by the drives along their joints, in the order of the declaration: in N m where a joint turns, in N where it slides.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn drive_forces(
             &self,
             t: T,

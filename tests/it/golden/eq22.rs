@@ -586,7 +586,8 @@ k11 = -m*c*d/(inertia + m*c^2)
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Canonical<T, 4>
     for DoublePendulum<T> {
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn canonical(
             &self,
             t: T,
@@ -624,7 +625,8 @@ k11 = -m*c*d/(inertia + m*c^2)
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn canonical_jacobian(
             &self,
             t: T,
@@ -677,7 +679,8 @@ k11 = -m*c*d/(inertia + m*c^2)
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 4>
     for DoublePendulum<T> {
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
             let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
             let k3 = self.constants[3];
@@ -690,7 +693,8 @@ k11 = -m*c*d/(inertia + m*c^2)
                     qd_theta2 * (qd_theta2 * k9),
                 )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
             let [q_theta1, q_theta2, _, _] = x.data.0[0];
             let k4 = self.constants[4];

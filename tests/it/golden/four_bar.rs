@@ -989,7 +989,8 @@ k36 = -1
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 2> for FourBar<T> {
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
@@ -1028,7 +1029,8 @@ k36 = -1
                     (k25 * t11).mul_add(t11, k24 * t10 * t10),
                 )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
             let [q_theta, _] = x.data.0[0];
             let k0 = self.constants[0];
@@ -1096,7 +1098,8 @@ k36 = -1
             )
         }
         ///Output `follow`.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn follow(
             &self,
             t: T,
@@ -1131,7 +1134,8 @@ k36 = -1
             ])
         }
         ///Rate of `follow` along the motion.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn follow_rate(
             &self,
             t: T,
@@ -1160,7 +1164,8 @@ k36 = -1
             ])
         }
         ///Value of `follow`, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn follow_and_jacobian(
             &self,
             t: T,
@@ -1215,7 +1220,8 @@ k36 = -1
             )
         }
         ///Output `gap`.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn gap(
             &self,
             t: T,
@@ -1243,7 +1249,8 @@ k36 = -1
             ])
         }
         ///Rate of `gap` along the motion.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn gap_rate(
             &self,
             t: T,
@@ -1281,7 +1288,8 @@ k36 = -1
             ])
         }
         ///Value of `gap`, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn gap_and_jacobian(
             &self,
             t: T,
@@ -1334,7 +1342,8 @@ k36 = -1
             )
         }
         ///Output `rocking`.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn rocking(
             &self,
             t: T,
@@ -1359,7 +1368,8 @@ k36 = -1
             qd_theta * (T::from_f64(1.0) / (t3 * t6) * t7)
         }
         ///Rate of `rocking` along the motion.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn rocking_rate(
             &self,
             t: T,
@@ -1445,7 +1455,8 @@ k36 = -1
             t8.mul_neg_add(t32, t12 * t38 * (T::from_f64(-1.0) / t39))
         }
         ///Value of `rocking`, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn rocking_and_jacobian(
             &self,
             t: T,
@@ -1490,7 +1501,8 @@ k36 = -1
             )
         }
         ///All outputs, in the order of `OUTPUTS`.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn outputs(
             &self,
             t: T,
@@ -1533,7 +1545,8 @@ k36 = -1
             ])
         }
         ///Rate of all outputs along the motion.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn output_rates(
             &self,
             t: T,
@@ -1631,7 +1644,8 @@ k36 = -1
             ])
         }
         ///Value of all outputs, and its derivatives with respect to the state: one row for each component, with the components of a matrix in column-major order.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn outputs_and_jacobian(
             &self,
             t: T,

@@ -496,7 +496,8 @@ k8 = -0.5/(1/3*l)
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 4> for CartPole<T> {
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
             let [_, q_theta, qd_s, qd_theta] = x.data.0[0];
             let k1 = self.constants[1];
@@ -509,7 +510,8 @@ k8 = -0.5/(1/3*l)
                     k7 * qd_s * qd_s,
                 )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
             let [_, q_theta, _, _] = x.data.0[0];
             let k3 = self.constants[3];

@@ -968,7 +968,8 @@ k57 = 77343750000000/1998607065841*l^2*k
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 4> for Magnets<T> {
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
             let [_, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
             let k9 = self.constants[9];
@@ -985,7 +986,8 @@ k57 = 77343750000000/1998607065841*l^2*k
                 );
             k9 * t1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
             let [q_theta1, q_theta2, _, _] = x.data.0[0];
             let k0 = self.constants[0];

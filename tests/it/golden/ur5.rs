@@ -2300,7 +2300,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 12> for Ur5<T> {
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 12>) -> T {
             let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
             qd_q6] = x.data.0[0];
@@ -2413,7 +2414,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                         ),
                 )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 12>) -> T {
             let [_, q_q2, q_q3, q_q4, _, _, _, _, _, _, _, _] = x.data.0[0];
             let t0 = q_q2 + q_q3;
@@ -2434,7 +2436,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> Ur5<T> {
         ///The mass matrix.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn mass_matrix(
             &self,
             t: T,
@@ -2533,7 +2536,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             ])
         }
         ///The bias: velocity terms, gravity and the inertia forces of the drives, as generalised forces.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn bias(
             &self,
             t: T,
@@ -2664,7 +2668,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             ])
         }
         ///The momenta of the coordinates: the mass matrix times their rates.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn momentum(
             &self,
             t: T,
@@ -2769,7 +2774,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             ])
         }
         ///The generalised forces `A qdd + b - Q` that must act beside gravity and all forces of the declaration for the accelerations `qdd`: zero along a free motion. Inputs count as zero: where each coordinate has one, these are their values.
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn inverse_dynamics(
             &self,
             t: T,
