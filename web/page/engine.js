@@ -13,12 +13,15 @@ export class Engine {
 
   /** Answers and their numbers by the texts of requests, for the time until the module is compiled. */
   #known;
+  #isCompiled;
+  /** Resolves when the module is compiled. */
+  compiled = new Promise((resolve) => (this.#isCompiled = resolve));
 
   /**
    * Takes the first worker and its messages up to now, the function that starts further ones, the one that is called if
    * there is no module, and known answers.
    */
-  constructor({ start, worker, early, fail, known }) {
+  constructor({ start, worker, early = [], fail, known = [] }) {
     Object.assign(this, { start, fail });
     this.#known = new Map(known.map(([request, answer, numbers]) => [request, { answer, numbers: new Float64Array(numbers), took: 0 }]));
     this.#listen(worker);
@@ -31,9 +34,24 @@ export class Engine {
       if (data.broken) this.fail(data.broken);
       else if (data.module) {
         this.module = data.module;
+        this.#isCompiled();
         this.#watch();
       } else this.#take(data);
     };
+  }
+
+  /** Another one, with a worker of its own and no mechanism yet. */
+  another() {
+    const { start, fail, module } = this;
+    const worker = start();
+    worker.postMessage({ module });
+    return Object.assign(new Engine({ start, fail, worker }), { module });
+  }
+
+  /** Ends the worker; what it was asked is never answered. */
+  end() {
+    this.#worker.terminate();
+    clearTimeout(this.#queue[0]?.timer);
   }
 
   /** Starts another worker with the same mechanism. */

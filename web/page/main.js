@@ -4,16 +4,17 @@ import examples from "gallery";
 import { Editor, proposal } from "./editor.js";
 import { element } from "./element.js";
 import { Engine } from "./engine.js";
+import { Fields } from "./fields.js";
 import { declaration, FIRST, METHODS } from "./first.js";
 import { fromHash, toHash } from "./link.js";
 import { Panel } from "./panel.js";
 import { Simulation } from "./simulation.js";
 import { View } from "./view.js";
 
-const FIXED = ["Rk4", "Gauss6"];
-
 /** Time of a computation after which it can be stopped, in ms. */
 const PATIENCE = 1000;
+/** Time between two changes of readings, fields and plots while the mechanism moves, in ms. */
+const READABLE = 100;
 
 const $ = (id) => document.getElementById(id);
 
@@ -21,9 +22,10 @@ const engine = new Engine({ ...loader, known });
 const editor = new Editor($("editor"), { onChange: declare });
 const view = new View($("canvas"), { onDrag: drag, onDrop: drop });
 const panel = new Panel($("tabs"), $("panel"), engine);
+const fields = new Fields($("parameters"), $("state"), { onValue: change, onState: place, show });
 
 /** What is shown: the mechanism, its motion, and files that were opened. */
-const app = { view, about: null, simulation: null, playing: false, owed: 0, last: 0, drawn: 0, files: {}, fields: [] };
+const app = { view, about: null, simulation: null, playing: false, owed: 0, last: 0, read: 0, drawn: 0, files: {} };
 
 // what the user chooses
 
@@ -42,10 +44,9 @@ const chosen = {
   },
 };
 
-function settings() {
-  const fixed = FIXED.includes(chosen.method);
+function settings({ request: { method }, has_fixed_steps }) {
   return {
-    by: { method: chosen.method, ...(fixed ? { h: chosen.h } : { tolerance: chosen.tolerance }) },
+    by: { method, ...(has_fixed_steps ? { h: chosen.h } : { tolerance: chosen.tolerance }) },
     speed: chosen.speed,
     twin: $("twin").checked,
     reference: $("reference").checked,
@@ -61,25 +62,22 @@ function show(text) {
 // the declaration
 
 /** Compiles the text; while the worker compiles, later changes wait for the last one. */
-async function declare() {
+function declare() {
   app.again = true;
-  if (app.declaring) return;
-  app.declaring = true;
-  panel.wait();
-  try {
-    while (app.again) {
-      app.again = false;
-      const { answer, took } = await engine.ask(declaration(editor.text, app.files, chosen.method));
-      app.took = took;
-      if (app.again) continue;
-      const isMechanism = answer.is === "mechanism";
-      if (isMechanism) await take(answer);
-      complain(answer.problems ?? [], answer.why);
-      document.body.classList.toggle("stale", !isMechanism && app.about !== null);
-    }
-  } finally {
-    app.declaring = false;
-    if (panel.waits && app.about) panel.take(app.about);
+  app.declaring ??= compile().finally(() => (app.declaring = null));
+}
+
+async function compile() {
+  while (app.again) {
+    app.again = false;
+    const request = declaration(editor.text, app.files, chosen.method);
+    const { answer, took } = await engine.ask(request);
+    app.took = took;
+    if (app.again) continue;
+    const isMechanism = answer.is === "mechanism";
+    if (isMechanism) await take(Object.assign(answer, { request }));
+    complain(answer.problems ?? [], answer.why);
+    document.body.classList.toggle("stale", !isMechanism && app.about !== null);
   }
 }
 
@@ -136,7 +134,8 @@ async function take(about) {
   await simulation.prepare();
   Object.assign(app, { about, simulation, fresh: false });
   view.take(about.shapes, [simulation.now, ...simulation.ahead].map((frame) => frame.shapes));
-  if (!hasSameFields) fields();
+  if (!hasSameFields) fields.take(about);
+  labels();
   requestAnimationFrame(() => app.about === about && panel.take(about));
   show(app.notice ?? notes.join("; "));
   app.notice = null;
@@ -153,77 +152,37 @@ async function put(about) {
   return answer.is === "refused" ? answer.why : null;
 }
 
-// parameters and states
-
-function field(label, { min, max, step }, value) {
-  const text = element("span", { className: "name", textContent: label.name, title: label.docs || label.name });
-  const number = element("input", { type: "number", step: "any", value });
-  number.setAttribute("aria-label", `${label.name}, ${label.unit || "no unit"}`);
-  const unit = element("span", { className: "unit", textContent: label.unit });
-  const range = element("input", { type: "range", min, max, step, value });
-  range.setAttribute("aria-label", `${label.name}, slider`);
-  return { row: element("label", {}, text, range, number, unit), range, number };
+/** Sends the values of the fields. Resolves to the reason why they are impossible, if they are. */
+async function change() {
+  await app.declaring;
+  const refused = await put(app.about);
+  if (!refused) app.simulation.change();
+  return refused;
 }
 
-/** Fields of parameters, inputs and the state. */
-function fields() {
-  const { about } = app;
-  const list = $("parameters");
-  list.replaceChildren();
-  for (const own of [...about.parameters, ...about.inputs]) {
-    const most = own.declared > 0 ? 3 * own.declared : Math.max(10, 3 * Math.abs(own.declared));
-    const least = own.declared > 0 ? 0 : -most;
-    const { row, range, number } = field(own, { min: least, max: most, step: (most - least) / 300 }, own.value);
-    let accepted = own.value;
-    const change = async (typed) => {
-      if (app.declaring || !app.about.parameters.concat(app.about.inputs).includes(own)) return;
-      own.value = Math.min(Math.max(typed, least), most);
-      const isWithin = own.value === typed;
-      const refused = await put(app.about);
-      if (refused) {
-        own.value = accepted;
-        await put(app.about);
-      }
-      accepted = own.value;
-      range.value = number.value = Number(own.value.toPrecision(8));
-      show(refused ?? (isWithin ? "" : `${own.name} goes from ${least} to ${most}: ${Number(own.value.toPrecision(6))} is set`));
-      app.simulation.change();
-    };
-    range.oninput = () => change(Number(range.value));
-    number.onchange = () => (number.value === "" ? (number.value = own.value) : change(Number(number.value)));
-    list.append(row);
-  }
-  list.parentElement.hidden = list.childElementCount === 0;
-  const states = $("state");
-  states.replaceChildren();
-  app.fields = about.components.map((component, n) => {
-    const { row, range, number } = field(component, {}, 0);
-    range.remove();
-    number.onchange = async () => {
-      if (number.value === "" || app.declaring) return draw();
-      play(false);
-      const x = [...app.simulation.now.x];
-      x[n] = Number(number.value);
-      show(await app.simulation.start(app.simulation.now.t, x));
-      number.blur();
-      draw();
-    };
-    states.append(row);
-    return number;
-  });
+/** Changes a component of the state. */
+async function place(n, value) {
+  await app.declaring;
+  play(false);
+  const x = [...app.simulation.now.x];
+  x[n] = value;
+  show(await app.simulation.start(app.simulation.now.t, x));
+  draw();
 }
 
 // motion
 
 function play(playing) {
   app.playing = playing;
+  app.read = 0;
   $("play").textContent = playing ? "Pause" : "Play";
   $("play").setAttribute("aria-pressed", String(playing));
 }
 
 async function again() {
-  if (app.declaring || !app.simulation) return;
+  await app.declaring;
   const { simulation, about } = app;
+  if (!simulation) return;
   const refused = await simulation.start(0, about.start);
   show(refused);
   view.take(about.shapes, [simulation.now.shapes]);
@@ -258,13 +217,25 @@ function drop() {
   app.held = undefined;
 }
 
+const ms = (seconds) => `${Number((1000 * seconds).toPrecision(3))} ms`;
 const short = (value, digits = 2) => (Number.isFinite(value) ? value.toExponential(digits) : "–");
 
+/** Draws the mechanism; what is read follows at times if the mechanism moves, and at once if it rests. */
 function draw() {
-  const { simulation, about } = app;
+  const { simulation } = app;
   if (!simulation) return;
   const frame = simulation.now;
   view.draw(frame, simulation.past, { trail: $("trail").checked, text: `t = ${frame.t.toFixed(2)} s` });
+  if (app.playing && app.last - app.read < READABLE) return;
+  app.read = app.last;
+  read(app);
+  fields.draw(frame.x);
+  panel.draw(simulation);
+}
+
+/** Writes the readings. */
+function read({ simulation, about }) {
+  const frame = simulation.now;
   const readings = [];
   if (about.has_energy) {
     const energy = frame.kinetic + frame.potential;
@@ -278,6 +249,10 @@ function draw() {
   if (about.constraints.length > 0) readings.push(["Contact and sticking", frame.mode || "none"]);
   if (app.playing && simulation.slowness > 1) readings.push(["Computing", `${simulation.slowness.toFixed(1)} times slower than shown`]);
   if (simulation.crowd?.why) readings.push(["A thousand", simulation.crowd.why]);
+  else if (simulation.crowd?.h) {
+    const { h, error, span } = simulation.crowd;
+    readings.push(["A thousand", `steps of ${ms(h)}, error ${short(error, 0)} in ${span} s`]);
+  }
   if (simulation.stopped && simulation.ahead.length === 0) readings.push(["Stopped", simulation.stopped]);
   else if (frame.warning) readings.push(["Warning", frame.warning]);
   $("readings").replaceChildren(
@@ -286,10 +261,6 @@ function draw() {
       return element("div", {}, element("dt", { textContent: name }), element("dd", { textContent: value, className }));
     }),
   );
-  app.fields.forEach((input, n) => {
-    if (document.activeElement !== input) input.value = Number(frame.x[n].toPrecision(8));
-  });
-  panel.draw(simulation);
 }
 
 function tick(now) {
@@ -315,11 +286,11 @@ function tick(now) {
 // controls
 
 function labels() {
-  const fixed = FIXED.includes(chosen.method);
-  $("tolerance_row").hidden = fixed;
-  $("h_row").hidden = !fixed;
+  const isFixed = app.about?.has_fixed_steps ?? false;
+  $("tolerance_row").hidden = isFixed;
+  $("h_row").hidden = !isFixed;
   $("tolerance_value").textContent = chosen.tolerance.toExponential(0);
-  $("h_value").textContent = `${Number((1000 * chosen.h).toPrecision(3))} ms`;
+  $("h_value").textContent = ms(chosen.h);
   $("speed_value").textContent = chosen.speed;
   for (const id of ["tolerance", "h", "speed"]) $(id).setAttribute("aria-valuetext", $(`${id}_value`).textContent);
 }
@@ -328,7 +299,10 @@ function connect() {
   $("method").append(...METHODS.map((name) => new Option(name)));
   $("gallery").append(new Option("none", "", false, false), ...examples.map(({ title }, n) => new Option(title, n)));
   $("gallery").onchange = () => write(examples[$("gallery").value]);
-  $("play").onclick = () => play(!app.playing);
+  $("play").onclick = () => {
+    play(!app.playing);
+    draw();
+  };
   $("step").onclick = () => {
     play(false);
     app.simulation?.advance(1);
@@ -342,10 +316,7 @@ function connect() {
     event.preventDefault();
     action();
   };
-  $("method").onchange = () => {
-    labels();
-    declare();
-  };
+  $("method").onchange = declare;
   for (const id of ["tolerance", "h"]) {
     $(id).oninput = () => {
       labels();

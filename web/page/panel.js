@@ -55,14 +55,10 @@ export class Panel {
       this.pass = { component: 0, value: 0 };
     }
     this.about = about;
-    this.waits = false;
+    // what is printed for another mechanism is not needed any more
+    this.printer?.end();
+    this.printer = null;
     this.select(this.tab, LATER);
-  }
-
-  /** Leaves the worker alone until a mechanism is taken. */
-  wait() {
-    this.waits = true;
-    clearTimeout(this.later);
   }
 
   /** Shows a tab; what the worker prints for it follows after a time in ms. */
@@ -79,14 +75,13 @@ export class Panel {
     if (this.about) this[TABS[name]]();
   }
 
-  /** Asks the worker, and passes its answer to `show`, unless another mechanism or another tab is shown by then. */
+  /** Asks for what is printed, and passes it to `show`, unless another mechanism or another tab is shown by then. */
   ask(request, show) {
-    if (this.waits) return;
     const { about, tab } = this;
     const key = JSON.stringify(request);
     this.later = setTimeout(async () => {
       about.answers ??= {};
-      const answer = (about.answers[key] ??= (await this.engine.ask(request)).answer);
+      const answer = (about.answers[key] ??= await this.print(request));
       if (this.about !== about || this.tab !== tab) return;
       if (answer.is === "refused") {
         // asked again when the tab is selected
@@ -94,6 +89,18 @@ export class Panel {
         this.panel.replaceChildren(answer.why);
       } else show(answer);
     }, this.patience);
+  }
+
+  /** Asks a worker of its own, so that the next text need not wait. */
+  async print(request) {
+    const { about } = this;
+    await this.engine.compiled;
+    if (this.about !== about) return null;
+    if (!this.printer) {
+      this.printer = this.engine.another();
+      this.printer.ask(about.request);
+    }
+    return (await this.printer.ask(request)).answer;
   }
 
   /** Shows the comment on the mechanism, and until its equations are typeset those of its former declaration. */

@@ -5,8 +5,6 @@ const CHUNK = 30;
 const FIRST = 6;
 /** Frames that are kept for trails and plots. */
 const KEPT = 6000;
-/** Longest step of many motions, in s. */
-const STEP = 1 / 240;
 /** Tolerance of the reference. */
 const TIGHT = 1e-13;
 
@@ -22,7 +20,7 @@ function frameOf(row, length) {
 }
 
 export class Simulation {
-  /** `settings()` returns what the user has chosen: method, speed, companions and section. */
+  /** `settings(about)` returns what the user has chosen: method, speed, companions and section. */
   constructor(engine, about, settings) {
     Object.assign(this, { engine, about, settings });
     this.length = about.components.length;
@@ -78,7 +76,7 @@ export class Simulation {
   }
 
   async compute(isCurrent) {
-    const { by, speed, section, ...wanted } = this.settings();
+    const { by, speed, section, ...wanted } = this.settings(this.about);
     const { t, x } = this.end;
     if (!wanted.reference) this.reference = this.error = null;
     else if (!this.reference) Object.assign(this, { reference: { t, x }, since: t });
@@ -98,13 +96,12 @@ export class Simulation {
     const frames = this.past.length + this.ahead.length > 0 ? CHUNK : FIRST;
     const span = [t, t + (frames * speed) / 60];
     const move = (from, method, section = null) => this.engine.ask({ do: "move", by: method, span, x: from.x, frames, section });
-    const step = this.work?.steps > 0 ? Math.min(STEP, this.work.span / this.work.steps / 2) : STEP;
     const began = performance.now();
     const [own, reference, twin, crowd] = await Promise.all([
       move(this.end, by, section),
       this.reference && move(this.reference, { method: "Vern9", tolerance: TIGHT }),
       this.twin && move(this.twin, by),
-      this.crowd?.runs && this.engine.ask({ do: "move_all", by: { method: "Rk4", h: step }, span, frames }),
+      this.crowd?.runs && this.engine.ask({ do: "move_all", span, frames }),
     ]);
     if (!isCurrent()) return;
     const { answer, numbers } = own;
@@ -136,6 +133,7 @@ export class Simulation {
     this.reference = follow(reference);
     this.twin = follow(twin);
     if (crowd?.answer.stopped || crowd?.answer.is === "refused") this.crowd = { why: crowd.answer.stopped ?? crowd.answer.why };
+    else if (crowd) Object.assign(this.crowd, { ...crowd.answer.accuracy, span: span[1] - span[0] });
     if (answer.stopped) this.stopped = answer.stopped;
   }
 
@@ -143,6 +141,8 @@ export class Simulation {
   advance(count) {
     for (; count > 0 && this.ahead.length > 0; count--) {
       const frame = this.ahead.shift();
+      // a thousand take room: those of frames that are past are not kept
+      this.now.crowd = null;
       this.now = frame;
       this.energyAtStart ??= frame.kinetic + frame.potential;
       this.error = frame.reference ? this.difference(frame.x, frame.reference.x) : null;

@@ -1,5 +1,6 @@
 // The mechanism on its canvas: from three dimensions to two, trails, companions, and dragging.
 import painter from "../../pendulum-python/python/pendulum_dynamics/canvas.js";
+import { Density } from "./density.js";
 
 /** Directions of the screen: of flat mechanisms along x and y, of others from in front, to the right and above. */
 const FLAT = [[1, 0, 0], [0, 1, 0]];
@@ -13,19 +14,17 @@ const SPATIAL = (() => {
 
 const hasEnds = ({ kind }) => !painter.endless.has(kind);
 
-/** True for shapes that a hand can move, and whose motion is drawn. */
-const moves = ({ body, kind }) => body !== "ground" && hasEnds({ kind });
-
 /** Number of paths of points that are drawn. */
 const TRAILS = 6;
-/** Mechanisms that are drawn as one path, where there are many. */
-const AT_ONCE = 16;
+/** Frames that a path shows, and those of them that are drawn as one line. */
+const [LENGTH, AT_ONCE] = [240, 15];
 
 export class View {
   constructor(canvas, { onDrag, onDrop }) {
     this.canvas = canvas;
     this.shapes = [];
     this.held = null;
+    this.density = new Density();
     const at = (event) => {
       const box = canvas.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
@@ -103,7 +102,7 @@ export class View {
     const all = flat.filter((_, n) => hasEnds(this.shapes[n])).flatMap(places);
     if (all.length === 0) return;
     const supports = flat.filter((_, n) => kinds[n] === "Support").flatMap(places);
-    const isFree = this.shapes.every((shape) => moves(shape) || shape.kind === "Wall");
+    const isFree = this.shapes.every(({ moves, kind }) => moves || kind === "Wall");
     const about = kinds.includes("Guide") || (supports.length === 0 && !isFree) ? null : supports.length > 0 ? supports : all;
     if (about) {
       const middle = (k) => about.reduce((sum, place) => sum + place[k], 0) / about.length;
@@ -125,7 +124,7 @@ export class View {
     if (!this.on || !this.last) return null;
     let [best, found] = [40, null];
     this.flat(this.last).forEach(([points], shape) => {
-      if (!moves(this.shapes[shape])) return;
+      if (!this.shapes[shape].moves) return;
       for (let k = 0; k < points.length; k += 2) {
         const away = Math.hypot(this.on.x(points[k]) - px, this.on.y(points[k + 1]) - py);
         if (away < best) [best, found] = [away, { shape, point: k / 2 }];
@@ -150,7 +149,7 @@ export class View {
     this.widen(frame.shapes);
     this.on = painter(canvas, this.shapes, this.bounds ?? [-1, 1, -1, 1], ratio);
     this.on.clear();
-    if (frame.crowd) this.drawCrowd(frame.crowd);
+    if (frame.crowd) this.drawCrowd(frame.crowd, ratio);
     if (trail) this.traced().forEach((place) => this.drawTrail(past, place));
     if (frame.twin) this.on.paint(this.flat(frame.twin.shapes), 0.4);
     this.on.paint(this.flat(frame.shapes));
@@ -161,7 +160,7 @@ export class View {
   traced() {
     const named = this.shapes.flatMap(({ kind }, shape) => (kind === "Point" ? [[shape, 0]] : []));
     if (named.length > 0) return named.slice(-TRAILS);
-    const shape = this.shapes.findLastIndex((own) => moves(own) && own.kind !== "Pivot");
+    const shape = this.shapes.findLastIndex(({ moves, kind }) => moves && kind !== "Pivot");
     return shape < 0 ? [] : [[shape, this.shapes[shape].kind === "Rod" ? 1 : 0]];
   }
 
@@ -170,45 +169,25 @@ export class View {
     const before = this.shapes.slice(0, shape).reduce((sum, own) => sum + 3 * own.points + 1, 0);
     context.lineWidth = 1.2;
     context.strokeStyle = this.on.colour(this.shapes[shape].body);
-    const length = Math.min(past.length, 240);
-    for (let n = past.length - length + 1; n < past.length; n++) {
-      context.globalAlpha = 0.7 * ((n - past.length + length) / length);
+    const shown = past.slice(-LENGTH).map(({ shapes }) => this.flatPoint(shapes, before + 3 * point));
+    // strokes take most of the time
+    for (let from = 0; from < shown.length - 1; from += AT_ONCE) {
+      context.globalAlpha = 0.7 * ((from + AT_ONCE) / LENGTH);
       context.beginPath();
-      for (const frame of [past[n - 1], past[n]]) {
-        const [x, y] = this.flatPoint(frame.shapes, before + 3 * point);
-        context.lineTo(this.on.x(x), this.on.y(y));
-      }
+      for (const [x, y] of shown.slice(from, from + AT_ONCE + 1)) context.lineTo(this.on.x(x), this.on.y(y));
       context.stroke();
     }
     context.globalAlpha = 1;
   }
 
-  /** Draws many mechanisms at once: of each shape, the line through its points. */
-  drawCrowd(numbers) {
-    const context = this.canvas.getContext("2d");
-    const { x, y } = this.on;
-    context.globalAlpha = 0.1;
-    context.lineWidth = 1;
-    context.strokeStyle = this.on.colour(this.shapes.find(moves)?.body);
-    // one path of a thousand takes longer than many of a few
-    let drawn = 0;
-    context.beginPath();
-    for (let place = 0; place < numbers.length && this.shapes.length > 0; ) {
-      for (const shape of this.shapes) {
-        const isDrawn = moves(shape) && shape.points > 1;
-        for (let n = 0; n < shape.points; n++, place += 3) {
-          if (!isDrawn || n > 1) continue;
-          const [px, py] = this.flatPoint(numbers, place);
-          n === 0 ? context.moveTo(x(px), y(py)) : context.lineTo(x(px), y(py));
-        }
-        place += 1;
-      }
-      if (++drawn % AT_ONCE === 0) {
-        context.stroke();
-        context.beginPath();
-      }
-    }
-    context.stroke();
-    context.globalAlpha = 1;
+  /** Draws the lines of many mechanisms. */
+  drawCrowd(lines, ratio) {
+    const { x, y, scale } = this.on;
+    const [right, up] = this.view;
+    this.density.paint(this.canvas.getContext("2d"), lines, {
+      x: [ratio * x(0), ...right.map((own) => ratio * scale * own)],
+      y: [ratio * y(0), ...up.map((own) => -ratio * scale * own)],
+      colour: this.on.colour(this.shapes.find(({ moves }) => moves)?.body).match(/[\d.]+/g).map(Number),
+    });
   }
 }

@@ -1,14 +1,18 @@
 //! Frames: for each, the time, the state, kinetic and potential energy, and the coordinates of the points and the
 //! radius of each shape.
 
-use pendulum_runtime::{Error, Model};
+use pendulum_runtime::{Error, Model, Shape, ShapeKind};
 
 /// Adds a frame.
 pub(crate) fn push(numbers: &mut Vec<f64>, model: &Model, t: f64, x: &[f64]) -> Result<(), Error> {
     numbers.push(t);
     numbers.extend_from_slice(x);
     numbers.extend(energy(model, t, x)?);
-    push_shapes(numbers, model, t, x)
+    for shape in shapes(model, t, x)? {
+        numbers.extend(shape.points.iter().flat_map(|point| [point.x, point.y, point.z]));
+        numbers.push(shape.radius);
+    }
+    Ok(())
 }
 
 /// Kinetic and potential energy; zero if nothing moves in space.
@@ -19,19 +23,15 @@ fn energy(model: &Model, t: f64, x: &[f64]) -> Result<[f64; 2], Error> {
     }
 }
 
-/// Adds the coordinates of the points and the radius of each shape.
-pub(crate) fn push_shapes(numbers: &mut Vec<f64>, model: &Model, t: f64, x: &[f64]) -> Result<(), Error> {
-    for shape in shapes(model, t, x)? {
-        numbers.extend(shape.points.iter().flat_map(|point| [point.x, point.y, point.z]));
-        numbers.push(shape.radius);
-    }
-    Ok(())
-}
-
 /// Shapes of the mechanism; none if nothing moves in space.
-pub(crate) fn shapes<'m>(model: &'m Model, t: f64, x: &[f64]) -> Result<Vec<pendulum_runtime::Shape<'m>>, Error> {
+pub(crate) fn shapes<'m>(model: &'m Model, t: f64, x: &[f64]) -> Result<Vec<Shape<'m>>, Error> {
     match model.shapes(t, x) {
         Err(Error::NotGenerated { .. }) => Ok(Vec::new()),
         shapes => shapes,
     }
+}
+
+/// True for shapes that a hand can move, and whose motion is drawn.
+pub(crate) fn moves(shape: &Shape<'_>) -> bool {
+    shape.body != "ground" && !matches!(shape.kind, ShapeKind::Guide | ShapeKind::Wall)
 }

@@ -66,10 +66,8 @@ pub enum Request {
         /// Difference between the first and the last, as in `near`.
         spread: f64,
     },
-    /// Integrate these.
+    /// Integrate these by `Rk4`, in steps that are short enough.
     MoveAll {
-        /// Method and its settings.
-        by: Settings,
         /// Start and end in s.
         span: [f64; 2],
         /// Number of frames.
@@ -194,6 +192,8 @@ pub struct About {
     pub shapes: Vec<Shape>,
     /// True if there is an energy.
     pub has_energy: bool,
+    /// True if the method takes steps of a fixed length.
+    pub has_fixed_steps: bool,
     /// State in which the page starts.
     pub start: Vec<f64>,
     /// Assumptions, and repairs of a robot.
@@ -248,6 +248,8 @@ pub struct Shape {
     pub body: String,
     /// Number of its points.
     pub points: usize,
+    /// True if a hand can move it, and its motion is drawn.
+    pub moves: bool,
 }
 
 /// Facts about a motion, beside its frames.
@@ -271,4 +273,15 @@ pub struct Moved {
     pub evaluations: usize,
     /// Number of accepted steps.
     pub steps: usize,
+    /// Steps of many motions, and their error.
+    pub accuracy: Option<Accuracy>,
+}
+
+/// Steps of many motions, and their error.
+#[derive(Debug, Serialize)]
+pub struct Accuracy {
+    /// Length of the steps in s.
+    pub h: f64,
+    /// Largest error of a component over the span, relative where it is above 1, in three of the motions.
+    pub error: f64,
 }

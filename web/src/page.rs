@@ -97,8 +97,8 @@ impl Page {
                 self.crowd = Some(Crowd::new(mechanism()?, t, &x, count, spread)?);
                 Answer::Done
             }
-            Request::MoveAll { by, span, frames } => match &mut self.crowd {
-                Some(crowd) => Answer::Frames(crowd.go(mechanism()?, &method(&by)?, span, frames, numbers)?),
+            Request::MoveAll { span, frames } => match &mut self.crowd {
+                Some(crowd) => Answer::Frames(crowd.go(mechanism()?, span, frames, numbers)?),
                 None => Answer::Refused {
                     why: "gather the motions first".to_owned(),
                 },
@@ -120,7 +120,8 @@ impl Page {
     }
 
     fn declare(&mut self, text: &str, files: BTreeMap<String, String>, method: &str) -> Result<Answer, Error> {
-        let words = ["energy", "shapes"].into_iter().chain(Method::new(method)?.word());
+        let method = Method::new(method)?;
+        let words = ["energy", "shapes"].into_iter().chain(method.word());
         let mut declaration = Declaration::new(text).also(words);
         for (name, text) in &files {
             declaration = declaration.file(name, text);
@@ -150,7 +151,7 @@ impl Page {
             Err(error) => return Err(error),
         };
         notes.extend(model.repaired().iter().cloned());
-        let about = about(&model, notes)?;
+        let about = about(&model, &method, notes)?;
         self.declaration = declaration;
         self.crowd = None;
         self.model = Some(model);
@@ -280,10 +281,11 @@ fn moved(
         warnings: motion.warnings().to_vec(),
         evaluations: statistics.evaluations,
         steps: statistics.accepted,
+        accuracy: None,
     })
 }
 
-fn about(model: &Model, notes: Vec<String>) -> Result<About, Error> {
+fn about(model: &Model, method: &Method, notes: Vec<String>) -> Result<About, Error> {
     let quantity = |(own, &value): (&OwnQuantity, &f64)| Quantity {
         name: own.name.clone(),
         unit: own.unit.clone(),
@@ -314,9 +316,11 @@ fn about(model: &Model, notes: Vec<String>) -> Result<About, Error> {
                 name: shape.name.to_owned(),
                 body: shape.body.to_owned(),
                 points: shape.points.len(),
+                moves: frames::moves(shape),
             })
             .collect(),
         has_energy: model.energy(0.0, &start).is_ok(),
+        has_fixed_steps: method.is_fixed(),
         start,
         notes,
     })

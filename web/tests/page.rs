@@ -243,22 +243,15 @@ fn a_hand_closes_loops_and_stays_within_stops() {
 
 #[test]
 fn a_thousand_motions_begin_near_each_other() {
-    let (mut page, about) = declared(DOUBLE);
+    let (mut page, _) = declared(DOUBLE);
     let gather = json!({ "do": "gather", "t": 0.0, "x": [2.0, 1.0, 0.0, 0.0], "count": 1000, "spread": 1e-3 });
     assert_eq!(ask(&mut page, &gather).0["is"], "done");
-    let by = json!({ "method": "Vern9", "tolerance": 1e-6 });
-    let (answer, frames) = ask(
-        &mut page,
-        &json!({ "do": "move_all", "by": by, "span": [0.0, 0.1], "frames": 2 }),
-    );
-    let shapes = about["shapes"].as_array().expect("shapes").iter();
-    let each: u64 = shapes
-        .map(|shape| 3 * shape["points"].as_u64().expect("a number") + 1)
-        .sum();
-    // a time, and the shapes of each motion
+    let go = json!({ "do": "move_all", "span": [0.0, 0.1], "frames": 2 });
+    let (answer, frames) = ask(&mut page, &go);
+    // a time, and for each motion the ends of the lines to two masses, and of the rod between two joints
     assert_eq!(
         (answer["is"].as_str(), frames.len()),
-        (Some("frames"), 2 * (1 + 1000 * each as usize))
+        (Some("frames"), 2 * (1 + 1000 * 3 * 6))
     );
     assert_eq!(frames[0], 0.05);
 }
@@ -336,4 +329,22 @@ fn code_is_printed() {
         c["text"].as_str().is_some_and(|text| text.contains("double_rhs")),
         "{c}"
     );
+}
+
+#[test]
+fn steps_of_a_thousand_are_as_short_as_their_motion_is_fast() {
+    let (mut page, _) = declared(DOUBLE);
+    let mut steps = |rate: f64| {
+        let gather = json!({ "do": "gather", "t": 0.0, "x": [0.1, 0.1, rate, 0.0], "count": 10, "spread": 1e-3 });
+        assert_eq!(ask(&mut page, &gather).0["is"], "done");
+        let (answer, _) = ask(&mut page, &json!({ "do": "move_all", "span": [0.0, 0.1], "frames": 1 }));
+        let accuracy = &answer["accuracy"];
+        [&accuracy["h"], &accuracy["error"]].map(|own| own.as_f64().expect("a number"))
+    };
+    let [[slow, error], [fast, other]] = [0.1, 20.0].map(&mut steps);
+    assert!(slow == 1.0 / 240.0 && fast < slow, "{slow} {fast}");
+    assert!(error < 1e-6 && other < 1e-6, "{error} {other}");
+    // the shortest ones do not reach the accuracy, and the answer says so
+    let [shortest, error] = steps(2000.0);
+    assert!(shortest == slow / 16.0 && error > 1e-6, "{shortest} {error}");
 }
