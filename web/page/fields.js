@@ -8,7 +8,7 @@ const shown = (value, digits = 8) => Number(value.toPrecision(digits));
 function rangeOf({ declared }) {
   const most = declared > 0 ? 3 * declared : Math.max(10, 3 * Math.abs(declared));
   const least = declared > 0 ? 0 : -most;
-  return { least, most, step: (most - least) / 300 };
+  return { least, most };
 }
 
 function number({ name, unit }, value = 0) {
@@ -56,9 +56,9 @@ export class Fields {
   }
 
   #slider(own) {
-    const { least, most, step } = rangeOf(own);
+    const { least, most } = rangeOf(own);
     const input = number(own, own.value);
-    const slider = element("input", { type: "range", min: least, max: most, step, value: own.value });
+    const slider = element("input", { type: "range", min: least, max: most, step: "any", value: own.value });
     slider.setAttribute("aria-label", `${own.name}, slider`);
     let accepted = own.value;
     const change = async (typed) => {

@@ -160,13 +160,15 @@ async function change() {
   return refused;
 }
 
-/** Changes a component of the state. */
+/** Changes a component of the state. From one that is impossible, such as beyond a stop, it returns to that before. */
 async function place(n, value) {
   await app.declaring;
   play(false);
-  const x = [...app.simulation.now.x];
-  x[n] = value;
-  show(await app.simulation.start(app.simulation.now.t, x));
+  const { simulation } = app;
+  const { t, x: before } = simulation.now;
+  const refused = await simulation.tryFrom(t, before.with(n, value));
+  if (refused) await simulation.start(t, before);
+  show(refused);
   draw();
 }
 

@@ -39,6 +39,14 @@ export class Simulation {
     return null;
   }
 
+  /** Starts anew, and resolves to the reason why there is no motion from this state, too. */
+  async tryFrom(t, x) {
+    const why = await this.start(t, x);
+    if (why) return why;
+    await this.prepare();
+    return this.ahead.length > 0 ? null : this.stopped;
+  }
+
   /** Shows a state, such as one to which the mechanism was dragged; the motion starts there. */
   show(numbers, t, x) {
     this.epoch++;

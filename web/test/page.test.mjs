@@ -227,6 +227,28 @@ test("sliders act at once, and clamp with a note", async (t) => {
   assert.notEqual(await number.inputValue(), "0");
 });
 
+test("fields of any sign clamp with a note, and states that are impossible are not taken", async (t) => {
+  const page = await opened(t);
+  const declared = PENDULUM.replace("params {", "params { k: N m = -2,").replace("coordinate: theta", "coordinate: theta, stop: [-0.5, 0.5] restitution(0.5), torque: k + u");
+  await declare(page, declared.replace("    gravity", "    input u: N m,\n    gravity"));
+  const note = (start) => page.waitForFunction((start) => document.getElementById("note").textContent.startsWith(start), start);
+  const type = async (label, text) => {
+    await page.getByLabel(label).fill(text);
+    await page.getByLabel(label).press("Enter");
+  };
+  for (const [label, text, set] of [["k, N m", "1e300", 10], ["k, N m", "-1e9", -10], ["u, N m", "11", 10], ["u, N m", "-11", -10]]) {
+    await type(label, text);
+    await note(`${label[0]} goes from -10 to 10: ${set} is set`);
+    assert.equal(await page.getByLabel(label).inputValue(), String(set));
+    assert.equal(await page.getByLabel(`${label[0]}, slider`).inputValue(), String(set));
+  }
+  for (const text of ["0.3", "0.7", "1e300"]) {
+    await type("theta, rad", text);
+    if (text !== "0.3") await note("`theta` starts at");
+    await page.waitForFunction(() => window.pendulum.app.simulation.now.x[0] === 0.3);
+  }
+});
+
 test("energy without friction stays within 1e-9 for a minute", async (t) => {
   const page = await opened(t);
   await declare(page, PENDULUM);
@@ -432,6 +454,30 @@ test("equations follow after the motion, and stay while someone types", async (t
   await declare(page, PENDULUM.replace("gravity: [0, -g, 0]", "gravity: [0, -2*g, 0]"));
   await page.waitForFunction((before) => document.getElementById("panel").textContent !== before, before);
   assert.equal(await page.evaluate(() => window.lost), false);
+});
+
+test("what is printed comes from a worker that the next text ends", async (t) => {
+  const init = () => {
+    const { postMessage, terminate } = Worker.prototype;
+    window.asked = new Map();
+    window.ended = new Set();
+    Worker.prototype.postMessage = function (message, ...rest) {
+      if (!window.asked.has(this)) window.asked.set(this, new Set());
+      window.asked.get(this).add(message.request?.do);
+      return postMessage.call(this, message, ...rest);
+    };
+    Worker.prototype.terminate = function () {
+      window.ended.add(this);
+      return terminate.call(this);
+    };
+  };
+  const page = await opened(t, { init });
+  const printing = () => page.waitForFunction(() => [...window.asked].some(([worker, requests]) => requests.has("describe") && !window.ended.has(worker)));
+  await printing();
+  await declare(page, PENDULUM);
+  await printing();
+  const seen = await page.evaluate(() => [...window.asked].map(([worker, requests]) => [requests.has("move"), requests.has("describe"), window.ended.has(worker)]));
+  assert.deepEqual(seen, [[true, false, false], [false, true, true], [false, true, false]]);
 });
 
 test("a worker that is ended starts again", async (t) => {
