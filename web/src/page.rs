@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pendulum_runtime::{
     Declaration, Error, Event, Function as OwnFunction, Method, Model, Motion, Options, Quantity as OwnQuantity,
-    SlotKind, Stopped,
+    ShapeKind, SlotKind, Stopped,
 };
 
 use crate::crowd::Crowd;
@@ -285,7 +285,7 @@ fn moved(
     })
 }
 
-fn about(model: &Model, method: &Method, notes: Vec<String>) -> Result<About, Error> {
+fn about(model: &Model, method: &Method, mut notes: Vec<String>) -> Result<About, Error> {
     let quantity = |(own, &value): (&OwnQuantity, &f64)| Quantity {
         name: own.name.clone(),
         unit: own.unit.clone(),
@@ -294,6 +294,14 @@ fn about(model: &Model, method: &Method, notes: Vec<String>) -> Result<About, Er
     };
     let start = start(model);
     let shapes = frames::shapes(model, 0.0, &start)?;
+    let is_drawn = |wall: &str| {
+        shapes
+            .iter()
+            .any(|shape| shape.kind == ShapeKind::Wall && shape.name == wall)
+    };
+    let is_joint = |name: &str| model.components().iter().any(|own| own.name == name);
+    let curved = model.constraints().filter(|name| !is_joint(name) && !is_drawn(name));
+    notes.extend(curved.map(|wall| format!("`{wall}` is not drawn: it is not flat")));
     Ok(About {
         name: model.name().to_owned(),
         docs: model.docs().to_owned(),

@@ -348,3 +348,19 @@ fn steps_of_a_thousand_are_as_short_as_their_motion_is_fast() {
     let [shortest, error] = steps(2000.0);
     assert!(shortest == slow / 16.0 && error > 1e-6, "{shortest} {error}");
 }
+
+#[test]
+fn walls_that_are_not_drawn_are_named() {
+    let (_, answer) = declared(
+        "pub Ball {
+            gravity: [0, -9.81, 0],
+            body slider on ground { mass: 1, joint: prismatic(x), coordinate: x, dry_friction: 0.1 }
+            body ball on slider { solids: [point(1, [0, 0, 0])], joint: prismatic(y), coordinate: y }
+            wall floor { gap: y + 1 },
+            wall bowl { gap: y + 0.5 - x^2*0.1/1 m },
+        }",
+    );
+    let constraints: Vec<String> = serde_json::from_value(answer["constraints"].clone()).expect("names");
+    assert_eq!(constraints, ["x", "floor", "bowl"], "{answer}");
+    assert_eq!(answer["notes"], json!(["`bowl` is not drawn: it is not flat"]));
+}
