@@ -2,6 +2,8 @@
 /** Longest time that a request may take, in ms. */
 const LIMIT = 8000;
 
+const refused = (why) => ({ answer: { is: "refused", why }, numbers: new Float64Array(), took: 0 });
+
 export class Engine {
   #worker;
   #queue = [];
@@ -48,10 +50,11 @@ export class Engine {
     return Object.assign(new Engine({ start, fail, worker }), { module });
   }
 
-  /** Ends the worker; what it was asked is never answered. */
+  /** Ends the worker, and refuses what it was asked. */
   end() {
     this.#worker.terminate();
     clearTimeout(this.#queue[0]?.timer);
+    this.#queue.splice(0).forEach(({ resolve }) => resolve(refused("the worker was ended")));
   }
 
   /** Starts another worker with the same mechanism. */
@@ -126,7 +129,7 @@ export class Engine {
     const first = this.#queue.shift();
     if (first) {
       clearTimeout(first.timer);
-      first.resolve({ answer: { is: "refused", why }, numbers: new Float64Array(), took: 0 });
+      first.resolve(refused(why));
     }
     this.#queue.forEach((asked) => this.#post(asked));
     this.#watch();

@@ -5,9 +5,10 @@ import { Editor, proposal } from "./editor.js";
 import { element } from "./element.js";
 import { Engine } from "./engine.js";
 import { Fields } from "./fields.js";
-import { declaration, FIRST, METHODS } from "./first.js";
+import { FIRST, METHODS } from "./first.js";
 import { fromHash, toHash } from "./link.js";
 import { Panel } from "./panel.js";
+import { declaration, valuesOf } from "./requests.js";
 import { Simulation } from "./simulation.js";
 import { View } from "./view.js";
 
@@ -132,6 +133,7 @@ async function take(about) {
   if (app.again) return;
   if (!simulation.now) return show(notes.join("; "));
   await simulation.prepare();
+  app.simulation?.endCrowd();
   Object.assign(app, { about, simulation, fresh: false });
   view.take(about.shapes, [simulation.now, ...simulation.ahead].map((frame) => frame.shapes));
   if (!hasSameFields) fields.take(about);
@@ -145,10 +147,8 @@ async function take(about) {
 
 /** Sends the values of parameters and inputs. Resolves to the reason why they are impossible, if they are. */
 async function put(about) {
-  const values = about.parameters.map(({ value }) => value);
-  const inputs = about.inputs.map(({ value }) => value);
-  if (values.length + inputs.length === 0) return null;
-  const { answer } = await engine.ask({ do: "set", values, inputs });
+  if (about.parameters.length + about.inputs.length === 0) return null;
+  const { answer } = await engine.ask(valuesOf(about));
   return answer.is === "refused" ? answer.why : null;
 }
 
@@ -327,6 +327,7 @@ function connect() {
   }
   $("speed").oninput = labels;
   $("trail").onchange = draw;
+  $("crowd").onchange = () => app.simulation?.endCrowd();
   $("link").onclick = async () => {
     history.replaceState(null, "", await toHash({ text: editor.text, files: app.files }));
     const isCopied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);

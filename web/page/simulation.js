@@ -1,4 +1,5 @@
 // Motions of a mechanism, computed ahead of what is shown.
+import { valuesOf } from "./requests.js";
 
 /** Frames that are computed at a time, and of those that come first. */
 const CHUNK = 30;
@@ -58,7 +59,8 @@ export class Simulation {
 
   /** Forgets what holds for the motion up to now only. */
   forget() {
-    Object.assign(this, { stopped: null, reference: null, twin: null, crowd: null, error: null });
+    this.endCrowd();
+    Object.assign(this, { stopped: null, reference: null, twin: null, error: null });
     Object.assign(this, { coming: [], passages: [], earlier: null });
     this.energyAtStart = this.now.kinetic + this.now.potential;
   }
@@ -94,11 +96,9 @@ export class Simulation {
       if (!isCurrent()) return;
       if (answer.is === "state") this.twin = { t, x: answer.x };
     }
-    if (!wanted.crowd) this.crowd = null;
-    else if (!this.crowd) {
-      const { answer } = await this.engine.ask({ do: "gather", t, x, count: 1000, spread: 1e-3 });
+    if (wanted.crowd && !this.crowd) {
+      await this.gather(t, x);
       if (!isCurrent()) return;
-      this.crowd = answer.is === "done" ? { runs: true } : { why: answer.why };
     }
     if (section !== this.cut) Object.assign(this, { cut: section, coming: [], passages: [] });
     const frames = this.past.length + this.ahead.length > 0 ? CHUNK : FIRST;
@@ -109,13 +109,14 @@ export class Simulation {
       move(this.end, by, section),
       this.reference && move(this.reference, { method: "Vern9", tolerance: TIGHT }),
       this.twin && move(this.twin, by),
-      this.crowd?.runs && this.engine.ask({ do: "move_all", span, frames }),
+      this.crowd?.engine?.ask({ do: "move_all", span, frames }),
     ]);
     if (!isCurrent()) return;
     const { answer, numbers } = own;
     if (answer.is === "refused") {
       if (this.earlier) {
-        Object.assign(this, this.earlier, { earlier: null, reference: null, twin: null, crowd: null });
+        this.endCrowd();
+        Object.assign(this, this.earlier, { earlier: null, reference: null, twin: null });
       } else this.stopped = answer.why;
       return;
     }
@@ -140,9 +141,31 @@ export class Simulation {
     const follow = (of) => (of?.answer.is === "frames" && !of.answer.stopped ? { t: of.answer.t, x: of.answer.x } : null);
     this.reference = follow(reference);
     this.twin = follow(twin);
-    if (crowd?.answer.stopped || crowd?.answer.is === "refused") this.crowd = { why: crowd.answer.stopped ?? crowd.answer.why };
-    else if (crowd) Object.assign(this.crowd, { ...crowd.answer.accuracy, span: span[1] - span[0] });
+    if (this.crowd?.engine && crowd) {
+      const { is, why, stopped, accuracy } = crowd.answer;
+      if (is === "refused" || stopped) this.endCrowd(stopped ?? why);
+      else Object.assign(this.crowd, { ...accuracy, span: span[1] - span[0] });
+    }
     if (answer.stopped) this.stopped = answer.stopped;
+  }
+
+  /** Starts a thousand motions in a worker of their own, so that the next text need not wait for them. */
+  async gather(t, x) {
+    const { epoch } = this;
+    await this.engine.compiled;
+    if (epoch !== this.epoch) return;
+    const engine = this.engine.another();
+    this.crowd = { engine };
+    engine.ask(this.about.request);
+    engine.ask(valuesOf(this.about));
+    const { answer } = await engine.ask({ do: "gather", t, x, count: 1000, spread: 1e-3 });
+    if (answer.is === "refused" && this.crowd?.engine === engine) this.endCrowd(answer.why);
+  }
+
+  /** Ends the thousand, for a reason that the page shows, if there is one. */
+  endCrowd(why) {
+    this.crowd?.engine?.end();
+    this.crowd = why ? { why } : null;
   }
 
   /** Advances by frames. Returns false where the motion has ended. */

@@ -11,7 +11,7 @@ const LONGEST: f64 = 1.0 / 240.0;
 /// Number of times that the longest step may be halved.
 const MOST_HALVINGS: u32 = 4;
 /// Largest error of a span, relative to the size of a component where this is above 1.
-const LARGEST_ERROR: f64 = 1e-6;
+const LARGEST_ERROR: f64 = 1e-5;
 /// Part of the largest error below which steps become longer: one of twice the length has 16 times the error.
 const SMALL: f64 = 1.0 / 32.0;
 
@@ -121,9 +121,6 @@ fn integrated(model: &Model, h: f64, span: [f64; 2], starts: &[f64], times: &[f6
 
 /// Error of states, by those of steps of half the length (Richardson 1911): relative where a component is above 1.
 fn error(x: &[f64], finer: &[f64]) -> f64 {
-    let errors = x
-        .iter()
-        .zip(finer)
-        .map(|(x, finer)| 16.0 / 15.0 * (x - finer).abs() / finer.abs().max(1.0));
-    errors.fold(0.0, |most, error| if error <= most { most } else { error })
+    let of = |(x, finer): (&f64, &f64)| 16.0 / 15.0 * (x - finer).abs() / finer.abs().max(1.0);
+    x.iter().zip(finer).map(of).fold(0.0, f64::max)
 }

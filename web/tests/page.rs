@@ -343,10 +343,10 @@ fn steps_of_a_thousand_are_as_short_as_their_motion_is_fast() {
     };
     let [[slow, error], [fast, other]] = [0.1, 20.0].map(&mut steps);
     assert!(slow == 1.0 / 240.0 && fast < slow, "{slow} {fast}");
-    assert!(error < 1e-6 && other < 1e-6, "{error} {other}");
+    assert!(error < 1e-5 && other < 1e-5, "{error} {other}");
     // the shortest ones do not reach the accuracy, and the answer says so
     let [shortest, error] = steps(2000.0);
-    assert!(shortest == slow / 16.0 && error > 1e-6, "{shortest} {error}");
+    assert!(shortest == slow / 16.0 && error > 1e-5, "{shortest} {error}");
 }
 
 #[test]
