@@ -51,7 +51,7 @@ export class Fields {
   /** Shows a state, but for a component that someone types. */
   draw(x) {
     this.#state.forEach((input, n) => {
-      if (document.activeElement !== input) input.value = shown(x[n]);
+      if (document.activeElement !== input) input.value = shown(x[n], 6);
     });
   }
 

@@ -166,7 +166,7 @@ async function place(n, value) {
   play(false);
   const { simulation } = app;
   const { t, x: before } = simulation.now;
-  const refused = await simulation.tryFrom(t, before.with(n, value));
+  const refused = await simulation.tryFrom(t, [...before].with(n, value));
   if (refused) await simulation.start(t, before);
   show(refused);
   draw();
@@ -253,7 +253,7 @@ function read({ simulation, about }) {
   if (simulation.crowd?.why) readings.push(["A thousand", simulation.crowd.why]);
   else if (simulation.crowd?.h) {
     const { h, error, span } = simulation.crowd;
-    readings.push(["A thousand", `steps of ${ms(h)}, error ${short(error, 0)} in ${span} s`]);
+    readings.push(["A thousand", `steps of ${ms(h)}, error ${short(error, 0)} in ${Number(span.toPrecision(3))} s`]);
   }
   if (simulation.stopped && simulation.ahead.length === 0) readings.push(["Stopped", simulation.stopped]);
   else if (frame.warning) readings.push(["Warning", frame.warning]);

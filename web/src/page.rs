@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pendulum_runtime::{
     Declaration, Error, Event, Function as OwnFunction, Method, Model, Motion, Options, Quantity as OwnQuantity,
-    ShapeKind, SlotKind, Stopped,
+    ShapeKind, Slot, SlotKind, Stopped,
 };
 
 use crate::crowd::Crowd;
@@ -25,6 +25,8 @@ pub struct Page {
     declaration: Declaration,
     crowd: Option<Crowd>,
 }
+/// Part of these for angles of what slides above walls: a block stands up again.
+const TILTED: f64 = 0.2;
 
 impl Page {
     /// Answers a request in JSON, as JSON and numbers.
@@ -345,12 +347,23 @@ fn start(model: &Model) -> Vec<f64> {
         .filter(|slot| !slot.rates.is_empty())
         .collect();
     let single = slots.iter().filter(|slot| slot.positions.len() == 1);
-    let places: Vec<usize> = single.clone().map(|slot| slot.positions.start).collect();
-    let angle = single.clone().find(|slot| slot.kind == SlotKind::Angle);
-    let first: Vec<usize> = angle.map(|slot| slot.positions.start).into_iter().collect();
-    let rates: Vec<usize> = slots.iter().flat_map(|slot| slot.rates.clone()).collect();
-    let (mut values, mut tries) = (STARTS, [first, places, rates]);
-    if model.constraints().len() > 0 {
+    let is_angle = |slot: &Slot<'_>| slot.kind == SlotKind::Angle;
+    let slides = single.clone().any(|slot| !is_angle(slot));
+    let is_bounded = model.constraints().len() > 0;
+    let place = |slot: &Slot<'_>| {
+        let part = if is_bounded && slides && is_angle(slot) {
+            TILTED
+        } else {
+            1.0
+        };
+        (slot.positions.start, part)
+    };
+    let places: Vec<(usize, f64)> = single.clone().map(|slot| place(slot)).collect();
+    let first = places.iter().zip(single).find(|(_, slot)| is_angle(slot));
+    let first = first.map(|(own, _)| *own).into_iter().collect();
+    let rates = slots.iter().flat_map(|slot| slot.rates.clone()).map(|rate| (rate, 1.0));
+    let (mut values, mut tries) = (STARTS, [first, places, rates.collect()]);
+    if is_bounded {
         // near the stops and walls, and above them rather than tilted into them
         values.reverse();
         tries.swap(0, 1);
@@ -358,7 +371,7 @@ fn start(model: &Model) -> Vec<f64> {
     let tries = tries.iter().flat_map(|own| values.map(|value| (own, value)));
     let mut states = tries.filter_map(|(own, value)| {
         let mut x = rest.clone();
-        own.iter().for_each(|&place| x[place] = value);
+        own.iter().for_each(|&(place, part)| x[place] = part * value);
         let x = model.assemble(0.0, &x).ok()?;
         moves(model, &x).then_some(x)
     });

@@ -364,3 +364,19 @@ fn walls_that_are_not_drawn_are_named() {
     assert_eq!(constraints, ["x", "floor", "bowl"], "{answer}");
     assert_eq!(answer["notes"], json!(["`bowl` is not drawn: it is not flat"]));
 }
+
+#[test]
+fn what_slides_above_walls_is_tilted_a_little() {
+    let (_, answer) = declared(
+        "pub Block {
+            gravity: [0, -9.81, 0],
+            point left on block at [-0.1, -0.25, 0],
+            point right on block at [0.1, -0.25, 0],
+            wall under_left { gap: left.y },
+            wall under_right { gap: right.y },
+            body up on ground { joint: prismatic(y), coordinate: y }
+            body block on up { mass: 2, com: [0, 0, 0], inertia: [0.1, 0.1, 0.1], joint: revolute(z), coordinate: phi }
+        }",
+    );
+    assert_eq!(numbers(&answer["start"]), [0.5, 0.1, 0.0, 0.0], "{answer}");
+}
