@@ -12,19 +12,19 @@ const OPACITIES = Uint8Array.from({ length: PARTS * MOST }, (_, parts) => 255 * 
 
 export class Density {
   /** Parts of lines on each pixel; zeros between two pictures. */
-  #parts = new Uint16Array();
+  #parts = new Uint32Array();
   #image = null;
 
   /**
-   * Replaces the picture where lines are. They come as pairs of points, whose coordinates `x` and `y` map to the pixels of
-   * the canvas: offset and factors of the three.
+   * Replaces the picture where lines are, each given by the coordinates of its ends in space. `x` and `y` hold an offset
+   * and the factors of three coordinates, for the place in pixels.
    */
   paint(context, lines, { x, y, colour: [red, green, blue] }) {
     const { width, height } = context.canvas;
     if (!(width > 1 && height > 1)) return;
     if (this.#image?.width !== width || this.#image.height !== height) {
       this.#image = new ImageData(width, height);
-      this.#parts = new Uint16Array(width * height);
+      this.#parts = new Uint32Array(width * height);
     }
     const [x0, xa, xb, xc] = x;
     const [y0, ya, yb, yc] = y;

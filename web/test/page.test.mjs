@@ -249,6 +249,45 @@ test("fields of any sign clamp with a note, and states that are impossible are n
   }
 });
 
+test("a looser tolerance takes less work, and shows a larger error", async (t) => {
+  const page = await opened(t);
+  const measured = async () => {
+    await page.waitForFunction(() => {
+      const { since, now, error, work } = window.pendulum.app.simulation;
+      return error && work && now.t > since + 1;
+    });
+    return page.evaluate(() => ({ error: window.pendulum.app.simulation.error.by, steps: window.pendulum.app.simulation.work.steps }));
+  };
+  const tight = await measured();
+  await page.getByLabel("Tolerance").fill("-3");
+  await page.waitForFunction(() => window.pendulum.app.simulation.since > 1);
+  const loose = await measured();
+  assert.ok(loose.error > 100 * tight.error && loose.steps < tight.steps, JSON.stringify({ tight, loose }));
+  assert.match(await page.textContent("#readings"), /Energy.*Change.*Error since.*Evaluations/s);
+});
+
+test("friction that sticks is named", async (t) => {
+  const page = await opened(t);
+  await page.selectOption("#gallery", { label: "Block on a belt" });
+  await page.waitForFunction(() => /Contact and sticking(?!none)/.test(document.getElementById("readings").textContent));
+});
+
+test("a robot's file opens", async (t) => {
+  const page = await opened(t);
+  await page.setInputFiles("#file", join(here, "../../testbed/data/urdf/declared/ur5.urdf"));
+  await page.waitForFunction(() => window.pendulum.app.about.components.length === 12 && !window.pendulum.app.declaring);
+  await goesOn(page);
+});
+
+test("operations and generated code are shown", async (t) => {
+  const page = await opened(t);
+  await declare(page, PENDULUM);
+  for (const [tab, content] of [["Operations", /^FunctionForm.*rhs/s], ["Rust", /^Copy.*impl .* for Pendulum/s], ["C", /^Copy.*void \w+\(/s]]) {
+    await page.click(`#tabs >> text="${tab}"`);
+    await page.waitForFunction((content) => content.test(document.getElementById("panel").textContent), content);
+  }
+});
+
 test("energy without friction stays within 1e-9 for a minute", async (t) => {
   const page = await opened(t);
   await declare(page, PENDULUM);
