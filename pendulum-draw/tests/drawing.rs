@@ -235,9 +235,10 @@ fn bodies_reach_their_points_and_slide_on_guides() -> Result<(), Box<dyn Error>>
 
 /// The caption of a picture, and the number of its lines.
 fn caption_and_lines<M: Shapes<N>, const N: usize>(
+    name: &str,
     drawing: &Drawing<'_, M, N>,
 ) -> Result<(Vec<String>, usize), Box<dyn Error>> {
-    let [svg, _] = drawing.picture(&stem("caption"))?;
+    let [svg, _] = drawing.picture(&stem(name))?;
     let svg = fs::read_to_string(svg)?;
     let texts = svg
         .split("<text")
@@ -254,14 +255,14 @@ fn pictures_have_scale_times_walls_and_springs() -> Result<(), Box<dyn Error>> {
     let cart = Cart::new(CartParams {})?;
     let solution = Rk45::new().solve(&cart, 0.0, 3.0, [0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])?;
     let drawing = Drawing::new(&cart, &solution);
-    let (texts, lines) = caption_and_lines(&drawing)?;
+    let (texts, lines) = caption_and_lines("caption", &drawing)?;
     assert_eq!(texts[1], "t = 0, 0.75, .., 3 s");
     assert!(texts[0].ends_with(" m"), "{texts:?}");
-    let (few, _) = caption_and_lines(&drawing.clone().ghosts(1))?;
+    let (few, _) = caption_and_lines("caption", &drawing.clone().ghosts(1))?;
     assert_eq!(few[1], "t = 0, 3 s");
-    let (_, walled) = caption_and_lines(&drawing.clone().wall([-20.0, -1.0, 0.0], [20.0, -1.0, 0.0]))?;
+    let (_, walled) = caption_and_lines("caption", &drawing.clone().wall([-20.0, -1.0, 0.0], [20.0, -1.0, 0.0]))?;
     assert!(walled > lines + 10, "{walled} {lines}");
-    let (_, sprung) = caption_and_lines(&drawing.clone().spring("tip", "end"))?;
+    let (_, sprung) = caption_and_lines("caption", &drawing.clone().spring("tip", "end"))?;
     assert_ne!(sprung, lines);
     let error = drawing
         .spring("tip", "nail")
@@ -304,6 +305,31 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A ball of which the height above a floor is that of its lowest point.
+    Bounce {
+        gravity: [0, -9.81, 0],
+        wall floor { gap: y },
+        body ball on ground { solids: [sphere(1, 0.25, [0, 0, 0])], joint: prismatic(y) at [0, 0.25, 0], coordinate: y }
+        generate: [rhs, shapes],
+    }
+}
+
+#[test]
+fn balls_touch_walls() -> Result<(), Box<dyn Error>> {
+    let shapes = Bounce::new(BounceParams {})?;
+    let shapes = shapes.shapes(0.0, &SVector::from([0.5, 0.0]));
+    let of = |kind| {
+        shapes
+            .iter()
+            .find(|shape| shape.kind == kind)
+            .map(|shape| shape.points[0])
+    };
+    assert_eq!(of(ShapeKind::Sphere), Some([0.0, 0.75, 0.0].into()));
+    assert_eq!(of(ShapeKind::Wall), Some([0.0, 0.0, 0.0].into()));
+    Ok(())
+}
+
 #[test]
 fn flat_walls_are_below_their_points() -> Result<(), Box<dyn Error>> {
     let court = Court::new(CourtParams::default())?;
@@ -335,12 +361,12 @@ fn declared_walls_are_drawn_unless_surfaces_are_added() -> Result<(), Box<dyn Er
     let solution = Rk45::new().solve(&court, 0.0, 1.0, [0.0, 1.0, 0.5, 0.0])?;
     let drawing = Drawing::new(&court, &solution);
     // a line, and strokes 5 pixels apart, across the picture of 240 pixels or more
-    let (_, across) = caption_and_lines(&drawing)?;
+    let (_, across) = caption_and_lines("walls", &drawing)?;
     assert!(across > 40, "{across}");
-    let (_, added) = caption_and_lines(&drawing.clone().wall([0.0, 0.0, 0.0], [0.01, 0.0, 0.0]))?;
+    let (_, added) = caption_and_lines("walls", &drawing.clone().wall([0.0, 0.0, 0.0], [0.01, 0.0, 0.0]))?;
     assert!(added < across - 40, "{added} {across}");
     // from above, the floor is seen from no side, and the others are
-    let (_, above) = caption_and_lines(&drawing.seen_from([0.0, 1.0, 0.0], [1.0, 0.0, 0.0]))?;
+    let (_, above) = caption_and_lines("walls", &drawing.seen_from([0.0, 1.0, 0.0], [1.0, 0.0, 0.0]))?;
     assert!(above < across, "{above} {across}");
     Ok(())
 }

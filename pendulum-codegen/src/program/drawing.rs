@@ -249,22 +249,31 @@ impl<'g> Shown<'_, 'g> {
         (is_alone && is_fixed(normal)).then_some((position, normal))
     }
 
-    /// Origin of the first body whose motion changes the gap of a flat wall as the coordinates do, and the derivative
-    /// of the gap by its position.
+    /// Origin of the first body whose motion changes the gap of a flat wall as the coordinates do, or the point of a
+    /// sphere about it that is nearest to the wall; and the derivative of the gap by its position.
     fn touching_body(&self, wall: &Constraint<'g>) -> Option<(Vec3<'g>, Vec3<'g>)> {
         let graph = self.model.graph;
         let coordinates = || self.model.coordinates.iter().map(|own| Derivative::by(own.position));
         let slopes: Vec<Expr<'g>> = coordinates().map(|mut by| by.of(wall.value)).collect();
-        let normal = |origin: Vec3<'g>| {
+        let normal = |(n, body): (BodyId, &Body<'g>)| {
+            let origin = self.poses.point(Some(n), Vec3::zero(graph));
             let ways: Vec<Vec3<'g>> = coordinates().map(|mut by| Vec3(origin.0.map(|x| by.of(x)))).collect();
             let parts = slopes.iter().zip(&ways).filter(|(slope, _)| !slope.is_zero());
             let normal = parts.fold(Vec3::zero(graph), |sum, (&slope, &way)| sum + slope * way);
             let explains = |(&slope, &way): (&Expr<'g>, &Vec3<'g>)| normal.dot(way) == slope;
-            (is_fixed(normal) && slopes.iter().zip(&ways).all(explains)).then_some((origin, normal))
+            let is_flat = is_fixed(normal) && slopes.iter().zip(&ways).all(explains);
+            let nearest = |radius: Expr<'g>| origin - (radius / normal.dot(normal).sqrt()) * normal;
+            is_flat.then(|| (radius_about_origin(body).map_or(origin, nearest), normal))
         };
-        let origin = |(n, _)| self.poses.point(Some(n), Vec3::zero(graph));
-        self.model.bodies().map(origin).find_map(normal)
+        self.model.bodies().find_map(normal)
     }
+}
+
+/// Radius of the sphere about the origin of a body, if it has one.
+fn radius_about_origin<'g>(body: &Body<'g>) -> Option<Expr<'g>> {
+    let mut spheres = body.figures.iter().filter(|own| own.kind == FigureKind::Sphere);
+    let sphere = spheres.find(|own| own.points[0].is_zero())?;
+    Some(sphere.points[1].0[0])
 }
 
 /// True if a vector is constant in time, for given parameters.
