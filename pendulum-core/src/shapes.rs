@@ -82,9 +82,9 @@ pub enum ShapeKind {
     Point,
     /// A named point at rest.
     Anchor,
-    /// A flat [wall](crate::mechanism#walls) that keeps off a point, the origin of a body, or a sphere about it: the foot
-    /// of this point on the wall, and a point 1 m away on the side where the gap is positive. Walls of other forms have
-    /// no shape.
+    /// A flat [wall](crate::mechanism#walls) that keeps off a point, the origin of a body, or a sphere about it: the
+    /// foot of this point on the wall, and a point 1 m away on the side where the gap is positive. Walls of other forms
+    /// have no shape.
     Wall,
 }
 
