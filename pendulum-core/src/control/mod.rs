@@ -84,10 +84,10 @@ pub use modes::{LostMode, LostModes, ModeMargin, PbhTest};
 pub use output_feedback::{Estimate, OutputFeedback};
 #[cfg(feature = "std")]
 pub use regulator::{LinearLaw, Regulator};
-#[cfg(feature = "std")]
-pub use sampled::SampledSolution;
 pub use sampled::{
     Commanded, Components, Controller, Held, MAX_DELAY, Outputs, Pid, PidState, Sample, Sampled, WholeState,
 };
+#[cfg(feature = "std")]
+pub use sampled::{SampledMethod, SampledSolution};
 #[cfg(feature = "std")]
 pub use state_space::{StateSpace, linearize};

@@ -67,7 +67,7 @@ pub(crate) use {
     step_control::{Pace, is_within_tolerance},
     stepper::Progress,
     tangent::{Carried, CarriedStages, Carry, Tangent},
-    watch::{Early, follow, see},
+    watch::{Early, follow, follow_on, see},
 };
 
 pub use crate::step_size::{Estimates, Tolerance};

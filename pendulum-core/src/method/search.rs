@@ -141,9 +141,14 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         })
     }
 
+    /// True if there are no events.
+    pub(super) fn is_empty(&self) -> bool {
+        self.events.is_empty()
+    }
+
     /// Restarts from the state `x` at `t` towards `t1`. `fired` holds the events that occurred there, with their values
     /// before; `scale` is the size of times.
-    pub(super) fn restart(
+    pub(crate) fn restart(
         &mut self,
         (t, t1, scale): (T, T, T),
         x: &SVector<T, N>,

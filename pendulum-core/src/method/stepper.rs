@@ -251,6 +251,12 @@ where
         Ok(())
     }
 
+    /// True before the first step, and after a restart.
+    #[cfg(feature = "std")]
+    pub(crate) fn is_at_rest(&self) -> bool {
+        self.smooth.last.t0 == self.smooth.last.t1
+    }
+
     /// Begins anew where the right-hand side has changed. If it `jumps`, a hybrid system enters the mode that follows.
     pub(crate) fn begin_anew(&mut self, jumps: bool) -> Result<(), Reason> {
         if self.system.hybrid().is_none() {
@@ -384,7 +390,7 @@ where
     }
 
     /// End of the span.
-    pub(super) fn t1(&self) -> T {
+    pub(crate) fn t1(&self) -> T {
         self.smooth.t1
     }
 

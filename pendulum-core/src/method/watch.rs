@@ -110,13 +110,30 @@ where
     S: System<T, N> + ?Sized,
     T: Float,
 {
+    let search = Search::new(events, stepper.t(), &stepper.x());
+    let mut search = search.map_err(Early::at((stepper.t(), stepper.x())))?;
+    follow_on(stepper, x0, &mut search, observer).map(|(x, _)| x)
+}
+
+/// Like [`follow`], with a search for events that may have gone through an earlier part of the trajectory. Also returns
+/// true if a terminal event occurred.
+pub(crate) fn follow_on<C, S, T, const N: usize>(
+    stepper: &mut Stepper<'_, C, S, T, N>,
+    x0: SVector<T, N>,
+    search: &mut Search<'_, '_, T, N>,
+    observer: &mut impl Observer<T, N>,
+) -> Result<(SVector<T, N>, bool), Early<T, N>>
+where
+    C: Scheme<S, T, N>,
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
     let here = |stepper: &Stepper<'_, C, S, T, N>| Early::at((stepper.t(), stepper.x()));
     if observer.keeps_all() {
         stepper.check_to_keep().map_err(here(stepper))?;
     }
     let system = stepper.system();
     let placed = |t: T, x: &SVector<T, N>| place(system, t, x);
-    let mut search = Search::new(events, stepper.t(), &stepper.x()).map_err(here(stepper))?;
     let start = from(stepper, x0);
     observer.start(stepper.t(), &start);
     let mut reached = Reached::start(stepper, start, observer);
@@ -127,14 +144,14 @@ where
         }
         let stepped = stepper.step();
         let Some(step) = stepped.map_err(here(stepper))? else {
-            return Ok(stepper.x());
+            return Ok((stepper.x(), false));
         };
         if reached.changes(stepper, &step, observer) {
             let times = (step.t0, stepper.t1(), step.t0.abs().max(step.h.abs()));
             let restarted = search.restart(times, &step.x0, &[]);
             restarted.map_err(Early::at((step.t0, step.x0)))?;
         }
-        if events.is_empty() {
+        if search.is_empty() {
             match observer.needs(step.t0, step.t1) {
                 Need::Nothing => {}
                 Need::Ends => observer.step(&Dense::new(step, &[])),
@@ -142,13 +159,13 @@ where
             }
             continue;
         }
-        let found = stepper.look_for_events(&mut search, step);
-        let Some(mut stop) = pass(found, &search, &stepper.known_dense(), observer, placed)? else {
+        let found = stepper.look_for_events(search, step);
+        let Some(mut stop) = pass(found, search, &stepper.known_dense(), observer, placed)? else {
             reached.x = stepper.x();
             continue;
         };
         if stop.is_the_end {
-            return Ok(stop.x);
+            return Ok((stop.x, true));
         }
         let at_stop = Early::at((stop.t, stop.x));
         if !stop.changes {

@@ -100,7 +100,7 @@ where
     let (mut sampled, mut plain) = (Work::default(), Work::default());
     let span = (0.0, 10.0);
     Sampled::new(HOLD, 1e-3)
-        .follow(method, &robot(), span, START, &mut sampled, |_| {})
+        .follow(method, &robot(), span, START, &[], &mut sampled, |_| {})
         .expect("a motion");
     let free: fn(f64, &SVector<f64, 4>) -> RobotInputs = |_t, _x| RobotInputs {
         shoulder: 1.0,
@@ -132,7 +132,7 @@ fn steps_keep_their_length_across_short_intervals() {
     let count = |delay: f64| {
         let (mut work, sampled) = (Work::default(), Sampled::new(HOLD, 0.02).delay(delay));
         sampled
-            .follow(&Tsit5::new(), &robot(), (0.0, 2.0), START, &mut work, |_| {})
+            .follow(&Tsit5::new(), &robot(), (0.0, 2.0), START, &[], &mut work, |_| {})
             .expect("a motion");
         work.0.accepted + work.0.rejected
     };

@@ -2,6 +2,7 @@
 
 mod controllers;
 mod devices;
+mod events;
 mod exact;
 mod lanes;
 mod modes;

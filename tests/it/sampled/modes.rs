@@ -15,7 +15,7 @@ mechanism! {
     }
 }
 
-fn block() -> Block {
+pub(super) fn block() -> Block {
     Block::new(BlockParams::default()).expect("physical")
 }
 

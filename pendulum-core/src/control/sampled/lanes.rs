@@ -9,9 +9,28 @@ use super::{Commanded, Controller, Outputs, Sampled};
 use crate::ensemble::{EnsembleError, Marches, Stopped, check_models, conclude, go_on, model_of};
 use crate::error::Reason;
 use crate::inputs::{CastControlled, WithInputs};
-use crate::method::{Method, Pace, check_span, place};
+use crate::method::{Method, Pace, check_span, place, require};
 use crate::real::lanes::LaneElement;
 use crate::system::Cast;
+
+/// A method that integrates models `S` of type `T` under [`Sampled`] controllers, in lanes if it can.
+///
+/// It is implemented for all methods.
+pub trait SampledMethod<S, T, const N: usize, const M: usize>:
+    Marches<Holding<S, M>, T, N> + for<'c> Method<WithInputs<S::In<T>, Commanded<'c, T, M>, M>, T, N>
+where
+    S: CastControlled<N, M>,
+    T: LaneElement,
+{
+}
+
+impl<A, S, T, const N: usize, const M: usize> SampledMethod<S, T, N, M> for A
+where
+    A: Marches<Holding<S, M>, T, N> + for<'c> Method<WithInputs<S::In<T>, Commanded<'c, T, M>, M>, T, N>,
+    S: CastControlled<N, M>,
+    T: LaneElement,
+{
+}
 
 impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
     /// Integrates from each of the states `starts` at `t0` to `t1` under this controller, in lanes, and returns the
@@ -20,7 +39,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
     /// Pass one model per start, or a single model for all. Each trajectory has its own noise, that of the
     /// [`member`](Self::member) with its index. Each final state is bit for bit that of [`end`](Self::end). Explicit
     /// methods and Rosenbrock methods run in lanes; others, and all methods for [hybrid](crate::hybrid) systems,
-    /// integrate one trajectory after the other.
+    /// integrate one trajectory after the other, as [`solve_with`](Self::solve_with) does where there are events.
     ///
     /// ```
     /// use pendulum_core::control::{Pid, Sampled};
@@ -55,7 +74,37 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
     where
-        A: Marches<Holding<S, M>, T, N> + for<'c> Method<WithInputs<S::In<T>, Commanded<'c, T, M>, M>, T, N>,
+        A: SampledMethod<S, T, N, M>,
+        C: Controller<T, P, M>,
+        W: Outputs<T, N, P>,
+        S: CastControlled<N, M, In<T>: Clone> + Clone,
+        T: LaneElement,
+    {
+        self.check((t0, t1))?;
+        self.outputs.check()?;
+        Self::ensemble_of(core::slice::from_ref(self), method, models, t0, t1, starts)
+    }
+
+    /// Like [`ensemble`](Self::ensemble), with one controller per start, such as those of different gains, or a single
+    /// one for all.
+    ///
+    /// The final state of trajectory `i` is bit for bit that of `controllers[i].end`, with the noise of that
+    /// controller. Trajectories share lanes if all controllers have one period and one delay; otherwise they are
+    /// integrated one after the other.
+    ///
+    /// # Errors
+    /// Errors of [`ensemble`](Self::ensemble), and [`EnsembleError::InvalidInput`] if there is neither one controller
+    /// nor one for each start. Trajectories whose controller has invalid settings are among those that stopped.
+    pub fn ensemble_of<A, S, T, const N: usize>(
+        controllers: &[Self],
+        method: &A,
+        models: &[S],
+        t0: T,
+        t1: T,
+        starts: &[SVector<T, N>],
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
+    where
+        A: SampledMethod<S, T, N, M>,
         C: Controller<T, P, M>,
         W: Outputs<T, N, P>,
         S: CastControlled<N, M, In<T>: Clone> + Clone,
@@ -68,21 +117,27 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
             )
         };
         check_span(t0, t1)?;
-        self.check((t0, t1))?;
-        self.outputs.check()?;
         method.check((t0, t1), false)?;
         let holding = models.iter().cloned().map(|system| Holding {
             system,
-            inputs: self.start,
+            inputs: [0.0; M],
         });
         let holding: Vec<_> = holding.collect();
         check_models(&holding, starts)?;
+        let rule = "an ensemble takes one controller for all starts, or one for each";
+        let count = controllers.len();
+        require(count == 1 || count == starts.len(), "controllers", count as f64, rule)?;
         let mut ends = starts.to_vec();
+        let [first, ..] = controllers else {
+            return Ok(ends);
+        };
         let mut stopped = Vec::new();
-        if S::HYBRID || !A::GOES_ON {
+        let shares_clock = |other: &Self| (other.period, other.delay) == (first.period, first.delay);
+        if S::HYBRID || !A::GOES_ON || !controllers.iter().all(shares_clock) {
             for (index, x) in ends.iter_mut().enumerate() {
                 let model = model_of(models, index).cast();
-                match self.end_of(method, &model, (t0, t1), *x, self.member.wrapping_add(index as u64)) {
+                let (controller, member) = Self::of(controllers, index);
+                match controller.end_of(method, &model, (t0, t1), *x, member) {
                     Ok(end) => *x = end,
                     Err(halt) => {
                         *x = halt.x;
@@ -92,16 +147,26 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
             }
             return conclude(ends, stopped);
         }
-        let mut flock = Flock::start(self, holding, t0, &mut ends, &mut stopped);
-        let mut legs = Legs::new((t0, t1), self.period, self.delay);
-        while let Some(leg) = legs.next() {
-            flock.command(self, (&leg, &legs), &mut ends, &mut stopped);
+        let mut flock = Flock::start(controllers, holding, (t0, t1), &mut ends, &mut stopped);
+        let mut legs = Legs::new((t0, t1), first.period, first.delay);
+        while !flock.index.is_empty()
+            && let Some(leg) = legs.next()
+        {
+            flock.command(controllers, (&leg, &legs), &mut ends, &mut stopped);
             if leg.from != leg.to {
                 flock.integrate(method, &leg, &mut ends, &mut stopped)?;
             }
         }
         flock.leave(|_| true, &mut ends);
         conclude(ends, stopped)
+    }
+
+    /// The controller of a trajectory, and the member whose noise it has.
+    fn of(controllers: &[Self], index: usize) -> (&Self, u64) {
+        match controllers {
+            [controller] => (controller, controller.member.wrapping_add(index as u64)),
+            _ => (&controllers[index], controllers[index].member),
+        }
     }
 }
 
@@ -125,14 +190,15 @@ where
 {
     /// All trajectories whose start is valid. The others stop.
     fn start<C, W, const P: usize>(
-        sampled: &Sampled<C, W, P, M>,
+        controllers: &[Sampled<C, W, P, M>],
         models: Vec<Holding<S, M>>,
-        t0: T,
+        span: (T, T),
         ends: &mut [SVector<T, N>],
         stopped: &mut Vec<Stopped<T>>,
     ) -> Self
     where
         C: Controller<T, P, M, State = B>,
+        W: Outputs<T, N, P>,
     {
         let mut flock = Self {
             index: Vec::new(),
@@ -144,15 +210,17 @@ where
         };
         for (index, start) in ends.iter().enumerate() {
             let model = model_of(&models, index);
-            match place(&Cast::cast::<T>(model), t0, start) {
+            let (controller, member) = Sampled::of(controllers, index);
+            let checked = controller.check(span).and_then(|()| controller.outputs.check());
+            match checked.and_then(|()| place(&Cast::cast::<T>(model), span.0, start)) {
                 Ok(x) => {
                     flock.index.push(index);
                     flock.models.push(model.clone());
                     flock.x.push(x);
                     flock.paces.push(None);
-                    flock.runs.push(sampled.run(sampled.member.wrapping_add(index as u64)));
+                    flock.runs.push(controller.run(member));
                 }
-                Err(reason) => stopped.push(Stopped::new(index, t0, reason)),
+                Err(reason) => stopped.push(Stopped::new(index, span.0, reason)),
             }
         }
         flock
@@ -161,7 +229,7 @@ where
     /// Takes the samples at the start of a leg, and sets the inputs during it.
     fn command<C, W, const P: usize>(
         &mut self,
-        sampled: &Sampled<C, W, P, M>,
+        controllers: &[Sampled<C, W, P, M>],
         (leg, legs): (&Leg<T>, &Legs<T>),
         ends: &mut [SVector<T, N>],
         stopped: &mut Vec<Stopped<T>>,
@@ -172,6 +240,7 @@ where
         let before = stopped.len();
         for (place, run) in self.runs.iter_mut().enumerate() {
             if leg.samples
+                && let (sampled, _) = Sampled::of(controllers, self.index[place])
                 && let Err(reason) = sampled.sample(run, (leg, legs), &self.x[place], drop)
             {
                 stopped.push(Stopped::new(self.index[place], leg.from, reason));

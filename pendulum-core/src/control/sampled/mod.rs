@@ -15,6 +15,8 @@ mod trajectory;
 
 pub use controller::Controller;
 pub use held::{Commanded, Held};
+#[cfg(feature = "std")]
+pub use lanes::SampledMethod;
 pub use outputs::{Components, Outputs, WholeState};
 pub use pid::{Pid, PidState};
 #[cfg(feature = "std")]

@@ -6,9 +6,10 @@ use super::trajectory::{Driven, Witness};
 use super::{Commanded, Controller, Outputs, Sample, Sampled};
 use crate::dense::Dense;
 use crate::error::{Reason, SolveError};
+use crate::event::{Event, Missed, Occurrence};
 use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::inputs::{Controlled, WithInputs};
-use crate::method::{Method, Scheme, Stepper, check_start, follow, require};
+use crate::method::{Method, Scheme, Search, Stepper, check_start, follow_on, require};
 use crate::real::Float;
 use crate::solution::{Need, Observer, Solution};
 use crate::statistics::Statistics;
@@ -62,6 +63,55 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         S: Controlled<T, N, M> + Clone,
         T: Float,
     {
+        self.solve_with(method, model, t0, t1, x0, &[])
+    }
+
+    /// Like [`solve`](Self::solve), but with events, as [`Method::solve_with`] has them: they are located between
+    /// samples, on the dense output.
+    ///
+    /// A terminal event ends the trajectory. Where an event resets the state, the controller keeps its memory, and the
+    /// inputs their values. At the time of a sample, the event comes first, and the sample measures the state after it.
+    ///
+    /// ```
+    /// use pendulum_core::control::{Pid, Sampled};
+    /// use pendulum_core::prelude::*;
+    ///
+    /// mechanism! {
+    ///     pub Cart {
+    ///         input push: N,
+    ///         body cart on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: push }
+    ///     }
+    /// }
+    ///
+    /// let cart = Cart::new(CartParams {})?;
+    /// let sampled = Sampled::of_components(Pid::new(20.0, 0.0, 4.0).set_point(1.0), 0.01, [Cart::S]);
+    /// let arrives = Event::new(|_t, x: &SVector<f64, 2>| x[Cart::S] - 0.9).rising().terminal();
+    /// let motion = sampled.solve_with(&Tsit5::new(), &cart, 0.0, 5.0, [0.0, 0.0], &[arrives])?;
+    /// let (t, x) = motion.trajectory.last();
+    /// assert!((x[Cart::S] - 0.9).abs() < 1e-12 && t < 1.0);
+    /// assert_eq!(motion.samples.len(), (100.0 * t).ceil() as usize);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Errors of [`end`](Self::end), [`Reason::EventNotFinite`], [`Reason::EventsAccumulate`] and
+    /// [`Reason::BadReset`], with the solution up to the last good state.
+    pub fn solve_with<A, S, T, const N: usize>(
+        &self,
+        method: &A,
+        model: &S,
+        t0: T,
+        t1: T,
+        x0: impl IntoState<T, N>,
+        events: &[Event<'_, T, N>],
+    ) -> Result<SampledSolution<T, N, P, M>, SolveError<T, N>>
+    where
+        A: for<'c> Method<WithInputs<S, Commanded<'c, T, M>, M>, T, N>,
+        C: Controller<T, P, M>,
+        W: Outputs<T, N, P>,
+        S: Controlled<T, N, M> + Clone,
+        T: Float,
+    {
         let x0 = x0.into_state();
         let count = (t1 - t0).to_f64() / self.period;
         let rule = "more than ten million samples to store; lengthen the period, or use `end`, which stores none";
@@ -71,9 +121,8 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
             .map_err(|reason| SolveError::at_start(reason, t0, x0))?;
         let mut trajectory = Solution::start(t0, x0);
         let mut samples = Vec::new();
-        match self.follow(method, model, (t0, t1), x0, &mut trajectory, |sample| {
-            samples.push(sample)
-        }) {
+        let keep = |sample| samples.push(sample);
+        match self.follow(method, model, (t0, t1), x0, events, &mut trajectory, keep) {
             Ok(_) => Ok(SampledSolution {
                 trajectory,
                 samples,
@@ -86,18 +135,20 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         }
     }
 
-    /// Integrates `model` under this controller from the state `x0` over `span`, passes the trajectory to an observer
-    /// and each sample to a function, and returns the final state. Only these store anything.
+    /// Like [`solve_with`](Self::solve_with), but passes the trajectory over `span` to an observer and each sample to a
+    /// function, and returns the final state. Only these store anything.
     ///
     /// # Errors
-    /// Errors of [`end`](Self::end), and [`Reason::Cancelled`]. The observer has then received the trajectory up to the
-    /// last good state.
+    /// Reasons of [`solve_with`](Self::solve_with), and [`Reason::Cancelled`]. The observer has then received the
+    /// trajectory up to the last good state.
+    #[allow(clippy::too_many_arguments, reason = "those of `Method::follow`, and the samples")]
     pub fn follow<A, S, T, const N: usize>(
         &self,
         method: &A,
         model: &S,
         span: (T, T),
         x0: impl IntoState<T, N>,
+        events: &[Event<'_, T, N>],
         observer: &mut impl Observer<T, N>,
         sample: impl FnMut(Sample<T, P, M>),
     ) -> Result<SVector<T, N>, Reason>
@@ -121,6 +172,9 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
                 has_jumped: false,
                 is_known: false,
             },
+            events,
+            search: None,
+            end: None,
             sample,
             work: Statistics::default(),
         };
@@ -132,14 +186,19 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
 }
 
 /// Passes a trajectory and its samples on.
-struct Recorder<'o, O, F, T> {
+struct Recorder<'o, 'w, 'e, O, F, T, const N: usize> {
     legs: Legwise<'o, O, T>,
+    events: &'w [Event<'e, T, N>],
+    /// The search for events, from the first leg on.
+    search: Option<Search<'w, 'e, T, N>>,
+    /// State at a terminal event.
+    end: Option<SVector<T, N>>,
     sample: F,
     work: Statistics,
 }
 
 impl<'c, S, T, O, F, const N: usize, const P: usize, const M: usize> Witness<Driven<'c, S, T, M>, T, N, P, M>
-    for Recorder<'_, O, F, T>
+    for Recorder<'_, '_, '_, O, F, T, N>
 where
     S: Controlled<T, N, M>,
     T: Float,
@@ -158,11 +217,28 @@ where
         Driven<'c, S, T, M>: System<T, N>,
     {
         if self.legs.has_started {
-            stepper.begin_anew(jump)?;
+            // an event at the end of the last leg has restarted the stepper there, where it does not begin
+            stepper.begin_anew(jump || stepper.is_at_rest())?;
         }
-        let ended = follow(stepper, x0, &[], &mut self.legs);
+        let (t, x) = (stepper.t(), stepper.x());
+        let search = match &mut self.search {
+            Some(search) => {
+                if x != x0 {
+                    search.restart((t, stepper.t1(), t.abs()), &x, &[])?;
+                }
+                search
+            }
+            None => self.search.insert(Search::new(self.events, t, &x)?),
+        };
+        let ended = follow_on(stepper, x0, search, &mut self.legs);
         self.work = stepper.statistics();
-        ended.map(drop).map_err(|early| early.reason)
+        let (x, is_the_end) = ended.map_err(|early| early.reason)?;
+        self.end = is_the_end.then_some(x);
+        Ok(())
+    }
+
+    fn end(&self) -> Option<SVector<T, N>> {
+        self.end
     }
 
     fn sample(&mut self, sample: Sample<T, P, M>) {
@@ -217,12 +293,21 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Observer<T, N> for Legwise<'_,
         self.has_jumped = true;
     }
 
+    fn event(&mut self, event: Occurrence<T, N>) {
+        self.observer.event(event);
+    }
+
+    fn missed(&mut self, missed: Missed<T>) {
+        self.observer.missed(missed);
+    }
+
     fn mode(&mut self, from: T, mode: Mode) {
         self.is_known = !self.has_jumped && self.mode.is_some_and(|(_, before)| before == mode);
         if !self.is_known {
             self.observer.mode(from, mode);
             self.mode = Some((from, mode));
         }
+        self.has_jumped = false;
     }
 
     fn impact(&mut self, impact: Impact<T, N>) {

@@ -39,6 +39,12 @@ pub(super) trait Witness<S, T: Float, const N: usize, const P: usize, const M: u
     where
         S: System<T, N>;
 
+    /// The state at a terminal event, if one has ended the trajectory.
+    #[inline]
+    fn end(&self) -> Option<SVector<T, N>> {
+        None
+    }
+
     /// Receives a sample.
     fn sample(&mut self, _sample: Sample<T, P, M>) {}
 }
@@ -168,6 +174,9 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
             let ended = witness.leg(stepper, x, jump);
             x = stepper.x();
             ended.map_err(halt(stepper.t(), x))?;
+            if let Some(end) = witness.end() {
+                return Ok((end, stepper.statistics()));
+            }
         }
         let work = stepper.map_or_else(Statistics::default, |stepper| stepper.statistics());
         Ok((x, work))
