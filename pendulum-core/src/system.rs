@@ -239,7 +239,8 @@ pub trait CastJacobian<const N: usize>: Cast<N> {
 /// orientations are excluded: an angular velocity is not the rate of any coordinates.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no canonical equations",
-    note = "`mechanism!` generates them for scenes without inputs where `generate` has `canonical`"
+    note = "`mechanism!` generates them for scenes without inputs where `generate` has `canonical`",
+    note = "models with inputs, also under `control::Sampled`, run with `Vern9`, or `Rodas5P` if they are stiff"
 )]
 pub trait Canonical<T: Real, const N: usize>: System<T, N> {
     /// Computes the variables `y = [q; p]` and their rates `dy/dt = [qd; dp/dt]`.

@@ -29,6 +29,7 @@ pub const MAX_ORDER: usize = 24;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no Taylor series of its motions",
     note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`",
+    note = "models with inputs, also under `control::Sampled`, run with `Vern9` at tight tolerances",
     note = "a system of your own has it as `EquationsSystem(equations)`, with `Equations`, which are generic over \
             number types, and the feature `std`"
 )]
@@ -74,6 +75,7 @@ pub trait HybridSeries<T: Real, const N: usize> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no Taylor series of its motions in other number types",
     note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`",
+    note = "models with inputs, also under `control::Sampled`, run with `Vern9` at tight tolerances",
     note = "a system of your own has it as `EquationsSystem(equations)`, with `Equations`, which are generic over \
             number types, and the feature `std`"
 )]

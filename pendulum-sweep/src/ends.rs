@@ -65,9 +65,8 @@ where
 {
     fn describe(&self, sweep: &Sweep<K>) -> (Vec<Column>, Value) {
         let first = first_trial(sweep, &self.trial).map(|(model, start)| (model.cast::<f64>(), start));
-        let mut columns = vec![Column::new("t", "s")];
-        columns.extend(of_state::<N>(first.as_ref().and_then(|(model, _)| model.layout())));
-        columns.extend(self.values.iter().map(|(column, _)| column.clone()));
+        let layout = first.as_ref().and_then(|(model, _)| model.layout());
+        let columns = of_ends(layout, &self.values);
         let first = of_first(first, self.span.0);
         let declaration = json!({ "ends": format!("{:?}", self.method), "span": self.span, "first": first });
         (columns, declaration)
@@ -80,25 +79,8 @@ where
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
         let (t0, t1) = self.span;
         let trials = Trials::of(points, &self.trial);
-        let (ends, stopped) = match self.method.ensemble(&trials.models, t0, t1, &trials.starts) {
-            Ok(ends) => (ends, Vec::new()),
-            Err(EnsembleError::InvalidInput(reason)) => return Err(reason.into()),
-            Err(EnsembleError::Stopped { stopped, x }) => (x, stopped),
-            Err(other) => return Err(SweepError::Invalid(other.to_string())),
-        };
-        let mut stopped = stopped.iter().peekable();
-        let width = 1 + N + self.values.len();
-        let mut chunk = Chunk::with_capacity(points.len(), width);
-        trials.conclude(&mut chunk, width, |index, numbers| {
-            let (model, x) = (&trials.models[index], &ends[index]);
-            let stopped = stopped.next_if(|stopped| stopped.index == index);
-            let t = stopped.map_or(t1, |stopped| stopped.t);
-            numbers.push(t);
-            numbers.extend_from_slice(x.as_slice());
-            numbers.extend(self.values.iter().map(|(_, value)| value(model, t, x)));
-            stopped.map(|stopped| stopped.reason)
-        });
-        Ok(chunk)
+        let ends = self.method.ensemble(&trials.models, t0, t1, &trials.starts);
+        trials.rows_of(ends, t1, &self.values)
     }
 }
 
@@ -113,7 +95,7 @@ pub(crate) struct Trials<M, const N: usize> {
 impl<M, const N: usize> Trials<M, N> {
     pub(crate) fn of<const K: usize>(
         points: &[[f64; K]],
-        trial: impl Fn([f64; K]) -> Result<(M, [f64; N]), Failure>,
+        mut trial: impl FnMut([f64; K]) -> Result<(M, [f64; N]), Failure>,
     ) -> Self {
         let mut trials = Self {
             models: Vec::with_capacity(points.len()),
@@ -130,6 +112,34 @@ impl<M, const N: usize> Trials<M, N> {
             }
         }
         trials
+    }
+
+    /// Rows of the final time, the final state and the `values`, from the result of an ensemble.
+    pub(crate) fn rows_of(
+        &self,
+        ends: Result<Vec<SVector<f64, N>>, EnsembleError<f64, N>>,
+        t1: f64,
+        values: &[(Column, Quantity<M, N>)],
+    ) -> Result<Chunk, SweepError> {
+        let (ends, stopped) = match ends {
+            Ok(ends) => (ends, Vec::new()),
+            Err(EnsembleError::InvalidInput(reason)) => return Err(reason.into()),
+            Err(EnsembleError::Stopped { stopped, x }) => (x, stopped),
+            Err(other) => return Err(SweepError::Invalid(other.to_string())),
+        };
+        let mut stopped = stopped.iter().peekable();
+        let width = 1 + N + values.len();
+        let mut chunk = Chunk::with_capacity(ends.len() + self.failures.len(), width);
+        self.conclude(&mut chunk, width, |index, numbers| {
+            let (model, x) = (&self.models[index], &ends[index]);
+            let stopped = stopped.next_if(|stopped| stopped.index == index);
+            let t = stopped.map_or(t1, |stopped| stopped.t);
+            numbers.push(t);
+            numbers.extend_from_slice(x.as_slice());
+            numbers.extend(values.iter().map(|(_, value)| value(model, t, x)));
+            stopped.map(|stopped| stopped.reason)
+        });
+        Ok(chunk)
     }
 
     /// Appends a row for each point. `row` pushes the `width` numbers of a model and returns the reason if it failed;
@@ -169,6 +179,17 @@ pub(crate) fn of_first<S: System<f64, N>, const N: usize>(first: Option<(S, SVec
         let derivative = system.rhs(t0 + 0.1, &beside);
         json!({ "start": start.as_slice(), "derivative beside it": derivative.as_slice() })
     })
+}
+
+/// Columns of final times and states, and of `values`.
+pub(crate) fn of_ends<M, const N: usize>(
+    layout: Option<StateLayout<'_>>,
+    values: &[(Column, Quantity<M, N>)],
+) -> Vec<Column> {
+    let mut columns = vec![Column::new("t", "s")];
+    columns.extend(of_state::<N>(layout));
+    columns.extend(values.iter().map(|(column, _)| column.clone()));
+    columns
 }
 
 /// Components of a state, numbered if their names are unknown.

@@ -158,8 +158,7 @@ const MOST_SHARDS: usize = i16::MAX as usize;
 
 impl<const K: usize> Sweep<K> {
     /// Columns computed by a function at each point. The function may do anything: choose a method and its settings by
-    /// the point, for example, or the gains of a sampled controller and the seed of its noise, for
-    /// [`Sampled::end`](pendulum_core::control::Sampled::end).
+    /// the point, for example.
     ///
     /// ```
     /// use pendulum_core::prelude::*;

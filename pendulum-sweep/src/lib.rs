@@ -4,6 +4,7 @@
 //! each point is one of
 //!
 //! - [`ends`](Sweep::ends): final states, in the SIMD lanes;
+//! - [`sampled`](Sweep::sampled): final states under controllers that sample, over their gains, in lanes as well;
 //! - [`trajectories`](Sweep::trajectories): states at given times, extrema and events, with every method, and
 //!   [in lanes](Job::in_lanes) where possible;
 //! - [`exponents`](Sweep::exponents): Lyapunov exponents, in lanes as well;
@@ -54,6 +55,7 @@ pub mod opencl;
 mod page;
 #[cfg(feature = "mpi")]
 mod ranks;
+mod sampled;
 mod shards;
 mod table;
 mod trajectories;
@@ -64,6 +66,7 @@ pub use ends::Ends;
 pub use error::SweepError;
 pub use exponents::Exponents;
 pub use job::{Chunk, Each, Failure, Job, Summary, Task};
+pub use sampled::SampledEnds;
 pub use table::{Column, Table};
 pub use trajectories::Trajectories;
 

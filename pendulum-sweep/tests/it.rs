@@ -627,20 +627,31 @@ fn sampled_controllers_have_gains_and_seeds_by_the_point() -> Outcome {
         Axis::linear("gain", "N/m", 4.0, 16.0, 4),
         Axis::linear("seed", "1", 0.0, 7.0, 8),
     ];
-    let method = Tsit5::new();
-    let table = Sweep::grid("gains", axes)
-        .each([("s", "m")], |[gain, seed]| {
-            let end = sampled(gain, seed as u64).end(&method, &cart, 0.0, 3.0, [0.0, 0.0])?;
-            Ok([end[0]])
+    let (method, span) = (Tsit5::new(), (0.0, 3.0));
+    let run = |least: f64| {
+        Sweep::grid("gains", axes.clone()).sampled(method, span, move |[gain, seed]| {
+            if gain < least {
+                return Err("no gain".into());
+            }
+            Ok((sampled(gain, seed as u64), cart, [0.0, 0.0]))
         })
-        .quiet()
-        .run()?;
+    };
+    let table = run(0.0).value("speed", "m/s", |_, _, x| x[1].abs()).quiet().run()?;
     assert_eq!((table["s"].len(), table.failures().len()), (32, 0));
     for row in 0..32 {
         let alone = sampled(table["gain"][row], table["seed"][row] as u64);
-        let ends = alone.ensemble(&method, &[cart], 0.0, 3.0, &[[0.0, 0.0].into()])?;
-        assert_eq!(table["s"][row], ends[0][0]);
+        let end = alone.end(&method, &cart, 0.0, 3.0, [0.0, 0.0])?;
+        assert_eq!(
+            [table["t"][row], table["s"][row], table["dot(s)"][row]],
+            [3.0, end[0], end[1]]
+        );
+        assert_eq!(table["speed"][row], end[1].abs());
     }
+    let some = run(8.0).quiet().run()?;
+    assert_eq!(some.failures().len(), 8);
+    assert!(
+        (0..32).all(|row| some["s"][row].to_bits() == table["s"][row].to_bits() || row < 8 && some["s"][row].is_nan())
+    );
     let different = |rows: [usize; 2]| table["s"][rows[0]] != table["s"][rows[1]];
     assert!(different([0, 1]) && different([0, 8]));
     Ok(())

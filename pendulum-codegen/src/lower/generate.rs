@@ -103,21 +103,21 @@ fn hindrance(word: &str, has: Has) -> Option<(String, String)> {
             "leave out `canonical`; explicit methods, `Rodas5P` and `Taylor` normalise orientations",
         ),
         _ => {
-            let what = motion_under_inputs(word).filter(|_| has.inputs)?;
+            let (what, instead) = motion_under_inputs(word).filter(|_| has.inputs)?;
             return Some((
                 format!("{what} not available with inputs: their values are given at run time"),
-                format!("leave out `{word}`, or write the law as a `torque` instead of an input"),
+                format!("leave out `{word}`, and use {instead}; or write the law as a `torque` instead of an input"),
             ));
         }
     };
     Some((fact.to_owned(), help.to_owned()))
 }
 
-/// Subject of the error for a routine that would need the inputs as functions of time.
-fn motion_under_inputs(word: &str) -> Option<&'static str> {
+/// Subject of the error for a routine that would need the inputs as functions of time, and methods without it.
+fn motion_under_inputs(word: &str) -> Option<(&'static str, &'static str)> {
     match word {
-        "canonical" => Some("canonical equations are"),
-        "taylor" => Some("the Taylor series is"),
+        "canonical" => Some(("canonical equations are", "`Vern9`, or `Rodas5P` for stiff motions")),
+        "taylor" => Some(("the Taylor series is", "`Vern9` at tight tolerances")),
         _ => None,
     }
 }

@@ -36,6 +36,7 @@
 //! | [`StateSpace::kalman`] | the stationary Kalman filter, continuous or sampled |
 //! | [`StateSpace::controllability`], [`StateSpace::observability`] | the margin of each mode, and what is lost |
 //! | [`Ilqr`] | iterative LQR: motions of least cost within limits of the inputs, held by their gains or planned anew |
+//! | [`Quadratic`], [`LeastSquares`] | costs about a goal: of the state, or of outputs of the model |
 //! | [`Integrated`] | models for `Ilqr` with dry friction, stops and walls |
 //! | [`Sampled`] | runs a [`Controller`] at the times of a clock: delay, limits, resolution, noise |
 //! | [`Pid`], [`StateSpace::output_feedback`] | ready controllers: PID without windup, a law on an estimate |
@@ -75,8 +76,8 @@ pub use error::ControlError;
 #[cfg(feature = "std")]
 pub use estimator::Estimator;
 pub use ilqr::{
-    CostDerivatives, Ilqr, IlqrError, Integrated, Objective, Pass, Predictive, PredictiveState, Quadratic, Solved,
-    StepDerivatives, StepMap, Tracker, TrackerState,
+    CostDerivatives, Ilqr, IlqrError, Integrated, LeastSquares, Objective, Pass, Predictive, PredictiveState,
+    Quadratic, Residuals, Solved, StepDerivatives, StepMap, Tracker, TrackerState,
 };
 #[cfg(feature = "std")]
 pub use modes::{LostMode, LostModes, ModeMargin, PbhTest};

@@ -188,3 +188,49 @@ fn one_model_serves_all_starts_and_other_numbers_do_not() {
         Ok(vec![])
     );
 }
+
+/// Gains, limits, noise and its seed by the trajectory; with one clock they share lanes, with several they do not.
+#[test]
+fn each_trajectory_may_have_a_controller_of_its_own() {
+    let (robots, starts, method) = (robots(), starts(), Tsit5::new());
+    let controllers = |period: &dyn Fn(usize) -> f64| -> Vec<_> {
+        let controller = |i: usize| {
+            let law = LinearLaw {
+                gain: HOLD.gain * (1.0 + 0.02 * i as f64),
+                ..HOLD
+            };
+            let sampled = Sampled::new(law, period(i)).delay(0.5 * period(i)).noise([1e-3; 4]);
+            sampled.limits([-6.0 - i as f64; 2], [8.0; 2]).seed(i as u64)
+        };
+        (0..COUNT).map(controller).collect()
+    };
+    for period in [&|_| 0.02, &|i| 0.02 + 0.001 * (i % 3) as f64] as [&dyn Fn(usize) -> f64; 2] {
+        let controllers = controllers(period);
+        let ends = Sampled::ensemble_of(&controllers, &method, &robots, 0.0, 1.0, &starts).expect("motions");
+        for i in 0..COUNT {
+            let alone = controllers[i].end(&method, &robots[i], 0.0, 1.0, starts[i]);
+            assert_eq!(Ok(ends[i]), alone, "{i}");
+        }
+    }
+    // settings that are out of range stop one trajectory, or all
+    let mut controllers = controllers(&|_| 0.02);
+    controllers[5] = controllers[5].noise([-1.0; 4]);
+    let error = Sampled::ensemble_of(&controllers, &method, &robots, 0.0, 1.0, &starts).expect_err("stops");
+    let EnsembleError::Stopped { stopped, x } = error else {
+        panic!("{error}");
+    };
+    assert_eq!((stopped.len(), stopped[0].index, stopped[0].t), (1, 5, 0.0));
+    assert!(matches!(stopped[0].reason, Reason::InvalidInput { what: "noise", .. }));
+    assert_eq!(x[5], starts[5]);
+    let none = vec![Sampled::new(HOLD, 0.0); COUNT];
+    let error = Sampled::ensemble_of(&none, &method, &robots, 0.0, 1.0, &starts).expect_err("no period");
+    assert!(matches!(error, EnsembleError::Stopped { stopped, .. } if stopped.len() == COUNT));
+    let wrong = Sampled::ensemble_of(&controllers[..2], &method, &robots, 0.0, 1.0, &starts);
+    assert!(matches!(
+        wrong,
+        Err(EnsembleError::InvalidInput(Reason::InvalidInput {
+            what: "controllers",
+            ..
+        }))
+    ));
+}

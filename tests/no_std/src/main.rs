@@ -137,9 +137,17 @@ extern "C" fn main() -> i32 {
 }
 
 // Program start, `memcpy` and the like, which a controller has from its own runtime.
+#[cfg(not(target_os = "none"))]
 #[link(name = "c")]
 unsafe extern "C" {
     safe fn abort() -> !;
+}
+
+#[cfg(target_os = "none")]
+fn abort() -> ! {
+    loop {
+        core::hint::spin_loop();
+    }
 }
 
 /// The installed `core` was built with unwinding, and refers to this symbol. Nothing unwinds here.

@@ -12,11 +12,11 @@ const ASYMMETRY_ULPS: f64 = 1e4;
 /// Eigenvalue of a matrix with a unit diagonal, per row, that is put down to rounding, in ulps.
 const INDEFINITE_ULPS: f64 = 64.0;
 
-/// The cost of a motion: the integral of a running cost, and a cost of the final state. [`Quadratic`] is one.
+/// The cost of a motion: the integral of a running cost, and a cost of the final state. [`Quadratic`] is one, and
+/// [`LeastSquares`](super::LeastSquares) another.
 ///
 /// Second derivatives with respect to the state have to be positive semidefinite, and those with respect to the inputs
-/// positive definite. For squares of residuals `r`, those of Gauss and Newton are, `2 J^T J` with the Jacobian `J` of
-/// `r`.
+/// positive definite.
 pub trait Objective<T: Float, const N: usize, const M: usize> {
     /// Running cost per second.
     fn running(&self, t: T, x: &SVector<T, N>, u: &[T; M]) -> T;

@@ -120,8 +120,8 @@ impl fmt::Display for IlqrError {
                 limits: [low, high],
             } => write!(
                 f,
-                "the limits of input {input} are {low} and {high}\nhelp: pass the lower one first, `limits(low, high)`; \
-                 without a limit, infinity"
+                "the limits of input {input} are {low} and {high}\nhelp: pass the lower one first, \
+                 `limits(low, high)`; without a limit, infinity"
             ),
             Self::StartBeyondLimits {
                 input,
@@ -172,8 +172,8 @@ impl fmt::Display for IlqrError {
             } => write!(
                 f,
                 "no step decreases the cost of {cost} after {iterations} iterations, although its derivatives promise \
-                 {promised:.1e}\nhelp: check the derivatives of the model and of the cost, or raise the tolerance; with \
-                 mode switches the best motion, which is kept, may be at a jump or kink of the cost"
+                 {promised:.1e}\nhelp: check the derivatives of the model and of the cost, or raise the tolerance; \
+                 with mode switches the best motion, which is kept, may be at a jump or kink of the cost"
             ),
             Self::TooManyIterations {
                 iterations,
@@ -186,8 +186,8 @@ impl fmt::Display for IlqrError {
             ),
             Self::ModeSwitches { constraint } => write!(
                 f,
-                "the model has mode switches at `{constraint}`, and the steps of the search are smooth\nhelp: plan with \
-                 `Integrated::new(model, Tsit5::new())`, in double precision, whose steps go through them"
+                "the model has mode switches at `{constraint}`, and the steps of the search are smooth\nhelp: plan \
+                 with `Integrated::new(model, Tsit5::new())`, in double precision, whose steps go through them"
             ),
             Self::ClosedLoop { bodies: [a, b] } => write!(
                 f,

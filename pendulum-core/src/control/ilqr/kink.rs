@@ -11,11 +11,22 @@ use nalgebra::SVector;
 
 use super::backward::Promise;
 use super::matrix::{plus_product, product, scaled, transposed, zeros};
+use super::search::NoShare;
 use super::{Ilqr, Objective, StepDerivatives, StepMap};
 use crate::real::Float;
 
 /// Least weight of a gradient that is worth another direction.
 const LEAST_WEIGHT: f64 = 1e-3;
+
+/// Combination of the gradients on both sides of a kink.
+pub(super) struct Tilt<T, const M: usize, const K: usize> {
+    /// Its difference from the gradient of the plan.
+    pub(super) by_inputs: [[T; M]; K],
+    /// Gradient of the plan.
+    here: [[T; M]; K],
+    /// Error of the linear model of the cost at the plan that has this gradient.
+    error: T,
+}
 
 impl<C, T: Float, const N: usize, const M: usize, const K: usize> Ilqr<C, T, N, M, K>
 where
@@ -29,14 +40,16 @@ where
         t0: T,
         x0: &SVector<T, N>,
         promise: (T, Promise<T>),
-    ) -> Result<(T, T), bool>
+    ) -> Result<(T, T), NoShare<T>>
     where
         S: StepMap<T, N, M>,
     {
         let mut dx = zeros();
         for k in 0..K {
             let (t, x, u) = (self.time(t0, k), &self.plan.x[k], &self.plan.u[k]);
-            let StepDerivatives { a, b } = model.step_derivatives(t, self.h, x, u).map_err(|_| false)?;
+            let StepDerivatives { a, b } = model
+                .step_derivatives(t, self.h, x, u)
+                .map_err(|_| NoShare { last: None })?;
             let du = plus_product(self.change[k].into(), &transposed(&self.gain[k]), &dx);
             dx = plus_product(product(&a, &dx), &b, &du);
             self.change[k] = du.into();
@@ -51,20 +64,49 @@ where
     /// norm. False if it is least without, or has no derivatives.
     ///
     /// `promised` is the decrease promised with the `tilt` so far: half the square of the norm. It is quadratic in the
-    /// weight of the other gradient, apart from limits of the inputs, and given by three weights.
-    pub(super) fn tilt<S>(&mut self, model: &S, t0: T, tilt: &mut Option<[[T; M]; K]>, promised: T) -> bool
+    /// weight of the other gradient, apart from limits of the inputs, and given by three weights. `decrease` is that of
+    /// the cost from the plan to the trial. It differs from the linear one by the error of the other gradient at the
+    /// plan, which counts against it: this gradient vanishes from the combination where the trial is far from the plan,
+    /// or beyond a jump of the cost.
+    pub(super) fn tilt<S>(
+        &mut self,
+        model: &S,
+        t0: T,
+        tilt: &mut Option<Tilt<T, M, K>>,
+        promised: T,
+        decrease: T,
+    ) -> bool
     where
         S: StepMap<T, N, M>,
     {
-        let across = self.gradient(model, t0);
-        self.trial = self.plan;
-        let (Some(across), Some(here)) = (across, self.gradient(model, t0)) else {
+        let Some(across) = self.gradient(model, t0) else {
             return false;
         };
-        let before = tilt.unwrap_or([[T::default(); M]; K]);
+        let mut linear = T::default();
+        for (k, slopes) in across.iter().enumerate() {
+            for (m, &slope) in slopes.iter().enumerate() {
+                linear += slope * (self.plan.u[k][m] - self.trial.u[k][m]);
+            }
+        }
+        let error = (decrease - linear).abs();
+        self.trial = self.plan;
+        let before = match tilt.take() {
+            Some(tilt) => tilt,
+            None => match self.gradient(model, t0) {
+                Some(here) => Tilt {
+                    by_inputs: [[T::default(); M]; K],
+                    here,
+                    error: T::default(),
+                },
+                None => return false,
+            },
+        };
         let tilted = |weight: T| {
             core::array::from_fn(|k| {
-                core::array::from_fn(|m| before[k][m] + weight * (across[k][m] - here[k][m] - before[k][m]))
+                core::array::from_fn(|m| {
+                    let from = before.by_inputs[k][m];
+                    from + weight * (across[k][m] - before.here[k][m] - from)
+                })
             })
         };
         let [half, one, two] = [0.5, 1.0, 2.0].map(T::from_f64);
@@ -76,10 +118,16 @@ where
             return false;
         };
         let bend = two * (promised + last) - (two + two) * middle;
-        let weight = (promised - last + bend) / (two * bend);
+        let further = error - before.error;
+        let weight = (promised - last + bend - further) / (two * bend);
         // false for NaN as well
         let is_useful = bend > T::default() && weight > T::from_f64(LEAST_WEIGHT);
-        *tilt = Some(tilted(weight.min(one)));
+        let weight = weight.min(one);
+        *tilt = is_useful.then(|| Tilt {
+            by_inputs: tilted(weight),
+            here: before.here,
+            error: before.error + weight * further,
+        });
         is_useful
     }
 

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::backward::{Backward, Promise};
 use super::forward::Forward;
+use super::kink::Tilt;
 use super::{Ilqr, IlqrError, Objective, StepMap};
 use crate::real::Float;
 use crate::real::lanes::Isa;
@@ -46,6 +47,13 @@ pub struct Pass<T> {
     pub share: T,
 }
 
+/// A line search that found no share of the change of the inputs to decrease the cost enough.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NoShare<T> {
+    /// Cost of the last trial, that of the least share; `None` if its motion ended early.
+    pub(super) last: Option<T>,
+}
+
 /// Strength of the damping, which grows after failures and decays after successes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Damping<T> {
@@ -85,7 +93,7 @@ where
     /// last motion, or the inputs of [`start`](Self::start).
     ///
     /// The motion found is a local minimum: other starts may lead to others. Through mode switches the search also ends
-    /// after ten decreases in a row below the tolerance.
+    /// after ten decreases in a row below the tolerance, not counting those under damping, which are short by design.
     ///
     /// # Errors
     /// Settings out of range, [`IlqrError::Diverged`], [`IlqrError::StepFailed`], [`IlqrError::NotConvex`],
@@ -104,7 +112,7 @@ where
         let mut decrease = T::default();
         let (mut tilt, mut small) = (None, 0);
         for iterations in 1..=self.max_iterations {
-            let promise = self.backward(model, t0, tilt.as_ref())?;
+            let promise = self.backward(model, t0, tilt.as_ref().map(|tilt: &Tilt<_, _, _>| &tilt.by_inputs))?;
             if iterations == 1 {
                 self.plan = self.trial;
             }
@@ -122,11 +130,11 @@ where
                     decrease = cost - next;
                     cost = next;
                     tilt = None;
-                    small = if decrease > self.tolerance * cost.abs() {
-                        0
-                    } else {
-                        small + 1
-                    };
+                    if decrease > self.tolerance * cost.abs() {
+                        small = 0;
+                    } else if self.damping.value == T::default() {
+                        small += 1;
+                    }
                     if const { S::HAS_KINKS } && small == PATIENCE {
                         return Ok(Solved { cost, iterations });
                     }
@@ -134,7 +142,8 @@ where
                         self.damping.decay();
                     }
                 }
-                Err(is_whole) if const { S::HAS_KINKS } && is_whole && self.tilt(model, t0, &mut tilt, promised) => {}
+                Err(NoShare { last: Some(last) })
+                    if const { S::HAS_KINKS } && self.tilt(model, t0, &mut tilt, promised, cost - last) => {}
                 Err(_) => {
                     self.trial = self.plan;
                     tilt = None;
@@ -228,23 +237,22 @@ where
     /// share.
     ///
     /// # Errors
-    /// If there is none; true if the last trial is a whole motion.
+    /// If there is none.
     pub(super) fn line_search<S>(
         &mut self,
         model: &S,
         t0: T,
         x0: &SVector<T, N>,
         (cost, promise): (T, Promise<T>),
-    ) -> Result<(T, T), bool>
+    ) -> Result<(T, T), NoShare<T>>
     where
         S: StepMap<T, N, M>,
     {
-        let (mut share, mut is_whole) = (T::from_f64(1.0), false);
+        let (mut share, mut last) = (T::from_f64(1.0), None);
         for _ in 0..=HALVINGS {
             let promised = promise.of(share);
-            let reached = self.forward(model, t0, x0, share);
-            is_whole = reached.is_ok();
-            if let Ok(next) = reached
+            last = self.forward(model, t0, x0, share).ok();
+            if let Some(next) = last
                 && promised > T::default()
                 && cost - next >= T::from_f64(SUFFICIENT) * promised
             {
@@ -254,7 +262,7 @@ where
             }
             share *= T::from_f64(0.5);
         }
-        Err(is_whole)
+        Err(NoShare { last })
     }
 
     /// Checks the settings for a model and a start.

@@ -3,11 +3,12 @@
 use std::f64::consts::PI;
 
 use pendulum_core::control::{
-    Controller, CostDerivatives, Ilqr, IlqrError, LinearLaw, Objective, Quadratic, Sampled, linearize,
+    Controller, CostDerivatives, Ilqr, IlqrError, LeastSquares, LinearLaw, Objective, Quadratic, Residuals, Sampled,
+    linearize,
 };
 use pendulum_core::nalgebra::SMatrix;
 use pendulum_core::prelude::*;
-use pendulum_core::{CastControlled, InputLaw};
+use pendulum_core::{CastControlled, InputLaw, Real};
 
 use super::{Random, diagonal};
 
@@ -341,6 +342,94 @@ fn other_costs_lead_to_the_nearest_turn() {
         assert!(1.0 - angle.cos() < 5e-3 && rate.abs() < 0.1, "{angle} and {rate}");
         assert!((angle - 2.0 * PI * turns).abs() < 7.0, "{angle}");
     }
+}
+
+/// Deviation from a goal: residuals that make least squares of a quadratic cost.
+#[derive(Clone, Copy)]
+struct Deviation;
+
+impl Residuals<2, 2> for Deviation {
+    fn residuals<T: Real>(&self, _t: T, x: &SVector<T, 2>) -> [T; 2] {
+        [x[0] - T::from_f64(0.3), x[1]]
+    }
+}
+
+#[test]
+fn least_squares_of_the_state_are_a_quadratic_cost() {
+    let squares = LeastSquares::new(Deviation, [1.0, 0.2], [0.1])
+        .end([100.0, 20.0])
+        .rest([0.5]);
+    let quadratic = Quadratic::diagonal([1.0, 0.2], [0.1])
+        .end(diagonal([100.0, 20.0]))
+        .goal([0.3, 0.0], [0.5]);
+    let mut by_squares = Ilqr::<_, _, 2, 1, 50>::new(0.02, squares).limits([-2.0], [2.0]);
+    let mut by_weights = Ilqr::<_, _, 2, 1, 50>::new(0.02, quadratic).limits([-2.0], [2.0]);
+    let first = by_squares.solve(&arm(), 0.0, [0.5, 0.1]).expect("a motion");
+    let second = by_weights.solve(&arm(), 0.0, [0.5, 0.1]).expect("a motion");
+    assert!(
+        (first.cost - second.cost).abs() < 1e-12 * first.cost,
+        "{first:?} {second:?}"
+    );
+    for (a, b) in by_squares.inputs().iter().zip(by_weights.inputs()) {
+        assert!((a[0] - b[0]).abs() < 1e-9, "{a:?} {b:?}");
+    }
+}
+
+/// Place of the end of the arm, relative to a moving goal, and rates.
+#[derive(Clone, Copy)]
+struct Tip;
+
+impl Residuals<2, 3> for Tip {
+    fn residuals<T: Real>(&self, t: T, x: &SVector<T, 2>) -> [T; 3] {
+        let (sin, cos) = x[0].sin_cos();
+        [sin - t, cos - T::from_f64(0.2), x[1] * x[0]]
+    }
+}
+
+#[test]
+fn derivatives_of_least_squares_are_those_of_differences() {
+    let weights = [3.0, 2.0, 0.5];
+    let cost = LeastSquares::new(Tip, weights, [0.1]).end([5.0, 6.0, 7.0]).rest([0.4]);
+    let (t, x, u) = (0.3, SVector::from([0.7, -1.2]), [0.9]);
+    let h = 1e-6;
+    let running = cost.running_derivatives(t, &x, &u);
+    let (by_end, _) = Objective::<f64, 2, 1>::end_derivatives(&cost, t, &x);
+    for n in 0..2 {
+        let moved = |by: f64| {
+            let mut x = x;
+            x[n] += by;
+            x
+        };
+        let difference = |cost: &dyn Fn(&SVector<f64, 2>) -> f64| (cost(&moved(h)) - cost(&moved(-h))) / (2.0 * h);
+        let by_state = difference(&|x| cost.running(t, x, &u));
+        assert!((running.x[n] - by_state).abs() < 1e-8, "{n}: {by_state}");
+        let by_state = difference(&|x| Objective::<f64, 2, 1>::end(&cost, t, x));
+        assert!((by_end[n] - by_state).abs() < 1e-8, "{n}: {by_state}");
+    }
+    let by_input = (cost.running(t, &x, &[0.9 + h]) - cost.running(t, &x, &[0.9 - h])) / (2.0 * h);
+    assert!((running.u[0] - by_input).abs() < 1e-8 && running.uu == SMatrix::from([[0.2]]));
+    // Gauss and Newton: 2 J^T W J
+    let j = SMatrix::<f64, 3, 2>::from([[x[0].cos(), -x[0].sin(), x[1]], [0.0, 0.0, x[0]]]);
+    let expected = 2.0 * j.transpose() * diagonal(weights) * j;
+    assert!((running.xx - expected).amax() < 1e-14, "{}", running.xx);
+}
+
+#[test]
+fn weights_of_least_squares_are_checked() {
+    let refused = |cost: LeastSquares<Deviation, f64, 1, 2>| {
+        let mut ilqr = Ilqr::<_, _, 2, 1, 50>::new(0.02, cost);
+        ilqr.solve(&arm(), 0.0, [0.5, 0.0]).expect_err("refused")
+    };
+    let cost = |w: f64, r: f64| LeastSquares::new(Deviation, [1.0, w], [r]);
+    let negative = |what, strictly| IlqrError::NotPositive { what, strictly };
+    assert_eq!(refused(cost(-1.0, 1.0)), negative("W", false));
+    assert_eq!(refused(cost(0.0, 0.0)), negative("R", true));
+    assert_eq!(refused(cost(0.0, 1.0).end([0.0, -2.0])), negative("Wf", false));
+    assert_eq!(refused(cost(f64::NAN, 1.0)), IlqrError::NotFinite { what: "W" });
+    assert_eq!(
+        refused(cost(0.0, 1.0).rest([f64::NAN])),
+        IlqrError::NotFinite { what: "the goal" }
+    );
 }
 
 #[test]
