@@ -34,6 +34,8 @@ where
 {
     /// A line search along the change of the inputs that the linear motion has. Where an impact moves across a node,
     /// the state there jumps, and the gains would answer to that.
+    ///
+    /// Derivatives of the plan are computed again: those of the backward pass would take `K N (N + M)` numbers.
     pub(super) fn line_search_without_gains<S>(
         &mut self,
         model: &S,
