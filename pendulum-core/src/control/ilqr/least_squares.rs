@@ -156,9 +156,9 @@ where
     #[inline(always)]
     fn running(&self, t: T, x: &SVector<T, N>, u: &[T; M]) -> T {
         let mut cost = self.squares(&self.weights, t, x);
-        for m in 0..M {
-            let du = u[m] - self.rest[m];
-            cost = (self.r[m] * du).mul_add(du, cost);
+        for ((&u, &rest), &weight) in u.iter().zip(&self.rest).zip(&self.r) {
+            let du = u - rest;
+            cost = (weight * du).mul_add(du, cost);
         }
         cost
     }
