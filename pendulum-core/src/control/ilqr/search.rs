@@ -20,7 +20,8 @@ const DAMPING_FACTOR: f64 = 2.0;
 const LEAST_DAMPING: f64 = 1e-6;
 /// Damping after which the search ends.
 const LARGEST_DAMPING: f64 = 1e8;
-/// Number of decreases in a row below the tolerance after which a search among kinks ends.
+/// Number of decreases in a row below the tolerance after which a search among kinks ends. Those under damping count:
+/// going on gains little.
 const PATIENCE: usize = 10;
 /// Decrease of the cost put down to rounding, in ulps.
 const ROUNDING_ULPS: f64 = 64.0;
@@ -93,7 +94,7 @@ where
     /// last motion, or the inputs of [`start`](Self::start).
     ///
     /// The motion found is a local minimum: other starts may lead to others. Through mode switches the search also ends
-    /// after ten decreases in a row below the tolerance, not counting those under damping, which are short by design.
+    /// after ten decreases in a row below the tolerance.
     ///
     /// # Errors
     /// Settings out of range, [`IlqrError::Diverged`], [`IlqrError::StepFailed`], [`IlqrError::NotConvex`],
@@ -130,11 +131,11 @@ where
                     decrease = cost - next;
                     cost = next;
                     tilt = None;
-                    if decrease > self.tolerance * cost.abs() {
-                        small = 0;
-                    } else if self.damping.value == T::default() {
-                        small += 1;
-                    }
+                    small = if decrease > self.tolerance * cost.abs() {
+                        0
+                    } else {
+                        small + 1
+                    };
                     if const { S::HAS_KINKS } && small == PATIENCE {
                         return Ok(Solved { cost, iterations });
                     }
