@@ -47,6 +47,24 @@ struct Pivot<'g> {
 }
 
 impl<'g> Factored<'g> {
+    /// The factored matrix with each entry that is not a number replaced.
+    pub(crate) fn with_entries(&self, mut replaced: impl FnMut(Expr<'g>) -> Expr<'g>) -> Self {
+        let mut entry = |x: Expr<'g>| if x.as_number().is_some() { x } else { replaced(x) };
+        let mut rows = |rows: &[Vec<Expr<'g>>]| -> Vec<Vec<Expr<'g>>> {
+            rows.iter().map(|row| row.iter().map(|&x| entry(x)).collect()).collect()
+        };
+        let lower = rows(&self.lower);
+        let pivots = self.pivots.iter().map(|pivot| Pivot {
+            coordinates: pivot.coordinates.clone(),
+            inverse: rows(&pivot.inverse),
+            factor: rows(&[vec![pivot.factor]])[0][0],
+        });
+        Self {
+            pivots: pivots.collect(),
+            lower,
+        }
+    }
+
     /// Factors a symmetric matrix. `determinant` is the determinant of a matrix with two rows, if
     /// a better form of it is known.
     pub(crate) fn new(solver: Solver, matrix: &[Vec<Expr<'g>>], determinant: Option<Expr<'g>>) -> Self {

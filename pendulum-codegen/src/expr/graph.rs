@@ -68,6 +68,12 @@ pub enum SymbolKind {
     Direction(usize),
     /// The multiplier of an equation of motion.
     Multiplier(usize),
+    /// An entry of the right-hand side of one of several linear systems with the same matrix.
+    Given(usize),
+    /// An entry of the factored matrix of these systems.
+    Factor(usize),
+    /// An entry of their solutions.
+    Solved(usize),
 }
 
 /// A named symbol.

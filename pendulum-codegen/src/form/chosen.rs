@@ -1,5 +1,6 @@
 //! Choice of the shortest form of a function.
 
+use super::columns::Columns;
 use super::{Basis, Form};
 use crate::expr::{Expr, Graph};
 use crate::model::Model;
@@ -18,6 +19,8 @@ const WORTH_OF_DIGITS: usize = 8;
 pub(crate) struct Chosen<'g> {
     /// Expressions that the function computes.
     pub roots: Vec<Expr<'g>>,
+    /// Linear systems whose solutions the roots read, if any.
+    pub columns: Option<Columns<'g>>,
     /// Number of operations.
     pub operations: Operations,
     /// Form of the code.
@@ -109,6 +112,7 @@ pub(super) fn choose<'g>(g: &'g Graph, candidates: Vec<Candidate<'g>>) -> Chosen
     }
     Chosen {
         roots,
+        columns: None,
         operations,
         form,
         others,

@@ -4,6 +4,7 @@ mod adjoint;
 mod canonical;
 mod chosen;
 mod closed;
+mod columns;
 mod exact;
 mod kind;
 mod output;

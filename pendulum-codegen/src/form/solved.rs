@@ -1,6 +1,7 @@
 //! Accelerations and their derivatives.
 
 use super::chosen::{Candidate, Chosen, HOPELESS};
+use super::columns::{Unsolved, in_loop, is_long};
 use super::written::Written;
 use super::{Basis, Derivatives, Form, Forms, ways};
 use crate::dynamics::{
@@ -149,9 +150,24 @@ impl<'g> Forms<'g> {
         with_accelerations: bool,
         beside: &[Expr<'g>],
     ) -> Chosen<'g> {
-        self.solutions(model, variables, |way| {
+        let roots = |way: &Way<'_, 'g>| {
             let accelerations = way.accelerations.iter().filter(|_| with_accelerations);
             accelerations.chain(&way.columns).chain(beside).copied().collect()
+        };
+        let (chosen, unsolved) = self.solutions_and_systems(model, variables, roots);
+        // entries of solutions must be results as they are
+        let is_plain = self.floating.is_empty() && model.drives.is_empty() && !model.has_orientations();
+        let Some(unsolved) = unsolved.filter(|_| is_plain && is_long(&chosen)) else {
+            return chosen;
+        };
+        let (mut columns, solved) = unsolved.systems(model.graph);
+        let derived_from = Derived::new(model, &[], variables);
+        let candidate = [(unsolved.form, unsolved.accelerations)];
+        columns.given = derived_from.known(&columns.given, &candidate[0].1);
+        let mut ways = derived_from.ways(&unsolved.factored, &candidate, unsolved.derivatives, solved);
+        let roots = roots(&ways.next().expect("one candidate"));
+        in_loop(model.graph, chosen, columns, roots, |candidates| {
+            self.choose(candidates)
         })
     }
 
@@ -163,6 +179,17 @@ impl<'g> Forms<'g> {
         variables: &[Expr<'g>],
         roots: impl Fn(&Way<'_, 'g>) -> Vec<Expr<'g>>,
     ) -> Chosen<'g> {
+        self.solutions_and_systems(model, variables, roots).0
+    }
+
+    /// Like [`solutions`](Self::solutions), with the linear systems that the code solves, if it solves any by the mass
+    /// matrix.
+    fn solutions_and_systems(
+        &mut self,
+        model: &Model<'g>,
+        variables: &[Expr<'g>],
+        roots: impl Fn(&Way<'_, 'g>) -> Vec<Expr<'g>>,
+    ) -> (Chosen<'g>, Option<Unsolved<'g>>) {
         let floating = self.floating.clone();
         let derived_from = Derived::new(model, &floating, variables);
         let mut candidates: Vec<Candidate<'g>> = Vec::new();
@@ -214,6 +241,7 @@ impl<'g> Forms<'g> {
         }
         let sizes: Vec<usize> = forms.iter().map(|written| size(&written.balance)).collect();
         let least = sizes.iter().copied().min().unwrap_or(0);
+        let mut systems = Vec::new();
         for (written, size) in forms.iter().zip(sizes) {
             let Written { form: own, balance, .. } = written;
             let is_large = size > MOST_DERIVED && HOPELESS[1] * size > HOPELESS[0] * least;
@@ -235,9 +263,26 @@ impl<'g> Forms<'g> {
                         derived_from.ways(&factored, &solved, columns.0, factored.solve_each_negated(&columns.1));
                     candidates.extend(ways.map(candidate));
                 }
+                systems.push((factored, solved, columns.clone()));
             }
         }
-        self.choose(candidates)
+        let chosen = self.choose(candidates);
+        let unsolved = systems.into_iter().find_map(|(factored, solved, columns)| {
+            let is_chosen = |form: &Form, derivatives| form.derived_by(derivatives) == chosen.form;
+            let (form, accelerations, derivatives, columns) =
+                solved.into_iter().find_map(|(form, accelerations)| {
+                    let columns = columns.iter().find(|(derivatives, _)| is_chosen(&form, *derivatives))?;
+                    Some((form, accelerations, columns.0, columns.1.clone()))
+                })?;
+            Some(Unsolved {
+                form,
+                derivatives,
+                factored,
+                accelerations,
+                columns,
+            })
+        });
+        (chosen, unsolved)
     }
 }
 
@@ -250,6 +295,12 @@ impl<'a, 'g> Derived<'a, 'g> {
             beside: derived(&of_coordinates(floating, symbols.clone()), variables),
             symbols,
         }
+    }
+
+    /// Inserts the unknowns of the linear system into derivatives.
+    fn known(&self, derivatives: &[Expr<'g>], solved: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let known = self.symbols.iter().copied().zip(solved.iter().copied());
+        self.model.graph.substitute(derivatives, known.collect())
     }
 
     /// Solves for the columns of derivatives with one inverse, for each candidate form of the unknowns.
@@ -269,14 +320,11 @@ impl<'a, 'g> Derived<'a, 'g> {
                 column
             });
         let columns = self.model.with_drives(&of_coordinate.collect::<Vec<_>>());
-        solved.iter().map(move |(form, solved)| {
-            let known = self.symbols.iter().copied().zip(solved.iter().copied());
-            Way {
-                form: form.derived_by(derivatives),
-                inverse,
-                columns: self.model.graph.substitute(&columns, known.collect()),
-                accelerations: of_coordinates(self.floating, solved.clone()),
-            }
+        solved.iter().map(move |(form, solved)| Way {
+            form: form.derived_by(derivatives),
+            inverse,
+            columns: self.known(&columns, solved),
+            accelerations: of_coordinates(self.floating, solved.clone()),
         })
     }
 }

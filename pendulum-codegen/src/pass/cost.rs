@@ -64,6 +64,19 @@ impl Operations {
         operations
     }
 
+    /// Adds operations that take place `count` times side by side, after these.
+    #[must_use]
+    pub(crate) fn followed_by(self, count: usize, other: Self) -> Self {
+        Self {
+            additions: self.additions + count * other.additions,
+            multiplications: self.multiplications + count * other.multiplications,
+            divisions: self.divisions + count * other.divisions,
+            sincos: self.sincos + count * other.sincos,
+            functions: self.functions + count * other.functions,
+            chain: self.chain + other.chain,
+        }
+    }
+
     /// Estimated time of an evaluation, in multiples of one addition among many independent ones. Forms of the same
     /// function are compared by it.
     ///

@@ -1,5 +1,6 @@
 //! Straight-line code of a routine, statement by statement, independent of the output language.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use crate::expr::{Binary, Unary};
@@ -11,8 +12,21 @@ pub struct Block {
     pub names: Vec<String>,
     /// Statements. Each reads only values defined by earlier ones.
     pub lets: Vec<Let>,
+    /// Linear systems solved after the statements, if any.
+    pub columns: Option<Box<Columns>>,
     /// Results of the block.
     pub results: Vec<Term>,
+}
+
+/// Linear systems with the same matrix: the code of one solution, run for each column of the right-hand sides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Columns {
+    /// Right-hand sides, column by column, as numbers, locals or variables of the block.
+    pub given: Vec<Vec<Term>>,
+    /// Entries of the factored matrix.
+    pub factors: Vec<Term>,
+    /// Code of one solution. It reads the entries of its column, as [`Variable::Given`], and the factors.
+    pub solution: Block,
 }
 
 /// Value defined by a statement.
@@ -90,6 +104,12 @@ pub enum Variable {
     Parameter(usize),
     /// Quantity of the current order of a power series.
     Series(Coefficient),
+    /// Entry of the current column of [`Columns`], in the code of its solution.
+    Given(usize),
+    /// Entry of the factored matrix of [`Columns`], in the code of a solution.
+    Factor(usize),
+    /// Entry of the solutions of [`Columns`], column by column, in the results of the block.
+    Solved(usize),
 }
 
 /// Quantity available when the coefficients of order `k` of a motion are computed.
@@ -181,8 +201,63 @@ impl Block {
             }
         };
         let of_lets = self.lets.iter().flat_map(Let::terms);
-        of_lets.chain(&self.results).for_each(|term| term.leaves(&mut leaf));
+        let of_columns = self.columns.iter().flat_map(|columns| columns.terms());
+        of_lets
+            .chain(of_columns)
+            .chain(&self.results)
+            .for_each(|term| term.leaves(&mut leaf));
         reads
+    }
+
+    /// The block with its linear systems solved one after another by statements, for code without loops.
+    pub(crate) fn unrolled(&self) -> Cow<'_, Self> {
+        let Some(columns) = &self.columns else {
+            return Cow::Borrowed(self);
+        };
+        let mut block = Self {
+            columns: None,
+            ..self.clone()
+        };
+        let mut solved = Vec::new();
+        for (n, given) in columns.given.iter().enumerate() {
+            let (own, first) = (&columns.solution, block.names.len());
+            let results = (0..given.len()).map(|row| format!("x{row}"));
+            block.names.extend(
+                own.names
+                    .iter()
+                    .cloned()
+                    .chain(results)
+                    .map(|name| format!("{name}_{n}")),
+            );
+            let replaced = |leaf: &Term| match *leaf {
+                Term::Local(Local(local)) => Term::Local(Local(first + local)),
+                Term::Read(Variable::Given(row)) => given[row].clone(),
+                Term::Read(Variable::Factor(n)) => columns.factors[n].clone(),
+                _ => leaf.clone(),
+            };
+            block.lets.extend(own.lets.iter().map(|code| match code {
+                Let::Value(Local(local), term) => Let::Value(Local(first + local), term.with_leaves(&replaced)),
+                Let::SinCos(_) => unreachable!("a linear system has no sines"),
+            }));
+            for (local, term) in (first + own.names.len()..).zip(&own.results) {
+                block.lets.push(Let::Value(Local(local), term.with_leaves(&replaced)));
+                solved.push(Term::Local(Local(local)));
+            }
+        }
+        for result in &mut block.results {
+            *result = result.with_leaves(&|leaf| match *leaf {
+                Term::Read(Variable::Solved(n)) => solved[n].clone(),
+                _ => leaf.clone(),
+            });
+        }
+        Cow::Owned(block)
+    }
+}
+
+impl Columns {
+    /// Right-hand sides and factors.
+    pub fn terms(&self) -> impl Iterator<Item = &Term> {
+        self.given.iter().flatten().chain(&self.factors)
     }
 }
 
@@ -244,6 +319,18 @@ impl Term {
                 a.leaves(see);
                 b.leaves(see);
             }
+        }
+    }
+
+    /// The term with each number, local and variable replaced.
+    fn with_leaves(&self, replaced: &impl Fn(&Self) -> Self) -> Self {
+        let of = |a: &Self| Box::new(a.with_leaves(replaced));
+        match self {
+            Self::Number(_) | Self::Local(_) | Self::Read(_) => replaced(self),
+            Self::Unary(op, a) => Self::Unary(*op, of(a)),
+            Self::Sqrt(a) => Self::Sqrt(of(a)),
+            Self::Power(a, exponent) => Self::Power(of(a), *exponent),
+            Self::Binary(op, a, b) => Self::Binary(*op, of(a), of(b)),
         }
     }
 

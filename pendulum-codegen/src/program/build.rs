@@ -184,7 +184,12 @@ impl<'g> Builder<'g> {
                 }
             }
         }
-        Block { names, lets, results }
+        Block {
+            names,
+            lets,
+            columns: None,
+            results,
+        }
     }
 
     fn local(&mut self, id: ExprId, angle: Option<ExprId>) -> Local {

@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 
 use rustc_hash::FxHashMap;
 
-pub use block::{Block, Coefficient, Let, Local, MultiplyAdd, Signs, SinCos, Term, Variable};
+pub use block::{Block, Coefficient, Columns, Let, Local, MultiplyAdd, Signs, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
 pub use drawing::{Drawing, Outline};
 pub(crate) use equations::Extent;
@@ -187,7 +187,10 @@ impl Program {
         let of_series = series.iter().flat_map(|series| [&series.start, &series.order]);
         let of_sketch = sketch.iter().map(|sketch| &sketch.chosen.roots);
         let laws: Vec<Expr<'g>> = model.constraints.iter().flat_map(|c| c.law.numbers()).collect();
-        let lists = chosen.iter().map(|(_, chosen)| &chosen.roots);
+        let lists = chosen.iter().flat_map(|(_, chosen)| {
+            let columns = chosen.columns.iter();
+            columns.map(|columns| &columns.given).chain([&chosen.roots])
+        });
         let constants = constants(g, lists.chain(of_series).chain(of_sketch).chain([&laws]));
         let known = known(model, &chosen, &constants);
         let routines = chosen
@@ -326,12 +329,17 @@ fn known<'g>(model: &Model<'g>, chosen: &[(Head, Chosen<'g>)], constants: &[Expr
     let forces = forces.map(|(n, x)| (x.id(), Variable::Force(n)));
     let constants = constants.map(|(n, x)| (x.id(), Variable::Constant(n)));
     let all = state.chain(accelerations).chain(inputs).chain(forces).chain(constants);
-    let read = chosen
-        .iter()
-        .flat_map(|(_, chosen)| model.graph.reachable(&chosen.roots));
+    let read = chosen.iter().flat_map(|(_, chosen)| {
+        let solution = chosen.columns.iter().flat_map(|columns| &columns.solution);
+        let roots: Vec<Expr<'g>> = chosen.roots.iter().chain(solution).copied().collect();
+        model.graph.reachable(&roots)
+    });
     let given = read.filter_map(|id| match model.graph.as_symbol(id)?.kind {
         SymbolKind::Weight(n) => Some((id, Variable::Weight(n))),
         SymbolKind::Direction(n) => Some((id, Variable::Direction(n))),
+        SymbolKind::Given(n) => Some((id, Variable::Given(n))),
+        SymbolKind::Factor(n) => Some((id, Variable::Factor(n))),
+        SymbolKind::Solved(n) => Some((id, Variable::Solved(n))),
         _ => None,
     });
     all.chain(given).chain([(model.time.id(), Variable::Time)]).collect()

@@ -2,9 +2,9 @@
 
 use rustc_hash::FxHashMap;
 
-use super::block::{Block, Variable};
+use super::block::{Block, Columns, Term, Variable};
 use super::build::{NotFinite, block};
-use crate::expr::ExprId;
+use crate::expr::{ExprId, Graph};
 use crate::form::{Chosen, Form};
 use crate::model::Model;
 use crate::pass::Operations;
@@ -164,7 +164,7 @@ impl Routine {
             doc: head.doc,
             arguments: head.arguments,
             shapes: head.shapes,
-            block: block(model.graph, &chosen.roots, known)?,
+            block: whole(model.graph, &chosen, known)?,
             cost: Cost {
                 others: others.collect(),
                 ..Cost::new(chosen.form, chosen.operations)
@@ -184,6 +184,32 @@ impl Routine {
             cost: Cost::default(),
         }
     }
+}
+
+/// Block of a function in the chosen form.
+fn whole(graph: &Graph, chosen: &Chosen<'_>, known: &FxHashMap<ExprId, Variable>) -> Result<Block, NotFinite> {
+    let Some(columns) = &chosen.columns else {
+        return block(graph, &chosen.roots, known);
+    };
+    let solution = block(graph, &columns.solution, known)?;
+    let mut all = block(graph, &[&columns.given[..], &chosen.roots].concat(), known)?;
+    let results = all.results.split_off(columns.given.len());
+    let factors = all.results.split_off(columns.count * columns.solution.len());
+    let given = all
+        .results
+        .chunks(columns.solution.len())
+        .map(<[Term]>::to_vec)
+        .collect();
+    let columns = Columns {
+        given,
+        factors,
+        solution,
+    };
+    Ok(Block {
+        columns: Some(Box::new(columns)),
+        results,
+        ..all
+    })
 }
 
 impl<N> Shape<N> {

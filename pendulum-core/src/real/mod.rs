@@ -12,6 +12,7 @@ mod sincos;
 pub use fused::Fused;
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::sync::atomic::{Ordering, compiler_fence};
 
 /// Number type of generated code: `f64`, `f32`, [`Fused`] or [lanes](lanes::Lanes) of these.
 ///
@@ -150,6 +151,17 @@ pub trait Real:
             *a = factor * *a;
         }
         a
+    }
+
+    /// Stores a number of a long function. Scalars are stored at once: compilers would combine the code of neighbours
+    /// to store them together, and keep more numbers than there are registers in the meantime.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn put(place: &mut Self, value: Self) {
+        *place = value;
+        if const { Self::LANES == 1 } {
+            compiler_fence(Ordering::SeqCst);
+        }
     }
 
     /// Result of a part of a long function. Scalars compute it in a function of its own, which is compiled separately;

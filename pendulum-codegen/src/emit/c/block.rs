@@ -58,6 +58,7 @@ impl Scene<'_> {
             Variable::Force(n) => listed("f", n, "forces"),
             Variable::Constant(n) => listed("k", n, "model->k"),
             Variable::Parameter(n) => (format!("p_{}", parameters[n]), format!("params->{}", parameters[n])),
+            Variable::Given(_) | Variable::Factor(_) | Variable::Solved(_) => unreachable!("loops are unrolled"),
             Variable::Series(Coefficient::Order) => ("order_k".to_owned(), "(double)k".to_owned()),
             Variable::Series(Coefficient::OverOrder) => ("over_k".to_owned(), "1.0 / (double)k".to_owned()),
             Variable::Series(Coefficient::Time) => ("time_k".to_owned(), "k == 1 ? 1.0 : 0.0".to_owned()),
@@ -80,6 +81,7 @@ impl Scene<'_> {
     }
 
     fn written(&self, block: &Block, calls: &mut Calls, fused: bool) -> (String, Vec<Piece>) {
+        let block = &*block.unrolled();
         let reads = block.reads().into_iter().filter(|read| *read != Variable::Time);
         let reads = reads.map(|read| self.variable(read));
         let reads = lines(reads.map(|(name, place)| format!("const double {name} = {place};")));

@@ -7,7 +7,7 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::count;
 use crate::expr::{Binary, Precedence, Unary};
-use crate::program::{Block, Coefficient, Let, Local, MultiplyAdd, Program, Signs, SinCos, Term, Variable};
+use crate::program::{Block, Coefficient, Columns, Let, Local, MultiplyAdd, Program, Signs, SinCos, Term, Variable};
 
 /// Maximum number of statements in one Rust block. Every `let` opens a scope inside the one before, and compilers that
 /// walk scopes by recursion (as LLVM does for debug information) overflow the stack at some thousand nested scopes.
@@ -65,15 +65,28 @@ impl Names<'_> {
                 Coefficient::Kept(n) => local(&format!("h{n}")),
                 Coefficient::Force(n) => local(&format!("force{n}")),
             },
+            Variable::Given(n) => local(&format!("r{n}")),
+            Variable::Factor(n) => local(&format!("l{n}")),
+            Variable::Solved(_) => local("columns"),
         }
     }
 
     /// Statements of a block, followed by the tokens that `result` makes of its results.
     pub(super) fn code(self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
-        let writer = Writer { names: self, block };
+        let writer = Writer {
+            names: self,
+            block,
+            stored: block.columns.as_deref().map(stored).unwrap_or_default(),
+        };
         let results: Vec<Piece> = block.results.iter().map(|term| writer.term(term)).collect();
         let (statements, result) = (writer.statements(), result(&results));
-        quote!(#statements #result)
+        match block.columns.as_deref() {
+            Some(columns) => {
+                let (before, solved) = writer.columns(columns);
+                quote!(#before #statements #solved #result)
+            }
+            None => quote!(#statements #result),
+        }
     }
 }
 
@@ -110,9 +123,24 @@ pub(super) fn number(value: f64) -> TokenStream {
     }
 }
 
+/// Values that are entries of right-hand sides, and where: row and column of each.
+fn stored(columns: &Columns) -> BTreeMap<Local, Vec<[Literal; 2]>> {
+    let mut stored: BTreeMap<Local, Vec<[Literal; 2]>> = BTreeMap::new();
+    for (n, column) in columns.given.iter().enumerate() {
+        for (row, entry) in column.iter().enumerate() {
+            if let Term::Local(local) = entry {
+                stored.entry(*local).or_default().push([count(row), count(n)]);
+            }
+        }
+    }
+    stored
+}
+
 struct Writer<'p> {
     names: Names<'p>,
     block: &'p Block,
+    /// Values stored in the columns at once, so that they need not stay in registers.
+    stored: BTreeMap<Local, Vec<[Literal; 2]>>,
 }
 
 impl Writer<'_> {
@@ -122,13 +150,60 @@ impl Writer<'_> {
 
     fn statements(&self) -> TokenStream {
         let lets = &self.block.lets;
-        let results: BTreeSet<Local> = self.block.results.iter().flat_map(Term::locals).collect();
+        let factors = self.block.columns.iter().flat_map(|columns| &columns.factors);
+        let results: BTreeSet<Local> = self
+            .block
+            .results
+            .iter()
+            .chain(factors)
+            .flat_map(Term::locals)
+            .collect();
         if lets.len() > LONG {
             return self.parts(&results);
         }
         self.scopes(lets, results, |lets| {
             lets.iter().map(|code| self.statement(code)).collect()
         })
+    }
+
+    /// Declaration of the columns, which the statements fill; and the loop that solves them. For scalars their number is
+    /// rounded up, so that compilers fill registers with columns.
+    fn columns(&self, columns: &Columns) -> (TokenStream, TokenStream) {
+        /// Number of `f64` in a register.
+        const LANES: usize = 4;
+        let (rows, number) = (columns.solution.results.len(), columns.given.len());
+        let (name, n) = (local("columns"), local("column"));
+        let (padded, number, length) = (count(number.next_multiple_of(LANES)), count(number), count(rows));
+        let before = quote!(let mut #name = [[T::default(); #padded]; #length];);
+        let others = columns.given.iter().enumerate().flat_map(|(n, column)| {
+            let others = column.iter().enumerate();
+            let others = others.filter(|(_, entry)| !matches!(entry, Term::Local(_) | Term::Number(0.0)));
+            others.map(move |(row, entry)| (count(row), count(n), entry))
+        });
+        let others = others.map(|(row, n, entry)| {
+            let entry = self.term(entry);
+            quote!(#name[#row][#n] = #entry;)
+        });
+        let others: TokenStream = others.collect();
+        let factors = columns.factors.iter().enumerate().map(|(n, factor)| {
+            let (factor, of) = (self.term(factor), self.names.variable(Variable::Factor(n)));
+            quote!(let #of = #factor;)
+        });
+        let factors: TokenStream = factors.collect();
+        let places: Vec<Literal> = (0..rows).map(count).collect();
+        let given = (0..rows).map(|row| self.names.variable(Variable::Given(row)));
+        let code = self
+            .names
+            .code(&columns.solution, |results| quote!(#(#name[#places][#n] = #results;)*));
+        let solved = quote! {
+            #others
+            #factors
+            for #n in 0..if T::LANES == 1 { #padded } else { #number } {
+                let [#(#given),*] = [#(#name[#places][#n]),*];
+                #code
+            }
+        };
+        (before, solved)
     }
 
     /// Statements in scopes of at most [`MOST_STATEMENTS`], each of which returns the values needed after it.
@@ -208,6 +283,18 @@ impl Writer<'_> {
     }
 
     fn statement(&self, code: &Let) -> TokenStream {
+        let stores = code.defines().flat_map(|of| {
+            let (name, columns) = (self.local(of), local("columns"));
+            let places = self.stored.get(&of).into_iter().flatten();
+            places.map(move |[row, n]| quote!(T::put(&mut #columns[#row][#n], #name);))
+        });
+        let stores: TokenStream = stores.collect();
+        let values = self.values(code);
+        quote!(#values #stores)
+    }
+
+    /// Statement without what it stores.
+    fn values(&self, code: &Let) -> TokenStream {
         match code {
             Let::Value(of, term) => {
                 let (name, value) = (self.local(*of), self.term(term));
@@ -250,6 +337,15 @@ impl Writer<'_> {
             Term::Local(of) => {
                 let name = self.local(*of);
                 (quote!(#name), Atom)
+            }
+            Term::Read(variable @ Variable::Solved(n)) => {
+                let rows = self
+                    .block
+                    .columns
+                    .as_ref()
+                    .map_or(1, |columns| columns.solution.results.len());
+                let (name, row, column) = (self.names.variable(*variable), count(n % rows), count(n / rows));
+                (quote!(#name[#row][#column]), Atom)
             }
             Term::Read(variable) => {
                 let name = self.names.variable(*variable);

@@ -87,6 +87,7 @@ fn source(variable: Variable) -> (&'static str, usize) {
         Variable::Force(n) => ("force", n),
         Variable::Constant(n) => ("constant", n),
         Variable::Parameter(n) => ("parameter", n),
+        Variable::Given(_) | Variable::Factor(_) | Variable::Solved(_) => unreachable!("loops are unrolled"),
         Variable::Series(coefficient) => match coefficient {
             Coefficient::Order => ("order", 0),
             Coefficient::OverOrder => ("over_order", 0),
@@ -127,6 +128,7 @@ struct Flat {
 
 impl Flat {
     fn new(block: &Block, carried: &[Term]) -> Self {
+        let block = &*block.unrolled();
         let reads: BTreeMap<Variable, Value> = block.reads().into_iter().zip(0..).collect();
         let locals = carried
             .iter()
