@@ -47,6 +47,12 @@ pub trait System<T: Real, const N: usize> {
     /// Time derivative of the state; `[qd; qdd]` for a mechanism.
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>;
 
+    /// Writes the [time derivative](Self::rhs) of the state to `rates`. Systems that compute it in memory save a copy.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn rhs_into(&self, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
+        *rates = self.rhs(t, x);
+    }
+
     /// Number of components that the system has, `N` by default. The others, at the end of the state, are padding: they
     /// and their derivatives are zero, error norms leave them out, and matrices end before them. Models with inputs,
     /// periodic orbits and continuation do without padding.

@@ -311,12 +311,12 @@ fn what_is_wrong_is_said() {
     };
     let cases = [
         (
-            "pendulum tape\t1",
             "pendulum tape\t2",
+            "pendulum tape\t3",
             1,
-            "the version is `2`, and this program reads 1",
+            "the version is `3`, and this program reads 1 and 2",
         ),
-        ("pendulum tape\t1", "tape\t1", 1, "`pendulum tape` is expected here"),
+        ("pendulum tape\t2", "tape\t2", 1, "`pendulum tape` is expected here"),
         (
             "slot\ttheta1\tangle",
             "slot\ttheta1\tangel",

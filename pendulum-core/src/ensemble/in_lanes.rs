@@ -144,8 +144,13 @@ where
             let t_new = V::from_fn(|lane| members.t_new[lane]);
             let attempt = scheme.attempt(&InMode::new(&system, leave.hold()), (t, &x), (t_new, &mut x_new), work);
             if const { W::WATCHES } {
-                for (lane, index) in members.busy(V::LANES) {
-                    self.watch.work(index, &scheme.work_in(lane, work));
+                match steps {
+                    Pacing::Equal(_) => members.count_alike(work),
+                    Pacing::Controlled(_) => {
+                        for (lane, index) in members.busy(V::LANES) {
+                            self.watch.work(index, &scheme.work_in(lane, work));
+                        }
+                    }
                 }
             }
             *work = Statistics::default();
@@ -153,8 +158,9 @@ where
                 .arrive(&InMode::new(&system, leave.hold()), (t_new, &x_new), work)
                 .copied();
             let slope = slope.as_ref();
+            let mut all_are_accepted = false;
             if const { W::WATCHES } {
-                self.count(&members, &scheme, attempt, (&x_new, slope), work);
+                all_are_accepted = self.count(&mut members, (&scheme, &steps), attempt, (&x_new, slope), work);
             }
             let step = Step::new((t, x), (t_new, x_new));
             if const { L::ASKS }
@@ -164,7 +170,11 @@ where
                 let terms = scheme.dense(&InMode::new(&system, leave.hold()), &step, work);
                 leave.check(&mut self, &mut members, &steps, (hybrid, &step, terms));
             }
-            self.judge(&mut members, &steps, &x, attempt, (&x_new, slope));
+            if all_are_accepted {
+                members.accept_all();
+            } else {
+                self.judge(&mut members, &steps, &x, attempt, (&x_new, slope));
+            }
             let lanes = members.accepted::<V>();
             if const { W::WATCHES } {
                 self.show(
@@ -215,17 +225,26 @@ where
         }
     }
 
-    /// Counts the evaluations at the ends of steps, for the lanes whose error is within the tolerance.
+    /// Counts the evaluations at the ends of steps, for the lanes whose error is within the tolerance. Returns true if the
+    /// step is one of a common grid, and all trajectories accept it.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn count<V: Lanes<Scalar = T>>(
         &mut self,
-        members: &Members<T>,
-        scheme: &F::Stages<V>,
+        members: &mut Members<T>,
+        (scheme, steps): (&F::Stages<V>, &Pacing<T>),
         attempt: Result<V, Stalled>,
         (x_new, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
         at_end: &Statistics,
-    ) {
+    ) -> bool {
         let all_are_finite = sum(x_new, slope).all_finite();
+        if matches!(steps, Pacing::Equal(_)) && all_are_finite && attempt.is_ok_and(|error| !stalls(error)) {
+            members.count_alike(at_end);
+            members.count_alike(&Statistics {
+                accepted: 1,
+                ..Statistics::default()
+            });
+            return true;
+        }
         for (lane, index) in members.busy(V::LANES) {
             let is_finite = |v: &SVector<V, N>| all_are_finite || v.iter().all(|v| v.lane(lane).is_finite());
             let is_within = attempt.is_ok_and(|mean_square| is_within_tolerance(mean_square.lane(lane)));
@@ -239,6 +258,7 @@ where
             work.stiff *= work.accepted;
             self.watch.work(index, &work);
         }
+        false
     }
 
     /// Passes the accepted steps to the observers. Trajectories that an event ends leave their lanes.
@@ -252,11 +272,15 @@ where
         within: &mut Vec<SVector<T, N>>,
     ) {
         let span = |lane: usize| (step.t0.lane(lane), step.t1.lane(lane));
-        let mut needs = [Need::Nothing; MOST_LANES];
+        let (mut needs, mut some_need) = ([Need::Nothing; MOST_LANES], false);
         for (lane, index) in members.busy(V::LANES) {
             if members.is_accepted(lane) {
                 needs[lane] = self.watch.needs(index, span(lane));
+                some_need |= needs[lane] != Need::Nothing || self.watch.is_cancelled(index);
             }
+        }
+        if !some_need {
+            return;
         }
         let mut work = Statistics::default();
         if needs[..V::LANES].contains(&Need::Inside) {
@@ -335,7 +359,6 @@ where
             return self.judge_controlled(members, control, x, attempt, ends);
         }
         let (x_new, slope) = ends;
-        let stalls = |error: V| (0..V::LANES).fold(false, |some, lane| some | (error.lane(lane) < T::default()));
         if attempt.is_ok_and(|error| !stalls(error)) && sum(x_new, slope).all_finite() {
             return members.accept_all();
         }
@@ -435,6 +458,7 @@ where
             Pacing::Equal(grid) => Pace::of_length(grid.h()),
         };
         *steps = *start;
+        members.forget_work();
         let mut someone_enters = false;
         for lane in 0..V::LANES {
             if members.index(lane).is_none()
@@ -521,6 +545,9 @@ where
             paces[index] = Some(members.pace(lane));
         }
         members.leave(lane);
+        if const { W::WATCHES } {
+            self.watch.work(index, members.work_of_each());
+        }
         self.watch.finish(index);
     }
 
@@ -539,6 +566,12 @@ where
         self.stopped.push(Stopped { index, t, reason });
         self.leave(members, (lane, index), x);
     }
+}
+
+/// True if some lane [stalls](Scheme::attempt).
+#[inline(always)]
+fn stalls<V: Lanes>(error: V) -> bool {
+    (0..V::LANES).fold(false, |some, lane| some | (error.lane(lane) < V::Scalar::default()))
 }
 
 /// Outcome of a step in a lane with non-finite numbers, or in a lane that [stalls](Scheme::attempt). The derivative at

@@ -120,6 +120,11 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
         self.0.rhs(t, x)
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn rhs_into(&self, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
+        self.0.rhs_into(t, x, rates);
+    }
+
     #[inline(always)]
     fn active(&self) -> usize {
         self.0.active()

@@ -7,6 +7,7 @@ use crate::hybrid::Modes;
 use crate::method::{Accepted, Pace, Progress, StepControl};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
+use crate::statistics::Statistics;
 use crate::step_size::PiController;
 
 /// The trajectories in the lanes, each with its own time and step size.
@@ -24,6 +25,8 @@ pub(super) struct Members<T> {
     alpha: [f64; MOST_LANES],
     last: [f64; MOST_LANES],
     most: [f64; MOST_LANES],
+    /// Work of each trajectory in a lane that has not been reported; if they take the same steps, else none.
+    work: Statistics,
 }
 
 /// Index of an empty lane.
@@ -41,7 +44,24 @@ impl<T: Float> Members<T> {
             alpha: [0.0; MOST_LANES],
             last: [0.0; MOST_LANES],
             most: [0.0; MOST_LANES],
+            work: Statistics::default(),
         }
+    }
+
+    /// Counts work of all trajectories, in each the same.
+    #[inline(always)]
+    pub(super) fn count_alike(&mut self, work: &Statistics) {
+        self.work.add(work);
+    }
+
+    /// Work of each trajectory, as far as it is [the same for all](Self::count_alike).
+    pub(super) fn work_of_each(&self) -> &Statistics {
+        &self.work
+    }
+
+    /// Begins to count anew, for other trajectories.
+    pub(super) fn forget_work(&mut self) {
+        self.work = Statistics::default();
     }
 
     /// Puts a trajectory into a lane, at its start.

@@ -29,7 +29,7 @@ where
         // Further lanes hide the latency of dependent operations. Larger systems have enough independent operations,
         // and need the registers for themselves.
         if const { !M::HYBRID && M::WIDE && V::LANES > 1 && W::WATCHES } {
-            self.in_lanes::<V::Double, Never<V::Double>>()
+            self.in_lanes::<<V::Double as Lanes>::Double, Never<<V::Double as Lanes>::Double>>()
         } else if const { !M::HYBRID && V::LANES > 1 && W::WATCHES } {
             self.in_lanes::<V, Never<V>>()
         } else if const { !M::HYBRID && (M::WIDE || !F::NARROW) && !W::WATCHES } {

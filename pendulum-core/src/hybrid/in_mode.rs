@@ -78,6 +78,14 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
         held::rhs(hybrid, self.hold, t, x)
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn rhs_into(&self, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
+        match self.system.hybrid() {
+            None => self.system.rhs_into(t, x, rates),
+            Some(_) => *rates = self.rhs(t, x),
+        }
+    }
+
     #[inline(always)]
     fn active(&self) -> usize {
         self.system.active()

@@ -186,12 +186,12 @@ where
     ) -> &SVector<T, N> {
         if T::LANES > 1 && self.goes_on_at_once {
             work.evaluations += 1;
-            *self.slope() = system.rhs(t, x);
+            system.rhs_into(t, x, self.slope());
             return self.slope();
         }
         if self.tolerance.is_none() || const { !B::TABLEAU.error_uses_last_stage() } {
             work.evaluations += 1;
-            self.stages[STAGES - 1] = system.rhs(t, x);
+            system.rhs_into(t, x, &mut self.stages[STAGES - 1]);
         }
         &self.stages[STAGES - 1]
     }
@@ -387,7 +387,7 @@ where
                 let x = shifted(x, &weighted_sum::<T, STAGES, N>(h, &row.a, $i, stages));
                 // not t + h, which may differ in the last bit
                 let time = if row.c == 1.0 { t_new } else { t + h * T::from_f64(row.c) };
-                stages[$i] = system.rhs(time, &x);
+                system.rhs_into(time, &x, &mut stages[$i]);
             }
         )* };
     }

@@ -1,6 +1,7 @@
 //! Operations on registers, and the loop that runs them.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 use std::sync::Mutex;
 
 use super::source::{Lists, Source};
@@ -86,6 +87,17 @@ operations! { T:
     MulAdd "mul_add" to = [T::mul_add(a, b, c)], a b c;
     MulSub "mul_sub" to = [T::mul_sub(a, b, c)], a b c;
     MulNegAdd "mul_neg_add" to = [T::mul_neg_add(a, b, c)], a b c;
+    MulMul "mul_mul" to = [a * b * c], a b c;
+    MulMulAdd "mul_mul_add" to = [T::mul_add(a * b, c, d)], a b c d;
+    MulMulNegAdd "mul_mul_neg_add" to = [T::mul_neg_add(a * b, c, d)], a b c d;
+    MulThenMulAdd "mul_then_mul_add" to = [T::mul_add(c, d, a * b)], a b c d;
+    MulThenMulNegAdd "mul_then_mul_neg_add" to = [T::mul_neg_add(c, d, a * b)], a b c d;
+    MulAddThenMulAdd "mul_add_then_mul_add" to = [T::mul_add(d, e, T::mul_add(a, b, c))], a b c d e;
+    MulAddThenMulNegAdd "mul_add_then_mul_neg_add" to = [T::mul_neg_add(d, e, T::mul_add(a, b, c))], a b c d e;
+    MulNegAddThenMulAdd "mul_neg_add_then_mul_add" to = [T::mul_add(d, e, T::mul_neg_add(a, b, c))], a b c d e;
+    MulNegAddThenMulNegAdd "mul_neg_add_then_mul_neg_add" to = [
+        T::mul_neg_add(d, e, T::mul_neg_add(a, b, c))
+    ], a b c d e;
     SinCos "sin_cos" sine cosine = <[T; 2]>::from(T::sin_cos(angle)), angle;
     SinCosPair "sin_cos_pair" sine cosine other_sine other_cosine = {
         let [(sine, cosine), (other_sine, other_cosine)] = T::sin_cos_pair(angle, other);
@@ -104,6 +116,15 @@ operations! { T:
     Powf "powf" to = [T::powf(a, b)], a b;
 }
 
+/// Variables that follow one another in a list, and are read into registers that do so, too.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Read {
+    registers: Range<usize>,
+    source: Source,
+    /// Index of the first one in its list.
+    first: usize,
+}
+
 /// Straight-line code: reads variables into registers, runs operations, returns registers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Code {
@@ -111,8 +132,7 @@ pub(super) struct Code {
     pub(super) registers: usize,
     /// Constants of the model and their registers.
     pub(super) constants: Vec<(Register, usize)>,
-    /// Variables: their register, their list, and their index in it.
-    pub(super) reads: Vec<(Register, Source, usize)>,
+    pub(super) reads: Vec<Read>,
     /// Numbers and their registers.
     pub(super) numbers: Vec<(Register, f64)>,
     pub(super) rows: Vec<Row>,
@@ -120,6 +140,24 @@ pub(super) struct Code {
 }
 
 impl Code {
+    /// Adds a variable to those that are read.
+    pub(super) fn read(&mut self, register: usize, source: Source, index: usize) {
+        match self.reads.last_mut() {
+            Some(last)
+                if last.source == source
+                    && last.registers.end == register
+                    && last.first + last.registers.len() == index =>
+            {
+                last.registers.end += 1;
+            }
+            _ => self.reads.push(Read {
+                registers: register..register + 1,
+                source,
+                first: index,
+            }),
+        }
+    }
+
     /// Adds operations at the end.
     pub(super) fn push(&mut self, row: Row) {
         let rest = match self.rows.last_mut() {
@@ -142,7 +180,8 @@ impl Code {
         let numbers = self.numbers.iter().map(|&(register, _)| register);
         let constants = self.constants.iter().map(|&(register, _)| register);
         let kept: BTreeSet<Register> = numbers.chain(constants).collect();
-        let reads = self.reads.iter().map(|&(register, ..)| register);
+        let reads = self.reads.iter().flat_map(|read| read.registers.clone());
+        let reads = reads.map(|register| register as Register);
         let mut set: BTreeSet<Register> = kept.iter().copied().chain(reads).collect();
         for (results, operands) in self.rows.iter().flat_map(Row::registers) {
             if operands.iter().any(|operand| !set.contains(operand)) {
@@ -316,8 +355,9 @@ impl<'a, T: Real> Run<'a, T> {
                 registers[usize::from(register)] = constants[index];
             }
         }
-        for &(register, source, index) in &code.reads {
-            registers[usize::from(register)] = self.lists.of(source)[index];
+        for read in &code.reads {
+            let to = &mut registers[read.registers.clone()];
+            to.copy_from_slice(&self.lists.of(read.source)[read.first..][..to.len()]);
         }
         for row in &code.rows {
             row.run(registers);

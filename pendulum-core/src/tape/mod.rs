@@ -263,7 +263,8 @@ impl Routine {
         &self.shapes
     }
 
-    /// Number of operations, where a sum with a product counts once, as do sines and cosines of two angles.
+    /// Number of operations, where those that are joined count once: a sum with a product, two such sums of which only
+    /// the second reads the first, sines and cosines of two angles.
     #[must_use]
     pub fn operations(&self) -> usize {
         self.code.len()

@@ -12,8 +12,8 @@ use crate::constraint::{Constraint, MAX_CONSTRAINTS};
 use crate::layout::{Slot, SlotKind, StateVariable};
 use crate::shapes::{Outline, ShapeKind};
 
-/// Version of the format.
-const VERSION: &str = "1";
+/// Versions of the format; the second one has more operations.
+const VERSIONS: [&str; 2] = ["1", "2"];
 
 /// Lines of a tape, and the place of the last one.
 struct Reader<'t> {
@@ -119,8 +119,9 @@ fn read(text: &str, is_draft: bool) -> Result<Tape, TapeError> {
         is_draft,
     };
     let [version] = reader.next("pendulum tape")?;
-    if version != VERSION {
-        return reader.error(format!("the version is `{version}`, and this program reads {VERSION}"));
+    if !VERSIONS.contains(&version) {
+        let known = VERSIONS.join(" and ");
+        return reader.error(format!("the version is `{version}`, and this program reads {known}"));
     }
     let tape = reader.tape()?;
     match reader.lines.next() {
@@ -414,18 +415,18 @@ impl Reader<'_> {
             registers,
             ..Code::default()
         };
+        let mut places = 0..registers;
         while let Some([name, indices]) = self.next_if("read")? {
             let Some(&(_, source)) = Source::ALL.iter().find(|(known, _)| *known == name) else {
                 return self.error(format!("`{name}` is nothing that code reads"));
             };
             for index in self.numbers_below(indices, lengths[source as usize], name)? {
-                let place = code.constants.len() + code.reads.len();
-                if place >= registers {
+                let Some(place) = places.next() else {
                     return self.error("there are fewer registers than values that are read");
-                }
+                };
                 match source {
                     Source::Constant => code.constants.push((place as Register, index)),
-                    _ => code.reads.push((place as Register, source, index)),
+                    _ => code.read(place, source, index),
                 }
             }
         }

@@ -146,7 +146,44 @@ impl Flat {
         };
         block.lets.iter().for_each(|code| flat.statement(code));
         flat.results = block.results.iter().map(|term| flat.term(term)).collect();
+        flat.join();
         flat
+    }
+
+    /// Joins pairs of operations, of which the second alone reads the result of the first, to one of a kind of its own,
+    /// so that the result needs no register.
+    fn join(&mut self) {
+        let mut uses = vec![0; self.values];
+        let operands = self.operations.iter().flat_map(|operation| &operation.operands);
+        operands.chain(&self.results).for_each(|&value| uses[value] += 1);
+        let mut makers: BTreeMap<Value, usize> = BTreeMap::new();
+        let mut joined: Vec<Option<Operation>> = Vec::new();
+        for operation in std::mem::take(&mut self.operations) {
+            let first_of = |(place, value): (usize, &Value)| {
+                let maker = *makers.get(value).filter(|_| uses[*value] == 1)?;
+                let name = joint(joined[maker].as_ref()?.name, operation.name, place)?;
+                Some((place, maker, name))
+            };
+            let found = operation.operands.iter().enumerate().find_map(first_of);
+            let found = found.and_then(|(place, maker, name)| Some((place, joined[maker].take()?, name)));
+            let operation = match found {
+                None => operation,
+                Some((place, first, name)) => {
+                    let others = operation.operands.iter().enumerate();
+                    let others = others.filter_map(|(n, &value)| (n != place).then_some(value));
+                    Operation {
+                        name,
+                        operands: first.operands.iter().copied().chain(others).collect(),
+                        results: operation.results,
+                    }
+                }
+            };
+            if let [value] = operation.results[..] {
+                makers.insert(value, joined.len());
+            }
+            joined.push(Some(operation));
+        }
+        self.operations = joined.into_iter().flatten().collect();
     }
 
     /// Registers of the values after all operations, run in this order, and the operations on registers.
@@ -223,6 +260,23 @@ impl Flat {
         });
         results
     }
+}
+
+/// Kind of two operations in one: its operands are those of the first, then the others of the second, of which the
+/// first is the operand at this place. `None` if there is no such kind.
+fn joint(first: &str, second: &str, place: usize) -> Option<&'static str> {
+    Some(match (first, second, place) {
+        ("mul", "mul", 0) => "mul_mul",
+        ("mul", "mul_add", 0) => "mul_mul_add",
+        ("mul", "mul_neg_add", 0) => "mul_mul_neg_add",
+        ("mul", "mul_add", 2) => "mul_then_mul_add",
+        ("mul", "mul_neg_add", 2) => "mul_then_mul_neg_add",
+        ("mul_add", "mul_add", 2) => "mul_add_then_mul_add",
+        ("mul_add", "mul_neg_add", 2) => "mul_add_then_mul_neg_add",
+        ("mul_neg_add", "mul_add", 2) => "mul_neg_add_then_mul_add",
+        ("mul_neg_add", "mul_neg_add", 2) => "mul_neg_add_then_mul_neg_add",
+        _ => return None,
+    })
 }
 
 /// Order in which operations run: those of one kind in long rows, so that the interpreter seldom changes from kind to

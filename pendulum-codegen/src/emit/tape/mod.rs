@@ -7,7 +7,7 @@ use code::Code;
 use crate::program::{Argument, Block, Condition, Constraint, Program, Quantity, Routine, Rule, Shape, Slot, SlotKind};
 
 /// Version of the format.
-const VERSION: usize = 1;
+const VERSION: usize = 2;
 
 /// Prints a program as a tape, which the module `tape` of the crate `pendulum-core` runs without a compiler. Results
 /// equal those of the Rust code bit for bit.
@@ -15,7 +15,8 @@ const VERSION: usize = 1;
 /// A tape is text. Each line has a keyword and fields, separated by tabs; numbers in a field are separated by spaces.
 /// Its first line has the version of the format. Lines of the model follow: its parameters, inputs, state, constraints
 /// and so on. Then come its routines, as operations on numbered registers: `mul_add` with the registers `7 1 2 3` sets
-/// register 7 to the product of registers 1 and 2 plus register 3.
+/// register 7 to the product of registers 1 and 2 plus register 3. Some operations join two, such as
+/// `mul_add_then_mul_add`, so that the value between them needs no register.
 pub fn tape(program: &Program) -> String {
     let slots = program.layout.slots.iter().map(slot);
     let states = program.layout.states.iter();
