@@ -225,8 +225,8 @@ where
         }
     }
 
-    /// Counts the evaluations at the ends of steps, for the lanes whose error is within the tolerance. Returns true if the
-    /// step is one of a common grid, and all trajectories accept it.
+    /// Counts the evaluations at the ends of steps, for the lanes whose error is within the tolerance. Returns true if
+    /// the step is one of a common grid, and all trajectories accept it.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn count<V: Lanes<Scalar = T>>(
         &mut self,

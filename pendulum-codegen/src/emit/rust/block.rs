@@ -166,8 +166,8 @@ impl Writer<'_> {
         })
     }
 
-    /// Declaration of the columns, which the statements fill; and the loop that solves them. For scalars their number is
-    /// rounded up, so that compilers fill registers with columns.
+    /// Declaration of the columns, which the statements fill; and the loop that solves them. For scalars their number
+    /// is rounded up, so that compilers fill registers with columns.
     fn columns(&self, columns: &Columns) -> (TokenStream, TokenStream) {
         /// Number of `f64` in a register.
         const LANES: usize = 4;
