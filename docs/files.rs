@@ -3,10 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// All files whose names have this ending, except build outputs and packages.
-pub fn ending_in(ending: &str) -> Vec<PathBuf> {
+/// All files below a folder of the repository whose names have this ending, except build outputs and packages.
+pub(crate) fn below(folder: &str, ending: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
-    collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join(".."), ending, &mut found);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    collect(&root.join(folder), ending, &mut found);
     found
 }
 
