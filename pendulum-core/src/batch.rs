@@ -40,7 +40,8 @@ use crate::system::{ActsWith, Cast, CastJacobian, Jacobian, System};
 /// Computes the right-hand sides at the time `t`: `rates[i]` is that of `states[i]`.
 ///
 /// # Errors
-/// [`Reason::InvalidInput`] if there is neither one model nor one for each state, or not one rate for each.
+/// [`Reason::InvalidInput`] if there is neither one model nor one for each state, or not one rate for each; and if the
+/// models cannot share lanes, since they differ in laws of inputs or in equations by hand.
 pub fn rhs<M, T, const N: usize>(
     models: &[M],
     t: T,

@@ -23,7 +23,8 @@ pub struct SampledEnds<X, F, S, const N: usize> {
 
 impl<const K: usize> Sweep<K> {
     /// Integrates models from `span.0` to `span.1` under [`Sampled`] controllers, in the SIMD lanes: see
-    /// [`Sampled::ensemble_of`]. `trial` builds the controller, the model and the initial state of a point.
+    /// [`Sampled::ensemble_of`]. `trial` builds the controller, the model and the initial state of a point. Noise is
+    /// the same at all points, unless `trial` gives their controllers [members](Sampled::member) that differ.
     ///
     /// The columns are those of [`ends`](Self::ends): the final time `t`, and the final state by the names of its
     /// components. Points whose controllers have different periods or delays run one after the other: let the axes of

@@ -41,8 +41,9 @@ export class Density {
       bottom = Math.max(bottom, py, qy);
       this.#line(px, py, qx, qy, width, height);
     }
-    left = Math.max(0, Math.floor(left));
-    top = Math.max(0, Math.floor(top));
+    // an end is rounded to a column or a row, which is up to half a pixel before it
+    left = Math.max(0, Math.floor(left) - 1);
+    top = Math.max(0, Math.floor(top) - 1);
     const [wide, high] = [Math.min(width, Math.ceil(right) + 2) - left, Math.min(height, Math.ceil(bottom) + 2) - top];
     if (wide > 0 && high > 0) {
       this.#colour(left, top, wide, high, red | (green << 8) | (blue << 16));

@@ -25,7 +25,8 @@ export class Simulation {
   constructor(engine, about, settings) {
     Object.assign(this, { engine, about, settings });
     this.length = about.components.length;
-    this.epoch = 0;
+    // counts of restarts, and of ends of the thousand: what waits asks whether it is still wanted
+    Object.assign(this, { epoch: 0, crowds: 0 });
   }
 
   /** Starts anew from a state. Resolves to the reason why this is impossible, if it is. */
@@ -96,7 +97,8 @@ export class Simulation {
       if (!isCurrent()) return;
       if (answer.is === "state") this.twin = { t, x: answer.x };
     }
-    if (wanted.crowd && !this.crowd) {
+    if (!wanted.crowd) this.endCrowd();
+    else if (!this.crowd) {
       await this.gather(t, x);
       if (!isCurrent()) return;
     }
@@ -151,9 +153,9 @@ export class Simulation {
 
   /** Starts a thousand motions in a worker of their own, so that the next text need not wait for them. */
   async gather(t, x) {
-    const { epoch } = this;
+    const { epoch, crowds } = this;
     await this.engine.compiled;
-    if (epoch !== this.epoch) return;
+    if (epoch !== this.epoch || crowds !== this.crowds) return;
     const engine = this.engine.another();
     this.crowd = { engine };
     engine.ask(this.about.request);
@@ -164,6 +166,7 @@ export class Simulation {
 
   /** Ends the thousand, for a reason that the page shows, if there is one. */
   endCrowd(why) {
+    this.crowds++;
     this.crowd?.engine?.end();
     this.crowd = why ? { why } : null;
   }

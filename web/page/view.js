@@ -149,7 +149,7 @@ export class View {
     this.widen(frame.shapes);
     this.on = painter(canvas, this.shapes, this.bounds ?? [-1, 1, -1, 1], ratio);
     this.on.clear();
-    if (frame.crowd) this.drawCrowd(frame.crowd, ratio);
+    if (frame.crowd?.length > 0) this.drawCrowd(frame.crowd, ratio);
     if (trail) this.traced().forEach((place) => this.drawTrail(past, place));
     if (frame.twin) this.on.paint(this.flat(frame.twin.shapes), 0.4);
     this.on.paint(this.flat(frame.shapes));
@@ -172,7 +172,7 @@ export class View {
     const shown = past.slice(-LENGTH).map(({ shapes }) => this.flatPoint(shapes, before + 3 * point));
     // strokes take most of the time
     for (let from = 0; from < shown.length - 1; from += AT_ONCE) {
-      context.globalAlpha = 0.7 * ((from + AT_ONCE) / LENGTH);
+      context.globalAlpha = 0.7 * Math.min(1, (from + AT_ONCE) / shown.length);
       context.beginPath();
       for (const [x, y] of shown.slice(from, from + AT_ONCE + 1)) context.lineTo(this.on.x(x), this.on.y(y));
       context.stroke();

@@ -122,5 +122,6 @@ fn integrated(model: &Model, h: f64, span: [f64; 2], starts: &[f64], times: &[f6
 /// Error of states, by those of steps of half the length (Richardson 1911): relative where a component is above 1.
 fn error(x: &[f64], finer: &[f64]) -> f64 {
     let of = |(x, finer): (&f64, &f64)| 16.0 / 15.0 * (x - finer).abs() / finer.abs().max(1.0);
-    x.iter().zip(finer).map(of).fold(0.0, f64::max)
+    let larger = |a: f64, b: f64| if b.is_nan() { f64::INFINITY } else { a.max(b) };
+    x.iter().zip(finer).map(of).fold(0.0, larger)
 }

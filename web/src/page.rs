@@ -17,6 +17,8 @@ const ASSUMED: f64 = 1.0;
 const NO_FILE: &str = "M801";
 /// Values from which the page starts, in SI units.
 const STARTS: [f64; 8] = [2.0, 1.0, -1.0, -0.5, 0.5, -0.2, 0.2, 0.1];
+/// Part of [`STARTS`] for angles of what slides above walls: a block stands up again.
+const TILTED: f64 = 0.2;
 
 /// A mechanism, and motions of it.
 #[derive(Debug, Default)]
@@ -25,8 +27,6 @@ pub struct Page {
     declaration: Declaration,
     crowd: Option<Crowd>,
 }
-/// Part of these for angles of what slides above walls: a block stands up again.
-const TILTED: f64 = 0.2;
 
 impl Page {
     /// Answers a request in JSON, as JSON and numbers.
@@ -302,8 +302,8 @@ fn about(model: &Model, method: &Method, mut notes: Vec<String>) -> Result<About
             .any(|shape| shape.kind == ShapeKind::Wall && shape.name == wall)
     };
     let is_joint = |name: &str| model.components().iter().any(|own| own.name == name);
-    let curved = model.constraints().filter(|name| !is_joint(name) && !is_drawn(name));
-    notes.extend(curved.map(|wall| format!("`{wall}` is not drawn: it is not flat")));
+    let others = model.constraints().filter(|name| !is_joint(name) && !is_drawn(name));
+    notes.extend(others.map(|wall| format!("`{wall}` is not drawn: only flat walls at rest are")));
     Ok(About {
         name: model.name().to_owned(),
         docs: model.docs().to_owned(),

@@ -209,6 +209,14 @@ impl Block {
         reads
     }
 
+    /// True if a statement reads a solution of [`columns`](Self::columns), which are solved after all statements.
+    pub(super) fn statements_read_solutions(&self) -> bool {
+        let mut some = false;
+        let terms = self.lets.iter().flat_map(Let::terms);
+        terms.for_each(|term| term.leaves(&mut |leaf| some |= matches!(leaf, Term::Read(Variable::Solved(_)))));
+        some
+    }
+
     /// The block with its linear systems solved one after another by statements, for code without loops.
     pub(crate) fn unrolled(&self) -> Cow<'_, Self> {
         let Some(columns) = &self.columns else {

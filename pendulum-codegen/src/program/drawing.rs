@@ -261,7 +261,7 @@ impl<'g> Shown<'_, 'g> {
             let parts = slopes.iter().zip(&ways).filter(|(slope, _)| !slope.is_zero());
             let normal = parts.fold(Vec3::zero(graph), |sum, (&slope, &way)| sum + slope * way);
             let explains = |(&slope, &way): (&Expr<'g>, &Vec3<'g>)| normal.dot(way) == slope;
-            let is_flat = is_fixed(normal) && slopes.iter().zip(&ways).all(explains);
+            let is_flat = !normal.is_zero() && is_fixed(normal) && slopes.iter().zip(&ways).all(explains);
             let nearest = |radius: Expr<'g>| origin - (radius / normal.dot(normal).sqrt()) * normal;
             is_flat.then(|| (radius_about_origin(body).map_or(origin, nearest), normal))
         };

@@ -195,6 +195,10 @@ fn whole(graph: &Graph, chosen: &Chosen<'_>, known: &FxHashMap<ExprId, Variable>
     let mut all = block(graph, &[&columns.given[..], &chosen.roots].concat(), known)?;
     let results = all.results.split_off(columns.given.len());
     let factors = all.results.split_off(columns.count * columns.solution.len());
+    assert!(
+        !all.statements_read_solutions(),
+        "statements read solutions, which follow them"
+    );
     let given = all
         .results
         .chunks(columns.solution.len())

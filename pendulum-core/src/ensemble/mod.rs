@@ -286,6 +286,5 @@ pub(crate) fn model_of<M>(models: &[M], i: usize) -> &M {
     if let [model] = models { model } else { &models[i] }
 }
 
-/// Largest number of lanes: four registers of eight `f64` or two of sixteen `f32`, times two in reserve for wider
-/// registers.
+/// Largest number of lanes: four registers of sixteen `f32`.
 pub(crate) const MOST_LANES: usize = 64;

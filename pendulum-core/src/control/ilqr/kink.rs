@@ -24,8 +24,8 @@ pub(super) struct Tilt<T, const M: usize, const K: usize> {
     pub(super) by_inputs: [[T; M]; K],
     /// Gradient of the plan.
     here: [[T; M]; K],
-    /// Error of the linear model of the cost at the plan that has this gradient.
-    error: T,
+    /// Error, at the plan, of the linear model of the cost with this combination as its gradient.
+    pub(super) error: T,
 }
 
 impl<C, T: Float, const N: usize, const M: usize, const K: usize> Ilqr<C, T, N, M, K>

@@ -120,7 +120,8 @@ impl<F, T: Float, const M: usize, const P: usize> LeastSquares<F, T, M, P> {
     {
         let residuals = self.residuals.residuals(t, x);
         let squares = residuals.into_iter().zip(weights);
-        squares.fold(T::default(), |sum, (r, &weight)| (weight * r).mul_add(r, sum))
+        let weighted = squares.filter(|(_, weight)| **weight != T::default());
+        weighted.fold(T::default(), |sum, (r, &weight)| (weight * r).mul_add(r, sum))
     }
 
     /// Gradient of [`squares`](Self::squares), and its second derivatives without those of the residuals.
@@ -138,6 +139,10 @@ impl<F, T: Float, const M: usize, const P: usize> LeastSquares<F, T, M, P> {
         let (mut jacobian, mut weighted) = (zeros::<T, P, N>(), zeros::<T, P, N>());
         let mut values = zeros::<T, P, 1>();
         for (p, residual) in residuals.into_iter().enumerate() {
+            // one without a weight may have an infinite slope, such as a distance at its zero
+            if weights[p] == T::default() {
+                continue;
+            }
             values[p] = residual.value;
             for n in 0..N {
                 jacobian[(p, n)] = residual.slopes[n];

@@ -20,8 +20,7 @@ const DAMPING_FACTOR: f64 = 2.0;
 const LEAST_DAMPING: f64 = 1e-6;
 /// Damping after which the search ends.
 const LARGEST_DAMPING: f64 = 1e8;
-/// Number of decreases in a row below the tolerance after which a search among kinks ends. Those under damping count:
-/// going on gains little.
+/// Number of decreases in a row below the tolerance, under damping too, after which a search among kinks ends.
 const PATIENCE: usize = 10;
 /// Decrease of the cost put down to rounding, in ulps.
 const ROUNDING_ULPS: f64 = 64.0;
@@ -118,8 +117,10 @@ where
                 self.plan = self.trial;
             }
             let promised = promise.of(T::from_f64(1.0));
-            let is_converged = self.damping.value == T::default() && promised <= self.tolerance * cost.abs();
-            if is_converged || promised <= ulps * cost.abs() + least {
+            // a combination of gradients promises nothing within the error of its linear model
+            let open = promised + tilt.as_ref().map_or(T::default(), |tilt| tilt.error);
+            let is_converged = self.damping.value == T::default() && open <= self.tolerance * cost.abs();
+            if is_converged || open <= ulps * cost.abs() + least {
                 return Ok(Solved { cost, iterations });
             }
             let mut found = self.line_search(model, t0, &x0, (cost, promise));

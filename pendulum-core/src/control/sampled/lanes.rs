@@ -15,7 +15,7 @@ use crate::system::Cast;
 
 /// A method that integrates models `S` of type `T` under [`Sampled`] controllers, in lanes if it can.
 ///
-/// It is implemented for all methods.
+/// It is implemented for all methods but `Taylor` and the Gauss methods, which take no inputs.
 pub trait SampledMethod<S, T, const N: usize, const M: usize>:
     Marches<Holding<S, M>, T, N> + for<'c> Method<WithInputs<S::In<T>, Commanded<'c, T, M>, M>, T, N>
 where
@@ -88,8 +88,9 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
     /// Like [`ensemble`](Self::ensemble), with one controller per start, such as those of different gains, or a single
     /// one for all.
     ///
-    /// The final state of trajectory `i` is bit for bit that of `controllers[i].end`, with the noise of that
-    /// controller. Trajectories share lanes if all controllers have one period and one delay; otherwise they are
+    /// The final state of trajectory `i` is bit for bit that of `controllers[i].end`, with the noise of that controller:
+    /// give each a [member](Self::member) of its own if their noise shall differ. A single controller counts on from
+    /// its member, as in [`ensemble`](Self::ensemble). Trajectories share lanes if all controllers have one period and one delay; otherwise they are
     /// integrated one after the other.
     ///
     /// # Errors
