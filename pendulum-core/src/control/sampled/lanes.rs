@@ -88,10 +88,10 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
     /// Like [`ensemble`](Self::ensemble), with one controller per start, such as those of different gains, or a single
     /// one for all.
     ///
-    /// The final state of trajectory `i` is bit for bit that of `controllers[i].end`, with the noise of that controller:
-    /// give each a [member](Self::member) of its own if their noise shall differ. A single controller counts on from
-    /// its member, as in [`ensemble`](Self::ensemble). Trajectories share lanes if all controllers have one period and one delay; otherwise they are
-    /// integrated one after the other.
+    /// The final state of trajectory `i` is bit for bit that of `controllers[i].end`, with the noise of that
+    /// controller: give each a [member](Self::member) of its own if their noise shall differ. A single controller
+    /// counts on from its member, as in [`ensemble`](Self::ensemble). Trajectories share lanes if all controllers have
+    /// one period and one delay; otherwise they are integrated one after the other.
     ///
     /// # Errors
     /// Errors of [`ensemble`](Self::ensemble), and [`EnsembleError::InvalidInput`] if there is neither one controller
