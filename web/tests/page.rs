@@ -362,7 +362,10 @@ fn walls_that_are_not_drawn_are_named() {
     );
     let constraints: Vec<String> = serde_json::from_value(answer["constraints"].clone()).expect("names");
     assert_eq!(constraints, ["x", "floor", "bowl"], "{answer}");
-    assert_eq!(answer["notes"], json!(["`bowl` is not drawn: only flat walls at rest are"]));
+    assert_eq!(
+        answer["notes"],
+        json!(["`bowl` is not drawn: only flat walls at rest are"])
+    );
 }
 
 #[test]
