@@ -43,7 +43,7 @@ mechanism! {
     }
 }
 
-/// Number of passes; the time is that of the fastest.
+/// Number of passes; the fastest one counts.
 const PASSES: usize = 2000;
 
 fn time<S, const N: usize, const M: usize>(name: &str, model: &S, at: [f64; N], hold: [f64; M], limits: [f64; M])

@@ -166,7 +166,7 @@ impl Map {
         Ok(())
     }
 
-    /// Colour of the step that contains a value: that of the middle of the step.
+    /// Colour of the step that contains a value, which is the colour at the middle of the step.
     pub(crate) fn color(&self, value: f64) -> RGBColor {
         if value.is_nan() {
             return if self.palette == Palette::Signed {

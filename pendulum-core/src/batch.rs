@@ -37,7 +37,7 @@ use crate::real::Real;
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::system::{ActsWith, Cast, CastJacobian, Jacobian, System};
 
-/// Computes the right-hand sides at the time `t`: `rates[i]` is that of `states[i]`.
+/// Computes the right-hand sides at the time `t`, `rates[i]` from `states[i]`.
 ///
 /// # Errors
 /// [`Reason::InvalidInput`] if there is neither one model nor one for each state, or not one rate for each; and if the
@@ -55,7 +55,7 @@ where
     evaluate(&Rhs, models, t, states, rates)
 }
 
-/// Computes the Jacobians of the right-hand side at the time `t`: `jacobians[i]` is that of `states[i]`.
+/// Computes the Jacobians of the right-hand side at the time `t`, `jacobians[i]` from `states[i]`.
 ///
 /// # Errors
 /// See [`rhs`].

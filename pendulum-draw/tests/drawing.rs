@@ -306,7 +306,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A ball of which the height above a floor is that of its lowest point.
+    /// A ball whose height is measured at its lowest point.
     Bounce {
         gravity: [0, -9.81, 0],
         wall floor { gap: y },

@@ -14,7 +14,7 @@ use crate::worker;
 /// Longest line that a message shows, in bytes.
 const LONGEST: usize = 300;
 
-/// Errors in a declaration, in the order of the text: those that `mechanism!` reports.
+/// Errors in a declaration, in the order of the text, as `mechanism!` reports them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DeclarationError {
     /// Errors; at least one.

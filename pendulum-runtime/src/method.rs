@@ -178,7 +178,7 @@ impl Method {
         self
     }
 
-    /// Integrates many trajectories in lanes of vector registers, if the method is one of those that do.
+    /// Integrates many trajectories in lanes of vector registers, if the method can.
     pub(crate) fn run_in_lanes<K: TaskInLanes<N>, const N: usize>(&self, task: K) -> Result<K::Output, K> {
         Ok(match self.kind {
             Kind::Rk4 => task.by(Rk4::new(self.h.unwrap_or(f64::NAN))),

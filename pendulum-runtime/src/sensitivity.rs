@@ -50,7 +50,7 @@ impl Method {
     /// Integrates with derivatives.
     ///
     /// # Errors
-    /// If the method is not one of those that do.
+    /// If the method has no derivatives here.
     pub(crate) fn run_with_derivatives<K, const N: usize>(&self, task: K) -> Result<K::Output, Error>
     where
         K: TaskWithDerivatives<N>,

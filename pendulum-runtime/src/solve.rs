@@ -234,7 +234,7 @@ impl Motion {
         &self.x
     }
 
-    /// State number `n` of those that were kept.
+    /// The `n`th state that was kept.
     #[must_use]
     pub fn state(&self, n: usize) -> &[f64] {
         &self.x[n * self.length..(n + 1) * self.length]

@@ -9,7 +9,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Size of a stack in bytes. It is reserved, not used.
 const STACK: usize = 64 << 20;
-/// Time between two calls of the function that looks.
+/// Time between two calls of the function that polls.
 const LOOK: Duration = Duration::from_millis(20);
 
 thread_local! {

@@ -56,7 +56,7 @@ impl<S: Cast<N, In<f64> = S> + System<f64, N>, const N: usize> Scene<S, N> {
     }
 }
 
-/// Errors and times of all methods, and the operations of those that run alone.
+/// Errors and times of all methods, and the operations of the ones that run alone.
 pub struct Measurement {
     pub report: Report,
     /// Operations of each method with each setting, or none if the run failed.

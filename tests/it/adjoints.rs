@@ -30,7 +30,7 @@ fn numbers<const N: usize>(first: f64) -> SVector<f64, N> {
     SVector::from_fn(|n, _| (first + 1.7 * n as f64).sin() + 0.3)
 }
 
-/// Checks the routines of a scene without inputs. The derivative of `J^T w` along a direction is that of dual numbers.
+/// Checks the routines of a scene without inputs. Dual numbers give the derivative of `J^T w` along a direction.
 macro_rules! check {
     ($model:expr, $dual:expr, $t:expr, $x:expr) => {{
         let (model, x) = ($model, SVector::from($x));

@@ -137,7 +137,7 @@ fn a_double_pendulum_on_a_cart_is_balanced() {
     let method = Vern9::new().rtol(1e-10).atol(1e-12);
     let end = method.solve(&closed, 0.0, 20.0, start).expect("balanced").end();
     assert!(end.amax() < 1e-5, "{end}");
-    // The cost of a small deviation is that of the Riccati equation.
+    // The Riccati equation gives the cost of a small deviation.
     let (law, q) = (regulator.law, weights());
     let start = start * 1e-3;
     let with_cost = FnSystem(|t: f64, x: &SVector<f64, 7>| {

@@ -382,7 +382,7 @@ fn check_servo(method: &impl Method<Servo, f64, 4>) {
     );
     assert_eq!((after[Servo::THETA], after[Servo::I]), (4.0, before[Servo::I]));
     assert_eq!(after[Servo::TURNED], before[Servo::TURNED]);
-    // it ends at the stop, where the current is that of a motor at rest
+    // it ends at the stop, where the motor is at rest and draws its stall current
     let end = solution.end();
     assert_eq!((end[0], end[1]), (4.0, 0.0));
     assert_relative_eq!(end[Servo::I], v / r, max_relative = 1e-8);

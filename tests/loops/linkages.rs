@@ -49,7 +49,7 @@ fn assert_close(what: &str, ours: &[f64], reference: &[f64]) {
     }
 }
 
-/// Angle closest to `to` among those that differ by whole turns.
+/// Angle closest to `to` that differs by whole turns.
 fn nearest(angle: f64, to: f64) -> f64 {
     angle - TAU * ((angle - to) / TAU).round()
 }

@@ -71,7 +71,7 @@ fn ends(ended: Result<Vec<SVector<f64, 2>>, EnsembleError<f64, 2>>) -> Vec<End> 
     x.iter().enumerate().map(end).collect()
 }
 
-/// Compares ensembles of a scene with its trajectories solved alone, and returns the number of those that stop early.
+/// Compares ensembles of a scene with its trajectories solved alone, and returns how many stop early.
 ///
 /// The method advances `registers` registers side by side, or single trajectories if this is 0. Trajectory `n` of the
 /// model `models[n % models.len()]` starts from `start(n)`.

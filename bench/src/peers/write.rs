@@ -11,7 +11,7 @@ use charts::bars::{Bar, Bars};
 use charts::page::Picture;
 
 /// Targets on Zen 3 with AVX2: maximum ratio of the time of the generated code in a plain build to the best generator.
-/// It is that of the least times, which agree from run to run on a disturbed machine; medians do not.
+/// It compares least times, which agree from run to run on a disturbed machine; medians do not.
 const TARGETS: [(&str, Function, Order, f64); 10] = [
     ("eq22", Function::Rhs, Order::SideBySide, 0.45),
     ("eq22", Function::Rhs, Order::InSequence, 0.75),

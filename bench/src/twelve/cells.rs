@@ -10,7 +10,7 @@ use super::sweep::{Setting, median};
 pub(crate) const TARGETS: [f64; 10] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13];
 /// Ratio up to which times are taken as equal, and the largest that is accepted.
 pub(crate) const LIMITS: [f64; 2] = [1.1, 1.5];
-/// An error to reach is at least so many times the uncertainty of the reference.
+/// An error to reach is at least this many times the uncertainty of the reference.
 const KNOWN: f64 = 2.0;
 
 /// The fastest of our methods and of the peers with at most an error.
@@ -19,7 +19,7 @@ pub(crate) struct Cell {
     pub target: f64,
     pub ours: Option<Fastest>,
     pub peer: Option<Fastest>,
-    /// Our time over that of the peer, from the least times; 0 without a peer, infinite without one of ours.
+    /// Our time over the peer's, from the least times; 0 without a peer, infinite without one of ours.
     pub ratio: f64,
     /// Median of this ratio over the rounds in which both were measured, or the same if one was soon left out.
     pub paired: f64,

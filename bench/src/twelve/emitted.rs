@@ -180,7 +180,7 @@ pub(crate) fn job(source: &Path, folder: &Path, compiler: &str, libraries: &[&st
     })
 }
 
-/// Source with the headers in these folders in place of their includes, so that its text tells if it has changed.
+/// Source with the headers in these folders in place of their includes, so that a change of a header changes the text.
 fn with_headers(source: &str, folders: &[&Path]) -> String {
     let line = |line: &str| {
         let name = line.strip_prefix("#include \"").and_then(|rest| rest.strip_suffix('"'));

@@ -9,10 +9,10 @@ use super::results::{Curve, MEASURES, Measure, Point};
 
 /// Time budget for the settings of a problem that may be the fastest.
 const BUDGET: Duration = Duration::from_secs(12);
-/// Number of rounds, of all settings and of those that may be the fastest.
+/// Number of rounds: of all settings, and of the ones that may be the fastest.
 const ROUNDS: usize = 2;
 const MORE_ROUNDS: [usize; 2] = [9, 300];
-/// Settings that take up to so many times as long as the fastest one with at most their error may be the fastest.
+/// A setting may be the fastest if it takes up to this many times the least time at no more error.
 const NEAR: f64 = 1.6;
 /// Minimum duration of a sample, in nanoseconds, so that its setup is negligible.
 const SAMPLE: f64 = 2e5;

@@ -106,7 +106,7 @@ fn summary(results: &Results) -> String {
     table(&head, 1, &kinds.map(row))
 }
 
-/// Our time over that of the fastest peer, with both methods.
+/// Our time over the time of the fastest peer, with both methods.
 fn ratios(results: &Results) -> String {
     let name = |fastest: &Option<Fastest>| {
         fastest.as_ref().map_or("-".to_owned(), |fastest| match fastest.by {

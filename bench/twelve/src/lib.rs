@@ -58,7 +58,7 @@ pub fn problems() -> Result<Vec<Problem>, Box<dyn Error>> {
 }
 
 /// Absolute tolerance over the relative one. In Robertson's problem a concentration of 1e-5 and less decides on the
-/// reactions, and a method that lets it become negative fails. The value is that of Hairer and Wanner, IV.10.
+/// reactions, and a method that lets it become negative fails. The value is from Hairer and Wanner, IV.10.
 fn absolute(problem: &str) -> f64 {
     if problem == "robertson" { 1e-6 } else { 1.0 }
 }

@@ -196,7 +196,7 @@ fn along<'g>(wrenches: [Wrench<'g>; 3], spin: Vec3<'g>) -> Wrench<'g> {
     spin[0] * x + spin[1] * y + spin[2] * z
 }
 
-/// Velocity of the origin of each link relative to that of the first link of its tree, in the frame of the link.
+/// Velocity of the origin of each link relative to the origin of the first link of its tree, in the frame of the link.
 fn velocities<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],

@@ -32,7 +32,7 @@ pub(crate) struct Columns<'g> {
 
 /// One way to derive accelerations, before the linear systems for their derivatives are solved.
 pub(super) struct Unsolved<'g> {
-    /// Form of the accelerations, without that of the derivatives.
+    /// Form of the accelerations alone, without their derivatives.
     pub(super) form: Form,
     pub(super) derivatives: Derivatives,
     pub(super) factored: Factored<'g>,

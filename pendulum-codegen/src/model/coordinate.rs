@@ -31,7 +31,7 @@ impl<'g> Coordinate<'g> {
     }
 
     /// Creates the component of the angular velocity of a body along one of its axes, for the unit quaternion from body
-    /// to parent, `q' = q (0, w) / 2`. It is not the rate of any coordinate, but its screw is that of a turning joint.
+    /// to parent, `q' = q (0, w) / 2`. It is not the rate of any coordinate, but it has the screw of a revolute joint.
     pub(crate) fn turn(
         name: String,
         quaternion: [Expr<'g>; 4],

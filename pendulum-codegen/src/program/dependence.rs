@@ -35,7 +35,7 @@ impl Dependence {
         (0..self.unmet.len()).filter(|&n| self.unmet[n] == 0)
     }
 
-    /// Notes that a step is done, and returns those that waited for it alone.
+    /// Marks a step as done, and returns the steps that waited for it alone.
     pub(crate) fn finish(&mut self, n: usize) -> impl Iterator<Item = usize> {
         let Self { users, unmet } = self;
         users[n].iter().copied().filter(|&user| {

@@ -74,7 +74,7 @@ impl Time {
 /// Orders steps so that few values are alive at a time. Among the steps whose needs are met, the next is the one after
 /// which the fewest values are alive: a processor has 16 or 32 registers, and further values are spilled to memory. Of
 /// several it is the first in the given order, unless the longest chain takes more time than all work side by side,
-/// and the work is more than the processor sees at once: then the one with the longest chain to the end goes first.
+/// and the work exceeds the window of the processor: then the one with the longest chain to the end goes first.
 pub(super) fn schedule(steps: &[Step]) -> Vec<usize> {
     let mut dependence = Dependence::new(steps.iter().map(|step| &step.needs));
     let mut chains = dependence.chains(|n| steps[n].time.chain);
@@ -180,7 +180,7 @@ mod tests {
         };
         let chain_first: Vec<usize> = (250..262).chain(0..250).collect();
         assert_eq!(order(250), chain_first);
-        // the processor sees all of a few steps, and the chain hides behind many
+        // a few steps fit into the processor's window, and many hide the chain
         for count in [100, 1000] {
             let given: Vec<usize> = (0..count + 12).collect();
             assert_eq!(order(count), given);

@@ -20,7 +20,7 @@
 //! let swing = Swing::new(SwingParams::default())?;
 //! let start = [2.0, 0.0];
 //!
-//! // A solution to trust, which tells how far.
+//! // A solution with an estimate of its error.
 //! let reference = Reference::integrate(&swing, 0.0, 10.0, start)?;
 //! assert!(reference.uncertainty(10.0) < 1e-11);
 //!

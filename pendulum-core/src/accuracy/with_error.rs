@@ -26,7 +26,7 @@ pub trait Refine: Sized {
 
 /// A method that estimates the global errors of its solutions; `A` is the method.
 ///
-/// The tolerance of a method bounds the error of each step, not that of the solution, which is their sum carried along
+/// The tolerance of a method bounds the error of each step; the error of the solution is their sum, carried along
 /// the trajectory. The estimate is the difference from a second integration, by the [refined](Refine::refined) method,
 /// which stops at each point of the first one. It takes two to three times as long as the solution alone.
 ///
@@ -61,7 +61,7 @@ pub struct SolutionWithError<T, const N: usize> {
     /// Around an impact it is the error of either the state before or the state after it, whichever is less: the time
     /// of the impact has an error, too.
     pub errors: Vec<SVector<T, N>>,
-    /// Work of the second integration; that of the first is in the solution.
+    /// Work of the second integration; the solution has the work of the first.
     pub statistics: Statistics,
 }
 

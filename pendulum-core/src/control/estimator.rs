@@ -20,7 +20,7 @@ pub struct Estimator<const N: usize, const P: usize> {
     /// | continuous | `z' = A z + B du + drift + L (y - e)` |
     /// | sampled | correction by the measurement, `z + L (y - e)`; prediction for the next, `A z + B du + drift` |
     pub gain: SMatrix<f64, N, P>,
-    /// Covariance of the error of the estimate; for a sampled model, that of the prediction, before the correction.
+    /// Covariance of the error of the estimate; for a sampled model, of the prediction, before the correction.
     pub covariance: SMatrix<f64, N, N>,
     /// Eigenvalues of the error: of `A - L C`, or `A - A L C` for a sampled model.
     pub eigenvalues: Vec<Complex<f64>>,

@@ -157,7 +157,7 @@ fn without_noise(a: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// Replaces columns of `B` by zero whose effect on the balanced state is a rounding error beside the largest one, as
-/// that of torques that cancel.
+/// the size of torques that cancel.
 pub(super) fn without_idle(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     let scales = balance_parlett_reinsch(&mut without_noise(a)).map(f64::recip);
     let effects: Vec<f64> = b

@@ -113,7 +113,7 @@ impl<const N: usize, const M: usize, const P: usize> StateSpace<N, M, P> {
     /// Rejects a model that drifts away from its state by more than its rounding.
     ///
     /// Each component is compared with its own row, since rows have different units. From sample to sample, the
-    /// comparison is that of the mean rates over a period.
+    /// comparison is of the mean rates over a period.
     fn require_rest(&self) -> Result<(), ControlError<N>> {
         let change = match self.period {
             Some(_) => self.a - SMatrix::identity(),

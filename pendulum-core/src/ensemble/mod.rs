@@ -179,7 +179,7 @@ pub enum EnsembleError<T, const N: usize> {
     Stopped {
         /// The trajectories that stopped, in ascending order; at least one.
         stopped: Vec<Stopped<T>>,
-        /// Final states of the others, and last valid states of those that stopped.
+        /// Final states, and the last valid states of trajectories that stopped.
         x: Vec<SVector<T, N>>,
     },
 }

@@ -28,7 +28,7 @@ pub struct Comparison {
     /// Probability of a statistic at least as large if the simpler model is true. Small values speak for the fuller
     /// model.
     pub p_value: f64,
-    /// Akaike's criterion of the fuller model minus that of the simpler one. Negative values speak for the fuller
+    /// Akaike's criterion of the fuller model minus the one of the simpler model. Negative values speak for the fuller
     /// model.
     pub aic: f64,
     /// Schwarz's Bayesian criterion, as [`aic`](Self::aic). It asks for more evidence, the more values there are.

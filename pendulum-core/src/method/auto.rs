@@ -182,7 +182,7 @@ fn larger<T: Float>(tolerance: Option<&Tolerance<T>>) -> f64 {
     tolerance.map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64())
 }
 
-/// True if the implicit method is that of Radau.
+/// True if the implicit method is one of Radau's.
 fn is_tight<T: Float>(tolerance: Option<&Tolerance<T>>) -> bool {
     larger(tolerance) <= TIGHT
 }

@@ -128,7 +128,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
         self.solve_with(system, t0, t1, x0, &[])
     }
 
-    /// Like [`solve`](Self::solve), but with events: [`Solution::events`] lists those that occurred.
+    /// Like [`solve`](Self::solve), but with events: [`Solution::events`] lists their occurrences.
     ///
     /// A terminal event ends the solution. Where an event resets the state, the solution has two points at the same
     /// time.

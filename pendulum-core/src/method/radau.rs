@@ -164,7 +164,7 @@ pub struct RadauStages<T, const STAGES: usize, const PAIRS: usize, const N: usiz
 struct Matrix<T, const STAGES: usize, const PAIRS: usize, const N: usize> {
     /// Derivative of the right-hand side by the state.
     jacobian: SMatrix<T, N, N>,
-    /// True if the Jacobian is that at the start of the next step, false if that of an earlier one.
+    /// True if the Jacobian was evaluated at the start of the next step, false if earlier.
     is_current: bool,
     /// Matrix with this Jacobian, and the length of the steps it was factored for.
     factored: Option<(T, Pencil<T, STAGES, PAIRS, N>)>,

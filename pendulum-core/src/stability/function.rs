@@ -10,7 +10,7 @@ use crate::tableau::{GaussLegendre, HasGaussTableau, HasRadauTableau, Rosenbrock
 ///
 /// `R(z)` approximates `exp(z)` to the order of the method. On a linear system, and therefore on small motions about an
 /// equilibrium, a step multiplies each mode by `R` of `h` times its eigenvalue: modes with `|R| > 1` grow even if the
-/// motion decays. This holds for all methods here, including those that step in canonical variables, since a change of
+/// motion decays. This holds for all methods here, also for steps in canonical variables, since a change of
 /// variables preserves eigenvalues.
 ///
 /// `R` is evaluated from the coefficients of the method: a polynomial for explicit methods, a rational function for

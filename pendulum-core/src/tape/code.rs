@@ -8,7 +8,7 @@ use super::source::{Lists, Source};
 use crate::real::Real;
 use crate::real::lanes::Routine;
 
-/// Maximum number of registers of a code: those that a [`Register`] can number.
+/// Maximum number of registers of a code, as a [`Register`] can number.
 pub(super) const MOST_REGISTERS: usize = 1 << 16;
 /// Maximum number of bytes of registers on the stack.
 const MOST_ON_STACK: usize = 1 << 17;
@@ -140,7 +140,7 @@ pub(super) struct Code {
 }
 
 impl Code {
-    /// Adds a variable to those that are read.
+    /// Adds a variable that is read.
     pub(super) fn read(&mut self, register: usize, source: Source, index: usize) {
         match self.reads.last_mut() {
             Some(last)

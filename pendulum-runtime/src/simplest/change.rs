@@ -197,12 +197,12 @@ fn fix(
             new += &format!("let {coordinate} = {from} + {parameter},\n    ");
             format!("dot({from})")
         }
-        // a zero with a unit of which no name can be that of a parameter
+        // a zero with a unit, whose names no parameter can have
         None if outline.is_without_units() => "0".to_owned(),
         None => (if slides { "(0 km/h)" } else { "(0 rpm)" }).to_owned(),
     };
     if !new.is_empty() {
-        // a `let` stands before those that use it
+        // a `let` stands before its uses
         let uses = outline.of("let").find(|item| outline.is_used_in(&coordinate, item));
         let before = uses.map_or(body.place.start, |item| item.place.start.min(body.place.start));
         edits.push((before..before, new));

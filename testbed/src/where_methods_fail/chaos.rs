@@ -13,7 +13,7 @@ fn points() -> Points {
 /// Compares Lyapunov exponents with reference values from two trajectories that are renormalised repeatedly, by `Rk4`
 /// with steps of 5e-4 s over 4e4 s.
 pub fn exponents(size: Size) -> Row {
-    // The scatter decreases with the square root of the time, and with that of the number of starts: 1.2 % and 0.7 %.
+    // The scatter decreases with the square roots of the time and of the number of starts: 1.2 % and 0.7 %.
     let (starts, duration, within) = match size {
         Size::Small => (4, 3000.0, 0.05),
         Size::Full => (1, 4e4, 0.02),

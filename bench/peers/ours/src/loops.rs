@@ -7,7 +7,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::cheap::Cheap;
 
-/// Factor of the previous result in the next state: the sum is the state itself, but no compiler knows that. The same
+/// Factor of the previous result in the next state: the sum is the state itself, but no compiler knows it. The same
 /// as in `peers/candidate.py`.
 const TINY: f64 = 1e-200;
 

@@ -1,7 +1,7 @@
 //! A program as Rust: the items that replace a declaration.
 //!
 //! The items are in a module of their own, which keeps their fields private, and are exported from there with the
-//! visibility of the declaration. Every path is absolute, so that a scene may have any name but that of a primitive
+//! visibility of the declaration. Every path is absolute, so that a scene may have any name but those of primitive
 //! type.
 
 mod block;

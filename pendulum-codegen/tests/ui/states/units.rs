@@ -1,4 +1,4 @@
-// Rates in a unit other than that of the state per second.
+// Rates whose unit is not the unit of the state per second.
 mechanism! {
     pub Wrong {
         params { u: V = 2, r: ohm = 1, l: V s/A = 0.1, tau: s = 1 }

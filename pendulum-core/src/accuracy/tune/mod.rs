@@ -75,7 +75,7 @@ where
         .run()
 }
 
-/// A choice of methods for [`tune`], which adds those that the system has the functions for.
+/// A choice of methods for [`tune`], which adds the methods that the system has the functions for.
 pub struct Tuning<'a, S, const N: usize> {
     motion: Motion<'a, S>,
     starts: Vec<SVector<f64, N>>,

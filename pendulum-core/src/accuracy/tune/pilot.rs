@@ -14,11 +14,11 @@ use crate::system::System;
 
 /// Maximum number of starts of the pilot runs.
 const MOST_STARTS: usize = 16;
-/// Smallest error, in ulps: that of a rounded state and of some operations.
+/// Smallest error, in ulps, from rounding the state and some operations.
 const LEAST_ULPS: f64 = 8.0;
 /// Range of the tolerance of the first runs.
 const FIRST: [f64; 2] = [1e-10, 1e-3];
-/// Ratio of the tolerance of the next runs to that of the last ones.
+/// Ratio of the tolerance of the next runs to the last tolerance.
 const TIGHTER: f64 = 0.01;
 /// Tolerance with which the ends become known, as a fraction of the error.
 const FAR_BELOW: f64 = 1e-3;
@@ -209,7 +209,7 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
         }
     }
 
-    /// Runs all adaptive candidates with two tolerances, and returns those that reach the end with both.
+    /// Runs all adaptive candidates with two tolerances, and returns the ones that reach the end with both.
     fn compare(&self) -> Result<(Vec<Compared<N>>, Vec<Dropped>), TuneError> {
         let first = self.error.clamp(FIRST[0], FIRST[1]);
         let mut most = STEPS[0];

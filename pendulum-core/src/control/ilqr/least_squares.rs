@@ -100,7 +100,7 @@ impl<F, T: Float, const M: usize, const P: usize> LeastSquares<F, T, M, P> {
         self
     }
 
-    /// Sets the inputs that cost nothing, such as those that hold the goal. Default: 0.
+    /// Sets the inputs that cost nothing, such as the torques that hold the goal. Default: 0.
     #[must_use]
     pub fn rest(mut self, inputs: impl Into<[T; M]>) -> Self {
         self.rest = inputs.into();

@@ -132,7 +132,7 @@ impl<C, T: Float, const N: usize, const M: usize, const K: usize> Ilqr<C, T, N, 
 
     /// Sets the inputs with which the search starts, at all nodes. Default: 0.
     ///
-    /// Where the motion has a symmetry, such as that of a pendulum hanging still, inputs that break it help.
+    /// Where the motion has a symmetry, as a pendulum hanging still has, inputs that break it help.
     #[must_use]
     pub fn start(self, inputs: impl Into<[T; M]>) -> Self {
         self.start_from([inputs.into(); K])

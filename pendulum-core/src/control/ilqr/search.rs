@@ -107,7 +107,7 @@ where
         self.damping = Damping::none();
         let mut cost = self.forward(model, t0, &x0, T::default())?;
         let ulps = T::from_f64(ROUNDING_ULPS) * T::EPSILON;
-        // where the least cost is zero, that of rounding errors of the motion remains
+        // where the least cost is zero, rounding errors of the motion leave some cost
         let least = ulps * T::EPSILON * cost.abs();
         let mut decrease = T::default();
         let (mut tilt, mut small) = (None, 0);

@@ -8,7 +8,7 @@ use crate::real::Float;
 /// A PID controller of one input and one measurement `y`: the command is
 /// `kp (b r - y) + integral of ki (r - y) - kd dy/dt`, with the set point `r` and its weight `b`.
 ///
-/// The derivative is that of the measurement, so that changes of the set point do not kick, and is filtered:
+/// The derivative acts on the measurement, so that changes of the set point do not kick, and is filtered:
 /// `kd s / (1 + filter s)`, discretized by backward differences. Where the command is limited, the integral follows
 /// what was sent, `(sent - command) / tracking` per s: no windup, by back-calculation.
 ///

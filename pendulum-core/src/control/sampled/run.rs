@@ -8,7 +8,7 @@ use super::{Controller, MAX_DELAY, Outputs, Sampled};
 use crate::error::Reason;
 use crate::real::Float;
 
-/// Number of commands that are kept: those that wait, and the one that acts. A power of two needs no division.
+/// Number of commands that are kept: the one that acts, and the waiting ones. A power of two needs no division.
 const KEPT: usize = (MAX_DELAY + 1).next_power_of_two();
 
 /// A sample of a [`Sampled`] controller.

@@ -39,7 +39,7 @@ mechanism! {
     }
 }
 
-/// Accuracy of the integration, far below that of the differences.
+/// Accuracy of the integration, far below the error of the differences.
 const ACCURATE: f64 = 1e-12;
 /// Change of a component for a difference, in both directions.
 const CHANGE: f64 = 1e-7;
@@ -99,7 +99,7 @@ fn derivatives_of_a_block_are_those_of_differences() {
         ([0.3, 0.8], 3.0, &[]),
         ([0.3, 0.05], -1.0, &[]),
         ([0.3, 0.05], -4.0, &[]),
-        // the derivative by the rate is that of slower and faster starts in the direction of the slip
+        // the derivative by the rate is taken over slower and faster starts in the direction of the slip
         ([0.3, 0.0], 4.0, &[1]),
     ] {
         let error = error(&model, 0.05, &x.into(), [u], without);

@@ -20,7 +20,7 @@ mechanism! {
 /// Initial angles in rad and rates in rad/s, the length of a step and the duration in s.
 pub(crate) const SWING: ([f64; 4], f64, f64) = ([1.0, 0.0, 0.0, 0.0], 0.2, 100.0);
 
-/// Largest change of the energy, over its distance from that of the hanging links, in steps of `h`.
+/// Largest change of the energy, over its height above the energy of the hanging links, in steps of `h`.
 pub(crate) fn drift(h: f64) -> Result<f64, Box<dyn Error>> {
     let (start, _, end) = SWING;
     let acrobot = Acrobot::new(AcrobotParams {})?;
