@@ -39,6 +39,26 @@ fn rust_files_keep_the_rules_for_text() {
     assert!(against.is_empty(), "{}", against.join("\n"));
 }
 
+#[test]
+fn pages_keep_the_width() {
+    let (mut lines, mut against) = (0, Vec::new());
+    for path in files::below("", ".md") {
+        let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let mut is_code = false;
+        for (n, line) in text.lines().enumerate() {
+            lines += 1;
+            is_code ^= line.trim_start().starts_with("```");
+            // rows of tables and pictures have no line breaks
+            let is_one_line = line.starts_with('|') || line.starts_with("![");
+            if !is_code && !is_one_line && line.chars().count() > WIDTH {
+                against.push(format!("{}:{}: more than {WIDTH} columns", path.display(), n + 1));
+            }
+        }
+    }
+    assert!(lines > 5_000, "only {lines} lines");
+    assert!(against.is_empty(), "{}", against.join("\n"));
+}
+
 /// Text of a line that is a comment.
 fn comment(line: &str) -> Option<&str> {
     let text = line.trim_start().strip_prefix("//")?;
