@@ -1,6 +1,7 @@
 //! Error types. Each message states the fact and a remedy. `Debug` prints the same message, so that a `main` that
 //! returns the error reads well.
 
+mod messages;
 mod name;
 #[cfg(feature = "std")]
 mod sample;
@@ -17,18 +18,7 @@ pub use sample::SampleError;
 #[cfg(feature = "std")]
 pub use solve::SolveError;
 
-/// Implements `Debug` as `Display`.
-macro_rules! debug_as_display {
-    ($([$($generics:tt)*] $error:ty;)*) => { $(
-        impl<$($generics)*> core::fmt::Debug for $error {
-            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-                core::fmt::Display::fmt(self, f)
-            }
-        }
-    )* };
-}
-
-pub(crate) use debug_as_display;
+pub(crate) use messages::{debug_as_display, messages};
 
 debug_as_display! {
     [] NotAssembled;
@@ -294,147 +284,78 @@ impl From<Infallible> for Reason {
     }
 }
 
-impl fmt::Display for Reason {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            // functions of the system have no value
-            Self::InvalidInput { what, rule, .. } if what == "hybrid_jacobian" => write!(f, "no `{what}`: {rule}"),
-            Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
-            Self::NonFinite { component, h: None } => write!(
-                f,
-                "component {component} of the state or its derivative is not finite at the start of the \
-                 integration, or after a reset; check the parameters, the initial state, and the state that a reset \
-                 returns"
-            ),
-            Self::NonFinite { component, h: Some(h) } => write!(
-                f,
-                "component {component} of the state or its derivative is not finite after a step of {h:.3e}; if the \
-                 step is fixed, try a shorter one; otherwise the right-hand side is singular or undefined there"
-            ),
-            Self::CannotClose { bodies: [a, b] } => write!(
-                f,
-                "the loop between `{a}` and `{b}` cannot close, or is singular (flat), in the initial state or \
-                 after a reset; check the state, and the lengths if they are not the defaults"
-            ),
-            Self::Open(gap) => write!(
-                f,
-                "{gap} in the initial state, or after a reset; close it by `assemble` from a nearby guess, and \
-                 check lengths, positions and axes"
-            ),
-            Self::Toggle { bodies, margin } => write_toggle(f, bodies, margin),
-            Self::HalfTurn { coordinate } => write!(
-                f,
-                "`{coordinate}` reaches half a turn from its `near`, or may within one step, and a force depends on \
-                 its number of turns, which the state does not determine; make `{coordinate}` independent and mark \
-                 another coordinate of its loop `depends`, or take shorter steps"
-            ),
-            Self::StepUnderflow { h, least } => write!(
-                f,
-                "the tolerance requires a step of {h:.3e}, below the minimum of {least:.3e}; \
-                 the solution may be singular or jump there: loosen the tolerance or end the integration earlier"
-            ),
-            Self::NoConvergence { h } => write!(
-                f,
-                "the equations of an implicit step of {h:.3e} did not converge; take shorter steps, or check the \
-                 right-hand side for a discontinuity there"
-            ),
-            Self::CostNotFinite => f.write_str(
-                "the cost of the trajectory or one of its derivatives is not finite: check the cost where a square \
-                 root or a logarithm reaches zero, and shorten trajectories whose derivatives grow without bound",
-            ),
-            Self::EventNotFinite { event, t } => write!(
-                f,
-                "the function of event {event} is not finite at t = {t}; \
-                 extend its domain or end the integration earlier"
-            ),
-            Self::BadReset {
-                event,
-                t,
-                what,
-                value,
-                rule,
-            } => write!(
-                f,
-                "event {event} resets the state at t = {t:?} to an invalid one: {what} is {value:?}; {rule}"
-            ),
-            Self::EventsAccumulate { event } => write!(
-                f,
-                "event {event} repeats without time advancing, like a bouncing ball that comes to rest; declare a \
-                 `stop` or a `wall` instead, at which motion can come to rest, or reset to a state further from the \
-                 event"
-            ),
-            Self::BeyondLimit {
-                constraint,
-                value,
-                limit,
-            } => write!(
-                f,
-                "`{constraint}` starts at {value:?}, beyond its limit of {limit:?}; start within the limits"
-            ),
-            Self::ConstraintNotFinite { constraint, t } => write!(
-                f,
-                "the value, the rate or the force of `{constraint}` is not finite at t = {t}; check its gap, and \
-                 that the mass it acts on is not zero"
-            ),
-            Self::ModesAccumulate { constraint } => write!(
-                f,
-                "`{constraint}` switches modes repeatedly without time advancing; if a moving wall presses against \
-                 an immovable body, let one of the two yield; if its rebounds are too fast, set or raise `slow`; if \
-                 it has dry friction, check that the friction is larger than rounding errors"
-            ),
-            Self::NotDifferentiable { constraint } => write!(
-                f,
-                "`{constraint}` and another contact close at the same time, but not for other values of the variables, \
-                 or it only touches its limit: the motion has no derivatives there; choose a slightly different \
-                 initial condition, or fewer variables"
-            ),
-            Self::Jump { component, by } => write!(
-                f,
-                "component {component} of the derivative of the state jumps by {by:.3e} near here, and no step \
-                 across a jump meets the tolerance; if a law is sampled or noisy, run it by `control::Sampled`, which \
-                 steps from sample to sample; if it switches, make it continuous, as by `clamp` or `tanh`; for dry \
-                 friction, declare `dry_friction`"
-            ),
-            Self::StartBeyondLimits {
-                input,
-                start,
-                limits: [low, high],
-            } => write!(
-                f,
-                "input {input} is {start:?} before the first command, beyond its limits of {low:?} and {high:?}; pass \
-                 inputs within them to `start`, or check the limits"
-            ),
-            Self::CommandNotFinite { input, t } => write!(
-                f,
-                "the command for input {input} is not finite at t = {t:?}; check the controller, its gains, and that \
-                 the motion does not diverge"
-            ),
-            Self::Cancelled => f.write_str("the integration was cancelled"),
-            Self::TooManySteps { max_steps } => write!(
-                f,
-                "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance; if the steps are \
-                 much shorter than the motion requires, run a law that samples by `control::Sampled`, or use a method \
-                 for stiff systems, such as `Auto`"
-            ),
-        }
-    }
-}
-
-fn write_toggle(f: &mut fmt::Formatter<'_>, [a, b]: [Name; 2], margin: f64) -> fmt::Result {
-    if margin < AT_TOGGLE {
-        write!(
-            f,
-            "the loop between `{a}` and `{b}` reaches its singularity (toggle): its margin is {margin:.1e}; end the \
-             motion earlier by an event on `margin({a}, {b})`, or, to pass through, mark another coordinate \
-             `depends`"
-        )
-    } else {
-        write!(
-            f,
-            "the loop between `{a}` and `{b}` may reach its singularity (toggle) within one step, from a margin of \
-             {margin:.1e}; take shorter steps"
-        )
-    }
+messages! {
+    [] Reason;
+    // functions of the system have no value
+    Self::InvalidInput { what: what @ "hybrid_jacobian", rule, .. } => "no `{what}`: {rule}";
+    Self::InvalidInput { what, value, rule } => "`{what}` is {value:?}: {rule}";
+    Self::NonFinite { component, h: None } =>
+        "component {component} of the state or its derivative is not finite at the start of the integration, or after \
+         a reset; check the parameters, the initial state, and the state that a reset returns";
+    Self::NonFinite { component, h: Some(h) } =>
+        "component {component} of the state or its derivative is not finite after a step of {h:.3e}; if the step is \
+         fixed, try a shorter one; otherwise the right-hand side is singular or undefined there";
+    Self::CannotClose { bodies: [a, b] } =>
+        "the loop between `{a}` and `{b}` cannot close, or is singular (flat), in the initial state or after a reset; \
+         check the state, and the lengths if they are not the defaults";
+    Self::Open(gap) =>
+        "{gap} in the initial state, or after a reset; close it by `assemble` from a nearby guess, and check lengths, \
+         positions and axes";
+    Self::Toggle { bodies: [a, b], margin } if *margin < AT_TOGGLE =>
+        "the loop between `{a}` and `{b}` reaches its singularity (toggle): its margin is {margin:.1e}; end the motion \
+         earlier by an event on `margin({a}, {b})`, or, to pass through, mark another coordinate `depends`";
+    Self::Toggle { bodies: [a, b], margin } =>
+        "the loop between `{a}` and `{b}` may reach its singularity (toggle) within one step, from a margin of \
+         {margin:.1e}; take shorter steps";
+    Self::HalfTurn { coordinate } =>
+        "`{coordinate}` reaches half a turn from its `near`, or may within one step, and a force depends on its number \
+         of turns, which the state does not determine; make `{coordinate}` independent and mark another coordinate of \
+         its loop `depends`, or take shorter steps";
+    Self::StepUnderflow { h, least } =>
+        "the tolerance requires a step of {h:.3e}, below the minimum of {least:.3e}; the solution may be singular or \
+         jump there: loosen the tolerance or end the integration earlier";
+    Self::NoConvergence { h } =>
+        "the equations of an implicit step of {h:.3e} did not converge; take shorter steps, or check the right-hand \
+         side for a discontinuity there";
+    Self::CostNotFinite =>
+        "the cost of the trajectory or one of its derivatives is not finite: check the cost where a square root or a \
+         logarithm reaches zero, and shorten trajectories whose derivatives grow without bound";
+    Self::EventNotFinite { event, t } =>
+        "the function of event {event} is not finite at t = {t}; extend its domain or end the integration earlier";
+    Self::BadReset { event, t, what, value, rule } =>
+        "event {event} resets the state at t = {t:?} to an invalid one: {what} is {value:?}; {rule}";
+    Self::EventsAccumulate { event } =>
+        "event {event} repeats without time advancing, like a bouncing ball that comes to rest; declare a `stop` or a \
+         `wall` instead, at which motion can come to rest, or reset to a state further from the event";
+    Self::BeyondLimit { constraint, value, limit } =>
+        "`{constraint}` starts at {value:?}, beyond its limit of {limit:?}; start within the limits";
+    Self::ConstraintNotFinite { constraint, t } =>
+        "the value, the rate or the force of `{constraint}` is not finite at t = {t}; check its gap, and that the mass \
+         it acts on is not zero";
+    Self::ModesAccumulate { constraint } =>
+        "`{constraint}` switches modes repeatedly without time advancing; if a moving wall presses against an \
+         immovable body, let one of the two yield; if its rebounds are too fast, set or raise `slow`; if it has dry \
+         friction, check that the friction is larger than rounding errors";
+    Self::NotDifferentiable { constraint } =>
+        "`{constraint}` and another contact close at the same time, but not for other values of the variables, or it \
+         only touches its limit: the motion has no derivatives there; choose a slightly different initial condition, \
+         or fewer variables";
+    Self::Jump { component, by } =>
+        "component {component} of the derivative of the state jumps by {by:.3e} near here, and no step across a jump \
+         meets the tolerance; if a law is sampled or noisy, run it by `control::Sampled`, which steps from sample to \
+         sample; if it switches, make it continuous, as by `clamp` or `tanh`; for dry friction, declare \
+         `dry_friction`";
+    Self::StartBeyondLimits { input, start, limits: [low, high] } =>
+        "input {input} is {start:?} before the first command, beyond its limits of {low:?} and {high:?}; pass inputs \
+         within them to `start`, or check the limits";
+    Self::CommandNotFinite { input, t } =>
+        "the command for input {input} is not finite at t = {t:?}; check the controller, its gains, and that the \
+         motion does not diverge";
+    Self::Cancelled => "the integration was cancelled";
+    Self::TooManySteps { max_steps } =>
+        "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance; if the steps are much \
+         shorter than the motion requires, run a law that samples by `control::Sampled`, or use a method for stiff \
+         systems, such as `Auto`";
 }
 
 impl Error for Reason {}

@@ -1,12 +1,9 @@
 //! Errors of the design of controllers.
 
 use std::error::Error;
-use std::fmt;
 
 use super::LostModes;
-use crate::error::debug_as_display;
-
-debug_as_display! { [const N: usize] ControlError<N>; }
+use crate::error::{debug_as_display, messages};
 
 /// Reason why a linear model or a controller for a state of `N` components cannot be computed.
 #[derive(Clone, PartialEq)]
@@ -79,130 +76,67 @@ pub enum ControlError<const N: usize> {
     },
 }
 
-impl<const N: usize> fmt::Display for ControlError<N> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite {
-                what: what @ ("Q" | "R" | "W" | "V"),
-            } => write!(
-                f,
-                "{what} has an entry that is infinite or NaN\nhelp: pass finite weights and covariances"
-            ),
-            Self::NotFinite { what } => write!(
-                f,
-                "{what} has an entry that is infinite or NaN\nhelp: check the parameters and the state, which may be \
-                 singular"
-            ),
-            Self::TooLarge { what } => write!(
-                f,
-                "{what} has entries above 1e150, whose squares overflow\nhelp: use other units, or check the \
-                 parameters and the state, which may be singular"
-            ),
-            Self::Growth { period } => write!(
-                f,
-                "the model grows beyond the range of numbers within {period} s\nhelp: use a shorter period"
-            ),
-            Self::Period(period) => write!(
-                f,
-                "the sampling period is {period} s\nhelp: use a positive and finite one, such as 0.001"
-            ),
-            Self::Sampled { period } => write!(
-                f,
-                "the model is already one from sample to sample, with a period of {period} s\nhelp: discretize the \
-                 continuous one"
-            ),
-            Self::Continuous => f.write_str(
-                "the model is continuous, and a filter in a sampled controller predicts from sample to sample\nhelp: \
-                 use `model.discretize(period)`, also for the law and the filter",
-            ),
-            Self::NotSymmetric {
-                what,
-                entry: [i, j],
-                values: [value, mirrored],
-            } => write!(
-                f,
-                "{what} is not symmetric: entry ({i}, {j}) is {value}, and entry ({j}, {i}) is {mirrored}\nhelp: use \
-                 ({what} + {what}^T) / 2"
-            ),
-            Self::NotPositive {
-                what,
-                strictly,
-                eigenvalue,
-            } => {
-                let (kind, least) = if *strictly { ("", "> 0") } else { ("semi", ">= 0") };
-                write!(
-                    f,
-                    "{what} is not positive {kind}definite: with its diagonal scaled to 1, its smallest eigenvalue is \
-                     {eigenvalue:.3e}\nhelp: use a diagonal matrix with entries {least}, or C^T W C with such a W"
-                )
-            }
-            Self::NotAtRest {
-                component,
-                rate,
-                period,
-            } => {
-                match period {
-                    None => write!(f, "the state is no equilibrium: the rate of {component} is {rate:.3e}")?,
-                    Some(_) => write!(
-                        f,
-                        "the state is no equilibrium: {component} changes by {rate:.3e} per sample"
-                    )?,
-                }
-                f.write_str(
-                    "\nhelp: start from an equilibrium found by `stability::equilibrium`, or pass the inputs that hold \
-                     the state; for deviations from a steady motion, design with `model.without_drift()`",
-                )
-            }
-            Self::Unstabilizable(modes) => {
-                let them = if modes.modes.len() == 1 { "it" } else { "them" };
-                write!(
-                    f,
-                    "the model cannot be stabilized: no input acts on {modes}\nhelp: add an input that acts along \
-                     {them}, fix the joint, or give it friction"
-                )
-            }
-            Self::Unweighted(modes) => {
-                let (do_not, themselves, their) = words(modes);
-                write!(
-                    f,
-                    "the cost does not depend on {modes}, which {do_not} decay by {themselves}\nhelp: give {their} \
-                     components a weight in Q"
-                )
-            }
-            Self::Undetectable(modes) => {
-                let (they, them) = match modes.modes.len() {
-                    1 => ("it", "it"),
-                    _ => ("they", "them"),
-                };
-                write!(
-                    f,
-                    "no output shows {modes}, so {they} cannot be estimated\nhelp: add an output that depends on {them}"
-                )
-            }
-            Self::Undisturbed(modes) => {
-                let (do_not, themselves, their) = words(modes);
-                write!(
-                    f,
-                    "the process noise does not drive {modes}, which {do_not} decay by {themselves}\nhelp: give \
-                     {their} components noise in W"
-                )
-            }
-            Self::NoConvergence { residual } => write!(
-                f,
-                "no stabilizing solution of the Riccati equation was found: its relative residual is {residual:.1e}\n\
-                 help: check `StateSpace::controllability` and `StateSpace::observability` for a mode that is almost \
-                 lost, and use weights that differ by fewer orders of magnitude"
-            ),
-        }
-    }
+debug_as_display! { [const N: usize] ControlError<N>; }
+
+messages! {
+    [const N: usize] ControlError<N>;
+    Self::NotFinite { what: what @ ("Q" | "R" | "W" | "V") } =>
+        "{what} has an entry that is infinite or NaN\nhelp: pass finite weights and covariances";
+    Self::NotFinite { what } =>
+        "{what} has an entry that is infinite or NaN\nhelp: check the parameters and the state, which may be \
+         singular";
+    Self::TooLarge { what } =>
+        "{what} has entries above 1e150, whose squares overflow\nhelp: use other units, or check the parameters and \
+         the state, which may be singular";
+    Self::Growth { period } =>
+        "the model grows beyond the range of numbers within {period} s\nhelp: use a shorter period";
+    Self::Period(period) => "the sampling period is {period} s\nhelp: use a positive and finite one, such as 0.001";
+    Self::Sampled { period } =>
+        "the model is already one from sample to sample, with a period of {period} s\nhelp: discretize the continuous \
+         one";
+    Self::Continuous =>
+        "the model is continuous, and a filter in a sampled controller predicts from sample to sample\nhelp: use \
+         `model.discretize(period)`, also for the law and the filter";
+    Self::NotSymmetric { what, entry: [i, j], values: [value, mirrored] } =>
+        "{what} is not symmetric: entry ({i}, {j}) is {value}, and entry ({j}, {i}) is {mirrored}\nhelp: use ({what} + \
+         {what}^T) / 2";
+    Self::NotPositive { what, strictly: true, eigenvalue } =>
+        "{what} is not positive definite: with its diagonal scaled to 1, its smallest eigenvalue is {eigenvalue:.3e}\n\
+         help: use a diagonal matrix with entries > 0, or C^T W C with such a W";
+    Self::NotPositive { what, strictly: false, eigenvalue } =>
+        "{what} is not positive semidefinite: with its diagonal scaled to 1, its smallest eigenvalue is \
+         {eigenvalue:.3e}\nhelp: use a diagonal matrix with entries >= 0, or C^T W C with such a W";
+    Self::NotAtRest { component, rate, period } =>
+        "the state is no equilibrium: {change}\nhelp: start from an equilibrium found by `stability::equilibrium`, or \
+         pass the inputs that hold the state; for deviations from a steady motion, design with `model.without_drift()`",
+        change = match period {
+            None => format!("the rate of {component} is {rate:.3e}"),
+            Some(_) => format!("{component} changes by {rate:.3e} per sample"),
+        };
+    Self::Unstabilizable(modes) =>
+        "the model cannot be stabilized: no input acts on {modes}\nhelp: add an input that acts along {them}, fix the \
+         joint, or give it friction",
+        them = modes.agree("it", "them");
+    Self::Unweighted(modes) =>
+        "the cost does not depend on {modes}, which {do_not} decay by {themselves}\nhelp: give {their} components a \
+         weight in Q",
+        do_not = modes.agree("does not", "do not"),
+        themselves = modes.agree("itself", "themselves"),
+        their = modes.agree("its", "their");
+    Self::Undetectable(modes) =>
+        "no output shows {modes}, so {they} cannot be estimated\nhelp: add an output that depends on {them}",
+        they = modes.agree("it", "they"),
+        them = modes.agree("it", "them");
+    Self::Undisturbed(modes) =>
+        "the process noise does not drive {modes}, which {do_not} decay by {themselves}\nhelp: give {their} components \
+         noise in W",
+        do_not = modes.agree("does not", "do not"),
+        themselves = modes.agree("itself", "themselves"),
+        their = modes.agree("its", "their");
+    Self::NoConvergence { residual } =>
+        "no stabilizing solution of the Riccati equation was found: its relative residual is {residual:.1e}\nhelp: \
+         check `StateSpace::controllability` and `StateSpace::observability` for a mode that is almost lost, and use \
+         weights that differ by fewer orders of magnitude";
 }
 
 impl<const N: usize> Error for ControlError<N> {}
-
-/// Words about one mode, or several.
-fn words<const N: usize>(modes: &LostModes<N>) -> (&'static str, &'static str, &'static str) {
-    match modes.modes.len() {
-        1 => ("does not", "itself", "its"),
-        _ => ("do not", "themselves", "their"),
-    }
-}

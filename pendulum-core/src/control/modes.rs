@@ -116,12 +116,7 @@ impl fmt::Display for Short {
 impl<const N: usize> fmt::Display for LostModes<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let unit = if self.is_sampled { "" } else { " 1/s" };
-        write!(
-            f,
-            "{} mode{}",
-            self.modes.len(),
-            if self.modes.len() == 1 { "" } else { "s" }
-        )?;
+        write!(f, "{} mode{}", self.modes.len(), self.agree("", "s"))?;
         for (n, mode) in self.modes.iter().filter(|mode| mode.eigenvalue.im >= 0.0).enumerate() {
             let separator = if n == 0 { ":" } else { "," };
             let Complex { re, im } = mode.eigenvalue;
@@ -139,6 +134,11 @@ impl<const N: usize> fmt::Display for LostModes<N> {
 }
 
 impl<const N: usize> LostModes<N> {
+    /// Word in agreement with the number of modes.
+    pub(super) fn agree(&self, one: &'static str, several: &'static str) -> &'static str {
+        if self.modes.len() == 1 { one } else { several }
+    }
+
     fn direction(&self, f: &mut fmt::Formatter<'_>, direction: &SVector<Complex<f64>, N>) -> fmt::Result {
         let shown = direction
             .iter()

@@ -1,11 +1,8 @@
 //! The error of samples that cannot be a function of time.
 
 use std::error::Error;
-use std::fmt;
 
-use super::debug_as_display;
-
-debug_as_display! { [] SampleError; }
+use super::{debug_as_display, messages};
 
 /// Samples that are not a function of time.
 #[derive(Clone, PartialEq)]
@@ -93,36 +90,20 @@ impl SampleError {
     }
 }
 
-impl fmt::Display for SampleError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooFew { given, least } => {
-                write!(f, "there are {given} samples: at least {least} are needed")
-            }
-            Self::Length { name, given, times } => {
-                write!(
-                    f,
-                    "`{name}` has {given} values for {times} times: give one for each time"
-                )
-            }
-            Self::Time { index, t } => {
-                write!(f, "the time of sample {index} is {t}: remove the sample")
-            }
-            Self::Order { index, t: [before, t] } => write!(
-                f,
-                "the times of samples {} and {index} are {before} and {t}: times must ascend; sort the samples, and \
-                 remove those of equal time",
-                index - 1
-            ),
-            Self::Value { name, index, value } => {
-                write!(f, "sample {index} of `{name}` is {value}: values must be finite")
-            }
-            Self::Noise { name, deviation } => write!(
-                f,
-                "the standard deviation of the noise of `{name}` is {deviation}: it must be positive and finite"
-            ),
-        }
-    }
+debug_as_display! { [] SampleError; }
+
+messages! {
+    [] SampleError;
+    Self::TooFew { given, least } => "there are {given} samples: at least {least} are needed";
+    Self::Length { name, given, times } => "`{name}` has {given} values for {times} times: give one for each time";
+    Self::Time { index, t } => "the time of sample {index} is {t}: remove the sample";
+    Self::Order { index, t: [before, t] } =>
+        "the times of samples {first} and {index} are {before} and {t}: times must ascend; sort the samples, and \
+         remove those of equal time",
+        first = index - 1;
+    Self::Value { name, index, value } => "sample {index} of `{name}` is {value}: values must be finite";
+    Self::Noise { name, deviation } =>
+        "the standard deviation of the noise of `{name}` is {deviation}: it must be positive and finite";
 }
 
 impl Error for SampleError {}

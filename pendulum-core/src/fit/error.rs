@@ -1,11 +1,8 @@
 //! Errors of fits.
 
 use std::error::Error;
-use std::fmt;
 
-use crate::error::{Reason, debug_as_display};
-
-debug_as_display! { [] FitError; }
+use crate::error::{Reason, debug_as_display, messages};
 
 /// A reason why a fit cannot begin.
 #[derive(Clone, PartialEq)]
@@ -107,83 +104,38 @@ pub enum FitError {
     },
 }
 
-impl fmt::Display for FitError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let did_you_mean = |f: &mut fmt::Formatter<'_>, nearest: &Option<String>, all: &[String]| match nearest {
-            Some(nearest) => write!(f, "; did you mean `{nearest}`?"),
-            None if all.is_empty() => f.write_str("; it has none"),
-            None => write!(f, "; it has `{}`", all.join("`, `")),
-        };
-        match self {
-            Self::NoExperiment => f.write_str("there is no experiment: a fit needs at least one"),
-            Self::NoOutput { experiment } => write!(
-                f,
-                "the measurement of experiment {experiment} has no outputs: add them by `Measurement::output`"
-            ),
-            Self::UnknownOutput { name, nearest, outputs } => {
-                write!(f, "the scene has no output or component of the state `{name}`")?;
-                did_you_mean(f, nearest, outputs)
-            }
-            Self::UnknownParameter {
-                name,
-                nearest,
-                parameters,
-            } => {
-                write!(f, "the scene has no parameter `{name}`")?;
-                did_you_mean(f, nearest, parameters)
-            }
-            Self::TooFewValues { values, unknowns } => write!(
-                f,
-                "{values} measured values for {unknowns} unknowns: measure more, or fix parameters or starts"
-            ),
-            Self::OutsideBounds {
-                parameter,
-                value,
-                bounds: [low, high],
-            } => write!(
-                f,
-                "`{parameter}` is {value} in the model, outside of its bounds {low} and {high}: begin inside"
-            ),
-            Self::Bounds {
-                parameter,
-                bounds: [low, high],
-            } => write!(
-                f,
-                "the bounds of `{parameter}` are {low} and {high}: give the lower one first"
-            ),
-            Self::NoValues { output } => {
-                write!(
-                    f,
-                    "all values of `{output}` are missing: leave the output out of the measurement"
-                )
-            }
-            Self::NotFinite { output, experiment, t } => write!(
-                f,
-                "`{output}` or its derivative is not finite at t = {t} in experiment {experiment}, with the parameters \
-                 of the model: begin at other parameters, or from another state"
-            ),
-            Self::Setting { what, value, rule } => write!(f, "{what} is {value}: {rule}"),
-            Self::StartsLate { experiment, t, first } => write!(
-                f,
-                "the state of experiment {experiment} is known at t = {t}, after its first sample at t = {first}: \
-                 leave out the samples before by `Measurement::between`"
-            ),
-            Self::NoInfluence { parameter } => write!(
-                f,
-                "no measured output depends on `{parameter}` at its value in the model: fix it, begin at another value \
-                 or from another state (`Experiment::from_guess`), or measure a motion that depends on it"
-            ),
-            Self::Integration {
-                experiment,
-                from,
-                reason,
-            } => write!(
-                f,
-                "experiment {experiment} cannot be integrated from t = {from} with the parameters of the model: \
-                 {reason}"
-            ),
-        }
-    }
+debug_as_display! { [] FitError; }
+
+messages! {
+    [] FitError;
+    Self::NoExperiment => "there is no experiment: a fit needs at least one";
+    Self::NoOutput { experiment } =>
+        "the measurement of experiment {experiment} has no outputs: add them by `Measurement::output`";
+    Self::UnknownOutput { name, nearest, outputs } =>
+        "the scene has no output or component of the state `{name}`; {suggestion}",
+        suggestion = suggestion(nearest.as_deref(), outputs);
+    Self::UnknownParameter { name, nearest, parameters } =>
+        "the scene has no parameter `{name}`; {suggestion}",
+        suggestion = suggestion(nearest.as_deref(), parameters);
+    Self::TooFewValues { values, unknowns } =>
+        "{values} measured values for {unknowns} unknowns: measure more, or fix parameters or starts";
+    Self::OutsideBounds { parameter, value, bounds: [low, high] } =>
+        "`{parameter}` is {value} in the model, outside of its bounds {low} and {high}: begin inside";
+    Self::Bounds { parameter, bounds: [low, high] } =>
+        "the bounds of `{parameter}` are {low} and {high}: give the lower one first";
+    Self::NoValues { output } => "all values of `{output}` are missing: leave the output out of the measurement";
+    Self::NotFinite { output, experiment, t } =>
+        "`{output}` or its derivative is not finite at t = {t} in experiment {experiment}, with the parameters of the \
+         model: begin at other parameters, or from another state";
+    Self::Setting { what, value, rule } => "{what} is {value}: {rule}";
+    Self::StartsLate { experiment, t, first } =>
+        "the state of experiment {experiment} is known at t = {t}, after its first sample at t = {first}: leave out \
+         the samples before by `Measurement::between`";
+    Self::NoInfluence { parameter } =>
+        "no measured output depends on `{parameter}` at its value in the model: fix it, begin at another value or from \
+         another state (`Experiment::from_guess`), or measure a motion that depends on it";
+    Self::Integration { experiment, from, reason } =>
+        "experiment {experiment} cannot be integrated from t = {from} with the parameters of the model: {reason}";
 }
 
 impl Error for FitError {
@@ -192,5 +144,14 @@ impl Error for FitError {
             Self::Integration { reason, .. } => Some(reason),
             _ => None,
         }
+    }
+}
+
+/// Suggests the nearest of some names, or else lists all of them.
+fn suggestion(nearest: Option<&str>, all: &[String]) -> String {
+    match nearest {
+        Some(nearest) => format!("did you mean `{nearest}`?"),
+        None if all.is_empty() => "it has none".to_owned(),
+        None => format!("it has `{}`", all.join("`, `")),
     }
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use nalgebra::{DMatrix, SVector};
 
 use super::likelihood::Likelihood;
-use crate::error::ParameterError;
+use crate::error::{ParameterError, messages};
 
 /// The result of a fit. `N` is the length of the state, `P` the number of parameters of the scene.
 #[derive(Clone, Debug)]
@@ -162,36 +162,18 @@ pub enum Warning {
     Gap(f64),
 }
 
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::BeyondHorizon {
-                experiment,
-                from,
-                length,
-                exponent,
-                horizon,
-            } => write!(
-                f,
-                "experiment {experiment}: the window of {length:.3} s from t = {from:.3} is longer than the horizon of \
-                 prediction, {horizon:.2} s at an exponent of {exponent:.2}/s; choose shorter windows"
-            ),
-            Self::Impossible(error) => write!(f, "the best parameters are impossible, fix or bound some: {error}"),
-            Self::AtBound { parameter, bound } => write!(f, "`{parameter}` is at its bound {bound}"),
-            Self::Correlated { output, correlation } => write!(
-                f,
-                "residuals of `{output}` are correlated ({correlation:.2} from sample to sample): the scene misses \
-                 something, the method is too coarse, or the fit is not the best one; deviations are too small"
-            ),
-            Self::Misfit { output, ratio } => {
-                write!(f, "residuals of `{output}` are {ratio:.3e} times its noise")
-            }
-            Self::Gap(gap) => write!(
-                f,
-                "windows do not join: the largest gap is {gap:.1e} deviations of a start"
-            ),
-        }
-    }
+messages! {
+    [] Warning;
+    Self::BeyondHorizon { experiment, from, length, exponent, horizon } =>
+        "experiment {experiment}: the window of {length:.3} s from t = {from:.3} is longer than the horizon of \
+         prediction, {horizon:.2} s at an exponent of {exponent:.2}/s; choose shorter windows";
+    Self::Impossible(error) => "the best parameters are impossible, fix or bound some: {error}";
+    Self::AtBound { parameter, bound } => "`{parameter}` is at its bound {bound}";
+    Self::Correlated { output, correlation } =>
+        "residuals of `{output}` are correlated ({correlation:.2} from sample to sample): the scene misses something, \
+         the method is too coarse, or the fit is not the best one; deviations are too small";
+    Self::Misfit { output, ratio } => "residuals of `{output}` are {ratio:.3e} times its noise";
+    Self::Gap(gap) => "windows do not join: the largest gap is {gap:.1e} deviations of a start";
 }
 
 impl fmt::Display for Combination {

@@ -1,10 +1,10 @@
 //! Tables of numbers with named columns.
 
 use std::error::Error;
-use std::{fmt, io};
+use std::io;
 
 use super::nearest;
-use crate::error::debug_as_display;
+use crate::error::{debug_as_display, messages};
 
 /// A table of numbers with named columns, such as a recording.
 ///
@@ -79,8 +79,6 @@ impl Table {
     }
 }
 
-debug_as_display! { [] TableError; }
-
 /// A table that cannot be read, or has no such column.
 #[non_exhaustive]
 pub enum TableError {
@@ -111,24 +109,18 @@ pub enum TableError {
     },
 }
 
-impl fmt::Display for TableError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Csv(error) => error.fmt(f),
-            Self::NotANumber { line, name, cell } => write!(
-                f,
-                "line {line}, column `{name}`: `{cell}` is not a number; leave the cell of a missing value empty"
-            ),
-            Self::Twice { name } => write!(f, "two columns have the name `{name}`: rename one"),
-            Self::NoColumn { name, nearest, names } => {
-                write!(f, "no column has the name `{name}`")?;
-                match nearest {
-                    Some(nearest) => write!(f, "; did you mean `{nearest}`?"),
-                    None => write!(f, "; the columns are `{}`", names.join("`, `")),
-                }
-            }
-        }
-    }
+debug_as_display! { [] TableError; }
+
+messages! {
+    [] TableError;
+    Self::Csv(error) => "{error}";
+    Self::NotANumber { line, name, cell } =>
+        "line {line}, column `{name}`: `{cell}` is not a number; leave the cell of a missing value empty";
+    Self::Twice { name } => "two columns have the name `{name}`: rename one";
+    Self::NoColumn { name, nearest: Some(nearest), .. } =>
+        "no column has the name `{name}`; did you mean `{nearest}`?";
+    Self::NoColumn { name, nearest: None, names } => "no column has the name `{name}`; the columns are `{all}`",
+        all = names.join("`, `");
 }
 
 impl Error for TableError {

@@ -1,11 +1,8 @@
 //! Errors of stability analyses.
 
 use std::error::Error;
-use std::fmt;
 
-use crate::error::{ParameterError, Reason, debug_as_display};
-
-debug_as_display! { [] StabilityError; }
+use crate::error::{ParameterError, Reason, debug_as_display, messages};
 
 /// Reason why an analysis has no result.
 #[derive(Clone, PartialEq)]
@@ -33,39 +30,26 @@ pub enum StabilityError {
     Build(ParameterError),
 }
 
-impl fmt::Display for StabilityError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Integration(reason) => reason.fmt(f),
-            Self::NotFinite => write!(
-                f,
-                "the right-hand side or a matrix is not finite; check the parameters and the state, which may be \
-                 singular"
-            ),
-            Self::NoConvergence { iterations, residual } => write!(
-                f,
-                "no convergence: after {iterations} iterations the residual is {residual:.3e}; start closer to the \
-                 solution, or check that one exists"
-            ),
-            Self::TimeDependent => write!(
-                f,
-                "the right-hand side depends on time, so the system has no equilibria or autonomous periodic \
-                 orbits; search for motions with the period of the drive by `Shooting::forced`"
-            ),
-            Self::MorePositions => write!(
-                f,
-                "periodic orbits and families are not supported for systems with quaternions, or with dependent \
-                 coordinates in the state; replace a ball joint by three revolute joints, or mark coordinates \
-                 `depends` so that each loop is a triangle"
-            ),
-            Self::AtRest => write!(
-                f,
-                "the orbit shrank to a steady state; start farther from it, or with a period closer to that of the \
-                 orbit"
-            ),
-            Self::Build(error) => error.fmt(f),
-        }
-    }
+debug_as_display! { [] StabilityError; }
+
+messages! {
+    [] StabilityError;
+    Self::Integration(reason) => "{reason}";
+    Self::NotFinite =>
+        "the right-hand side or a matrix is not finite; check the parameters and the state, which may be singular";
+    Self::NoConvergence { iterations, residual } =>
+        "no convergence: after {iterations} iterations the residual is {residual:.3e}; start closer to the solution, \
+         or check that one exists";
+    Self::TimeDependent =>
+        "the right-hand side depends on time, so the system has no equilibria or autonomous periodic orbits; search \
+         for motions with the period of the drive by `Shooting::forced`";
+    Self::MorePositions =>
+        "periodic orbits and families are not supported for systems with quaternions, or with dependent coordinates in \
+         the state; replace a ball joint by three revolute joints, or mark coordinates `depends` so that each loop is \
+         a triangle";
+    Self::AtRest =>
+        "the orbit shrank to a steady state; start farther from it, or with a period closer to that of the orbit";
+    Self::Build(error) => "{error}";
 }
 
 impl Error for StabilityError {

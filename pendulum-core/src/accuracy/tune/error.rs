@@ -1,12 +1,9 @@
 //! Errors of tuning.
 
 use std::error::Error;
-use std::fmt;
 
 use crate::accuracy::Failure;
-use crate::error::{Reason, debug_as_display};
-
-debug_as_display! { [] TuneError; }
+use crate::error::{Reason, debug_as_display, messages};
 
 /// Reason why no method was chosen.
 #[derive(Clone, PartialEq)]
@@ -39,40 +36,21 @@ pub enum TuneError {
     },
 }
 
-impl fmt::Display for TuneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::InvalidInput(reason) => reason.fmt(f),
-            Self::TooFewSucceeded { failures } => {
-                f.write_str(
-                    "fewer than two methods reached the end of the span from each start, and two have to agree on it: ",
-                )?;
-                for (n, (name, failure)) in failures.iter().enumerate() {
-                    write!(f, "{}`{name}` {failure}", if n == 0 { "" } else { "; " })?;
-                }
-                Ok(())
-            }
-            Self::Cancelled => f.write_str("the search for a method was cancelled"),
-            Self::BelowUncertainty {
-                error,
-                uncertainty,
-                methods: [a, b],
-            } => write!(
-                f,
-                "an error of {error:.1e} is not reached in `f64`: `{a}` and `{b}` with the smallest tolerances differ \
-                 by {uncertainty:.1e} at the end; state an error well above that, or shorten the span if the motion \
-                 is chaotic"
-            ),
-            Self::NotReached {
-                error,
-                least: (least, name),
-            } => write!(
-                f,
-                "no method reaches an error of {error:.1e}; the smallest one was {least:.1e}, by `{name}`: state a \
-                 larger error, or add methods of higher order"
-            ),
-        }
-    }
+debug_as_display! { [] TuneError; }
+
+messages! {
+    [] TuneError;
+    Self::InvalidInput(reason) => "{reason}";
+    Self::TooFewSucceeded { failures } =>
+        "fewer than two methods reached the end of the span from each start, and two have to agree on it: {list}",
+        list = listed(failures);
+    Self::Cancelled => "the search for a method was cancelled";
+    Self::BelowUncertainty { error, uncertainty, methods: [a, b] } =>
+        "an error of {error:.1e} is not reached in `f64`: `{a}` and `{b}` with the smallest tolerances differ by \
+         {uncertainty:.1e} at the end; state an error well above that, or shorten the span if the motion is chaotic";
+    Self::NotReached { error, least: (least, name) } =>
+        "no method reaches an error of {error:.1e}; the smallest one was {least:.1e}, by `{name}`: state a larger \
+         error, or add methods of higher order";
 }
 
 impl Error for TuneError {}
@@ -81,4 +59,9 @@ impl From<Reason> for TuneError {
     fn from(reason: Reason) -> Self {
         Self::InvalidInput(reason)
     }
+}
+
+fn listed(failures: &[(&'static str, Failure)]) -> String {
+    let each = failures.iter().map(|(name, failure)| format!("`{name}` {failure}"));
+    each.collect::<Vec<_>>().join("; ")
 }

@@ -1,11 +1,8 @@
 //! Errors of the iterative regulator.
 
 use core::error::Error;
-use core::fmt;
 
-use crate::error::{Name, Reason, debug_as_display};
-
-debug_as_display! { [] IlqrError; }
+use crate::error::{Name, Reason, debug_as_display, messages};
 
 /// Reason why [`Ilqr`](super::Ilqr) has no motion.
 #[derive(Clone, Copy, PartialEq)]
@@ -104,98 +101,48 @@ pub enum IlqrError {
     },
 }
 
-impl fmt::Display for IlqrError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Step(h) => write!(
-                f,
-                "the length of a step is {h} s\nhelp: use a positive and finite one, such as 0.02"
-            ),
-            Self::Tolerance(tolerance) => write!(
-                f,
-                "the tolerance is {tolerance}\nhelp: pass a share of the cost between 0 and 1, such as 1e-6"
-            ),
-            Self::Limits {
-                input,
-                limits: [low, high],
-            } => write!(
-                f,
-                "the limits of input {input} are {low} and {high}\nhelp: pass the lower one first, \
-                 `limits(low, high)`; without a limit, infinity"
-            ),
-            Self::StartBeyondLimits {
-                input,
-                node,
-                value,
-                limits: [low, high],
-            } => write!(
-                f,
-                "the search starts with {value} for input {input} at node {node}, beyond its limits {low} and {high}\n\
-                 help: pass inputs within the limits by `start`, such as those that hold the goal"
-            ),
-            Self::NotFinite { what } => write!(
-                f,
-                "{what} is not finite\nhelp: pass finite weights, states and times; limits alone may be infinite"
-            ),
-            Self::NotSymmetric {
-                what,
-                entry: [i, j],
-                values: [value, mirrored],
-            } => write!(
-                f,
-                "{what} is not symmetric: entry ({i}, {j}) is {value}, and entry ({j}, {i}) is {mirrored}\nhelp: use \
-                 ({what} + {what}^T) / 2"
-            ),
-            Self::NotPositive { what, strictly } => {
-                let (kind, least) = if *strictly { ("", "> 0") } else { ("semi", ">= 0") };
-                write!(
-                    f,
-                    "{what} is not positive {kind}definite\nhelp: use a diagonal matrix with entries {least}, or \
-                     C^T W C with such a W"
-                )
-            }
-            Self::NotConvex { node } => write!(
-                f,
-                "the cost is not convex in the inputs of node {node}\nhelp: return second derivatives without \
-                 negative eigenvalues, such as 2 J^T J for a sum of squares; check that they are finite"
-            ),
-            Self::Diverged { node, t } => write!(
-                f,
-                "the motion with the inputs at the start leaves the range of numbers after node {node}, t = {t} s\n\
-                 help: start from inputs that keep the motion bounded, shorten the step, or use fewer nodes"
-            ),
-            Self::StepFailed { node, reason } => write!(f, "the step from node {node}: {reason}"),
-            Self::NoDecrease {
-                iterations,
-                cost,
-                promised,
-            } => write!(
-                f,
-                "no step decreases the cost of {cost} after {iterations} iterations, although its derivatives promise \
-                 {promised:.1e}\nhelp: check the derivatives of the model and of the cost, or raise the tolerance; \
-                 with mode switches the best motion, which is kept, may be at a jump or kink of the cost"
-            ),
-            Self::TooManyIterations {
-                iterations,
-                cost,
-                decrease,
-            } => write!(
-                f,
-                "the cost of {cost} still decreases, by {decrease:.1e} in the last of {iterations} iterations\nhelp: \
-                 raise `max_iterations` or the tolerance, or call `solve` again, which continues from there"
-            ),
-            Self::ModeSwitches { constraint } => write!(
-                f,
-                "the model has mode switches at `{constraint}`, and the steps of the search are smooth\nhelp: plan \
-                 with `Integrated::new(model, Tsit5::new())`, in double precision, whose steps go through them"
-            ),
-            Self::ClosedLoop { bodies: [a, b] } => write!(
-                f,
-                "the loop of `{a}` and `{b}` has no closed form, and its closure no derivatives\nhelp: plan with a \
-                 scene whose loops have closed forms"
-            ),
-        }
-    }
+debug_as_display! { [] IlqrError; }
+
+messages! {
+    [] IlqrError;
+    Self::Step(h) => "the length of a step is {h} s\nhelp: use a positive and finite one, such as 0.02";
+    Self::Tolerance(tolerance) =>
+        "the tolerance is {tolerance}\nhelp: pass a share of the cost between 0 and 1, such as 1e-6";
+    Self::Limits { input, limits: [low, high] } =>
+        "the limits of input {input} are {low} and {high}\nhelp: pass the lower one first, `limits(low, high)`; \
+         without a limit, infinity";
+    Self::StartBeyondLimits { input, node, value, limits: [low, high] } =>
+        "the search starts with {value} for input {input} at node {node}, beyond its limits {low} and {high}\nhelp: \
+         pass inputs within the limits by `start`, such as those that hold the goal";
+    Self::NotFinite { what } =>
+        "{what} is not finite\nhelp: pass finite weights, states and times; limits alone may be infinite";
+    Self::NotSymmetric { what, entry: [i, j], values: [value, mirrored] } =>
+        "{what} is not symmetric: entry ({i}, {j}) is {value}, and entry ({j}, {i}) is {mirrored}\nhelp: use ({what} + \
+         {what}^T) / 2";
+    Self::NotPositive { what, strictly: true } =>
+        "{what} is not positive definite\nhelp: use a diagonal matrix with entries > 0, or C^T W C with such a W";
+    Self::NotPositive { what, strictly: false } =>
+        "{what} is not positive semidefinite\nhelp: use a diagonal matrix with entries >= 0, or C^T W C with such a W";
+    Self::NotConvex { node } =>
+        "the cost is not convex in the inputs of node {node}\nhelp: return second derivatives without negative \
+         eigenvalues, such as 2 J^T J for a sum of squares; check that they are finite";
+    Self::Diverged { node, t } =>
+        "the motion with the inputs at the start leaves the range of numbers after node {node}, t = {t} s\nhelp: start \
+         from inputs that keep the motion bounded, shorten the step, or use fewer nodes";
+    Self::StepFailed { node, reason } => "the step from node {node}: {reason}";
+    Self::NoDecrease { iterations, cost, promised } =>
+        "no step decreases the cost of {cost} after {iterations} iterations, although its derivatives promise \
+         {promised:.1e}\nhelp: check the derivatives of the model and of the cost, or raise the tolerance; with mode \
+         switches the best motion, which is kept, may be at a jump or kink of the cost";
+    Self::TooManyIterations { iterations, cost, decrease } =>
+        "the cost of {cost} still decreases, by {decrease:.1e} in the last of {iterations} iterations\nhelp: raise \
+         `max_iterations` or the tolerance, or call `solve` again, which continues from there";
+    Self::ModeSwitches { constraint } =>
+        "the model has mode switches at `{constraint}`, and the steps of the search are smooth\nhelp: plan with \
+         `Integrated::new(model, Tsit5::new())`, in double precision, whose steps go through them";
+    Self::ClosedLoop { bodies: [a, b] } =>
+        "the loop of `{a}` and `{b}` has no closed form, and its closure no derivatives\nhelp: plan with a scene whose \
+         loops have closed forms";
 }
 
 impl Error for IlqrError {}
