@@ -4,12 +4,15 @@ mod check;
 mod entry;
 mod hybrid;
 mod in_lanes;
+mod judge;
 mod lanes;
 mod leave;
 mod march;
 mod members;
+mod observe;
 mod on_grid;
 mod together;
+mod turnover;
 mod watch;
 
 use std::error::Error;
