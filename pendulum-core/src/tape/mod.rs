@@ -50,6 +50,7 @@ mod code;
 mod error;
 mod intern;
 mod model;
+mod plant;
 mod read;
 mod series;
 mod source;
