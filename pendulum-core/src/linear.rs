@@ -9,8 +9,8 @@ use crate::cost::Operations;
 use crate::real::{Float, Real};
 pub(crate) use field::{Complex, Field};
 #[cfg(feature = "std")]
-pub use pivots::PerLane;
-pub use pivots::{Alone, Pivots};
+pub(crate) use pivots::PerLane;
+pub(crate) use pivots::{Alone, Pivots};
 
 /// An LU factorisation with row pivoting, `P A = L U`, of one matrix or of one matrix per lane, each with its own
 /// pivots.

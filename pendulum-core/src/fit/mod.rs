@@ -53,6 +53,7 @@
 //! H. G. Bock, "Recent advances in parameter identification techniques for O.D.E." (1983); L. Ljung, "System
 //! Identification", 2nd ed. (1999).
 
+mod descent;
 mod elimination;
 mod error;
 mod fitted;
@@ -82,7 +83,9 @@ pub use table::{Table, TableError};
 use crate::dual::Dual;
 use crate::method::Method;
 use crate::system::{IntoState, Parametric, System};
-use search::{End, Joints, Point, Search};
+use descent::End;
+use measurement::Column;
+use search::{Joints, Point, Search};
 use shooting::{PART, Trajectories, sources};
 
 /// Weights of the gaps between joined windows, in standard deviations of their starts, one after the other: the last
@@ -264,14 +267,7 @@ impl<X> Fit<X> {
             return Err(FitError::NoExperiment);
         };
         let sources = experiments.iter().enumerate().map(|(n, experiment)| {
-            if experiment.measurement.columns.is_empty() {
-                return Err(FitError::NoOutput { experiment: n });
-            }
-            let mut columns = experiment.measurement.columns.iter();
-            if let Some(column) = columns.find(|column| column.values.iter().all(|value| value.is_nan())) {
-                let output = column.name.clone();
-                return Err(FitError::NoValues { output });
-            }
+            check_measurement(n, experiment.measurement)?;
             sources::<M, N, P>(experiment.model, experiment.measurement)
         });
         let sources = sources.collect::<Result<_, _>>()?;
@@ -410,6 +406,19 @@ impl<X> Fit<X> {
         }
         (point, end)
     }
+}
+
+/// Checks that an experiment has outputs, and each of them a value.
+fn check_measurement(experiment: usize, measurement: &Measurement) -> Result<(), FitError> {
+    if measurement.columns.is_empty() {
+        return Err(FitError::NoOutput { experiment });
+    }
+    let is_missing = |column: &&Column| column.values.iter().all(|value| value.is_nan());
+    let missing = measurement.columns.iter().find(is_missing);
+    missing.map_or(Ok(()), |column| {
+        let output = column.name.clone();
+        Err(FitError::NoValues { output })
+    })
 }
 
 /// Bounds of a parameter by the rules of the model: zero for what must not be negative, and one for what must not be

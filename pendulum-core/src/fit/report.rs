@@ -6,12 +6,13 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::FitError;
+use super::descent::End;
 use super::elimination::Echelon;
 use super::fitted::{Combination, Estimate, Fitted, FittedWindow, Residuals, Status, Warning};
 use super::likelihood::Likelihood;
 use super::loss::Loss;
 use super::measurement::Measurement;
-use super::search::{End, Point, Search};
+use super::search::{Point, Search};
 use super::shooting::{Shot, padded};
 
 /// Singular values below this part of the largest are rounding errors.
@@ -223,39 +224,17 @@ pub(super) fn fitted<const N: usize, const P: usize>(
     names: &[&str],
     outputs: &[String],
 ) -> Fitted<N, P> {
-    let root = search.eliminated(point).parameters.upper();
     let (values, unknowns) = (search.values(point), search.unknowns());
     let left = values.saturating_sub(unknowns).max(1) as f64;
     let (residuals, squares, [sum, curvature]) = residuals_of(search, point);
     // for robust losses by Huber's formula; the mean curvature is 1 for squares
     let curvature = curvature / values as f64;
     let variance = sum / (left * curvature * curvature);
-    let p = search.free.len();
-    // parameters at a bound do not vary
-    let inner: Vec<usize> = (0..p).filter(|&j| search.bound_of(point, j).is_none()).collect();
-    let scales: Vec<f64> = inner
-        .iter()
-        .map(|&j| point.parameters[search.free[j]].abs())
-        .map(|size| if size > 0.0 { size } else { 1.0 })
-        .collect();
-    let scaled = DMatrix::from_fn(root.nrows(), inner.len(), |i, k| root[(i, inner[k])] * scales[k]);
-    let (relative, undetermined) = uncertainty(scaled, variance, |k| names[search.free[inner[k]]]);
-    let mut covariance = DMatrix::zeros(p, p);
-    for (a, &i) in inner.iter().enumerate() {
-        for (b, &j) in inner.iter().enumerate() {
-            covariance[(i, j)] = relative[(a, b)] * scales[a] * scales[b];
-        }
-    }
+    let (covariance, undetermined) = covariance(search, point, variance, names);
     let quantile = StudentsT::new(0.0, 1.0, left).map_or(f64::NAN, |student| student.inverse_cdf(0.975));
     let estimates = search.free.iter().enumerate().map(|(j, &n)| {
-        let (value, deviation) = (point.parameters[n], covariance[(j, j)].sqrt());
-        let reach = if deviation > 0.0 { quantile * deviation } else { 0.0 };
-        Estimate {
-            name: names[n].to_owned(),
-            value,
-            deviation,
-            interval: [value - reach, value + reach],
-        }
+        let deviation = covariance[(j, j)].sqrt();
+        estimate(names[n], point.parameters[n], deviation, quantile)
     });
     let windows = search.windows.iter().enumerate().map(|(w, window)| FittedWindow {
         experiment: window.experiment,
@@ -299,6 +278,39 @@ pub(super) fn fitted<const N: usize, const P: usize>(
         iterations: search.iterations,
         integrations: search.shots,
     }
+}
+
+/// Estimate with its confidence interval, by a quantile of the distribution of its error over its deviation.
+fn estimate(name: &str, value: f64, deviation: f64, quantile: f64) -> Estimate {
+    let reach = if deviation > 0.0 { quantile * deviation } else { 0.0 };
+    Estimate {
+        name: name.to_owned(),
+        value,
+        deviation,
+        interval: [value - reach, value + reach],
+    }
+}
+
+/// Covariance of the free parameters, and their combinations that are not determined.
+fn covariance(search: &Search<'_>, point: &Point, variance: f64, names: &[&str]) -> (DMatrix<f64>, Vec<Combination>) {
+    let root = search.eliminated(point).parameters.upper();
+    let p = search.free.len();
+    // parameters at a bound do not vary
+    let inner: Vec<usize> = (0..p).filter(|&j| search.bound_of(point, j).is_none()).collect();
+    let scales: Vec<f64> = inner
+        .iter()
+        .map(|&j| point.parameters[search.free[j]].abs())
+        .map(|size| if size > 0.0 { size } else { 1.0 })
+        .collect();
+    let scaled = DMatrix::from_fn(root.nrows(), inner.len(), |i, k| root[(i, inner[k])] * scales[k]);
+    let (relative, undetermined) = uncertainty(scaled, variance, |k| names[search.free[inner[k]]]);
+    let mut covariance = DMatrix::zeros(p, p);
+    for (a, &i) in inner.iter().enumerate() {
+        for (b, &j) in inner.iter().enumerate() {
+            covariance[(i, j)] = relative[(a, b)] * scales[a] * scales[b];
+        }
+    }
+    (covariance, undetermined)
 }
 
 /// Residuals of each column; for each output the sum of the squares over its noise, and the number of values; and the

@@ -1,36 +1,14 @@
-//! The method of Levenberg and Marquardt for the starts of all windows and the free parameters.
-//!
-//! K. Madsen, H. B. Nielsen, O. Tingleff, "Methods for Non-Linear Least Squares Problems", 2nd ed. (2004), 3.2.
-
-use std::ops::ControlFlow;
+//! The problem of a fit: residuals, their noise, the loss, and its linear model.
 
 use nalgebra::DMatrix;
 
-use super::elimination::{Block, Damping, Echelon, Eliminated, within};
+use super::elimination::{Block, Damping, Echelon, Eliminated};
 use super::loss::Loss;
 use super::measurement::Measurement;
 use super::shooting::{Shooting, Shot};
 use super::windows::Window;
-use super::{FitError, Progress, parallel};
+use super::{FitError, parallel};
 
-/// First damping, relative to the lengths of the columns of the Jacobian.
-const FIRST_DAMPING: f64 = 1e-3;
-/// No step decreases the loss if one with this damping does not.
-const MOST_DAMPING: f64 = 1e8;
-/// The search ends where a step would decrease the loss by less than this part of that of one residual: parameters are
-/// then within 1e-4 of their standard deviations.
-const ENOUGH: f64 = 1e-8;
-/// The search also ends after `LAST` steps that decrease the loss by less than this part of that of one residual, such
-/// as along a kink of the loss where joints begin to slip.
-const STALLED: f64 = 1e-2;
-const LAST: usize = 3;
-/// At a kink, steps in the direction of the derivatives increase the loss however close the optimum is: the search also
-/// ends where such a step promised a decrease by less than this part of that of one residual.
-const KINK: f64 = 0.1;
-/// A step leaves at least this part of a parameter that would lose its influence at zero.
-const LEFT: f64 = 0.1;
-/// Rounding errors of the loss, as a part of it.
-const ROUNDING: f64 = 1e-14;
 /// Residuals without noise have this variance at least.
 const LEAST_VARIANCE: f64 = 1e-200;
 /// Median of the absolute value of a normal variable with standard deviation 1.
@@ -89,25 +67,6 @@ pub(super) struct Joints {
 impl Joints {
     fn weights(&self) -> impl Iterator<Item = f64> {
         self.deviations.iter().map(|deviation| self.weight / deviation)
-    }
-}
-
-/// End of a search.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum End {
-    Converged,
-    /// A step that the derivatives suggest does not decrease the loss, but it would not decrease it noticeably.
-    Kink,
-    /// No step that the derivatives suggest decreases the loss.
-    Stuck,
-    OutOfIterations,
-    Stopped,
-}
-
-impl End {
-    /// True if the search must not go on.
-    pub(super) fn is_final(self) -> bool {
-        matches!(self, Self::OutOfIterations | Self::Stopped)
     }
 }
 
@@ -254,7 +213,7 @@ impl Search<'_> {
     }
 
     /// The linearised problem, with the weights of a loss.
-    fn blocks(&self, point: &Point, loss: Loss) -> Vec<Block> {
+    pub(super) fn blocks(&self, point: &Point, loss: Loss) -> Vec<Block> {
         let (n, p) = (self.n, self.free.len());
         let block = |w: usize| {
             let shot = &point.shots[w];
@@ -297,155 +256,4 @@ impl Search<'_> {
         };
         Eliminated::new(&blocks, [self.n, self.free.len()], &none)
     }
-
-    /// Lengths of the columns of the Jacobian. Those of the starts are means over all windows: where a joint sticks, a
-    /// window hardly depends on its start, and its own length would allow a step of any size.
-    fn lengths(&self, blocks: &[Block]) -> Damping {
-        let (n, p) = (self.n, self.free.len());
-        // what has no influence has no corrections
-        let length = |column: usize| {
-            let squares = blocks.iter().map(|block| block.rows.column(column).norm_squared());
-            let length = squares.sum::<f64>().sqrt();
-            if length > 0.0 { length } else { 1.0 }
-        };
-        let mean = (blocks.len() as f64).sqrt();
-        let start: Vec<f64> = (0..n).map(|column| length(column) / mean).collect();
-        Damping {
-            starts: vec![start; blocks.len()],
-            parameters: (n..n + p).map(length).collect(),
-        }
-    }
-
-    /// Minimises the loss from a point on.
-    pub(super) fn minimise(
-        &mut self,
-        mut point: Point,
-        progress: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
-    ) -> (Point, End) {
-        let p = self.free.len();
-        let samples: usize = point.shots.iter().map(|shot| shot.outputs.len()).sum();
-        let (mut damping, mut growth) = (FIRST_DAMPING, 2.0);
-        // robust losses with different noise cannot be compared
-        if self.loss == Loss::Squares || !self.has_noise {
-            self.estimate_noise(&point);
-        }
-        point.loss = self.loss_of(&point);
-        let mut blocks = self.blocks(&point, self.loss);
-        let mut lengths = self.lengths(&blocks);
-        let mut losses = vec![point.loss];
-        let mut unit = self.mean_square(&point);
-        // parameters that lose their influence at a bound, such as dry friction of zero, approach it in parts
-        let mut lost = vec![false; p];
-        loop {
-            if self.iterations >= self.max_iterations {
-                return (point, End::OutOfIterations);
-            }
-            self.iterations += 1;
-            let root = damping.sqrt();
-            let scaled = |of: &Vec<f64>| of.iter().map(|length| root * length).collect();
-            let damped = Damping {
-                starts: lengths.starts.iter().map(scaled).collect(),
-                parameters: scaled(&lengths.parameters),
-            };
-            let eliminated = Eliminated::new(&blocks, [self.n, p], &damped);
-            let room: Vec<[f64; 2]> = (0..p)
-                .map(|j| {
-                    let (value, [low, high]) = (point.parameters[self.free[j]], self.bounds[j]);
-                    let low = if lost[j] { low.max(LEFT * value) } else { low };
-                    [low, high].map(|bound| bound - value)
-                })
-                .collect();
-            let change = within(&eliminated.parameters.upper(), &room);
-            let changes = eliminated.starts(&change);
-            let predicted = predicted_decrease(&blocks, &changes, &change, self.n);
-            let enough = ENOUGH.max(ROUNDING * samples as f64) * unit;
-            let stalled = losses.len() > LAST && losses[losses.len() - 1 - LAST] - point.loss <= STALLED * unit;
-            if predicted * (1.0 + damping) <= enough {
-                return (point, End::Converged);
-            }
-            if stalled {
-                return (point, End::Kink);
-            }
-            let mut parameters = point.parameters.clone();
-            for ((&n, change), [low, high]) in self.free.iter().zip(&change).zip(&self.bounds) {
-                parameters[n] = (parameters[n] + change).clamp(*low, *high);
-            }
-            let mut starts = point.starts.clone();
-            for ((start, changes), window) in starts.iter_mut().zip(&changes).zip(&self.windows) {
-                if !window.known {
-                    start.iter_mut().zip(changes).for_each(|(x, change)| *x += change);
-                    self.shooting.project(window, start, &parameters);
-                }
-            }
-            let next = self.at(parameters, starts).ok();
-            let gain = next.as_ref().map(|next| (point.loss - next.loss) / predicted);
-            match next.filter(|next| next.loss < point.loss) {
-                Some(next) if (0..p).any(|j| !lost[j] && self.influences(&point, j) && !self.influences(&next, j)) => {
-                    (0..p).for_each(|j| lost[j] |= !self.influences(&next, j));
-                }
-                Some(next) => {
-                    point = next;
-                    if self.loss == Loss::Squares {
-                        self.estimate_noise(&point);
-                    }
-                    unit = self.mean_square(&point);
-                    losses.push(point.loss);
-                    blocks = self.blocks(&point, self.loss);
-                    let now = self.lengths(&blocks);
-                    for (most, now) in lengths.starts.iter_mut().flatten().zip(now.starts.iter().flatten()) {
-                        *most = most.max(*now);
-                    }
-                    for (most, now) in lengths.parameters.iter_mut().zip(now.parameters) {
-                        *most = most.max(now);
-                    }
-                    let gain = gain.unwrap_or_default();
-                    let excess = 2.0 * gain - 1.0;
-                    damping *= (1.0 - excess * excess * excess).max(if gain > 0.9 { 0.1 } else { 1.0 / 3.0 });
-                    growth = 2.0;
-                    let report = Progress {
-                        iteration: self.iterations,
-                        loss: point.loss,
-                        parameters: &point.parameters,
-                    };
-                    if progress(&report).is_break() {
-                        return (point, End::Stopped);
-                    }
-                }
-                None => {
-                    if predicted * (1.0 + damping) <= KINK * unit {
-                        return (point, End::Kink);
-                    }
-                    damping *= growth;
-                    growth *= 2.0;
-                    if damping > MOST_DAMPING {
-                        return (point, End::Stuck);
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// Decrease of the linearised loss by corrections.
-fn predicted_decrease(blocks: &[Block], starts: &[Vec<f64>], parameters: &[f64], n: usize) -> f64 {
-    let of = |rows: &DMatrix<f64>, changes: &[&[f64]]| {
-        let last = rows.ncols() - 1;
-        let of_row = |i: usize| {
-            let now = rows[(i, last)];
-            let change = changes.iter().flat_map(|changes| changes.iter()).enumerate();
-            let change: f64 = change.map(|(j, change)| rows[(i, j)] * change).sum();
-            // now^2 - (now - change)^2
-            change * (2.0 * now - change)
-        };
-        (0..rows.nrows()).map(of_row).sum::<f64>()
-    };
-    let mut sum = 0.0;
-    for (w, block) in blocks.iter().enumerate() {
-        debug_assert_eq!(starts[w].len(), n);
-        sum += of(&block.rows, &[&starts[w], parameters]);
-        if let Some(joint) = &block.joint {
-            sum += of(joint, &[&starts[w - 1], &starts[w], parameters]);
-        }
-    }
-    sum
 }

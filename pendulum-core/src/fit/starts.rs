@@ -32,50 +32,24 @@ where
     let mut before: Option<Vec<f64>> = None;
     for window in &search.windows {
         let experiment = &trajectories.experiments[window.experiment];
-        let model = experiment.model.cast::<f64>();
-        let layout = model.layout();
-        if window.samples.start == 0 {
-            before = None;
-        }
-        let start = match (experiment.known.filter(|_| window.known), experiment.guess, &before) {
+        let is_first = window.samples.start == 0;
+        let mut start = match (
+            experiment.known.filter(|_| window.known),
+            before.take(),
+            experiment.guess,
+        ) {
             (Some((_, known)), _, _) => known.as_slice()[..search.n].to_vec(),
-            (None, _, Some(before)) => before.clone(),
-            (None, Some(guess), None) => guess.as_slice()[..search.n].to_vec(),
-            (None, None, None) => {
-                let mut origin = vec![0.0; search.n];
-                let quaternions = layout.into_iter().flat_map(|layout| layout.quaternions());
-                quaternions.for_each(|places| origin[places.start] = 1.0);
-                origin
-            }
+            (None, Some(before), _) if !is_first => before,
+            (None, _, Some(guess)) => guess.as_slice()[..search.n].to_vec(),
+            (None, _, None) => origin(&experiment.model.cast::<f64>(), search.n),
         };
-        let (mut start, mut measured) = (start, vec![false; search.n]);
-        let guessed = window.samples.start == 0 && experiment.guess.is_some();
-        if !window.known && !guessed {
-            let columns = &experiment.measurement.columns;
-            let of_state = trajectories.sources[window.experiment].iter().zip(columns);
-            let mut rates = Vec::new();
-            for (source, column) in of_state {
-                let Source::Component(n) = *source else {
-                    continue;
-                };
-                let times = &experiment.measurement.times;
-                let Some((value, rate)) = guess::value_and_rate(times, column, window.samples.clone()) else {
-                    continue;
-                };
-                (start[n], measured[n]) = (value, true);
-                let rate_of = (0..search.n).find(|&rate| position_of(layout, rate) == Some(n));
-                rates.extend(rate_of.zip(rate));
-            }
-            for (n, rate) in rates {
-                if !measured[n] {
-                    (start[n], measured[n]) = (rate, true);
-                }
-            }
+        let is_guessed = is_first && experiment.guess.is_some();
+        let mut is_complete = window.known;
+        if !window.known && !is_guessed {
+            is_complete = trajectories.measure(window, &mut start);
             search.shooting.project(window, &mut start, parameters);
         }
-        let complete = window.known || measured.iter().all(|&measured| measured);
-        before = None;
-        if !complete {
+        if !is_complete {
             let beginning = window.beginning(experiment.measurement, SAMPLES_OF_A_START * search.n);
             start = search
                 .start_alone(&beginning, start, parameters, &search.given)?
@@ -101,6 +75,50 @@ where
         }
     }
     Ok(starts)
+}
+
+/// The state of zeros, with quaternions of no rotation.
+fn origin<S: System<f64, N>, const N: usize>(model: &S, n: usize) -> Vec<f64> {
+    let mut origin = vec![0.0; n];
+    let quaternions = model.layout().into_iter().flat_map(|layout| layout.quaternions());
+    quaternions.for_each(|places| origin[places.start] = 1.0);
+    origin
+}
+
+impl<X, M, const N: usize, const P: usize> Trajectories<'_, X, M, N, P>
+where
+    M: Parametric<N, P>,
+{
+    /// Replaces measured components of the start of a window, and the rates of measured positions. Returns true if
+    /// these are all components.
+    fn measure(&self, window: &Window, start: &mut [f64]) -> bool {
+        let experiment = &self.experiments[window.experiment];
+        let model = experiment.model.cast::<f64>();
+        let layout = model.layout();
+        let times = &experiment.measurement.times;
+        let mut measured = vec![false; start.len()];
+        let mut rates = Vec::new();
+        for (source, column) in self.sources[window.experiment]
+            .iter()
+            .zip(&experiment.measurement.columns)
+        {
+            let Source::Component(n) = *source else {
+                continue;
+            };
+            let Some((value, rate)) = guess::value_and_rate(times, column, window.samples.clone()) else {
+                continue;
+            };
+            (start[n], measured[n]) = (value, true);
+            let rate_of = (0..start.len()).find(|&rate| position_of(layout, rate) == Some(n));
+            rates.extend(rate_of.zip(rate));
+        }
+        for (n, rate) in rates {
+            if !measured[n] {
+                (start[n], measured[n]) = (rate, true);
+            }
+        }
+        measured.iter().all(|&measured| measured)
+    }
 }
 
 impl Search<'_> {
