@@ -29,13 +29,16 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::constraint::MAX_CONSTRAINTS;
-use crate::ensemble::check_models;
+use crate::ensemble::{check_lanes, check_number};
 use crate::error::Reason;
 use crate::inputs::{CastControlled, Controlled};
 use crate::method::require;
 use crate::real::Real;
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::system::{ActsWith, Cast, CastJacobian, Jacobian, System};
+
+/// Rule for the number of models.
+const ONE_OR_EACH: &str = "a batch takes one model for all states, or one for each";
 
 /// Computes the right-hand sides at the time `t`, `rates[i]` from `states[i]`.
 ///
@@ -88,7 +91,7 @@ where
     M: CastControlled<N, K>,
     T: LaneElement,
 {
-    check_number_of_models(models, states)?;
+    check_number("models", models, states, ONE_OR_EACH)?;
     check_one_for_each("inputs", inputs, states)?;
     check_one_for_each("results", rates, states)?;
     if !states.is_empty() {
@@ -157,8 +160,8 @@ where
     M: Cast<N>,
     T: LaneElement,
 {
-    check_number_of_models(models, states)?;
-    check_models(models, states)?;
+    check_number("models", models, states, ONE_OR_EACH)?;
+    check_lanes(models)?;
     check_one_for_each("results", values, states)?;
     if !states.is_empty() {
         Isa::widest().run(Free {
@@ -312,13 +315,6 @@ impl Places {
             }
         }
     }
-}
-
-/// Checks that there is one model for all states, or one for each.
-fn check_number_of_models<M, X>(models: &[M], states: &[X]) -> Result<(), Reason> {
-    let rule = "a batch takes one model for all states, or one for each";
-    let fits = models.len() == 1 || models.len() == states.len();
-    require(fits, "models", models.len() as f64, rule)
 }
 
 /// Checks that there is one argument for each state.

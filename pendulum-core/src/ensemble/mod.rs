@@ -217,8 +217,23 @@ impl<T: Float, const N: usize> Error for EnsembleError<T, N> {}
 /// [`Reason::InvalidInput`].
 pub fn check_models<M: Cast<N>, X, const N: usize>(models: &[M], starts: &[X]) -> Result<(), Reason> {
     let rule = "an ensemble takes one model for all starts, or one for each";
-    let fits = models.len() == 1 || models.len() == starts.len();
-    require(fits, "models", models.len() as f64, rule)?;
+    check_number("models", models, starts, rule)?;
+    check_lanes(models)
+}
+
+/// Checks that there is one of the arguments for all starts or states, or one for each.
+pub(crate) fn check_number<A, X>(
+    name: &'static str,
+    arguments: &[A],
+    starts: &[X],
+    rule: &'static str,
+) -> Result<(), Reason> {
+    let count = arguments.len();
+    require(count == 1 || count == starts.len(), name, count as f64, rule)
+}
+
+/// Checks that models can share lanes.
+pub(crate) fn check_lanes<M: Cast<N>, const N: usize>(models: &[M]) -> Result<(), Reason> {
     let rule = "the models of an ensemble may differ in the constants of declarations, not in laws of inputs or \
                 equations by hand, as this one does";
     let strange = models.iter().position(|model| !model.shares_lanes(&models[0]));

@@ -6,10 +6,10 @@ use super::held::Holding;
 use super::legs::{Leg, Legs};
 use super::run::Run;
 use super::{Commanded, Controller, Outputs, Sampled};
-use crate::ensemble::{EnsembleError, Marches, Stopped, check_models, conclude, go_on, model_of};
+use crate::ensemble::{EnsembleError, Marches, Stopped, check_models, check_number, conclude, go_on, model_of};
 use crate::error::Reason;
 use crate::inputs::{CastControlled, WithInputs};
-use crate::method::{Method, Pace, check_span, place, require};
+use crate::method::{Method, Pace, check_span, place};
 use crate::real::lanes::LaneElement;
 use crate::system::Cast;
 
@@ -126,8 +126,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let holding: Vec<_> = holding.collect();
         check_models(&holding, starts)?;
         let rule = "an ensemble takes one controller for all starts, or one for each";
-        let count = controllers.len();
-        require(count == 1 || count == starts.len(), "controllers", count as f64, rule)?;
+        check_number("controllers", controllers, starts, rule)?;
         let mut ends = starts.to_vec();
         let [first, ..] = controllers else {
             return Ok(ends);
@@ -135,17 +134,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let mut stopped = Vec::new();
         let shares_clock = |other: &Self| (other.period, other.delay) == (first.period, first.delay);
         if S::HYBRID || !A::GOES_ON || !controllers.iter().all(shares_clock) {
-            for (index, x) in ends.iter_mut().enumerate() {
-                let model = model_of(models, index).cast();
-                let (controller, member) = Self::of(controllers, index);
-                match controller.end_of(method, &model, (t0, t1), *x, member) {
-                    Ok(end) => *x = end,
-                    Err(halt) => {
-                        *x = halt.x;
-                        stopped.push(Stopped::new(index, halt.t, halt.reason));
-                    }
-                }
-            }
+            Self::one_by_one(controllers, method, models, (t0, t1), (&mut ends, &mut stopped));
             return conclude(ends, stopped);
         }
         let mut flock = Flock::start(controllers, holding, (t0, t1), &mut ends, &mut stopped);
@@ -160,6 +149,33 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         }
         flock.leave(|_| true, &mut ends);
         conclude(ends, stopped)
+    }
+
+    /// Integrates from the states `ends`, one trajectory after the other, and replaces them.
+    fn one_by_one<A, S, T, const N: usize>(
+        controllers: &[Self],
+        method: &A,
+        models: &[S],
+        span: (T, T),
+        (ends, stopped): (&mut [SVector<T, N>], &mut Vec<Stopped<T>>),
+    ) where
+        A: SampledMethod<S, T, N, M>,
+        C: Controller<T, P, M>,
+        W: Outputs<T, N, P>,
+        S: CastControlled<N, M, In<T>: Clone> + Clone,
+        T: LaneElement,
+    {
+        for (index, x) in ends.iter_mut().enumerate() {
+            let model = model_of(models, index).cast();
+            let (controller, member) = Self::of(controllers, index);
+            match controller.end_of(method, &model, span, *x, member) {
+                Ok(end) => *x = end,
+                Err(halt) => {
+                    *x = halt.x;
+                    stopped.push(Stopped::new(index, halt.t, halt.reason));
+                }
+            }
+        }
     }
 
     /// The controller of a trajectory, and the member whose noise it has.
