@@ -5,7 +5,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::boxed::{Factor, minimize};
+use super::boxed::{Factor, Minimum, minimize};
 use super::cost::dot;
 use super::matrix::{plus, plus_product, product, scaled, transposed};
 use super::{Ilqr, IlqrError, Objective, StepDerivatives, StepMap};
@@ -88,21 +88,8 @@ where
                 low[m] -= u[m];
                 high[m] -= u[m];
             }
-            let mut damping = self.damping;
-            let minimum = loop {
-                let mut damped = uu;
-                for m in 0..M {
-                    damped.data.0[m][m] += damping * uu.data.0[m][m].abs();
-                }
-                if let Some(minimum) = minimize(&damped, &by_u.data.0[0], [&low, &high], &guess) {
-                    break minimum;
-                }
-                damping = T::from_f64(LEAST_DAMPING).max(T::from_f64(10.0) * damping);
-                // false for NaN as well
-                let may_grow = damping < T::from_f64(LARGEST_DAMPING);
-                if !may_grow {
-                    return Err(IlqrError::NotConvex { node: k });
-                }
+            let Some(minimum) = damped_minimum(&uu, &by_u.data.0[0], [&low, &high], &guess, self.damping) else {
+                return Err(IlqrError::NotConvex { node: k });
             };
             guess = minimum.at;
             let change = SVector::from(minimum.at);
@@ -125,6 +112,33 @@ where
             ilqr.gain[k] = gain;
         }
         Ok(promise)
+    }
+}
+
+/// Minimum of a quadratic function within limits, as [`minimize`] finds it. The damping grows until the function is
+/// convex; `None` if it does not become so.
+#[inline(always)]
+fn damped_minimum<T: Float, const M: usize>(
+    matrix: &SMatrix<T, M, M>,
+    slope: &[T; M],
+    limits: [&[T; M]; 2],
+    start: &[T; M],
+    mut damping: T,
+) -> Option<Minimum<T, M>> {
+    loop {
+        let mut damped = *matrix;
+        for m in 0..M {
+            damped.data.0[m][m] += damping * matrix.data.0[m][m].abs();
+        }
+        if let Some(minimum) = minimize(&damped, slope, limits, start) {
+            return Some(minimum);
+        }
+        damping = T::from_f64(LEAST_DAMPING).max(T::from_f64(10.0) * damping);
+        // false for NaN as well
+        let may_grow = damping < T::from_f64(LARGEST_DAMPING);
+        if !may_grow {
+            return None;
+        }
     }
 }
 

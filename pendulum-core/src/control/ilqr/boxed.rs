@@ -123,30 +123,7 @@ pub(super) fn minimize<T: Float, const M: usize>(
             break;
         }
         let newton = factor.minus_solved(&SMatrix::<T, 1, M>::from_row_slice(&gradient));
-        let mut length = T::from_f64(1.0);
-        let mut next = at;
-        for _ in 0..HALVINGS {
-            let mut reached = at;
-            for (reached, [newton]) in reached.iter_mut().zip(newton.data.0) {
-                *reached += length * newton;
-            }
-            reached = limited(&reached, [low, high]);
-            let (mut promised, mut change) = (T::default(), T::default());
-            for i in 0..M {
-                let moved = reached[i] - at[i];
-                let mut bent = T::default();
-                for j in 0..M {
-                    bent += matrix.data.0[j][i] * (reached[j] - at[j]);
-                }
-                promised += gradient[i] * moved;
-                change += moved * (gradient[i] + T::from_f64(0.5) * bent);
-            }
-            if change <= T::from_f64(SUFFICIENT) * promised {
-                next = reached;
-                break;
-            }
-            length *= T::from_f64(0.5);
-        }
+        let (mut next, length) = searched(matrix, (&at, &gradient), &newton, [low, high]);
         if next == at {
             // a step of any length crosses a limit that is all but reached: that input is held from now on
             for i in 0..M {
@@ -164,6 +141,40 @@ pub(super) fn minimize<T: Float, const M: usize>(
         at = next;
     }
     known.map(|factor| Minimum { at, factor })
+}
+
+/// Longest share of a Newton step, out of halved ones, that decreases the function enough: the point there, or `at` if
+/// none does, and the share.
+#[inline(always)]
+fn searched<T: Float, const M: usize>(
+    matrix: &SMatrix<T, M, M>,
+    (at, gradient): (&[T; M], &[T; M]),
+    newton: &SMatrix<T, 1, M>,
+    limits: [&[T; M]; 2],
+) -> ([T; M], T) {
+    let mut length = T::from_f64(1.0);
+    for _ in 0..HALVINGS {
+        let mut reached = *at;
+        for (reached, [newton]) in reached.iter_mut().zip(newton.data.0) {
+            *reached += length * newton;
+        }
+        reached = limited(&reached, limits);
+        let (mut promised, mut change) = (T::default(), T::default());
+        for i in 0..M {
+            let moved = reached[i] - at[i];
+            let mut bent = T::default();
+            for j in 0..M {
+                bent += matrix.data.0[j][i] * (reached[j] - at[j]);
+            }
+            promised += gradient[i] * moved;
+            change += moved * (gradient[i] + T::from_f64(0.5) * bent);
+        }
+        if change <= T::from_f64(SUFFICIENT) * promised {
+            return (reached, length);
+        }
+        length *= T::from_f64(0.5);
+    }
+    (*at, length)
 }
 
 /// Gradient, and the sums of the magnitudes of its terms.

@@ -84,13 +84,7 @@ where
         let Some(across) = self.gradient(model, t0) else {
             return false;
         };
-        let mut linear = T::default();
-        for (k, slopes) in across.iter().enumerate() {
-            for (m, &slope) in slopes.iter().enumerate() {
-                linear += slope * (self.plan.u[k][m] - self.trial.u[k][m]);
-            }
-        }
-        let error = (decrease - linear).abs();
+        let error = (decrease - self.linear_decrease(&across)).abs();
         self.trial = self.plan;
         let before = match tilt.take() {
             Some(tilt) => tilt,
@@ -131,6 +125,17 @@ where
             error: before.error + weight * further,
         });
         is_useful
+    }
+
+    /// Decrease of the cost from the plan to `trial` by a gradient alone.
+    fn linear_decrease(&self, gradient: &[[T; M]; K]) -> T {
+        let mut linear = T::default();
+        for (k, slopes) in gradient.iter().enumerate() {
+            for (m, &slope) in slopes.iter().enumerate() {
+                linear += slope * (self.plan.u[k][m] - self.trial.u[k][m]);
+            }
+        }
+        linear
     }
 
     /// Gradient of the cost of `trial` by the inputs.

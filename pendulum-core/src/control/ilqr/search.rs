@@ -132,11 +132,8 @@ where
                     decrease = cost - next;
                     cost = next;
                     tilt = None;
-                    small = if decrease > self.tolerance * cost.abs() {
-                        0
-                    } else {
-                        small + 1
-                    };
+                    let is_small = decrease <= self.tolerance * cost.abs();
+                    small = if is_small { small + 1 } else { 0 };
                     if const { S::HAS_KINKS } && small == PATIENCE {
                         return Ok(Solved { cost, iterations });
                     }
@@ -151,12 +148,7 @@ where
                     tilt = None;
                     self.damping.grow();
                     if self.damping.value > T::from_f64(LARGEST_DAMPING) {
-                        let (cost, promised) = (cost.to_f64(), promised.to_f64());
-                        return Err(IlqrError::NoDecrease {
-                            iterations,
-                            cost,
-                            promised,
-                        });
+                        return Err(no_decrease(iterations, cost, promised));
                     }
                 }
             }
@@ -301,6 +293,14 @@ where
             }
         }
         self.cost.check()
+    }
+}
+
+fn no_decrease<T: Float>(iterations: usize, cost: T, promised: T) -> IlqrError {
+    IlqrError::NoDecrease {
+        iterations,
+        cost: cost.to_f64(),
+        promised: promised.to_f64(),
     }
 }
 

@@ -137,11 +137,8 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let halt = |t, x| move |reason| Halt { reason, t, x };
         let held = Cell::new(self.start.map(T::from_f64));
         let system = WithInputs::of(model.clone(), Commanded(&held));
-        let checked = check_start(span.0, span.1, &x0)
-            .and_then(|()| self.check(span))
-            .and_then(|()| self.outputs.check())
-            .and_then(|()| place(&system, span.0, &x0));
-        let mut x = checked.map_err(halt(span.0, x0))?;
+        let placed = self.check_start(span, &x0).and_then(|()| place(&system, span.0, &x0));
+        let mut x = placed.map_err(halt(span.0, x0))?;
         let mut run = self.run(member);
         let mut legs = Legs::new(span, self.period, self.delay);
         let mut stepper: Option<Stepper<'_, _, _, T, N>> = None;
@@ -153,8 +150,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
             if leg.from == leg.to {
                 continue;
             }
-            let inputs = run.inputs(&leg);
-            let before = held.get();
+            let (inputs, before) = (run.inputs(&leg), held.get());
             let differs = |m: usize| inputs[m] != before[m] || !inputs[m].has_same_slopes(&before[m]);
             let jump = stepper.is_some() && (0..M).any(differs);
             held.set(inputs);
@@ -180,5 +176,15 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         }
         let work = stepper.map_or_else(Statistics::default, |stepper| stepper.statistics());
         Ok((x, work))
+    }
+
+    /// Checks the settings, the span and the initial state.
+    fn check_start<T: Float, const N: usize>(&self, span: (T, T), x0: &SVector<T, N>) -> Result<(), Reason>
+    where
+        W: Outputs<T, N, P>,
+    {
+        check_start(span.0, span.1, x0)?;
+        self.check(span)?;
+        self.outputs.check()
     }
 }
