@@ -1,5 +1,7 @@
 //! Blocks as Rust code.
 
+mod columns;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -7,7 +9,8 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::count;
 use crate::expr::{Binary, Precedence, Unary};
-use crate::program::{Block, Coefficient, Columns, Let, Local, MultiplyAdd, Program, Signs, SinCos, Term, Variable};
+use crate::program::{Block, Coefficient, Let, Local, MultiplyAdd, Program, Signs, SinCos, Term, Variable};
+use columns::stored;
 
 /// Maximum number of statements in one Rust block. Every `let` opens a scope inside the one before, and compilers that
 /// walk scopes by recursion (as LLVM does for debug information) overflow the stack at some thousand nested scopes.
@@ -123,19 +126,6 @@ pub(super) fn number(value: f64) -> TokenStream {
     }
 }
 
-/// Values that are entries of right-hand sides, and where: row and column of each.
-fn stored(columns: &Columns) -> BTreeMap<Local, Vec<[Literal; 2]>> {
-    let mut stored: BTreeMap<Local, Vec<[Literal; 2]>> = BTreeMap::new();
-    for (n, column) in columns.given.iter().enumerate() {
-        for (row, entry) in column.iter().enumerate() {
-            if let Term::Local(local) = entry {
-                stored.entry(*local).or_default().push([count(row), count(n)]);
-            }
-        }
-    }
-    stored
-}
-
 struct Writer<'p> {
     names: Names<'p>,
     block: &'p Block,
@@ -164,46 +154,6 @@ impl Writer<'_> {
         self.scopes(lets, results, |lets| {
             lets.iter().map(|code| self.statement(code)).collect()
         })
-    }
-
-    /// Declaration of the columns, which the statements fill; and the loop that solves them. For scalars their number
-    /// is rounded up, so that compilers fill registers with columns.
-    fn columns(&self, columns: &Columns) -> (TokenStream, TokenStream) {
-        /// Number of `f64` in a register.
-        const LANES: usize = 4;
-        let (rows, number) = (columns.solution.results.len(), columns.given.len());
-        let (name, n) = (local("columns"), local("column"));
-        let (padded, number, length) = (count(number.next_multiple_of(LANES)), count(number), count(rows));
-        let before = quote!(let mut #name = [[T::default(); #padded]; #length];);
-        let others = columns.given.iter().enumerate().flat_map(|(n, column)| {
-            let others = column.iter().enumerate();
-            let others = others.filter(|(_, entry)| !matches!(entry, Term::Local(_) | Term::Number(0.0)));
-            others.map(move |(row, entry)| (count(row), count(n), entry))
-        });
-        let others = others.map(|(row, n, entry)| {
-            let entry = self.term(entry);
-            quote!(#name[#row][#n] = #entry;)
-        });
-        let others: TokenStream = others.collect();
-        let factors = columns.factors.iter().enumerate().map(|(n, factor)| {
-            let (factor, of) = (self.term(factor), self.names.variable(Variable::Factor(n)));
-            quote!(let #of = #factor;)
-        });
-        let factors: TokenStream = factors.collect();
-        let places: Vec<Literal> = (0..rows).map(count).collect();
-        let given = (0..rows).map(|row| self.names.variable(Variable::Given(row)));
-        let code = self
-            .names
-            .code(&columns.solution, |results| quote!(#(#name[#places][#n] = #results;)*));
-        let solved = quote! {
-            #others
-            #factors
-            for #n in 0..if T::LANES == 1 { #padded } else { #number } {
-                let [#(#given),*] = [#(#name[#places][#n]),*];
-                #code
-            }
-        };
-        (before, solved)
     }
 
     /// Statements in scopes of at most [`MOST_STATEMENTS`], each of which returns the values needed after it.
@@ -283,13 +233,7 @@ impl Writer<'_> {
     }
 
     fn statement(&self, code: &Let) -> TokenStream {
-        let stores = code.defines().flat_map(|of| {
-            let (name, columns) = (self.local(of), local("columns"));
-            let places = self.stored.get(&of).into_iter().flatten();
-            places.map(move |[row, n]| quote!(T::put(&mut #columns[#row][#n], #name);))
-        });
-        let stores: TokenStream = stores.collect();
-        let values = self.values(code);
+        let (values, stores) = (self.values(code), self.stores(code));
         quote!(#values #stores)
     }
 
@@ -338,15 +282,7 @@ impl Writer<'_> {
                 let name = self.local(*of);
                 (quote!(#name), Atom)
             }
-            Term::Read(variable @ Variable::Solved(n)) => {
-                let rows = self
-                    .block
-                    .columns
-                    .as_ref()
-                    .map_or(1, |columns| columns.solution.results.len());
-                let (name, row, column) = (self.names.variable(*variable), count(n % rows), count(n / rows));
-                (quote!(#name[#row][#column]), Atom)
-            }
+            Term::Read(Variable::Solved(n)) => (self.solved(*n), Atom),
             Term::Read(variable) => {
                 let name = self.names.variable(*variable);
                 (quote!(#name), Atom)
