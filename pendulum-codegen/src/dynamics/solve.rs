@@ -28,7 +28,7 @@ pub(crate) trait Inverse<'g> {
 }
 
 /// A factored matrix.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Factored<'g> {
     /// The pivots, from the last coordinate to the first.
     pivots: Vec<Pivot<'g>>,
@@ -38,7 +38,7 @@ pub(crate) struct Factored<'g> {
 
 /// Coordinates that are eliminated together, with the negated inverse of their block. With the minus here no other sign
 /// has to change.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Pivot<'g> {
     coordinates: Range<usize>,
     /// Inverse without its common `factor`, which is multiplied last.

@@ -1,6 +1,5 @@
 //! Choice of the shortest form of a function.
 
-use super::columns::Columns;
 use super::{Basis, Form};
 use crate::expr::{Expr, Graph};
 use crate::model::Model;
@@ -27,6 +26,17 @@ pub(crate) struct Chosen<'g> {
     pub form: Form,
     /// Operations of the best form on each other basis, in ascending order of weight.
     pub others: Vec<(Form, Operations)>,
+}
+
+/// Linear systems with the same matrix, one for each of several columns.
+#[derive(Clone, Debug)]
+pub(crate) struct Columns<'g> {
+    /// Number of columns.
+    pub(crate) count: usize,
+    /// Right-hand sides, column by column, followed by the entries of the factored matrix.
+    pub(crate) given: Vec<Expr<'g>>,
+    /// Solution of one system, in symbols for the entries of its column and of the matrix.
+    pub(crate) solution: Vec<Expr<'g>>,
 }
 
 impl<'g> Chosen<'g> {
@@ -65,9 +75,9 @@ impl<'g> Chosen<'g> {
 /// Form of a function, and its roots.
 pub(super) type Candidate<'g> = (Form, Vec<Expr<'g>>);
 
-/// Returns the candidate of the least weight after sharing common subexpressions; the first wins a tie. An exact
-/// candidate may be slightly longer. There must be at least one candidate.
-pub(super) fn choose<'g>(g: &'g Graph, candidates: Vec<Candidate<'g>>) -> Chosen<'g> {
+/// Returns the candidate of the least weight after sharing common subexpressions, and its index; the first wins a tie.
+/// An exact candidate may be slightly longer. There must be at least one candidate.
+pub(super) fn choose<'g>(g: &'g Graph, candidates: Vec<Candidate<'g>>) -> (Chosen<'g>, usize) {
     let lowered = candidates.into_iter().map(|(form, roots)| {
         let roots = trig::lower(g, &roots);
         let operations = Operations::of(g, &roots);
@@ -79,8 +89,8 @@ pub(super) fn choose<'g>(g: &'g Graph, candidates: Vec<Candidate<'g>>) -> Chosen
         .map(|(.., operations)| operations.arithmetic())
         .min()
         .unwrap_or(0);
-    let mut counted: Vec<(Form, Vec<Expr<'g>>, Operations)> = Vec::new();
-    for (form, mut roots, mut operations) in lowered {
+    let mut counted: Vec<(usize, Form, Vec<Expr<'g>>, Operations)> = Vec::new();
+    for (index, (form, mut roots, mut operations)) in lowered.into_iter().enumerate() {
         if HOPELESS[1] * operations.arithmetic() <= HOPELESS[0] * least {
             let original = roots.clone();
             for factor in [false, true] {
@@ -91,30 +101,31 @@ pub(super) fn choose<'g>(g: &'g Graph, candidates: Vec<Candidate<'g>>) -> Chosen
                 }
             }
         }
-        counted.push((form, roots, operations));
+        counted.push((index, form, roots, operations));
     }
     counted.sort_by_key(|(.., operations)| operations.weight());
     let least = counted.first().map_or(0, |(.., operations)| operations.weight());
     let exact = counted
         .iter()
-        .position(|(form, _, operations)| form.exact && operations.weight() <= least + least / WORTH_OF_DIGITS);
+        .position(|(_, form, _, operations)| form.exact && operations.weight() <= least + least / WORTH_OF_DIGITS);
     if let Some(at) = exact {
         counted[..=at].rotate_right(1);
     }
     let mut counted = counted.into_iter();
-    let (form, roots, operations) = counted.next().unwrap_or_default();
+    let (index, form, roots, operations) = counted.next().unwrap_or_default();
     let mut others: Vec<(Form, Operations)> = Vec::new();
-    for (other, _, operations) in counted {
+    for (_, other, _, operations) in counted {
         let known = others.iter().map(|(form, _)| form.basis).chain([form.basis]);
         if !known.into_iter().any(|basis| basis == other.basis) {
             others.push((other, operations));
         }
     }
-    Chosen {
+    let chosen = Chosen {
         roots,
         columns: None,
         operations,
         form,
         others,
-    }
+    };
+    (chosen, index)
 }

@@ -4,6 +4,7 @@
 //! operations a processor waits for instructions rather than for numbers, so that code with a loop is faster than
 //! without: it is shorter, and the compiler computes several columns at a time.
 
+use super::chosen::Columns;
 use super::{Candidate, Chosen, Derivatives, Form};
 use crate::dynamics::{Factored, Inverse};
 use crate::expr::{Expr, Graph, SymbolKind};
@@ -18,17 +19,6 @@ const LEAST_SHARE: usize = 8;
 /// Inverse of the extra operations allowed to code with a loop, which shares nothing among the columns: one part in
 /// `WORTH_OF_LOOPS`.
 const WORTH_OF_LOOPS: usize = 16;
-
-/// Linear systems with the same matrix, one for each of several columns.
-#[derive(Clone, Debug)]
-pub(crate) struct Columns<'g> {
-    /// Number of columns.
-    pub(crate) count: usize,
-    /// Right-hand sides, column by column, followed by the entries of the factored matrix.
-    pub(crate) given: Vec<Expr<'g>>,
-    /// Solution of one system, in symbols for the entries of its column and of the matrix.
-    pub(crate) solution: Vec<Expr<'g>>,
-}
 
 /// One way to derive accelerations, before the linear systems for their derivatives are solved.
 pub(super) struct Unsolved<'g> {

@@ -187,6 +187,11 @@ impl<'g> Forms<'g> {
     }
 
     fn choose(&self, candidates: Vec<Candidate<'g>>) -> Chosen<'g> {
+        self.choose_of(candidates).0
+    }
+
+    /// Returns the shortest code, and the index of its candidate.
+    fn choose_of(&self, candidates: Vec<Candidate<'g>>) -> (Chosen<'g>, usize) {
         let graph = self.normalizer.graph();
         let written_out = |(form, roots): Candidate<'g>| (form, self.dependence.written_out(graph, &roots));
         choose(graph, candidates.into_iter().map(written_out).collect())

@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 
 use super::routines::stacked;
 use super::solved::Way;
-use super::written::Written;
+use super::written::Solutions;
 use super::{Basis, Candidate, Chosen, Forms, Products, expanded};
 use crate::dynamics::{Entries, Inverse, derived};
 use crate::expr::{Derivative, Expr, Normalizer};
@@ -112,20 +112,11 @@ pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
     let rows = Rows::new(model);
     let mut candidates: Vec<Candidate<'g>> = Vec::new();
     for written in &forms.forms {
-        let Written { form: own, balance, .. } = written;
-        let rows = rows.on(&mut forms.normalizer, own.basis);
-        let exact = forms.solved.iter().filter(|(form, _)| form.basis == own.basis);
-        for (factored, solver) in written.factorings() {
-            let form = own.solved_by(solver);
-            let mut solved = vec![(form, factored.solve_negated(&balance.residual))];
-            solved.extend(
-                exact
-                    .clone()
-                    .map(|(_, accelerations)| (form.exactly(), accelerations.clone())),
-            );
-            for (form, accelerations) in solved {
-                candidates.push((form, rows.response(model, &factored, &accelerations)));
-            }
+        let rows = rows.on(&mut forms.normalizer, written.form.basis);
+        for Solutions { factored, solved } in written.solutions(&forms.solved) {
+            let response =
+                |(form, accelerations): Candidate<'g>| (form, rows.response(model, &factored, &accelerations));
+            candidates.extend(solved.into_iter().map(response));
         }
     }
     forms.choose(candidates)

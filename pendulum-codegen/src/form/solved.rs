@@ -2,12 +2,12 @@
 
 use super::chosen::{Candidate, Chosen, HOPELESS};
 use super::columns::{Unsolved, in_loop, is_long};
-use super::written::Written;
+use super::written::{Solutions, Written};
 use super::{Basis, Derivatives, Form, Forms, ways};
 use crate::dynamics::{
     ArticulatedTangent, Articulation, Balance, Entries, Inverse, derived, partials, partials_by_recursion,
 };
-use crate::expr::Expr;
+use crate::expr::{Expr, Normalizer};
 use crate::model::{Floating, Model};
 
 /// Maximum size of a balance that is differentiated in the graph, in graph nodes times variables.
@@ -57,6 +57,7 @@ pub(super) struct Way<'a, 'g> {
 struct Derived<'a, 'g> {
     model: &'a Model<'g>,
     floating: &'a [Floating<'g>],
+    variables: &'a [Expr<'g>],
     /// Accelerations as symbols.
     symbols: Vec<Expr<'g>>,
     /// Derivatives of the coordinate accelerations at fixed unknowns of the linear system, one column for each
@@ -76,17 +77,12 @@ impl<'g> Forms<'g> {
             });
         }
         for written in solved_from(&self.by_links, &self.oriented, &self.forms) {
-            let Written { form: own, balance, .. } = written;
-            let exact = self.solved.iter().filter(|(form, _)| form.basis == own.basis);
-            for (factored, solver) in written.factorings() {
-                let form = own.solved_by(solver);
-                let own = (form, factored.solve_negated(&balance.residual));
-                let exact = exact.clone().map(|(_, solved)| (form.exactly(), solved.clone()));
-                for (form, solved) in [own].into_iter().chain(exact) {
+            for Solutions { factored, solved } in written.solutions(&self.solved) {
+                for (form, solved) in solved {
                     f(System {
                         form,
                         inverse: &factored,
-                        rows: &balance.rows,
+                        rows: &written.balance.rows,
                         solved,
                     });
                 }
@@ -129,10 +125,8 @@ impl<'g> Forms<'g> {
             candidates.push((by_links.form, of_coordinates(by_links.accelerations.clone())));
         }
         for written in solved_from(&self.by_links, &self.oriented, &self.forms) {
-            for (factored, solver) in written.factorings() {
-                let solved = factored.solve_negated(&written.balance.residual);
-                candidates.push((written.form.solved_by(solver), of_coordinates(solved)));
-            }
+            let solved = written.solutions(&[]).flat_map(|solutions| solutions.solved);
+            candidates.extend(solved.map(|(form, solved)| (form, of_coordinates(solved))));
         }
         candidates.extend(self.solved.iter().cloned());
         for (_, roots) in &mut candidates {
@@ -192,109 +186,118 @@ impl<'g> Forms<'g> {
     ) -> (Chosen<'g>, Option<Unsolved<'g>>) {
         let floating = self.floating.clone();
         let derived_from = Derived::new(model, &floating, variables);
-        let mut candidates: Vec<Candidate<'g>> = Vec::new();
         let candidate = |way: Way<'_, 'g>| (way.form, roots(&way));
-        let size = |balance: &Balance<'g>| variables.len() * model.graph.reachable(&balance.entries()).len();
-        let state = model.state();
-        let is_by_state = variables.iter().any(|variable| state.contains(variable));
-        if let Some((solved, balance)) = self.articulated().filter(|_| is_by_state) {
-            let tangent = ArticulatedTangent::new(model, &floating);
-            if let Some(columns) = tangent.columns(balance, &model.coordinates, variables) {
-                let ways = derived_from.ways(tangent.articulation(), &solved, Derivatives::Links, columns);
-                candidates.extend(ways.map(candidate));
-            }
-        }
+        let mut candidates = self.by_tangent(&derived_from, candidate);
         let accelerations = self.accelerations();
-        let normalizer = &mut self.normalizer;
-        let mut derivatives = |basis: Basis, balance: &Balance<'g>, size: usize| {
-            let by_recursion = partials_by_recursion(balance, &model.coordinates, variables);
-            let mut columns = Vec::new();
-            if size <= MOST_DERIVED || by_recursion.is_none() {
-                let graph = partials(balance, variables);
-                columns = match accelerations.is_within(MOST_EXPANDED, basis) {
-                    true => ways(normalizer, basis, graph),
-                    false => vec![(Derivatives::Graph, graph)],
-                };
-            }
-            columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
-            columns
-        };
-        let sized = self
-            .by_links
-            .as_ref()
-            .map(|by_links| (by_links, size(&by_links.balance)));
-        if let Some((by_links, size)) = sized.filter(|(_, size)| candidates.is_empty() || *size <= MOST_DERIVED) {
+        if let Some(by_links) = &self.by_links
+            && (candidates.is_empty() || derived_from.size(&by_links.balance) <= MOST_DERIVED)
+        {
             let solved = [(by_links.form, by_links.accelerations.clone())];
-            for columns in &derivatives(by_links.form.basis, &by_links.balance, size) {
+            let basis = by_links.form.basis;
+            for columns in derived_from.columns(&mut self.normalizer, (basis, &by_links.balance), &accelerations) {
                 let inverse = &by_links.articulation;
                 let ways = derived_from.ways(inverse, &solved, columns.0, inverse.solve_each_negated(&columns.1));
                 candidates.extend(ways.map(candidate));
             }
         }
+        let mut unsolved: Vec<Option<Unsolved<'g>>> = candidates.iter().map(|_| None).collect();
         let mut forms = solved_from(&self.by_links, &self.oriented, &self.forms);
-        let is_dense = |written: &Written<'g>| {
-            let entries = written.balance.mass_matrix.iter().flatten();
-            entries.filter(|entry| !entry.is_zero()).count() > MOST_IN_ROW * model.dof()
-        };
-        if !candidates.is_empty() && forms.iter().any(is_dense) {
+        if !candidates.is_empty() && forms.iter().any(|written| is_dense(written, model.dof())) {
             forms = &[];
         }
-        let sizes: Vec<usize> = forms.iter().map(|written| size(&written.balance)).collect();
+        let sizes: Vec<usize> = forms
+            .iter()
+            .map(|written| derived_from.size(&written.balance))
+            .collect();
         let least = sizes.iter().copied().min().unwrap_or(0);
-        let mut systems = Vec::new();
         for (written, size) in forms.iter().zip(sizes) {
-            let Written { form: own, balance, .. } = written;
+            let Written { form, balance, .. } = written;
             let is_large = size > MOST_DERIVED && HOPELESS[1] * size > HOPELESS[0] * least;
-            let is_hopeless = own.basis == Basis::Shared && !accelerations.is_within(HOPELESS, own.basis);
+            let is_hopeless = form.basis == Basis::Shared && !accelerations.is_within(HOPELESS, form.basis);
             if is_large || is_hopeless {
                 continue;
             }
-            let columns = derivatives(own.basis, balance, size);
-            let exact = self.solved.iter().filter(|(form, _)| form.basis == own.basis);
-            for (factored, solver) in written.factorings() {
-                let form = own.solved_by(solver);
-                let exact = exact
-                    .clone()
-                    .map(|(_, accelerations)| (form.exactly(), accelerations.clone()));
-                let own = (form, factored.solve_negated(&balance.residual));
-                let solved: Vec<Candidate<'g>> = [own].into_iter().chain(exact).collect();
-                for columns in &columns {
-                    let ways =
-                        derived_from.ways(&factored, &solved, columns.0, factored.solve_each_negated(&columns.1));
+            let columns = derived_from.columns(&mut self.normalizer, (form.basis, balance), &accelerations);
+            for Solutions { factored, solved } in written.solutions(&self.solved) {
+                for (derivatives, columns) in &columns {
+                    let solved_columns = factored.solve_each_negated(columns);
+                    let ways = derived_from.ways(&factored, &solved, *derivatives, solved_columns);
                     candidates.extend(ways.map(candidate));
+                    unsolved.extend(solved.iter().map(|(form, accelerations)| {
+                        Some(Unsolved {
+                            form: *form,
+                            derivatives: *derivatives,
+                            factored: factored.clone(),
+                            accelerations: accelerations.clone(),
+                            columns: columns.clone(),
+                        })
+                    }));
                 }
-                systems.push((factored, solved, columns.clone()));
             }
         }
-        let chosen = self.choose(candidates);
-        let unsolved = systems.into_iter().find_map(|(factored, solved, columns)| {
-            let is_chosen = |form: &Form, derivatives| form.derived_by(derivatives) == chosen.form;
-            let (form, accelerations, derivatives, columns) =
-                solved.into_iter().find_map(|(form, accelerations)| {
-                    let columns = columns.iter().find(|(derivatives, _)| is_chosen(&form, *derivatives))?;
-                    Some((form, accelerations, columns.0, columns.1.clone()))
-                })?;
-            Some(Unsolved {
-                form,
-                derivatives,
-                factored,
-                accelerations,
-                columns,
-            })
-        });
-        (chosen, unsolved)
+        let (chosen, index) = self.choose_of(candidates);
+        (chosen, unsolved.into_iter().nth(index).flatten())
+    }
+
+    /// Candidates by the derivative of the articulated-body algorithm, for derivatives by the state.
+    fn by_tangent(
+        &self,
+        derived_from: &Derived<'_, 'g>,
+        candidate: impl Fn(Way<'_, 'g>) -> Candidate<'g>,
+    ) -> Vec<Candidate<'g>> {
+        let Derived { model, variables, .. } = derived_from;
+        let state = model.state();
+        if !variables.iter().any(|variable| state.contains(variable)) {
+            return Vec::new();
+        }
+        let Some((solved, balance)) = self.articulated() else {
+            return Vec::new();
+        };
+        let tangent = ArticulatedTangent::new(model, &self.floating);
+        let Some(columns) = tangent.columns(balance, &model.coordinates, variables) else {
+            return Vec::new();
+        };
+        let ways = derived_from.ways(tangent.articulation(), &solved, Derivatives::Links, columns);
+        ways.map(candidate).collect()
     }
 }
 
 impl<'a, 'g> Derived<'a, 'g> {
-    fn new(model: &'a Model<'g>, floating: &'a [Floating<'g>], variables: &[Expr<'g>]) -> Self {
+    fn new(model: &'a Model<'g>, floating: &'a [Floating<'g>], variables: &'a [Expr<'g>]) -> Self {
         let symbols: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
         Self {
             model,
             floating,
+            variables,
             beside: derived(&of_coordinates(floating, symbols.clone()), variables),
             symbols,
         }
+    }
+
+    /// Size of a balance, in graph nodes times variables.
+    fn size(&self, balance: &Balance<'g>) -> usize {
+        self.variables.len() * self.model.graph.reachable(&balance.entries()).len()
+    }
+
+    /// Derivatives of a balance, column by column, in several forms. The shortest code for the accelerations decides
+    /// if they are expanded.
+    fn columns(
+        &self,
+        normalizer: &mut Normalizer<'g>,
+        (basis, balance): (Basis, &Balance<'g>),
+        accelerations: &Chosen<'g>,
+    ) -> Vec<(Derivatives, Vec<Vec<Expr<'g>>>)> {
+        let by_recursion = partials_by_recursion(balance, &self.model.coordinates, self.variables);
+        let mut columns = Vec::new();
+        if self.size(balance) <= MOST_DERIVED || by_recursion.is_none() {
+            let graph = partials(balance, self.variables);
+            columns = match accelerations.is_within(MOST_EXPANDED, basis) {
+                true => ways(normalizer, basis, graph),
+                false => vec![(Derivatives::Graph, graph)],
+            };
+        }
+        columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
+        columns
     }
 
     /// Inserts the unknowns of the linear system into derivatives.
@@ -327,6 +330,12 @@ impl<'a, 'g> Derived<'a, 'g> {
             accelerations: of_coordinates(self.floating, solved.clone()),
         })
     }
+}
+
+/// True if derivatives by the mass matrix take more operations than those of articulated bodies.
+fn is_dense(written: &Written<'_>, dof: usize) -> bool {
+    let entries = written.balance.mass_matrix.iter().flatten();
+    entries.filter(|entry| !entry.is_zero()).count() > MOST_IN_ROW * dof
 }
 
 /// Forms with a mass matrix from which the accelerations are solved.

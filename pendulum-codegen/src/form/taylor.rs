@@ -67,8 +67,7 @@ impl<'g> Forms<'g> {
                 }
             }
             for unknown in ways {
-                for (factored, solver) in unknown.written.factorings() {
-                    let form = unknown.written.form.solved_by(solver);
+                for (factored, form) in unknown.written.factorings() {
                     counted.push(code(model, symbols.clone(), form, (&unknown, &factored), &rows));
                 }
             }

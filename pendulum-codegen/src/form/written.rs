@@ -1,7 +1,7 @@
 //! Balances with an explicit mass matrix.
 
 use super::closed::ClosedBalance;
-use super::{Basis, Form};
+use super::{Basis, Candidate, Form};
 use crate::dynamics::{Balance, Dynamics, Entries, Factored, Inverse, Solver};
 use crate::expr::{Expr, Graph, Level, Normalizer};
 use crate::model::{Floating, Model};
@@ -35,8 +35,8 @@ impl<'g> Written<'g> {
         }
     }
 
-    /// Candidate factorisations of the mass matrix.
-    pub(super) fn factorings(&self) -> Vec<(Factored<'g>, Solver)> {
+    /// Candidate factorisations of the mass matrix, each with the form of what it solves for.
+    pub(super) fn factorings(&self) -> Vec<(Factored<'g>, Form)> {
         let matrix = &self.balance.mass_matrix;
         let coupled = matrix.len() == 2 && !matrix[0][1].is_zero();
         let solvers: &[Solver] = if coupled {
@@ -44,9 +44,32 @@ impl<'g> Written<'g> {
         } else {
             &[Solver::Ldl]
         };
-        let factored = |&solver: &Solver| (Factored::new(solver, matrix, self.determinant), solver);
+        let factored = |&solver: &Solver| {
+            let factored = Factored::new(solver, matrix, self.determinant);
+            (factored, self.form.solved_by(solver))
+        };
         solvers.iter().map(factored).collect()
     }
+
+    /// Solutions by each factorisation. Those in `explicit` form on the same basis follow each.
+    pub(super) fn solutions<'a>(&'a self, explicit: &'a [Candidate<'g>]) -> impl Iterator<Item = Solutions<'g>> + 'a {
+        self.factorings().into_iter().map(move |(factored, form)| {
+            let explicit = explicit.iter().filter(|(of, _)| of.basis == form.basis);
+            let explicit = explicit.map(|(_, accelerations)| (form.exactly(), accelerations.clone()));
+            let own = (form, factored.solve_negated(&self.balance.residual));
+            Solutions {
+                solved: [own].into_iter().chain(explicit).collect(),
+                factored,
+            }
+        })
+    }
+}
+
+/// Solutions of a balance by a factored mass matrix.
+pub(super) struct Solutions<'g> {
+    pub(super) factored: Factored<'g>,
+    /// Unknowns of the balance, in several forms.
+    pub(super) solved: Vec<Candidate<'g>>,
 }
 
 /// Linear systems for the accelerations of a scene with orientations: one matrix and one residual each. Accelerations
