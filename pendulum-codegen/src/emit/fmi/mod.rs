@@ -6,6 +6,7 @@
 mod description;
 mod model;
 mod units;
+mod variables;
 
 use std::error::Error;
 use std::fmt::{Display, Formatter};

@@ -9,20 +9,8 @@ pub(super) fn model(program: &Program, name: &str, token: &str) -> String {
     let layout = &program.layout;
     let has = |role| program.with_role(role).is_some();
     let (inputs, outputs) = (program.inputs.len(), program.outputs.len());
-    let (loops, turns) = (program.loops.len(), program.uncounted.len());
-    let (margins, gaps) = (loops + turns, program.open_loops.len());
-    let counts = [
-        ("parameters", program.parameters.len()),
-        ("inputs", inputs),
-        ("states", layout.len()),
-        ("outputs", outputs),
-        ("events", program.events.len()),
-        ("quaternions", layout.quaternions().count()),
-        ("dependents", layout.dependents().count()),
-        ("gaps", gaps),
-        ("margins", margins),
-        ("has_jacobian", usize::from(has(Role::Jacobian))),
-    ];
+    let (loops, turns, gaps) = (program.loops.len(), program.uncounted.len(), program.open_loops.len());
+    let counts = counts(program);
     let most = counts[..5].iter().map(|(_, count)| *count).max().unwrap_or_default();
     // calls of functions that take the inputs
     let (given, argument) = match inputs {
@@ -44,32 +32,15 @@ pub(super) fn model(program: &Program, name: &str, token: &str) -> String {
         when(outputs > 0, call("outputs_and_jacobian", "values, of_outputs")),
     ];
     let corrects = has(Role::LoopCorrections);
-    let project = match (corrects, layout.quaternions().next().is_some()) {
-        (true, _) => format!("{name}_project(m, t, x);\n"),
-        (false, true) => format!("{name}_project(x);\n"),
-        (false, false) => String::new(),
-    };
     let of_loops = when(loops > 0, call("loop_margins", "out, out + MARGINS"));
     let of_turns = call("turn_margins", &format!("out + {loops}, out + MARGINS + {loops}"));
-    let starts = program.parameters.iter().map(|p| p.default.unwrap_or(f64::NAN));
-    let starts = starts.chain(program.start.iter().copied()).map(literal);
-    let names = program
-        .loops
-        .iter()
-        .map(|[a, b]| format!("the loop of `{a}` and `{b}`"));
-    let names = names.chain(
-        program
-            .uncounted
-            .iter()
-            .map(|name| format!("the angle `{name}`, whose turns are not counted,")),
-    );
     let mut values = counts.map(|(key, count)| (key, count.to_string())).to_vec();
     values.extend([
         ("name", name.to_owned()),
         ("scene", program.name.clone()),
         ("token", token.to_owned()),
         ("most", most.to_string()),
-        ("start", list(starts)),
+        ("start", list(starts(program))),
         (
             "quaternion_places",
             list(layout.quaternions().map(|places| places.start.to_string())),
@@ -78,19 +49,13 @@ pub(super) fn model(program: &Program, name: &str, token: &str) -> String {
             "dependent_places",
             list(layout.dependents().map(|place| place.to_string())),
         ),
-        (
-            "margin_names",
-            match margins {
-                0 => "0".to_owned(),
-                _ => list(names.map(|name| format!("{name:?}"))),
-            },
-        ),
+        ("margin_names", list(margin_names(program))),
         ("params", list((0..program.parameters.len()).map(|n| format!("p[{n}]")))),
         ("rhs", given + &call("rhs", &format!("{argument}out"))),
         ("outputs_code", when(outputs > 0, call("outputs", "out"))),
         ("events_code", lines(events)),
         ("derivatives", when(has(Role::Jacobian), derivatives.concat())),
-        ("project", project),
+        ("project", project(program, name)),
         ("corrections", when(corrects, call("loop_corrections", "out"))),
         (
             "gaps_code",
@@ -99,6 +64,52 @@ pub(super) fn model(program: &Program, name: &str, token: &str) -> String {
         ("margins_code", of_loops + &when(turns > 0, of_turns)),
     ]);
     fill(include_str!("templates/fmi3-model.h"), &values)
+}
+
+/// Sizes of the model.
+fn counts(program: &Program) -> [(&'static str, usize); 10] {
+    let layout = &program.layout;
+    [
+        ("parameters", program.parameters.len()),
+        ("inputs", program.inputs.len()),
+        ("states", layout.len()),
+        ("outputs", program.outputs.len()),
+        ("events", program.events.len()),
+        ("quaternions", layout.quaternions().count()),
+        ("dependents", layout.dependents().count()),
+        ("gaps", program.open_loops.len()),
+        ("margins", program.loops.len() + program.uncounted.len()),
+        ("has_jacobian", usize::from(program.with_role(Role::Jacobian).is_some())),
+    ]
+}
+
+/// Call of the projection onto the invariants of the state, if there are any.
+fn project(program: &Program, name: &str) -> String {
+    let has_quaternions = program.layout.quaternions().next().is_some();
+    match (program.with_role(Role::LoopCorrections), has_quaternions) {
+        (Some(_), _) => format!("{name}_project(m, t, x);\n"),
+        (None, true) => format!("{name}_project(x);\n"),
+        (None, false) => String::new(),
+    }
+}
+
+/// Start values of the parameters and of the state.
+fn starts(program: &Program) -> impl Iterator<Item = String> {
+    let starts = program.parameters.iter().map(|p| p.default.unwrap_or(f64::NAN));
+    starts.chain(program.start.iter().copied()).map(literal)
+}
+
+/// Names of what has a margin, for messages, as literals.
+fn margin_names(program: &Program) -> impl Iterator<Item = String> {
+    let loops = program
+        .loops
+        .iter()
+        .map(|[a, b]| format!("the loop of `{a}` and `{b}`"));
+    let angles = program
+        .uncounted
+        .iter()
+        .map(|name| format!("the angle `{name}`, whose turns are not counted,"));
+    loops.chain(angles).map(|name| format!("{name:?}"))
 }
 
 /// Elements of an array. C has none without elements.
