@@ -6,7 +6,8 @@ use syn::Ident;
 
 use super::output::{Event, Observed, functions_of_event, functions_of_output, is_function, saturation};
 use super::routine::Head;
-use super::table::{Counts, ROUTINES, Request, words};
+use super::sizes::Counts;
+use super::table::{ROUTINES, Request, words};
 use super::{
     Block, Constraint, Drawing, Equations, Program, Quantity, Routine, Series, Slot, SlotKind, StateLayout,
     StateVariable,

@@ -11,6 +11,7 @@ mod output;
 mod routine;
 mod schedule;
 mod series;
+mod sizes;
 mod table;
 
 use std::collections::BTreeSet;
@@ -41,7 +42,8 @@ use crate::model::{self, Model, Output, Requirement};
 use build::block;
 use drawing::Sketch;
 use routine::Head;
-use table::{Counts, ROUTINES, Request};
+use sizes::Counts;
+use table::{ROUTINES, Request};
 
 /// Scene ready for printing in a language.
 #[derive(Clone, Debug)]
