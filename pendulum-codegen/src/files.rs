@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::TokenStream;
 
 use crate::error::Errors;
-use crate::pipeline;
+use crate::pipeline::{self, Wanted};
 use crate::program::Program;
 use crate::urdf::{self, Files, Unreadable};
 
@@ -52,16 +52,6 @@ pub fn program_in(folder: &Path, tokens: TokenStream) -> Result<Program, Errors>
 /// returns the text of a file by its name, or why it cannot be read and a help text.
 pub fn program_with(tokens: TokenStream, wanted: Wanted<'_>, files: &Files<'_>) -> Result<Program, Errors> {
     pipeline::program(tokens, wanted, files)
-}
-
-/// Request for a declaration: what is generated, in words of its list `generate`. Words that the scene cannot have are
-/// left out.
-#[derive(Clone, Copy, Debug)]
-pub enum Wanted<'a> {
-    /// The words that the declaration lists, these, and the equations as text.
-    Also(&'a [&'a str]),
-    /// `rhs` and these words, without the equations as text.
-    Only(&'a [&'a str]),
 }
 
 const MANIFEST: &str = "CARGO_MANIFEST_DIR";

@@ -49,5 +49,6 @@ pub use emit::c::{Controller, Ilqr, NoController, Sources, c, c_fused, opencl};
 pub use emit::fmi::{Fmu, NoFmu, fmu};
 pub use emit::tape::tape;
 pub use error::{Code, Errors};
-pub use files::{Wanted, expand, expand_in, expand_with, program, program_in, program_with};
+pub use files::{expand, expand_in, expand_with, program, program_in, program_with};
+pub use pipeline::Wanted;
 pub use urdf::{Files, Unreadable, robot_bodies};

@@ -7,11 +7,20 @@ use crate::dynamics::Dynamics;
 use crate::emit::rust;
 use crate::error::{Code, Errors};
 use crate::expr::Graph;
-use crate::files::Wanted;
 use crate::lower::Lowered;
 use crate::program::{Extent, NotFinite, Program};
 use crate::urdf::Files;
 use crate::{check, lower, parse, urdf};
+
+/// Request for a declaration: what is generated, in words of its list `generate`. Words that the scene cannot have are
+/// left out.
+#[derive(Clone, Copy, Debug)]
+pub enum Wanted<'a> {
+    /// The words that the declaration lists, these, and the equations as text.
+    Also(&'a [&'a str]),
+    /// `rhs` and these words, without the equations as text.
+    Only(&'a [&'a str]),
+}
 
 /// Expands a declaration into Rust items, or into its compile errors and a stand-in for the items. Also returns the
 /// path of its robot file, if it names one.

@@ -3,6 +3,7 @@
 
 mod block;
 mod controller;
+mod functions;
 mod model;
 pub(in crate::emit) mod names;
 mod opencl;

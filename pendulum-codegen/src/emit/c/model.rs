@@ -2,6 +2,7 @@
 
 use super::Scene;
 use super::block::{Calls, number, statements};
+use super::functions::functions;
 use super::names::{identifiers, words};
 use super::single::single_functions;
 use super::template::{fill, lines};
@@ -170,26 +171,6 @@ impl Scene<'_> {
         let rules = finite.chain(rules.iter().map(|rule| (&rule.name, rule.text.as_str())));
         rules.map(|(name, text)| format!("`{name}`: {text}")).collect()
     }
-}
-
-/// Heads and code of the called functions.
-pub(super) fn functions(calls: &Calls) -> impl Iterator<Item = (&'static str, &'static str)> {
-    sections().filter(|(head, _)| calls.contains(name_of(head)))
-}
-
-/// True if generated code may call a function of this name.
-pub(super) fn is_function(name: &str) -> bool {
-    sections().any(|(head, _)| name_of(head) == name)
-}
-
-fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let sections = include_str!("templates/functions.c").split("//! ");
-    sections.filter_map(|section| section.split_once('\n'))
-}
-
-/// Name of a function: its head, without the default of the platform.
-fn name_of(head: &str) -> &str {
-    head.split(':').next().unwrap_or(head)
 }
 
 /// Fields of a structure. C has no structures without fields.

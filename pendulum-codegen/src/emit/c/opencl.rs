@@ -2,7 +2,8 @@
 
 use super::Scene;
 use super::block::{Calls, statements};
-use super::model::{fields, functions};
+use super::functions::functions;
+use super::model::fields;
 use super::template::lines;
 use crate::program::{Program, Role};
 

@@ -1,7 +1,7 @@
 //! C code in single precision, made from that in double precision.
 
 use super::block::Calls;
-use super::model::{functions, is_function};
+use super::functions::{functions, is_function};
 
 /// Limit of the angles whose sine and cosine are computed without the platform, in double and in single precision.
 const ANGLES: [&str; 2] = ["1e5", "6400"];
