@@ -7,6 +7,8 @@
 //! generates the recurrences of a scene whose `generate` contains `taylor`. Those of equations by hand,
 //! [`EquationsSystem`](crate::system::EquationsSystem), follow from their operations, which are recorded.
 
+#[cfg(feature = "std")]
+mod equations;
 mod products;
 #[cfg(feature = "std")]
 mod recorded;

@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::reference::{distance, larger};
 use crate::accuracy::Reference;
 use crate::solution::Solution;
 
@@ -63,22 +64,6 @@ impl Errors {
         });
         self
     }
-}
-
-/// Maximum of two numbers. NaN counts as infinite, so that it cannot pass for a small error.
-fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() {
-        f64::INFINITY
-    } else {
-        a.max(b)
-    }
-}
-
-/// Largest absolute difference of a component.
-pub(super) fn distance<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>) -> f64 {
-    (a - b)
-        .iter()
-        .fold(0.0, |largest, difference| larger(largest, difference.abs()))
 }
 
 /// Largest difference at the accepted points, or `None` if the reference does not cover all of them.

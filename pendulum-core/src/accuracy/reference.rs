@@ -4,7 +4,6 @@ use std::fmt;
 
 use nalgebra::SVector;
 
-use super::errors::distance;
 use crate::error::SolveError;
 use crate::method::{Method, Vern7, Vern9};
 use crate::solution::{OutsideSpan, Solution};
@@ -157,4 +156,20 @@ impl<const N: usize> fmt::Debug for Reference<'_, N> {
             .field("uncertainty", &self.uncertainty)
             .finish_non_exhaustive()
     }
+}
+
+/// Maximum of two numbers. NaN counts as infinite, so that it cannot pass for a small error.
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::INFINITY
+    } else {
+        a.max(b)
+    }
+}
+
+/// Largest absolute difference of a component.
+pub(super) fn distance<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>) -> f64 {
+    (a - b)
+        .iter()
+        .fold(0.0, |largest, difference| larger(largest, difference.abs()))
 }

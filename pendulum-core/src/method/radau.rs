@@ -20,7 +20,7 @@ use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::step_size::{Estimates, Tolerance};
 use crate::system::{Jacobian, System};
-use crate::tableau::{HasRadauTableau, RadauTableau};
+use crate::tableau::{HasRadauTableau, RADAU_IIA_5, RADAU_IIA_9, RADAU_IIA_13, RadauTableau};
 use iteration::{Iteration, most};
 use matrix::Matrix;
 
@@ -34,6 +34,18 @@ use matrix::Matrix;
 /// Radau methods", J. Comput. Appl. Math. 111 (1999) 93-111.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RadauIIA<const STAGES: usize = 3, const PAIRS: usize = 1>;
+
+impl HasRadauTableau<3, 1> for RadauIIA<3, 1> {
+    const TABLEAU: RadauTableau<3, 1> = RADAU_IIA_5;
+}
+
+impl HasRadauTableau<5, 2> for RadauIIA<5, 2> {
+    const TABLEAU: RadauTableau<5, 2> = RADAU_IIA_9;
+}
+
+impl HasRadauTableau<7, 3> for RadauIIA<7, 3> {
+    const TABLEAU: RadauTableau<7, 3> = RADAU_IIA_13;
+}
 
 /// Rate of convergence up to which the Jacobian is kept for the next step: the default of Hairer's RADAU5.
 const KEEPS_JACOBIAN: f64 = 1e-3;

@@ -1,9 +1,10 @@
 //! The Gauss-Legendre methods.
 
+mod order16;
+
 use nalgebra::Complex;
 
 use super::eigenpairs::{Eigenpair, Eigenpairs};
-use super::gauss_legendre16;
 use crate::real::Real;
 
 /// Coefficients of a Gauss-Legendre method.
@@ -126,7 +127,7 @@ pub trait HasGaussTableau<const STAGES: usize, const PAIRS: usize> {
 }
 
 impl HasGaussTableau<8, 4> for GaussLegendre {
-    const TABLEAU: GaussTableau<8, 4> = gauss_legendre16::TABLEAU;
+    const TABLEAU: GaussTableau<8, 4> = order16::TABLEAU;
 }
 
 impl HasGaussTableau<2, 1> for GaussLegendre {

@@ -16,14 +16,10 @@
 mod dormand_prince5;
 mod eigenpairs;
 mod gauss_legendre;
-mod gauss_legendre16;
 mod hairer_wanner4;
 mod hermite;
 mod kutta4;
 mod radau_iia;
-mod radau_iia13;
-mod radau_iia5;
-mod radau_iia9;
 mod rosenbrock;
 mod steinebach5;
 mod tsitouras5;
@@ -41,7 +37,7 @@ pub use verner9::Verner9;
 
 pub(crate) use eigenpairs::Eigenpairs;
 pub(crate) use gauss_legendre::{GaussLegendre, GaussTableau, HasGaussTableau, MOST_POINTS};
-pub(crate) use radau_iia::{HasRadauTableau, RadauTableau};
+pub(crate) use radau_iia::{HasRadauTableau, RADAU_IIA_5, RADAU_IIA_9, RADAU_IIA_13, RadauTableau};
 
 /// Coefficients of an explicit Runge-Kutta method with `S` stages.
 ///

@@ -1,8 +1,13 @@
 //! The tableaus Radau IIA.
 
+mod order13;
+mod order5;
+mod order9;
+
 use super::eigenpairs::Eigenpairs;
-use super::{radau_iia5, radau_iia9, radau_iia13};
-use crate::method::RadauIIA;
+pub(crate) use order5::TABLEAU as RADAU_IIA_5;
+pub(crate) use order9::TABLEAU as RADAU_IIA_9;
+pub(crate) use order13::TABLEAU as RADAU_IIA_13;
 
 /// Coefficients of a Radau IIA method, whose last stage is the end of the step.
 #[derive(Clone, Copy, Debug)]
@@ -23,22 +28,9 @@ pub trait HasRadauTableau<const STAGES: usize, const PAIRS: usize> {
     const TABLEAU: RadauTableau<STAGES, PAIRS>;
 }
 
-impl HasRadauTableau<3, 1> for RadauIIA<3, 1> {
-    const TABLEAU: RadauTableau<3, 1> = radau_iia5::TABLEAU;
-}
-
-impl HasRadauTableau<5, 2> for RadauIIA<5, 2> {
-    const TABLEAU: RadauTableau<5, 2> = radau_iia9::TABLEAU;
-}
-
-impl HasRadauTableau<7, 3> for RadauIIA<7, 3> {
-    const TABLEAU: RadauTableau<7, 3> = radau_iia13::TABLEAU;
-}
-
 #[cfg(test)]
 mod tests {
-    use super::RadauTableau;
-    use crate::tableau::{radau_iia5, radau_iia9, radau_iia13};
+    use super::{RadauTableau, order5, order9, order13};
 
     /// Largest errors of the identities that hold for exact coefficients: of `a`, of the eigenvectors, and of the
     /// polynomials.
@@ -74,8 +66,8 @@ mod tests {
             assert!(is_within, "{found:?}, and not {most:?}");
         };
         // some rounding errors of numbers up to 1, of eigenvectors, and of the coefficients of polynomials
-        within(worst(&radau_iia5::TABLEAU), [3e-16, 2e-15, 2e-14]);
-        within(worst(&radau_iia9::TABLEAU), [3e-16, 1e-14, 1e-12]);
-        within(worst(&radau_iia13::TABLEAU), [3e-16, 1e-13, 2e-11]);
+        within(worst(&order5::TABLEAU), [3e-16, 2e-15, 2e-14]);
+        within(worst(&order9::TABLEAU), [3e-16, 1e-14, 1e-12]);
+        within(worst(&order13::TABLEAU), [3e-16, 1e-13, 2e-11]);
     }
 }

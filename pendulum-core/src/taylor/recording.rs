@@ -1,18 +1,10 @@
-//! Power series of equations by hand: their operations are recorded at each start, and repeated for each order.
-//!
-//! A. Griewank, A. Walther, "Evaluating Derivatives", 2nd ed. (2008), chapter 13, has the recurrences. Every operation
-//! of an order takes a sum over the lower orders of its operands, so that a series takes as many operations as a
-//! generated one. Recording anew at each start lets the equations branch on values.
+//! Operations on series, recorded in rows.
 
 use core::any::Any;
 use core::cell::RefCell;
 
-use nalgebra::SVector;
-
-use super::recorded::Recorded;
-use super::{CastTaylor, MAX_ORDER, TaylorSeries};
+use super::MAX_ORDER;
 use crate::real::Real;
-use crate::system::{Equations, EquationsSystem};
 
 /// Index of an operation.
 pub(super) type Place = u32;
@@ -46,22 +38,34 @@ pub(super) enum Operation {
     Chain(Place, Place),
 }
 
-/// Memory for the power series of [`EquationsSystem`]. It grows with the first series, and is used again by all others.
+/// Memory for the power series of [`EquationsSystem`](crate::system::EquationsSystem). It grows with the first series,
+/// and is used again by all others.
 #[derive(Clone, Debug)]
-pub struct Recording<T>(Option<Box<Rows<T>>>);
+pub struct Recording<T>(pub(super) Option<Box<Rows<T>>>);
 
 /// The operations of one evaluation of the right-hand side, in their order, each with a factor.
 #[derive(Clone, Debug, Default)]
-struct Rows<T> {
+pub(super) struct Rows<T> {
     operations: Vec<(Operation, T)>,
     /// Coefficients of the results. There may be more than operations.
-    results: Vec<[T; MAX_ORDER + 1]>,
+    pub(super) results: Vec<[T; MAX_ORDER + 1]>,
 }
 
 std::thread_local! {
     /// The rows being recorded by this thread, as the numbers of a right-hand side are copied and have no place for a
     /// reference to them.
     static RECORDED: RefCell<Option<Box<dyn Any>>> = const { RefCell::new(None) };
+}
+
+/// Records in `rows` the operations of an evaluation, in place of those there.
+#[inline(always)]
+pub(super) fn recorded_in<T: Real, R>(mut rows: Box<Rows<T>>, evaluate: impl FnOnce() -> R) -> (Box<Rows<T>>, R) {
+    rows.operations.clear();
+    let outer = RECORDED.replace(Some(rows));
+    let result = evaluate();
+    // an outer recording goes on, whose right-hand side integrates other equations
+    let rows = RECORDED.replace(outer).and_then(|rows| rows.downcast().ok());
+    (rows.expect("replaced by the same type"), result)
 }
 
 /// Adds an operation with the value of its result to the rows being recorded, and returns its place.
@@ -86,13 +90,13 @@ impl<T: Real> Rows<T> {
     }
 
     #[inline(always)]
-    fn of(&self, place: Place) -> &[T; MAX_ORDER + 1] {
+    pub(super) fn of(&self, place: Place) -> &[T; MAX_ORDER + 1] {
         &self.results[place as usize]
     }
 
     /// Computes the coefficients of order `k >= 1` of all results that are not given.
     #[inline(always)]
-    fn advance(&mut self, k: usize) {
+    pub(super) fn advance(&mut self, k: usize) {
         let order = T::from_f64(k as f64);
         let over = T::from_f64(1.0) / order;
         for place in 0..self.operations.len() {
@@ -146,65 +150,5 @@ fn square<T: Real>(a: &[T]) -> T {
     match last {
         [middle, ..] if a.len() % 2 == 1 => middle.mul_add(*middle, twice),
         _ => twice,
-    }
-}
-
-impl<T: Real, E: Equations<N>, const N: usize> TaylorSeries<T, N> for EquationsSystem<E> {
-    type Workspace = Recording<T>;
-
-    fn workspace(&self) -> Recording<T> {
-        Recording(None)
-    }
-
-    #[inline(always)]
-    fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Recording<T>) {
-        if x.len() < 2 {
-            return;
-        }
-        let (mut rows, rates) = record_rates(self, t, &x[0], work);
-        // rows of the state come first, then the one of time
-        let time = &mut rows.results[N];
-        time[1..].fill(T::default());
-        time[1] = T::from_f64(1.0);
-        x[1] = rates.map(|rate| rate.value);
-        for k in 1..x.len() {
-            if k > 1 {
-                let over = T::from_f64(1.0) / T::from_f64(k as f64);
-                x[k] = rates.map(|rate| rate.place.map_or(T::default(), |place| over * rows.of(place)[k - 1]));
-            }
-            for (result, x) in rows.results.iter_mut().zip(&x[k]) {
-                result[k] = *x;
-            }
-            if k + 1 < x.len() {
-                rows.advance(k);
-            }
-        }
-        work.0 = Some(rows);
-    }
-}
-
-/// Records the right-hand side in the memory of `work`, and returns it with the rates.
-#[inline(always)]
-fn record_rates<T: Real, E: Equations<N>, const N: usize>(
-    system: &EquationsSystem<E>,
-    t: T,
-    x: &SVector<T, N>,
-    work: &mut Recording<T>,
-) -> (Box<Rows<T>>, SVector<Recorded<T>, N>) {
-    let mut rows = work.0.take().unwrap_or_default();
-    rows.operations.clear();
-    let outer = RECORDED.replace(Some(rows));
-    let x = x.map(Recorded::given);
-    let rates = system.0.rhs(Recorded::given(t), &x);
-    // an outer recording goes on, whose right-hand side integrates other equations
-    let rows = RECORDED.replace(outer).and_then(|rows| rows.downcast().ok());
-    (rows.expect("replaced by the same type"), rates)
-}
-
-impl<E: Equations<N>, const N: usize> CastTaylor<N> for EquationsSystem<E> {
-    type Workspace<T: Real> = Recording<T>;
-
-    fn with_series<T: Real>(model: &Self) -> &impl TaylorSeries<T, N, Workspace = Recording<T>> {
-        model
     }
 }

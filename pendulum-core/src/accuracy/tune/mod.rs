@@ -2,6 +2,7 @@
 
 mod candidate;
 mod error;
+mod fastest;
 mod pilot;
 mod search;
 
@@ -12,7 +13,8 @@ use nalgebra::SVector;
 pub use candidate::Setting;
 use candidate::{Candidate, Motion};
 pub use error::TuneError;
-use pilot::{Found, Pilot};
+use fastest::Found;
+use pilot::Pilot;
 use search::Tried;
 
 use crate::accuracy::Failure;

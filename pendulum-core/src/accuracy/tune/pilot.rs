@@ -1,13 +1,11 @@
 //! Pilot runs: the setting with which each method keeps within the error, and its time.
 
-use libm::{log, pow, sqrt};
+use libm::{log, pow};
 use nalgebra::SVector;
 
 use super::TuneError;
 use super::candidate::{Candidate, Control, Motion};
-use super::search::{Search, Tried};
 use crate::accuracy::Failure;
-use crate::accuracy::timing::{Timer, in_turns};
 use crate::error::Reason;
 use crate::method::{check_span, require};
 use crate::system::System;
@@ -33,26 +31,18 @@ const BARELY_KNOWN: f64 = 0.5;
 /// Range of measured errors in which a search ends, as fractions of the error: from all starts, and from a part.
 const WITHIN: [[f64; 2]; 2] = [[0.25, 0.9], [0.1, 0.4]];
 /// Maximum number of steps of the first pilot runs, and of all.
-const STEPS: [usize; 2] = [4_000, 4_000_000];
+pub(super) const STEPS: [usize; 2] = [4_000, 4_000_000];
 /// Number of steps that a method may take for each of the fastest one.
-const MORE_STEPS: usize = 50;
-/// Ratio to the shortest time up to which methods are timed again, side by side.
-const CLOSE: f64 = 2.0;
-/// Number of these timings.
-const ROUNDS: usize = 7;
-
+pub(super) const MORE_STEPS: usize = 50;
 /// Pilot runs of all candidates.
 pub(super) struct Pilot<'p, 'a, S, const N: usize> {
     motion: &'p Motion<'a, S>,
     pub(super) candidates: &'p [Candidate<'a, S, N>],
-    starts: Vec<SVector<f64, N>>,
-    error: f64,
+    pub(super) starts: Vec<SVector<f64, N>>,
+    pub(super) error: f64,
     /// Range of measured errors in which a search ends.
     pub(super) within: [f64; 2],
 }
-
-/// A candidate that keeps within the error: its index and setting.
-pub(super) type Found = (usize, Tried);
 
 /// Runs of a candidate with one setting, from all starts.
 pub(super) struct Runs<const N: usize> {
@@ -62,17 +52,17 @@ pub(super) struct Runs<const N: usize> {
     pub(super) evaluations: f64,
     pub(super) time: f64,
     /// Largest number of steps.
-    steps: usize,
+    pub(super) steps: usize,
 }
 
 /// An adaptive candidate with its runs for two tolerances.
-struct Compared<const N: usize> {
-    candidate: usize,
-    runs: [Runs<N>; 2],
+pub(super) struct Compared<const N: usize> {
+    pub(super) candidate: usize,
+    pub(super) runs: [Runs<N>; 2],
 }
 
 /// A candidate given up: its index and the reason.
-type Dropped = (usize, String);
+pub(super) type Dropped = (usize, String);
 
 impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
     pub(super) fn new(
@@ -112,60 +102,6 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
         })
     }
 
-    /// Finds the candidates that keep within the error, the fastest first, and those given up.
-    pub(super) fn search(&self) -> Result<(Vec<Found>, Vec<Dropped>), TuneError> {
-        let (compared, mut dropped) = self.compare()?;
-        let ends = self.ends(&compared)?;
-        let steps = compared.iter().map(|of| of.runs[0].steps).min().unwrap_or(STEPS[0]);
-        let search = |candidate, tried, fastest| {
-            let start = self.span() / (4.0 * steps as f64);
-            let mut search = Search {
-                pilot: self,
-                candidate,
-                ends: &ends,
-                most_steps: (MORE_STEPS * steps).max(STEPS[0]),
-                tried,
-            };
-            let found = search.run(start, fastest);
-            let errors = search.tried.iter().map(|tried| tried.error);
-            (found, errors.fold(f64::INFINITY, f64::min))
-        };
-
-        let mut searches: Vec<(usize, Vec<Tried>)> = compared
-            .iter()
-            .map(|of| {
-                let tried = of.runs.iter().map(|runs| Tried::new(runs, self.error_of(runs, &ends)));
-                (of.candidate, tried.collect())
-            })
-            .collect();
-        let target = sqrt(self.within[0] * self.within[1]);
-        searches.sort_by(|(_, a), (_, b)| Tried::time_to(a, target).total_cmp(&Tried::time_to(b, target)));
-        searches.extend(of_kind(self.candidates, Control::Step).map(|n| (n, Vec::new())));
-
-        let (mut found, mut least) = (Vec::<Found>::new(), (f64::INFINITY, ""));
-        for (n, tried) in searches {
-            let fastest = found.iter().map(|(_, kept)| kept.time).fold(f64::INFINITY, f64::min);
-            let (outcome, error) = search(n, tried, fastest);
-            self.check_cancelled()?;
-            match outcome {
-                Ok(kept) => found.push((n, kept)),
-                Err(why) => dropped.push((n, why)),
-            }
-            if error < least.0 {
-                least = (error, self.candidates[n].name);
-            }
-        }
-        if found.is_empty() {
-            return Err(TuneError::NotReached {
-                error: self.error,
-                least,
-            });
-        }
-        self.time_again(&mut found);
-        self.check_cancelled()?;
-        Ok((found, dropped))
-    }
-
     /// Length of the span.
     pub(super) fn span(&self) -> f64 {
         (self.motion.span.1 - self.motion.span.0).abs()
@@ -202,7 +138,7 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
     }
 
     /// Fails if the search is cancelled.
-    fn check_cancelled(&self) -> Result<(), TuneError> {
+    pub(super) fn check_cancelled(&self) -> Result<(), TuneError> {
         match self.motion.cancel {
             Some(cancel) if cancel() => Err(TuneError::Cancelled),
             _ => Ok(()),
@@ -210,7 +146,7 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
     }
 
     /// Runs all adaptive candidates with two tolerances, and returns the ones that reach the end with both.
-    fn compare(&self) -> Result<(Vec<Compared<N>>, Vec<Dropped>), TuneError> {
+    pub(super) fn compare(&self) -> Result<(Vec<Compared<N>>, Vec<Dropped>), TuneError> {
         let first = self.error.clamp(FIRST[0], FIRST[1]);
         let mut most = STEPS[0];
         loop {
@@ -243,7 +179,7 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
     }
 
     /// Determines the end states by two methods that agree.
-    fn ends(&self, compared: &[Compared<N>]) -> Result<Vec<SVector<f64, N>>, TuneError> {
+    pub(super) fn ends(&self, compared: &[Compared<N>]) -> Result<Vec<SVector<f64, N>>, TuneError> {
         let mut tolerance = (FAR_BELOW * self.error).clamp(LEAST, MOST);
         loop {
             let mut order: Vec<_> = compared.iter().collect();
@@ -286,35 +222,13 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
             tolerance = (TIGHTER * tolerance).max(LEAST);
         }
     }
-
-    /// Times the fastest candidates side by side, and sorts all by their times.
-    fn time_again(&self, found: &mut [Found]) {
-        found.sort_by(|(_, a), (_, b)| a.time.total_cmp(&b.time));
-        let close = found.partition_point(|(_, kept)| kept.time <= CLOSE * found[0].1.time);
-        let mut timers: Vec<_> = found[..close]
-            .iter()
-            .map(|&(candidate, kept)| {
-                Timer::new(move || {
-                    self.runs(candidate, kept.value, usize::MAX).ok();
-                })
-            })
-            .collect();
-        in_turns(&mut timers, ROUNDS);
-        let count = self.starts.len() as f64;
-        let times: Vec<f64> = timers
-            .iter_mut()
-            .map(|timer| timer.minimum_and_median().0 / count)
-            .collect();
-        drop(timers);
-        for ((_, kept), time) in found.iter_mut().zip(times) {
-            kept.time = time;
-        }
-        found.sort_by(|(_, a), (_, b)| a.time.total_cmp(&b.time));
-    }
 }
 
 /// Indices of the candidates with this kind of setting.
-fn of_kind<S, const N: usize>(candidates: &[Candidate<'_, S, N>], kind: Control) -> impl Iterator<Item = usize> {
+pub(super) fn of_kind<S, const N: usize>(
+    candidates: &[Candidate<'_, S, N>],
+    kind: Control,
+) -> impl Iterator<Item = usize> {
     (0..candidates.len()).filter(move |&n| candidates[n].control == kind)
 }
 

@@ -10,8 +10,8 @@
 use nalgebra::SVector;
 
 use super::backward::Promise;
+use super::line_search::NoShare;
 use super::matrix::{plus_product, product, scaled, transposed, zeros};
-use super::search::NoShare;
 use super::{Ilqr, Objective, StepDerivatives, StepMap};
 use crate::real::Float;
 

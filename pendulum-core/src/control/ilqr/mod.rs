@@ -8,6 +8,7 @@ mod forward;
 mod integrated;
 mod kink;
 mod least_squares;
+mod line_search;
 mod matrix;
 mod predictive;
 mod search;

@@ -1,19 +1,16 @@
-//! The search for the best motion: passes, their line search and their damping.
+//! The search for the best motion: passes and their damping.
 
 use nalgebra::SVector;
 
 use super::backward::{Backward, Promise};
 use super::forward::Forward;
 use super::kink::Tilt;
+use super::line_search::NoShare;
 use super::{Ilqr, IlqrError, Objective, StepMap};
 use crate::real::Float;
 use crate::real::lanes::Isa;
 use crate::system::IntoState;
 
-/// Maximum number of halvings of the change of the inputs.
-const HALVINGS: usize = 8;
-/// Share of the promised decrease that a step has to reach.
-const SUFFICIENT: f64 = 1e-2;
 /// Factor by which the damping changes, more at each change in the same direction.
 const DAMPING_FACTOR: f64 = 2.0;
 /// Least damping that is not zero.
@@ -45,13 +42,6 @@ pub struct Pass<T> {
     pub cost_before: T,
     /// Share of the change of the inputs that was taken: 1, a half, and so on; 0 if none decreases the cost.
     pub share: T,
-}
-
-/// A line search that found no share of the change of the inputs to decrease the cost enough.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct NoShare<T> {
-    /// Cost of the last trial, that of the least share; `None` if its motion ended early.
-    pub(super) last: Option<T>,
 }
 
 /// Strength of the damping, which grows after failures and decays after successes.
@@ -220,43 +210,11 @@ where
         Isa::run_routine(Backward { t0, damping, tilt }, self, model)
     }
 
-    fn forward<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>, share: T) -> Result<T, IlqrError>
+    pub(super) fn forward<S>(&mut self, model: &S, t0: T, x0: &SVector<T, N>, share: T) -> Result<T, IlqrError>
     where
         S: StepMap<T, N, M>,
     {
         Isa::run_routine(Forward { t0, x0: *x0, share }, self, model)
-    }
-
-    /// Takes the largest share of the change of the inputs that decreases the cost enough. Returns the cost and the
-    /// share.
-    ///
-    /// # Errors
-    /// If there is none.
-    pub(super) fn line_search<S>(
-        &mut self,
-        model: &S,
-        t0: T,
-        x0: &SVector<T, N>,
-        (cost, promise): (T, Promise<T>),
-    ) -> Result<(T, T), NoShare<T>>
-    where
-        S: StepMap<T, N, M>,
-    {
-        let (mut share, mut last) = (T::from_f64(1.0), None);
-        for _ in 0..=HALVINGS {
-            let promised = promise.of(share);
-            last = self.forward(model, t0, x0, share).ok();
-            if let Some(next) = last
-                && promised > T::default()
-                && cost - next >= T::from_f64(SUFFICIENT) * promised
-            {
-                self.plan = self.trial;
-                self.change = [[T::default(); M]; K];
-                return Ok((next, share));
-            }
-            share *= T::from_f64(0.5);
-        }
-        Err(NoShare { last })
     }
 
     /// Checks the settings for a model and a start.

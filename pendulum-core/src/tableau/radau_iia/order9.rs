@@ -5,10 +5,10 @@
 
 use nalgebra::Complex;
 
-use super::eigenpairs::{Eigenpair, Eigenpairs};
-use super::radau_iia::RadauTableau;
+use super::RadauTableau;
+use crate::tableau::eigenpairs::{Eigenpair, Eigenpairs};
 
-pub(super) const TABLEAU: RadauTableau<5, 2> = RadauTableau {
+pub(crate) const TABLEAU: RadauTableau<5, 2> = RadauTableau {
     c: [
         0.057_104_196_114_517_68,
         0.276_843_013_638_123_8,

@@ -5,10 +5,10 @@
 
 use nalgebra::Complex;
 
-use super::eigenpairs::{Eigenpair, Eigenpairs};
-use super::radau_iia::RadauTableau;
+use super::RadauTableau;
+use crate::tableau::eigenpairs::{Eigenpair, Eigenpairs};
 
-pub(super) const TABLEAU: RadauTableau<3, 1> = RadauTableau {
+pub(crate) const TABLEAU: RadauTableau<3, 1> = RadauTableau {
     c: [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0],
     a: [
         [

@@ -5,10 +5,10 @@
 
 use nalgebra::Complex;
 
-use super::eigenpairs::{Eigenpair, Eigenpairs};
-use super::radau_iia::RadauTableau;
+use super::RadauTableau;
+use crate::tableau::eigenpairs::{Eigenpair, Eigenpairs};
 
-pub(super) const TABLEAU: RadauTableau<7, 3> = RadauTableau {
+pub(crate) const TABLEAU: RadauTableau<7, 3> = RadauTableau {
     c: [
         0.029_316_427_159_784_893,
         0.148_078_599_668_484_3,

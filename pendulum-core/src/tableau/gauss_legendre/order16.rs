@@ -5,8 +5,8 @@
 
 use nalgebra::Complex;
 
-use super::eigenpairs::{Eigenpair, Eigenpairs};
-use super::gauss_legendre::GaussTableau;
+use super::GaussTableau;
+use crate::tableau::eigenpairs::{Eigenpair, Eigenpairs};
 
 pub(super) const TABLEAU: GaussTableau<8, 4> = GaussTableau::new(
     [
