@@ -11,7 +11,7 @@ use crate::hybrid::InMode;
 use crate::linear::square;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
-use crate::method::stages::{Called, SHORT, combination, shifted, weighted_sum};
+use crate::method::stages::{Called, MAX_STAGES, SHORT, combination, shifted, weighted_sum};
 use crate::method::toggle::end_step;
 use crate::method::{Adaptive, Fixed};
 use crate::real::Real;
@@ -344,8 +344,6 @@ where
     }
 }
 
-/// Maximum number of stages in [`inner_stages`].
-const MAX_STAGES: usize = 20;
 /// Maximum number of extra stages of a dense output.
 const MAX_EXTRA: usize = 10;
 /// Maximum degree of a dense output, of other methods as well.

@@ -10,6 +10,9 @@ use crate::system::{Canonical, System};
 /// another.
 pub(crate) const SHORT: usize = 4;
 
+/// Maximum number of stages of a method whose stages are unrolled.
+pub(crate) const MAX_STAGES: usize = 20;
+
 /// A system whose functions are long: they are called, compiled for the instruction set.
 pub(crate) struct Called<'a, S: ?Sized>(pub(crate) &'a S);
 
@@ -17,6 +20,16 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for Called<
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
         Isa::run_routine(Evaluation { t, x }, &mut (), self.0)
+    }
+
+    /// Numbers with derivatives are large: they are written in place.
+    #[inline(always)]
+    fn rhs_into(&self, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
+        if const { T::HAS_SLOPES } {
+            Isa::run_routine(EvaluationInto { t, x }, rates, self.0);
+        } else {
+            *rates = self.rhs(t, x);
+        }
     }
 
     #[inline(always)]
@@ -34,6 +47,21 @@ impl<S: Canonical<T, N> + ?Sized, T: Real, const N: usize> Canonical<T, N> for C
     #[inline(always)]
     fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
         Isa::run_routine(CanonicalDerivatives { t, x }, &mut (), self.0)
+    }
+}
+
+/// Evaluation of a right-hand side in place.
+struct EvaluationInto<'a, T, const N: usize> {
+    t: T,
+    x: &'a SVector<T, N>,
+}
+
+impl<S: System<T, N> + ?Sized, T: Real, const N: usize> Routine<SVector<T, N>, S> for EvaluationInto<'_, T, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self, rates: &mut SVector<T, N>, system: &S) {
+        system.rhs_into(self.t, self.x, rates);
     }
 }
 
@@ -88,6 +116,13 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
     count: usize,
     stages: &[SVector<T, N>; STAGES],
 ) -> SVector<T, N> {
+    if const { T::HAS_SLOPES && T::LANES == 1 } {
+        return if h.is_constant() {
+            sum_by_component(h, weights, count, stages)
+        } else {
+            sum_by_variable_length(&h, weights, count, stages)
+        };
+    }
     let mut sums = [T::default(); N];
     let mut is_first = true;
     let is_constant = h.is_constant();
@@ -109,6 +144,64 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
         is_first = false;
     }
     SVector::from(sums)
+}
+
+/// [`weighted_sum`] of dual numbers, with an `h` without derivatives.
+///
+/// The sum over the stages is unrolled, and its partial sums fit into the registers. The loop over the components is
+/// not: unrolled as well, the sums of a step would not fit into the instruction cache.
+#[inline(always)]
+fn sum_by_component<T: Real, const STAGES: usize, const N: usize>(
+    h: T,
+    weights: &[f64; STAGES],
+    count: usize,
+    stages: &[SVector<T, N>; STAGES],
+) -> SVector<T, N> {
+    const { assert!(STAGES <= MAX_STAGES) };
+    let mut sums = [T::default(); N];
+    #[allow(clippy::needless_range_loop, reason = "components of the sums and of all stages")]
+    for n in 0..N {
+        let mut sum = None;
+        macro_rules! add {
+            ($($i:literal)*) => { $(
+                if $i < count && weights[$i % STAGES] != 0.0 {
+                    let weight = T::from_f64(weights[$i % STAGES]).scaled(h);
+                    let stage = stages[$i % STAGES].data.0[0][n];
+                    sum = Some(match sum {
+                        None => stage.scaled(weight),
+                        Some(sum) => stage.scaled_onto(weight, sum),
+                    });
+                }
+            )* };
+        }
+        add!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19);
+        sums[n] = sum.unwrap_or_default();
+    }
+    SVector::from(sums)
+}
+
+/// [`weighted_sum`] with an `h` that carries derivatives, as in the steps to an event. A reference leaves `h` in
+/// registers elsewhere.
+#[cold]
+#[inline(never)]
+fn sum_by_variable_length<T: Real, const STAGES: usize, const N: usize>(
+    h: &T,
+    weights: &[f64; STAGES],
+    count: usize,
+    stages: &[SVector<T, N>; STAGES],
+) -> SVector<T, N> {
+    let mut sums: Option<SVector<T, N>> = None;
+    for (&weight, stage) in weights[..count].iter().zip(stages) {
+        if weight == 0.0 {
+            continue;
+        }
+        let weight = *h * T::from_f64(weight);
+        sums = Some(match sums {
+            None => stage.map(|stage| weight * stage),
+            Some(sums) => sums.zip_map(stage, |sum, stage| weight.mul_add(stage, sum)),
+        });
+    }
+    sums.unwrap_or_else(|| SVector::from([T::default(); N]))
 }
 
 /// Computes `(sum_i weights_i stages_i) factor`, skipping zero weights, over the stages of a step and then over `extra`
@@ -135,4 +228,32 @@ pub(crate) fn combination<T: Real, const N: usize>(
         *sum *= factor;
     }
     SVector::from(sums)
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+
+    use super::{sum_by_component, sum_by_variable_length, weighted_sum};
+    use crate::dual::Dual;
+
+    #[test]
+    fn sums_of_dual_numbers_agree_with_each_other_and_with_their_values() {
+        let weights = [0.0, 0.3, -1.7, 0.0, 2.1, 0.9];
+        let number = |seed: usize| (seed as f64 * 0.7).sin();
+        let stages: [SVector<Dual<f64, 5>, 3>; 6] = core::array::from_fn(|i| {
+            SVector::from(core::array::from_fn(|n| Dual {
+                value: number(20 * i + n),
+                slopes: core::array::from_fn(|k| number(20 * i + 5 * n + k + 3)),
+            }))
+        });
+        let (h, values) = (0.13, stages.map(|stage| stage.map(|x| x.value)));
+        for count in 0..=6 {
+            let sum = sum_by_component(Dual::constant(h), &weights, count, &stages);
+            let other = sum_by_variable_length(&Dual::constant(h), &weights, count, &stages);
+            assert_eq!(sum.map(|x| x.slopes), other.map(|x| x.slopes));
+            assert_eq!(sum, other);
+            assert_eq!(sum.map(|x| x.value), weighted_sum(h, &weights, count, &values));
+        }
+    }
 }
