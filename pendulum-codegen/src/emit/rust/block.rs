@@ -6,6 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::count;
+use super::lanes::inlined_into_lanes;
 use crate::expr::{Binary, Precedence, Unary};
 use crate::program::{Block, Coefficient, Columns, Let, Local, MultiplyAdd, Program, Signs, SinCos, Term, Variable};
 
@@ -166,14 +167,22 @@ impl Writer<'_> {
         })
     }
 
-    /// Declaration of the columns, which the statements fill; and the loop that solves them. For scalars their number
-    /// is rounded up, so that compilers fill registers with columns.
-    fn columns(&self, columns: &Columns) -> (TokenStream, TokenStream) {
+    /// Numbers of rows and of columns. For scalars the latter is rounded up, so that compilers fill registers with
+    /// columns.
+    fn size(columns: &Columns) -> [usize; 2] {
         /// Number of `f64` in a register.
         const LANES: usize = 4;
-        let (rows, number) = (columns.solution.results.len(), columns.given.len());
+        [
+            columns.solution.results.len(),
+            columns.given.len().next_multiple_of(LANES),
+        ]
+    }
+
+    /// Declaration of the columns, which the statements fill; and the loop that solves them.
+    fn columns(&self, columns: &Columns) -> (TokenStream, TokenStream) {
+        let (rows, number) = (columns.solution.results.len(), count(columns.given.len()));
         let (name, n) = (local("columns"), local("column"));
-        let (padded, number, length) = (count(number.next_multiple_of(LANES)), count(number), count(rows));
+        let [length, padded] = Self::size(columns).map(count);
         let before = quote!(let mut #name = [[T::default(); #padded]; #length];);
         let others = columns.given.iter().enumerate().flat_map(|(n, column)| {
             let others = column.iter().enumerate();
@@ -250,18 +259,51 @@ impl Writer<'_> {
                 });
                 statements.collect()
             });
-            quote!(T::apart(|| { #inside });)
+            self.part(passed.len(), &inside)
         });
-        let (places, parts, loads) = (
-            count(passed.len()),
-            parts.collect::<TokenStream>(),
-            results.iter().filter_map(load),
-        );
+        let (places, reads) = (count(passed.len()), self.reads());
+        let (parts, loads) = (parts.collect::<TokenStream>(), results.iter().filter_map(load));
         quote! {
             let mut #array = [T::default(); #places];
+            let reads = [#(#reads),*];
             #parts
             #(#loads)*
         }
+    }
+
+    /// Part of the statements: it changes the array of `passed` values, and the columns if there are any.
+    fn part(&self, passed: usize, inside: &TokenStream) -> TokenStream {
+        let (reads, inline) = (self.reads(), inlined_into_lanes());
+        let [passed, number] = [passed, reads.len()].map(count);
+        let columns = self.block.columns.as_deref().map(|columns| {
+            let [length, padded] = Self::size(columns).map(count);
+            (local("columns"), quote!([[T; #padded]; #length]))
+        });
+        let changed = [(local("passed"), quote!([T; #passed]))].into_iter().chain(columns);
+        let (names, types): (Vec<Ident>, Vec<TokenStream>) = changed.unzip();
+        quote! {
+            {
+                struct __Part;
+                impl<T: ::pendulum_core::real::Real>
+                    ::pendulum_core::real::lanes::Routine<(#(&mut #types,)*), [T; #number]> for __Part
+                {
+                    type Output = ();
+                    #inline
+                    fn run(self, (#(#names,)*): &mut (#(&mut #types,)*), reads: &[T; #number]) {
+                        let [#(#reads),*] = *reads;
+                        #inside
+                    }
+                }
+                T::apart(__Part, &mut (#(&mut #names,)*), &reads);
+            }
+        }
+    }
+
+    /// Names of the variables that the statements may read.
+    fn reads(&self) -> Vec<Ident> {
+        let of_columns = |of: &Variable| matches!(of, Variable::Solved(_) | Variable::Factor(_) | Variable::Given(_));
+        let reads = self.block.reads().into_iter().filter(|of| !of_columns(of));
+        reads.map(|variable| self.names.variable(variable)).collect()
     }
 
     /// Number of statements in each of as many equal parts as needed.
