@@ -53,6 +53,13 @@ pub trait System<T: Real, const N: usize> {
         *rates = self.rhs(t, x);
     }
 
+    /// True if the right-hand side is [long](Real::apart): methods then leave the call to it.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn is_apart(&self) -> bool {
+        false
+    }
+
     /// Number of components that the system has, `N` by default. The others, at the end of the state, are padding: they
     /// and their derivatives are zero, error norms leave them out, and matrices end before them. Models with inputs,
     /// periodic orbits and continuation do without padding.
@@ -306,6 +313,7 @@ macro_rules! forward_system {
     ($self:ident => $wrapped:expr) => {
         $crate::system::forward! { $self => $wrapped;
             rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
+            is_apart() -> bool;
             active() -> usize;
             layout() -> Option<StateLayout<'_>>;
             is_autonomous() -> Option<bool>;

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use pendulum_core::real::lanes::{Isa, Kernel, LaneElement, Lanes};
+use pendulum_core::real::lanes::{Isa, Kernel, LaneElement, Lanes, Routine};
 use pendulum_core::{Float, Operations, Real};
 
 /// Number that counts the operations applied to it.
@@ -12,6 +12,7 @@ pub struct Counted(pub f64);
 
 thread_local! {
     static COUNT: Cell<Operations> = const { Cell::new(Operations::ZERO) };
+    static CALLS: Cell<usize> = const { Cell::new(0) };
 }
 
 const ADDITION: Operations = Operations::new(1, 0, 0, 0, 0, 0);
@@ -72,6 +73,11 @@ macro_rules! functions {
 }
 
 impl Real for Counted {
+    fn call<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
+        CALLS.set(CALLS.get() + 1);
+        routine.run(changed, read)
+    }
+
     fn from_f64(v: f64) -> Self {
         Self(v)
     }
@@ -155,4 +161,11 @@ pub fn spent(f: impl FnOnce()) -> Operations {
         after.functions - before.functions,
         0,
     )
+}
+
+/// Number of long routines that `f` calls in [`Counted`] numbers.
+pub fn calls<R>(f: impl FnOnce() -> R) -> usize {
+    let before = CALLS.get();
+    let _ = f();
+    CALLS.get() - before
 }

@@ -5,6 +5,7 @@ mod adjoints;
 mod balls;
 mod batches;
 mod c_code;
+mod calls;
 mod canonical;
 mod clamp;
 mod closed_loops;

@@ -87,6 +87,11 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
     }
 
     #[inline(always)]
+    fn is_apart(&self) -> bool {
+        self.system.hybrid().is_none() && self.system.is_apart()
+    }
+
+    #[inline(always)]
     fn active(&self) -> usize {
         self.system.active()
     }

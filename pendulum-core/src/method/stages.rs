@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::real::Real;
-use crate::real::lanes::{Isa, Routine};
+use crate::real::lanes::Routine;
 use crate::system::{Canonical, System};
 
 /// Number of states, two bodies, up to which a right-hand side takes few operations, most of which wait for one
@@ -19,14 +19,17 @@ pub(crate) struct Called<'a, S: ?Sized>(pub(crate) &'a S);
 impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for Called<'_, S> {
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        Isa::run_routine(Evaluation { t, x }, &mut (), self.0)
+        if self.0.is_apart() {
+            return self.0.rhs(t, x);
+        }
+        T::call(Evaluation { t, x }, &mut (), self.0)
     }
 
     /// Numbers with derivatives are large: they are written in place.
     #[inline(always)]
     fn rhs_into(&self, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
-        if const { T::HAS_SLOPES } {
-            Isa::run_routine(EvaluationInto { t, x }, rates, self.0);
+        if const { T::HAS_SLOPES } && !self.0.is_apart() {
+            T::call(EvaluationInto { t, x }, rates, self.0);
         } else {
             *rates = self.rhs(t, x);
         }
@@ -41,12 +44,12 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for Called<
 impl<S: Canonical<T, N> + ?Sized, T: Real, const N: usize> Canonical<T, N> for Called<'_, S> {
     #[inline(always)]
     fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
-        Isa::run_routine(CanonicalEvaluation { t, x }, &mut (), self.0)
+        T::call(CanonicalEvaluation { t, x }, &mut (), self.0)
     }
 
     #[inline(always)]
     fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
-        Isa::run_routine(CanonicalDerivatives { t, x }, &mut (), self.0)
+        T::call(CanonicalDerivatives { t, x }, &mut (), self.0)
     }
 }
 

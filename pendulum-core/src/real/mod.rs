@@ -164,19 +164,14 @@ pub trait Real:
         }
     }
 
-    /// Result of a part of a long function. Scalars compute it in a function of its own, which is compiled separately;
-    /// lanes need it inlined.
+    /// Runs long code. Scalars [call](Self::call) it, lanes need it inlined.
     #[doc(hidden)]
     #[inline(always)]
-    fn apart<R>(part: impl FnOnce() -> R) -> R {
-        #[inline(never)]
-        fn alone<R>(part: impl FnOnce() -> R) -> R {
-            part()
-        }
+    fn apart<A: ?Sized, B: ?Sized, R: lanes::Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
         if const { Self::LANES == 1 } {
-            alone(part)
+            Self::call(routine, changed, read)
         } else {
-            part()
+            routine.run(changed, read)
         }
     }
 

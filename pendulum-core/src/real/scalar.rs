@@ -33,7 +33,8 @@ macro_rules! scalar {
                 piece(f64::from(self)).map(Self::from_f64)
             }
 
-            #[inline]
+            // Inlined, since a function of its own would be compiled for the baseline.
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn sin_cos(self) -> (Self, Self) {
                 sincos::sin_cos(self)
             }

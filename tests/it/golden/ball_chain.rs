@@ -474,27 +474,29 @@ t29 = t27 + t26 - t27
             x[7] /= norm;
         }
     }
+    struct __Code<'a, T> {
+        t: T,
+        x: &'a ::pendulum_core::nalgebra::SVector<T, 14>,
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 14>
-    for BallPendulum<T> {
-        #[inline]
-        fn jacobian(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 14>,
-        ) -> ::pendulum_core::nalgebra::SMatrix<T, 14, 14> {
-            self.rhs_and_jacobian(t, x).1
-        }
+    impl<
+        T: ::pendulum_core::real::Real,
+    > ::pendulum_core::real::lanes::Routine<(), BallPendulum<T>> for __Code<'_, T> {
+        type Output = (
+            ::pendulum_core::nalgebra::SVector<T, 14>,
+            ::pendulum_core::nalgebra::SMatrix<T, 14, 14>,
+        );
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
-        fn rhs_and_jacobian(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 14>,
+        fn run(
+            self,
+            (): &mut (),
+            model: &BallPendulum<T>,
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 14>,
             ::pendulum_core::nalgebra::SMatrix<T, 14, 14>,
         ) {
+            let Self { t, x } = self;
             let [qw_a, qx_a, qy_a, qz_a, qw_b, qx_b, qy_b, qz_b, qdx_a, qdy_a, qdz_a,
             qdx_b, qdy_b, qdz_b] = x.data.0[0];
             let (
@@ -2403,6 +2405,34 @@ t29 = t27 + t26 - t27
                     ],
                 ]),
             )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 14>
+    for BallPendulum<T> {
+        #[inline]
+        fn jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 14>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 14, 14> {
+            T::apart(
+                ::pendulum_core::real::lanes::Second(__Code { t, x }),
+                &mut (),
+                self,
+            )
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 14>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 14>,
+            ::pendulum_core::nalgebra::SMatrix<T, 14, 14>,
+        ) {
+            T::apart(__Code { t, x }, &mut (), self)
         }
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]

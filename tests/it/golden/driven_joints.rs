@@ -843,79 +843,105 @@ k43 = b*w^2*ny^2*(m1 + m2)
             t: T,
             x: &(impl ::pendulum_core::IntoState<T, 4> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
-            let x = ::pendulum_core::IntoState::into_state(*x);
-            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
-            let k4 = self.constants[4];
-            let k5 = self.constants[5];
-            let k6 = self.constants[6];
-            let k7 = self.constants[7];
-            let k8 = self.constants[8];
-            let k9 = self.constants[9];
-            let k10 = self.constants[10];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k14 = self.constants[14];
-            let k15 = self.constants[15];
-            let k18 = self.constants[18];
-            let k19 = self.constants[19];
-            let k20 = self.constants[20];
-            let k21 = self.constants[21];
-            let k22 = self.constants[22];
-            let k24 = self.constants[24];
-            let k28 = self.constants[28];
-            let k29 = self.constants[29];
-            let k30 = self.constants[30];
-            let k31 = self.constants[31];
-            let k36 = self.constants[36];
-            let k42 = self.constants[42];
-            let k43 = self.constants[43];
-            let t0 = k4 * t;
-            let [(sin1, _), (_, cos2)] = (k6 * t0).sin_cos_pair(k5 * t0);
-            let t3 = k7 * qd_theta2;
-            let t4 = qd_theta1 + qd_theta2 - qd_theta1;
-            let t5 = t4 * t4;
-            let t6 = qd_theta1 * qd_theta1;
-            let [(_, cos7), (sin8, _)] = (k8 * t).sin_cos_pair(k9 * t);
-            let [(sin_theta2, cos_theta2), (sin_theta1, cos_theta1)] = q_theta2
-                .sin_cos_pair(q_theta1);
-            let t9 = k10 * cos_theta2;
-            let t10 = cos_theta1.mul_neg_add(sin_theta2, cos_theta2 * sin_theta1);
-            let t11 = k19 * t10;
-            let t12 = (t11 * qd_theta2)
-                .mul_add(
-                    qd_theta2,
-                    k24.mul_add(qd_theta1, sin_theta1 * k14.mul_neg_add(sin1, k21)),
-                );
-            let t13 = qd_theta1
-                .mul_neg_add(
-                    qd_theta1.mul_add(t11, k7),
-                    sin_theta2.mul_add(k30.mul_neg_add(sin1, k22), t3),
-                );
-            let t14 = (k31 * cos_theta2).mul_neg_add(cos2, t13);
-            let t15 = k36 * sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
-            let t16 = k20 / (k18 * t10).mul_add(t10, k28)
-                * (k15 * cos_theta1).mul_neg_add(cos2, t14.mul_add(t15, t12) - t3);
-            let t17 = t15.mul_neg_add(t16, k29.mul_add(t14, t16) - t16);
-            let t18 = k10 * sin_theta2;
-            let t19 = k12 * sin_theta1;
-            let t20 = k12 * cos_theta1;
-            let t21 = t17
-                .mul_add(
-                    t18,
-                    t9.mul_add(t5, t20.mul_add(t6, k43.mul_neg_add(sin8, k11))),
-                );
-            ::pendulum_core::nalgebra::SVector::from([
-                k42
-                    .mul_neg_add(
-                        cos7,
-                        t16
+            struct __Code<'a, T, __X0> {
+                t: T,
+                x: &'a __X0,
+            }
+            #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+            impl<
+                T: ::pendulum_core::real::Real,
+                __X0: ::pendulum_core::IntoState<T, 4> + ::core::marker::Copy,
+            > ::pendulum_core::real::lanes::Routine<(), DrivenPivot<T>>
+            for __Code<'_, T, __X0> {
+                type Output = ::pendulum_core::nalgebra::SVector<T, 2>;
+                #[cfg_attr(debug_assertions, inline)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
+                fn run(
+                    self,
+                    (): &mut (),
+                    model: &DrivenPivot<T>,
+                ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+                    let Self { t, x } = self;
+                    let x = ::pendulum_core::IntoState::into_state(*x);
+                    let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+                    let k4 = model.constants[4];
+                    let k5 = model.constants[5];
+                    let k6 = model.constants[6];
+                    let k7 = model.constants[7];
+                    let k8 = model.constants[8];
+                    let k9 = model.constants[9];
+                    let k10 = model.constants[10];
+                    let k11 = model.constants[11];
+                    let k12 = model.constants[12];
+                    let k14 = model.constants[14];
+                    let k15 = model.constants[15];
+                    let k18 = model.constants[18];
+                    let k19 = model.constants[19];
+                    let k20 = model.constants[20];
+                    let k21 = model.constants[21];
+                    let k22 = model.constants[22];
+                    let k24 = model.constants[24];
+                    let k28 = model.constants[28];
+                    let k29 = model.constants[29];
+                    let k30 = model.constants[30];
+                    let k31 = model.constants[31];
+                    let k36 = model.constants[36];
+                    let k42 = model.constants[42];
+                    let k43 = model.constants[43];
+                    let t0 = k4 * t;
+                    let [(sin1, _), (_, cos2)] = (k6 * t0).sin_cos_pair(k5 * t0);
+                    let t3 = k7 * qd_theta2;
+                    let t4 = qd_theta1 + qd_theta2 - qd_theta1;
+                    let t5 = t4 * t4;
+                    let t6 = qd_theta1 * qd_theta1;
+                    let [(_, cos7), (sin8, _)] = (k8 * t).sin_cos_pair(k9 * t);
+                    let [(sin_theta2, cos_theta2), (sin_theta1, cos_theta1)] = q_theta2
+                        .sin_cos_pair(q_theta1);
+                    let t9 = k10 * cos_theta2;
+                    let t10 = cos_theta1
+                        .mul_neg_add(sin_theta2, cos_theta2 * sin_theta1);
+                    let t11 = k19 * t10;
+                    let t12 = (t11 * qd_theta2)
+                        .mul_add(
+                            qd_theta2,
+                            k24
+                                .mul_add(qd_theta1, sin_theta1 * k14.mul_neg_add(sin1, k21)),
+                        );
+                    let t13 = qd_theta1
+                        .mul_neg_add(
+                            qd_theta1.mul_add(t11, k7),
+                            sin_theta2.mul_add(k30.mul_neg_add(sin1, k22), t3),
+                        );
+                    let t14 = (k31 * cos_theta2).mul_neg_add(cos2, t13);
+                    let t15 = k36
+                        * sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
+                    let t16 = k20 / (k18 * t10).mul_add(t10, k28)
+                        * (k15 * cos_theta1)
+                            .mul_neg_add(cos2, t14.mul_add(t15, t12) - t3);
+                    let t17 = t15.mul_neg_add(t16, k29.mul_add(t14, t16) - t16);
+                    let t18 = k10 * sin_theta2;
+                    let t19 = k12 * sin_theta1;
+                    let t20 = k12 * cos_theta1;
+                    let t21 = t17
+                        .mul_add(
+                            t18,
+                            t9.mul_add(t5, t20.mul_add(t6, k43.mul_neg_add(sin8, k11))),
+                        );
+                    ::pendulum_core::nalgebra::SVector::from([
+                        k42
                             .mul_neg_add(
-                                t20,
-                                t19.mul_neg_add(t6, t18.mul_neg_add(t5, t9 * t17)),
+                                cos7,
+                                t16
+                                    .mul_neg_add(
+                                        t20,
+                                        t19.mul_neg_add(t6, t18.mul_neg_add(t5, t9 * t17)),
+                                    ),
                             ),
-                    ),
-                t16.mul_neg_add(t19, t21),
-            ])
+                        t16.mul_neg_add(t19, t21),
+                    ])
+                }
+            }
+            T::apart(__Code { t, x }, &mut (), self)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -785,43 +785,46 @@ k36 = -1
             tell(["coupler", "rocker"], [margins[0], rates[0]]);
         }
     }
+    struct __Code<'a, T> {
+        t: T,
+        x: &'a ::pendulum_core::nalgebra::SVector<T, 2>,
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 2> for FourBar<T> {
-        #[inline]
-        fn jacobian(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2> {
-            self.rhs_and_jacobian(t, x).1
-        }
+    impl<
+        T: ::pendulum_core::real::Real,
+    > ::pendulum_core::real::lanes::Routine<(), FourBar<T>> for __Code<'_, T> {
+        type Output = (
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
+        );
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
-        fn rhs_and_jacobian(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        fn run(
+            self,
+            (): &mut (),
+            model: &FourBar<T>,
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 2>,
             ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
         ) {
+            let Self { t, x } = self;
             let [q_theta, qd_theta] = x.data.0[0];
-            let k0 = self.constants[0];
-            let k3 = self.constants[3];
-            let k4 = self.constants[4];
-            let k5 = self.constants[5];
-            let k7 = self.constants[7];
-            let k14 = self.constants[14];
-            let k15 = self.constants[15];
-            let k16 = self.constants[16];
-            let k17 = self.constants[17];
-            let k18 = self.constants[18];
-            let k19 = self.constants[19];
-            let k20 = self.constants[20];
-            let k21 = self.constants[21];
-            let k26 = self.constants[26];
-            let k27 = self.constants[27];
-            let k30 = self.constants[30];
+            let k0 = model.constants[0];
+            let k3 = model.constants[3];
+            let k4 = model.constants[4];
+            let k5 = model.constants[5];
+            let k7 = model.constants[7];
+            let k14 = model.constants[14];
+            let k15 = model.constants[15];
+            let k16 = model.constants[16];
+            let k17 = model.constants[17];
+            let k18 = model.constants[18];
+            let k19 = model.constants[19];
+            let k20 = model.constants[20];
+            let k21 = model.constants[21];
+            let k26 = model.constants[26];
+            let k27 = model.constants[27];
+            let k30 = model.constants[30];
             let t0 = qd_theta * qd_theta;
             let t1 = T::from_f64(2.0) * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
@@ -973,6 +976,33 @@ k36 = -1
                     ],
                 ]),
             )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 2> for FourBar<T> {
+        #[inline]
+        fn jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2> {
+            T::apart(
+                ::pendulum_core::real::lanes::Second(__Code { t, x }),
+                &mut (),
+                self,
+            )
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
+        ) {
+            T::apart(__Code { t, x }, &mut (), self)
         }
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]

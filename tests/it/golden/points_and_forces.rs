@@ -637,77 +637,80 @@ k57 = 77343750000000/1998607065841*l^2*k
             Some(<Magnets>::LAYOUT)
         }
     }
+    struct __Code<'a, T> {
+        t: T,
+        x: &'a ::pendulum_core::nalgebra::SVector<T, 4>,
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 4> for Magnets<T> {
-        #[inline]
-        fn jacobian(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
-            self.rhs_and_jacobian(t, x).1
-        }
+    impl<
+        T: ::pendulum_core::real::Real,
+    > ::pendulum_core::real::lanes::Routine<(), Magnets<T>> for __Code<'_, T> {
+        type Output = (
+            ::pendulum_core::nalgebra::SVector<T, 4>,
+            ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
+        );
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
-        fn rhs_and_jacobian(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        fn run(
+            self,
+            (): &mut (),
+            model: &Magnets<T>,
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 4>,
             ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
         ) {
+            let Self { t, x } = self;
             let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
-            let k3 = self.constants[3];
-            let k5 = self.constants[5];
-            let k9 = self.constants[9];
-            let k10 = self.constants[10];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k13 = self.constants[13];
-            let k14 = self.constants[14];
-            let k15 = self.constants[15];
-            let k16 = self.constants[16];
-            let k17 = self.constants[17];
-            let k18 = self.constants[18];
-            let k19 = self.constants[19];
-            let k20 = self.constants[20];
-            let k21 = self.constants[21];
-            let k22 = self.constants[22];
-            let k23 = self.constants[23];
-            let k24 = self.constants[24];
-            let k25 = self.constants[25];
-            let k26 = self.constants[26];
-            let k27 = self.constants[27];
-            let k28 = self.constants[28];
-            let k29 = self.constants[29];
-            let k30 = self.constants[30];
-            let k31 = self.constants[31];
-            let k32 = self.constants[32];
-            let k33 = self.constants[33];
-            let k34 = self.constants[34];
-            let k35 = self.constants[35];
-            let k36 = self.constants[36];
-            let k37 = self.constants[37];
-            let k38 = self.constants[38];
-            let k40 = self.constants[40];
-            let k41 = self.constants[41];
-            let k42 = self.constants[42];
-            let k43 = self.constants[43];
-            let k44 = self.constants[44];
-            let k45 = self.constants[45];
-            let k46 = self.constants[46];
-            let k47 = self.constants[47];
-            let k48 = self.constants[48];
-            let k49 = self.constants[49];
-            let k50 = self.constants[50];
-            let k51 = self.constants[51];
-            let k52 = self.constants[52];
-            let k53 = self.constants[53];
-            let k54 = self.constants[54];
-            let k55 = self.constants[55];
-            let k56 = self.constants[56];
-            let k57 = self.constants[57];
+            let k3 = model.constants[3];
+            let k5 = model.constants[5];
+            let k9 = model.constants[9];
+            let k10 = model.constants[10];
+            let k11 = model.constants[11];
+            let k12 = model.constants[12];
+            let k13 = model.constants[13];
+            let k14 = model.constants[14];
+            let k15 = model.constants[15];
+            let k16 = model.constants[16];
+            let k17 = model.constants[17];
+            let k18 = model.constants[18];
+            let k19 = model.constants[19];
+            let k20 = model.constants[20];
+            let k21 = model.constants[21];
+            let k22 = model.constants[22];
+            let k23 = model.constants[23];
+            let k24 = model.constants[24];
+            let k25 = model.constants[25];
+            let k26 = model.constants[26];
+            let k27 = model.constants[27];
+            let k28 = model.constants[28];
+            let k29 = model.constants[29];
+            let k30 = model.constants[30];
+            let k31 = model.constants[31];
+            let k32 = model.constants[32];
+            let k33 = model.constants[33];
+            let k34 = model.constants[34];
+            let k35 = model.constants[35];
+            let k36 = model.constants[36];
+            let k37 = model.constants[37];
+            let k38 = model.constants[38];
+            let k40 = model.constants[40];
+            let k41 = model.constants[41];
+            let k42 = model.constants[42];
+            let k43 = model.constants[43];
+            let k44 = model.constants[44];
+            let k45 = model.constants[45];
+            let k46 = model.constants[46];
+            let k47 = model.constants[47];
+            let k48 = model.constants[48];
+            let k49 = model.constants[49];
+            let k50 = model.constants[50];
+            let k51 = model.constants[51];
+            let k52 = model.constants[52];
+            let k53 = model.constants[53];
+            let k54 = model.constants[54];
+            let k55 = model.constants[55];
+            let k56 = model.constants[56];
+            let k57 = model.constants[57];
             let t0 = qd_theta1 * qd_theta1;
             let [(sin_theta2, cos_theta2), (sin_theta1, cos_theta1)] = q_theta2
                 .sin_cos_pair(q_theta1);
@@ -950,6 +953,33 @@ k57 = 77343750000000/1998607065841*l^2*k
                     [T::from_f64(0.0), T::from_f64(1.0), t90, t88],
                 ]),
             )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 4> for Magnets<T> {
+        #[inline]
+        fn jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
+            T::apart(
+                ::pendulum_core::real::lanes::Second(__Code { t, x }),
+                &mut (),
+                self,
+            )
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 4>,
+            ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
+        ) {
+            T::apart(__Code { t, x }, &mut (), self)
         }
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]

@@ -462,303 +462,352 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 12>,
         ) -> ::pendulum_core::nalgebra::SVector<T, 12> {
-            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
-            qd_q6] = x.data.0[0];
-            let t0 = q_q2 + q_q3;
-            let t1 = t0 + q_q4;
-            let (sin2, cos2) = t1.sin_cos();
-            let t3 = qd_q1 * qd_q2;
-            let t4 = qd_q1.mul_add(qd_q3, t3);
-            let t5 = T::from_f64(2.0) * t3;
-            let t6 = qd_q2 + qd_q3;
-            let t7 = sin2 * qd_q1;
-            let t8 = qd_q4 + t6;
-            let t9 = qd_q1.mul_add(qd_q4, t4);
-            let t10 = cos2.mul_neg_add(qd_q1, qd_q5);
-            let t11 = cos2 * t9;
-            let t12 = sin2 * t9;
-            let t13 = qd_q1 * qd_q1;
-            let t14 = qd_q2 * qd_q2;
-            let t15 = T::from_f64(0.10510116377025) * cos2;
-            let t16 = t13 + t14;
-            let t17 = t8 * t8;
-            let t18 = t6 * t6;
-            let t19 = qd_q1 * t6;
-            let t20 = T::from_f64(0.017784735) * cos2;
-            let t21 = t13 + t17;
-            let t22 = t13 + t18;
-            let t23 = t15 * sin2;
-            let t24 = T::from_f64(0.017784735) * sin2;
-            let t25 = T::from_f64(0.001653980355) * sin2;
-            let t26 = qd_q1 * t8;
-            let t27 = t24 * t21;
-            let t28 = t20 * t17;
-            let t29 = T::from_f64(0.13585) * t13;
-            let t30 = t4 + t19;
-            let t31 = t9 + t26;
-            let t32 = t20 * t31;
-            let [(sin33, cos33), (sin_q5, cos_q5)] = t0.sin_cos_pair(q_q5);
-            let t34 = sin_q5.mul_add(t8, cos_q5 * t7);
-            let t35 = sin_q5.mul_neg_add(t7, cos_q5 * t8);
-            let t36 = qd_q5.mul_add(t35, cos_q5 * t11);
-            let t37 = qd_q5.mul_add(t34, sin_q5 * t11);
-            let t38 = qd_q6 + (t35 + qd_q6);
-            let t39 = T::from_f64(0.39225) * cos33;
-            let t40 = T::from_f64(0.39225) * sin33;
-            let t41 = T::from_f64(0.59155695167475) * cos33;
-            let t42 = cos33 * t41;
-            let t43 = t41 * sin33;
-            let t44 = t39 * t24;
-            let t45 = t20 * t40;
-            let t46 = t34 * t35;
-            let t47 = T::from_f64(1.598759275) * cos33;
-            let t48 = T::from_f64(1.598759275) * sin33;
-            let t49 = T::from_f64(0.051322656825) * cos33;
-            let t50 = sin2 * sin_q5;
-            let t51 = T::from_f64(0.017136473145) * t50;
-            let t52 = t20 + t48;
-            let t53 = t47.mul_neg_add(t22, t27);
-            let t54 = T::from_f64(58.35506475215265) * t51;
-            let [(sin_q6, cos_q6), (sin_q2, cos_q2)] = q_q6.sin_cos_pair(q_q2);
-            let t55 = sin_q6.mul_add(t34, cos_q6 * t10);
-            let t56 = sin_q6.mul_neg_add(t10, cos_q6 * t34);
-            let t57 = T::from_f64(0.016911)
-                * t56.mul_add(t38, sin_q6.mul_add(t36, cos_q6 * t12));
-            let t58 = T::from_f64(0.000225473145)
-                * cos_q6.mul_neg_add(t36, t55.mul_add(t38, sin_q6 * t12));
-            let t59 = cos_q6
-                .mul_neg_add(
-                    t58,
-                    sin_q6.mul_add(t57, T::from_f64(0.126621) * t10.mul_add(t35, t36)),
-                );
-            let t60 = T::from_f64(0.126621)
-                .mul_neg_add(
-                    t46 - t12,
-                    sin_q6
-                        .mul_add(
+            struct __Code<'a, T> {
+                t: T,
+                x: &'a ::pendulum_core::nalgebra::SVector<T, 12>,
+            }
+            #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+            impl<
+                T: ::pendulum_core::real::Real,
+            > ::pendulum_core::real::lanes::Routine<(), Ur5<T>> for __Code<'_, T> {
+                type Output = ::pendulum_core::nalgebra::SVector<T, 12>;
+                #[cfg_attr(debug_assertions, inline)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
+                fn run(
+                    self,
+                    (): &mut (),
+                    model: &Ur5<T>,
+                ) -> ::pendulum_core::nalgebra::SVector<T, 12> {
+                    let Self { t, x } = self;
+                    let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4,
+                    qd_q5, qd_q6] = x.data.0[0];
+                    let t0 = q_q2 + q_q3;
+                    let t1 = t0 + q_q4;
+                    let (sin2, cos2) = t1.sin_cos();
+                    let t3 = qd_q1 * qd_q2;
+                    let t4 = qd_q1.mul_add(qd_q3, t3);
+                    let t5 = T::from_f64(2.0) * t3;
+                    let t6 = qd_q2 + qd_q3;
+                    let t7 = sin2 * qd_q1;
+                    let t8 = qd_q4 + t6;
+                    let t9 = qd_q1.mul_add(qd_q4, t4);
+                    let t10 = cos2.mul_neg_add(qd_q1, qd_q5);
+                    let t11 = cos2 * t9;
+                    let t12 = sin2 * t9;
+                    let t13 = qd_q1 * qd_q1;
+                    let t14 = qd_q2 * qd_q2;
+                    let t15 = T::from_f64(0.10510116377025) * cos2;
+                    let t16 = t13 + t14;
+                    let t17 = t8 * t8;
+                    let t18 = t6 * t6;
+                    let t19 = qd_q1 * t6;
+                    let t20 = T::from_f64(0.017784735) * cos2;
+                    let t21 = t13 + t17;
+                    let t22 = t13 + t18;
+                    let t23 = t15 * sin2;
+                    let t24 = T::from_f64(0.017784735) * sin2;
+                    let t25 = T::from_f64(0.001653980355) * sin2;
+                    let t26 = qd_q1 * t8;
+                    let t27 = t24 * t21;
+                    let t28 = t20 * t17;
+                    let t29 = T::from_f64(0.13585) * t13;
+                    let t30 = t4 + t19;
+                    let t31 = t9 + t26;
+                    let t32 = t20 * t31;
+                    let [(sin33, cos33), (sin_q5, cos_q5)] = t0.sin_cos_pair(q_q5);
+                    let t34 = sin_q5.mul_add(t8, cos_q5 * t7);
+                    let t35 = sin_q5.mul_neg_add(t7, cos_q5 * t8);
+                    let t36 = qd_q5.mul_add(t35, cos_q5 * t11);
+                    let t37 = qd_q5.mul_add(t34, sin_q5 * t11);
+                    let t38 = qd_q6 + (t35 + qd_q6);
+                    let t39 = T::from_f64(0.39225) * cos33;
+                    let t40 = T::from_f64(0.39225) * sin33;
+                    let t41 = T::from_f64(0.59155695167475) * cos33;
+                    let t42 = cos33 * t41;
+                    let t43 = t41 * sin33;
+                    let t44 = t39 * t24;
+                    let t45 = t20 * t40;
+                    let t46 = t34 * t35;
+                    let t47 = T::from_f64(1.598759275) * cos33;
+                    let t48 = T::from_f64(1.598759275) * sin33;
+                    let t49 = T::from_f64(0.051322656825) * cos33;
+                    let t50 = sin2 * sin_q5;
+                    let t51 = T::from_f64(0.017136473145) * t50;
+                    let t52 = t20 + t48;
+                    let t53 = t47.mul_neg_add(t22, t27);
+                    let t54 = T::from_f64(58.35506475215265) * t51;
+                    let [(sin_q6, cos_q6), (sin_q2, cos_q2)] = q_q6.sin_cos_pair(q_q2);
+                    let t55 = sin_q6.mul_add(t34, cos_q6 * t10);
+                    let t56 = sin_q6.mul_neg_add(t10, cos_q6 * t34);
+                    let t57 = T::from_f64(0.016911)
+                        * t56.mul_add(t38, sin_q6.mul_add(t36, cos_q6 * t12));
+                    let t58 = T::from_f64(0.000225473145)
+                        * cos_q6.mul_neg_add(t36, t55.mul_add(t38, sin_q6 * t12));
+                    let t59 = cos_q6
+                        .mul_neg_add(
                             t58,
-                            cos_q6.mul_add(t57, T::from_f64(0.10971) * (t12 + t46)),
-                        ),
-                );
-            let t61 = t55 * t56;
-            let t62 = T::from_f64(0.016911)
-                .mul_neg_add(t61 + t37, T::from_f64(0.000225473145) * (t61 - t37));
-            let t63 = T::from_f64(0.10971).mul_neg_add(t10.mul_add(t34, t37), t62);
-            let t64 = T::from_f64(0.016685526855) * cos_q6;
-            let t65 = cos_q6 * t64;
-            let t66 = t64 * sin_q6;
-            let t67 = T::from_f64(0.109935473145) + t65;
-            let t68 = T::from_f64(0.016911) - t65;
-            let t69 = cos_q5 * (t67 - T::from_f64(0.126621));
-            let t70 = cos_q5 * t69;
-            let t71 = sin2 * (cos_q5 * t66);
-            let t72 = t66 * sin_q5;
-            let t73 = T::from_f64(0.001653980355)
-                .mul_neg_add(cos2, cos2.mul_add(t72, t69 * t50));
-            let t74 = T::from_f64(0.126621) + t70;
-            let t75 = cos2
-                .mul_add(
-                    T::from_f64(2.0).mul_neg_add(t71, cos2 * (t74 - t68)),
-                    cos2 * t15,
-                );
-            let t76 = T::from_f64(0.00460883622975) + t68 + t75;
-            let t77 = T::from_f64(0.10971) + t74 - t75;
-            let t78 = T::from_f64(0.425) * cos_q2;
-            let t79 = T::from_f64(0.126621) + t67;
-            let t80 = cos2.mul_neg_add(t79, t71);
-            let t81 = T::from_f64(-1.0) / t79;
-            let t82 = t78 * t16;
-            let t83 = sin_q5
-                .mul_add(t59, t23.mul_add(t21 - t17, t20 * t39.mul_add(t22, t82)));
-            let t84 = T::from_f64(0.425) * sin_q2;
-            let t85 = t81 * t72;
-            let t86 = t72
-                .mul_neg_add(t85, T::from_f64(0.017136473145) * cos_q5 * cos_q5);
-            let t87 = t84.mul_neg_add(t14, T::from_f64(-9.81));
-            let t88 = t25
-                .mul_neg_add(
-                    t9 - t26,
-                    t24.mul_neg_add(t40.mul_neg_add(t18, t87), cos_q5.mul_add(t63, t83)),
-                );
-            let t89 = t43
-                .mul_add(
-                    t22 - t18,
-                    t49.mul_add(t4 - t19, t48.mul_add(t82, t47.mul_add(t87, t88))),
-                );
-            let t90 = t76 + t77;
-            let t91 = T::from_f64(2.0)
-                .mul_neg_add(t44, T::from_f64(0.0020475) + t42 + t76);
-            let t92 = T::from_f64(2.0).mul_add(t45, T::from_f64(0.59360445167475) + t77)
-                - t42;
-            let t93 = t90 + t45 - t44 - t86;
-            let t94 = T::from_f64(-1.0) / (t90 - t86);
-            let t95 = t24.mul_neg_add(t78, t20.mul_add(t84, t93));
-            let t96 = t91 + t92 - t86;
-            let t97 = t94 * t93;
-            let t98 = T::from_f64(-1.0) / t93.mul_add(t97, t96);
-            let t99 = t85.mul_neg_add(t60, cos_q5 * t62);
-            let t100 = t40.mul_neg_add(t27, t39.mul_neg_add(t28, t89)) - t99;
-            let t101 = t88 - t99;
-            let t102 = t78 * (t47 - t24);
-            let t103 = t80.mul_add(t85, cos_q5 * t51);
-            let t104 = T::from_f64(1.75501953841) * cos_q2;
-            let t105 = t52 * t84;
-            let t106 = t97.mul_add(t95, t102 + t105) + t96;
-            let t107 = cos_q2 * t104;
-            let t108 = T::from_f64(2.0)
-                .mul_add(t102, T::from_f64(0.0075537) + t107 + t91);
-            let t109 = t104 * sin_q2;
-            let t110 = T::from_f64(0.1197)
-                .mul_neg_add(t52, T::from_f64(0.051322656825) * sin33) - t73 + t103;
-            let t111 = T::from_f64(0.00028722347025).mul_add(cos2, t103) - t73;
-            let t112 = t94 * t95;
-            let t113 = t98 * t106;
-            let t114 = t106
-                .mul_add(
-                    t113,
-                    t95
-                        .mul_add(
-                            t112,
-                            T::from_f64(2.0)
-                                .mul_add(t105, T::from_f64(1.76257323841) + t108 + t92),
-                        ),
-                );
-            let t115 = T::from_f64(-1.0) / (t114 - t107 - t86);
-            let t116 = t97.mul_add(t101, t100);
-            let t117 = T::from_f64(43.486969725)
-                .mul_neg_add(
-                    cos_q2,
-                    t113.mul_add(t116, t112.mul_add(t101, t109 * (t16 - t14))) + t100,
-                );
-            let t118 = t84
-                .mul_neg_add(t53, t78.mul_neg_add(t48.mul_add(t18, t28), t117));
-            let t119 = t84.mul_neg_add(t5, T::from_f64(0.1197).mul_sub(t13, t29));
-            let t120 = t25
-                .mul_add(
-                    t13 - t21,
-                    t47
-                        .mul_add(
-                            t119,
-                            (T::from_f64(0.19371331275) * cos_q2)
-                                .mul_add(t13 - t16, t54 * t62),
-                        ),
-                );
-            let t121 = t111.mul_add(t97, T::from_f64(0.13585) * t52) + t110;
-            let t122 = t121
-                .mul_add(
-                    t113,
-                    t111
-                        .mul_add(
-                            t112,
-                            T::from_f64(0.13585)
-                                * T::from_f64(4.4329225).mul_add(sin_q2, t52),
-                        ),
-                ) + t110;
-            let t123 = T::from_f64(0.19371331275).mul_neg_add(sin_q2, t122);
-            let t124 = T::from_f64(4.4329225) * cos_q2;
-            let t125 = t111 * t94;
-            let t126 = t121 * t98;
-            let t127 = t123 * t115;
-            let t128 = t127
-                .mul_add(
-                    t118,
-                    t126
-                        .mul_add(
-                            t116,
-                            t125.mul_add(t101, T::from_f64(0.1197).mul_add(t53, t120)),
-                        ),
-                );
-            let t129 = t80 * t81;
-            let t130 = t43
-                .mul_neg_add(
-                    t30,
-                    t5
+                            sin_q6
+                                .mul_add(t57, T::from_f64(0.126621) * t10.mul_add(t35, t36)),
+                        );
+                    let t60 = T::from_f64(0.126621)
                         .mul_neg_add(
-                            t109,
-                            t124.mul_neg_add(t29, t60.mul_add(t129 - cos2, t128)),
-                        ),
-                );
-            let t131 = t23
-                .mul_neg_add(
-                    t31,
-                    t24
+                            t46 - t12,
+                            sin_q6
+                                .mul_add(
+                                    t58,
+                                    cos_q6.mul_add(t57, T::from_f64(0.10971) * (t12 + t46)),
+                                ),
+                        );
+                    let t61 = t55 * t56;
+                    let t62 = T::from_f64(0.016911)
                         .mul_neg_add(
-                            t40.mul_neg_add(t30, t119),
-                            t49.mul_neg_add(t13 - t22, t130),
-                        ),
-                );
-            let t132 = t78
-                .mul_neg_add(
-                    t48.mul_add(t30, t32),
-                    t39
-                        .mul_neg_add(
-                            t32,
-                            sin2.mul_neg_add(cos_q5.mul_neg_add(t59, sin_q5 * t63), t131),
-                        ),
-                );
-            let t133 = t121
-                .mul_add(
-                    t126,
-                    t111
+                            t61 + t37,
+                            T::from_f64(0.000225473145) * (t61 - t37),
+                        );
+                    let t63 = T::from_f64(0.10971)
+                        .mul_neg_add(t10.mul_add(t34, t37), t62);
+                    let t64 = T::from_f64(0.016685526855) * cos_q6;
+                    let t65 = cos_q6 * t64;
+                    let t66 = t64 * sin_q6;
+                    let t67 = T::from_f64(0.109935473145) + t65;
+                    let t68 = T::from_f64(0.016911) - t65;
+                    let t69 = cos_q5 * (t67 - T::from_f64(0.126621));
+                    let t70 = cos_q5 * t69;
+                    let t71 = sin2 * (cos_q5 * t66);
+                    let t72 = t66 * sin_q5;
+                    let t73 = T::from_f64(0.001653980355)
+                        .mul_neg_add(cos2, cos2.mul_add(t72, t69 * t50));
+                    let t74 = T::from_f64(0.126621) + t70;
+                    let t75 = cos2
                         .mul_add(
-                            t125,
-                            t80.mul_add(t129, T::from_f64(0.29853861244275) + t67 + t108),
-                        ),
-                );
-            let t134 = T::from_f64(-1.0)
-                / t51.mul_neg_add(t54, t123.mul_add(t127, t133) - t70)
-                * T::from_f64(0.13585).mul_neg_add(t124.mul_neg_add(t16, t53), t132);
-            let t135 = t127.mul_add(t134, t115 * t118);
-            let t136 = t113.mul_add(t135, t126.mul_add(t134, t98 * t116));
-            let t137 = t97
-                .mul_add(t136, t112.mul_add(t135, t125.mul_add(t134, t94 * t101)));
-            let t138 = t137 + (t135 + t136);
-            let t139 = cos_q5
-                .mul_neg_add(
-                    t138,
-                    T::from_f64(58.35506475215265).mul_neg_add(t62, t54 * t134),
-                );
-            let t140 = t85.mul_add(t138, t129.mul_add(t134, t81 * t60));
-            ::pendulum_core::nalgebra::SVector::from([
-                qd_q1,
-                qd_q2,
-                qd_q3,
-                qd_q4,
-                qd_q5,
-                qd_q6,
-                t134,
-                t135,
-                t136,
-                t137,
-                t140,
-                t139,
-            ])
+                            T::from_f64(2.0).mul_neg_add(t71, cos2 * (t74 - t68)),
+                            cos2 * t15,
+                        );
+                    let t76 = T::from_f64(0.00460883622975) + t68 + t75;
+                    let t77 = T::from_f64(0.10971) + t74 - t75;
+                    let t78 = T::from_f64(0.425) * cos_q2;
+                    let t79 = T::from_f64(0.126621) + t67;
+                    let t80 = cos2.mul_neg_add(t79, t71);
+                    let t81 = T::from_f64(-1.0) / t79;
+                    let t82 = t78 * t16;
+                    let t83 = sin_q5
+                        .mul_add(
+                            t59,
+                            t23.mul_add(t21 - t17, t20 * t39.mul_add(t22, t82)),
+                        );
+                    let t84 = T::from_f64(0.425) * sin_q2;
+                    let t85 = t81 * t72;
+                    let t86 = t72
+                        .mul_neg_add(t85, T::from_f64(0.017136473145) * cos_q5 * cos_q5);
+                    let t87 = t84.mul_neg_add(t14, T::from_f64(-9.81));
+                    let t88 = t25
+                        .mul_neg_add(
+                            t9 - t26,
+                            t24
+                                .mul_neg_add(
+                                    t40.mul_neg_add(t18, t87),
+                                    cos_q5.mul_add(t63, t83),
+                                ),
+                        );
+                    let t89 = t43
+                        .mul_add(
+                            t22 - t18,
+                            t49
+                                .mul_add(t4 - t19, t48.mul_add(t82, t47.mul_add(t87, t88))),
+                        );
+                    let t90 = t76 + t77;
+                    let t91 = T::from_f64(2.0)
+                        .mul_neg_add(t44, T::from_f64(0.0020475) + t42 + t76);
+                    let t92 = T::from_f64(2.0)
+                        .mul_add(t45, T::from_f64(0.59360445167475) + t77) - t42;
+                    let t93 = t90 + t45 - t44 - t86;
+                    let t94 = T::from_f64(-1.0) / (t90 - t86);
+                    let t95 = t24.mul_neg_add(t78, t20.mul_add(t84, t93));
+                    let t96 = t91 + t92 - t86;
+                    let t97 = t94 * t93;
+                    let t98 = T::from_f64(-1.0) / t93.mul_add(t97, t96);
+                    let t99 = t85.mul_neg_add(t60, cos_q5 * t62);
+                    let t100 = t40.mul_neg_add(t27, t39.mul_neg_add(t28, t89)) - t99;
+                    let t101 = t88 - t99;
+                    let t102 = t78 * (t47 - t24);
+                    let t103 = t80.mul_add(t85, cos_q5 * t51);
+                    let t104 = T::from_f64(1.75501953841) * cos_q2;
+                    let t105 = t52 * t84;
+                    let t106 = t97.mul_add(t95, t102 + t105) + t96;
+                    let t107 = cos_q2 * t104;
+                    let t108 = T::from_f64(2.0)
+                        .mul_add(t102, T::from_f64(0.0075537) + t107 + t91);
+                    let t109 = t104 * sin_q2;
+                    let t110 = T::from_f64(0.1197)
+                        .mul_neg_add(t52, T::from_f64(0.051322656825) * sin33) - t73
+                        + t103;
+                    let t111 = T::from_f64(0.00028722347025).mul_add(cos2, t103) - t73;
+                    let t112 = t94 * t95;
+                    let t113 = t98 * t106;
+                    let t114 = t106
+                        .mul_add(
+                            t113,
+                            t95
+                                .mul_add(
+                                    t112,
+                                    T::from_f64(2.0)
+                                        .mul_add(t105, T::from_f64(1.76257323841) + t108 + t92),
+                                ),
+                        );
+                    let t115 = T::from_f64(-1.0) / (t114 - t107 - t86);
+                    let t116 = t97.mul_add(t101, t100);
+                    let t117 = T::from_f64(43.486969725)
+                        .mul_neg_add(
+                            cos_q2,
+                            t113.mul_add(t116, t112.mul_add(t101, t109 * (t16 - t14)))
+                                + t100,
+                        );
+                    let t118 = t84
+                        .mul_neg_add(t53, t78.mul_neg_add(t48.mul_add(t18, t28), t117));
+                    let t119 = t84
+                        .mul_neg_add(t5, T::from_f64(0.1197).mul_sub(t13, t29));
+                    let t120 = t25
+                        .mul_add(
+                            t13 - t21,
+                            t47
+                                .mul_add(
+                                    t119,
+                                    (T::from_f64(0.19371331275) * cos_q2)
+                                        .mul_add(t13 - t16, t54 * t62),
+                                ),
+                        );
+                    let t121 = t111.mul_add(t97, T::from_f64(0.13585) * t52) + t110;
+                    let t122 = t121
+                        .mul_add(
+                            t113,
+                            t111
+                                .mul_add(
+                                    t112,
+                                    T::from_f64(0.13585)
+                                        * T::from_f64(4.4329225).mul_add(sin_q2, t52),
+                                ),
+                        ) + t110;
+                    let t123 = T::from_f64(0.19371331275).mul_neg_add(sin_q2, t122);
+                    let t124 = T::from_f64(4.4329225) * cos_q2;
+                    let t125 = t111 * t94;
+                    let t126 = t121 * t98;
+                    let t127 = t123 * t115;
+                    let t128 = t127
+                        .mul_add(
+                            t118,
+                            t126
+                                .mul_add(
+                                    t116,
+                                    t125.mul_add(t101, T::from_f64(0.1197).mul_add(t53, t120)),
+                                ),
+                        );
+                    let t129 = t80 * t81;
+                    let t130 = t43
+                        .mul_neg_add(
+                            t30,
+                            t5
+                                .mul_neg_add(
+                                    t109,
+                                    t124.mul_neg_add(t29, t60.mul_add(t129 - cos2, t128)),
+                                ),
+                        );
+                    let t131 = t23
+                        .mul_neg_add(
+                            t31,
+                            t24
+                                .mul_neg_add(
+                                    t40.mul_neg_add(t30, t119),
+                                    t49.mul_neg_add(t13 - t22, t130),
+                                ),
+                        );
+                    let t132 = t78
+                        .mul_neg_add(
+                            t48.mul_add(t30, t32),
+                            t39
+                                .mul_neg_add(
+                                    t32,
+                                    sin2
+                                        .mul_neg_add(cos_q5.mul_neg_add(t59, sin_q5 * t63), t131),
+                                ),
+                        );
+                    let t133 = t121
+                        .mul_add(
+                            t126,
+                            t111
+                                .mul_add(
+                                    t125,
+                                    t80
+                                        .mul_add(t129, T::from_f64(0.29853861244275) + t67 + t108),
+                                ),
+                        );
+                    let t134 = T::from_f64(-1.0)
+                        / t51.mul_neg_add(t54, t123.mul_add(t127, t133) - t70)
+                        * T::from_f64(0.13585)
+                            .mul_neg_add(t124.mul_neg_add(t16, t53), t132);
+                    let t135 = t127.mul_add(t134, t115 * t118);
+                    let t136 = t113.mul_add(t135, t126.mul_add(t134, t98 * t116));
+                    let t137 = t97
+                        .mul_add(
+                            t136,
+                            t112.mul_add(t135, t125.mul_add(t134, t94 * t101)),
+                        );
+                    let t138 = t137 + (t135 + t136);
+                    let t139 = cos_q5
+                        .mul_neg_add(
+                            t138,
+                            T::from_f64(58.35506475215265).mul_neg_add(t62, t54 * t134),
+                        );
+                    let t140 = t85.mul_add(t138, t129.mul_add(t134, t81 * t60));
+                    ::pendulum_core::nalgebra::SVector::from([
+                        qd_q1,
+                        qd_q2,
+                        qd_q3,
+                        qd_q4,
+                        qd_q5,
+                        qd_q6,
+                        t134,
+                        t135,
+                        t136,
+                        t137,
+                        t140,
+                        t139,
+                    ])
+                }
+            }
+            T::apart(__Code { t, x }, &mut (), self)
+        }
+        #[inline(always)]
+        fn is_apart(&self) -> bool {
+            true
         }
         #[inline]
         fn layout(&self) -> ::core::option::Option<::pendulum_core::StateLayout<'_>> {
             Some(<Ur5>::LAYOUT)
         }
     }
+    struct __Code<'a, T> {
+        t: T,
+        x: &'a ::pendulum_core::nalgebra::SVector<T, 12>,
+    }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 12> for Ur5<T> {
-        #[inline]
-        fn jacobian(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 12>,
-        ) -> ::pendulum_core::nalgebra::SMatrix<T, 12, 12> {
-            self.rhs_and_jacobian(t, x).1
-        }
+    impl<
+        T: ::pendulum_core::real::Real,
+    > ::pendulum_core::real::lanes::Routine<(), Ur5<T>> for __Code<'_, T> {
+        type Output = (
+            ::pendulum_core::nalgebra::SVector<T, 12>,
+            ::pendulum_core::nalgebra::SMatrix<T, 12, 12>,
+        );
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
-        fn rhs_and_jacobian(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+        fn run(
+            self,
+            (): &mut (),
+            model: &Ur5<T>,
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 12>,
             ::pendulum_core::nalgebra::SMatrix<T, 12, 12>,
         ) {
+            let Self { t, x } = self;
             let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
             qd_q6] = x.data.0[0];
             let (
@@ -2275,6 +2324,33 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 ]),
             )
         }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 12> for Ur5<T> {
+        #[inline]
+        fn jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 12, 12> {
+            T::apart(
+                ::pendulum_core::real::lanes::Second(__Code { t, x }),
+                &mut (),
+                self,
+            )
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 12>,
+            ::pendulum_core::nalgebra::SMatrix<T, 12, 12>,
+        ) {
+            T::apart(__Code { t, x }, &mut (), self)
+        }
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative(
@@ -2543,129 +2619,165 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             t: T,
             x: &(impl ::pendulum_core::IntoState<T, 12> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
-            let x = ::pendulum_core::IntoState::into_state(*x);
-            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
-            qd_q6] = x.data.0[0];
-            let t0 = q_q2 + q_q3;
-            let t1 = t0 + q_q4;
-            let t2 = qd_q1 * qd_q1;
-            let t3 = qd_q2 + qd_q3;
-            let t4 = t3 + qd_q4;
-            let t5 = t4 * t4;
-            let t6 = t2 + t5;
-            let t7 = t3 * t3;
-            let t8 = qd_q1 * t3;
-            let t9 = t2 + t7;
-            let t10 = T::from_f64(0.13585) * t2;
-            let t11 = qd_q1 * qd_q2;
-            let t12 = T::from_f64(2.0) * t11;
-            let t13 = qd_q1.mul_add(qd_q3, t11);
-            let t14 = t13 + t8;
-            let t15 = qd_q1.mul_add(qd_q4, t13);
-            let t16 = qd_q1 * t4;
-            let t17 = t15 + t16;
-            let t18 = qd_q2 * qd_q2;
-            let t19 = t2 + t18;
-            let (sin_q6, cos_q6) = q_q6.sin_cos();
-            let [(sin20, cos20), (sin_q2, cos_q2)] = t1.sin_cos_pair(q_q2);
-            let t21 = T::from_f64(0.017784735) * sin20;
-            let t22 = t21 * t6;
-            let t23 = T::from_f64(4.4329225) * cos_q2;
-            let t24 = T::from_f64(1.75501953841) * cos_q2 * sin_q2;
-            let t25 = T::from_f64(0.425) * sin_q2;
-            let t26 = t12.mul_neg_add(t25, T::from_f64(0.1197).mul_sub(t2, t10));
-            let t27 = t18.mul_neg_add(t25, T::from_f64(-9.81));
-            let t28 = T::from_f64(0.10510116377025) * sin20 * cos20;
-            let t29 = qd_q1.mul_neg_add(cos20, qd_q5);
-            let t30 = qd_q1 * sin20;
-            let t31 = cos20 * t15;
-            let t32 = sin20 * t15;
-            let t33 = T::from_f64(0.017784735) * cos20;
-            let t34 = t17 * t33;
-            let t35 = T::from_f64(0.425) * cos_q2;
-            let t36 = T::from_f64(0.001653980355) * sin20;
-            let t37 = t19 * t35;
-            let t38 = t5 * t33;
-            let [(sin39, cos39), (sin_q5, cos_q5)] = t0.sin_cos_pair(q_q5);
-            let t40 = T::from_f64(1.598759275) * cos39;
-            let t41 = t9.mul_neg_add(t40, t22);
-            let t42 = T::from_f64(0.59155695167475) * sin39 * cos39;
-            let t43 = T::from_f64(0.051322656825) * cos39;
-            let t44 = t43
-                .mul_add(t2 - t9, t42.mul_add(t14, t12.mul_add(t24, t23 * t10)));
-            let t45 = T::from_f64(0.39225) * sin39;
-            let t46 = t4.mul_add(sin_q5, cos_q5 * t30);
-            let t47 = sin_q5.mul_neg_add(t30, t4 * cos_q5);
-            let t48 = sin_q6.mul_add(t46, cos_q6 * t29);
-            let t49 = t29.mul_neg_add(sin_q6, cos_q6 * t46);
-            let t50 = t48 * t49;
-            let t51 = qd_q5.mul_add(t46, sin_q5 * t31);
-            let t52 = T::from_f64(0.016911)
-                .mul_neg_add(t50 + t51, T::from_f64(0.000225473145) * (t50 - t51));
-            let t53 = T::from_f64(0.10971).mul_neg_add(t29.mul_add(t46, t51), t52);
-            let t54 = qd_q5.mul_add(t47, cos_q5 * t31);
-            let t55 = t46 * t47;
-            let t56 = qd_q6 + (t47 + qd_q6);
-            let t57 = T::from_f64(0.016911)
-                * t49.mul_add(t56, sin_q6.mul_add(t54, cos_q6 * t32));
-            let t58 = T::from_f64(0.000225473145)
-                * cos_q6.mul_neg_add(t54, t48.mul_add(t56, sin_q6 * t32));
-            let t59 = cos_q6
-                .mul_neg_add(
-                    t58,
-                    sin_q6.mul_add(t57, T::from_f64(0.126621) * t29.mul_add(t47, t54)),
-                );
-            let t60 = T::from_f64(0.126621)
-                .mul_neg_add(
-                    t55 - t32,
-                    sin_q6
-                        .mul_add(
+            struct __Code<'a, T, __X0> {
+                t: T,
+                x: &'a __X0,
+            }
+            #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+            impl<
+                T: ::pendulum_core::real::Real,
+                __X0: ::pendulum_core::IntoState<T, 12> + ::core::marker::Copy,
+            > ::pendulum_core::real::lanes::Routine<(), Ur5<T>> for __Code<'_, T, __X0> {
+                type Output = ::pendulum_core::nalgebra::SVector<T, 6>;
+                #[cfg_attr(debug_assertions, inline)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
+                fn run(
+                    self,
+                    (): &mut (),
+                    model: &Ur5<T>,
+                ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+                    let Self { t, x } = self;
+                    let x = ::pendulum_core::IntoState::into_state(*x);
+                    let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4,
+                    qd_q5, qd_q6] = x.data.0[0];
+                    let t0 = q_q2 + q_q3;
+                    let t1 = t0 + q_q4;
+                    let t2 = qd_q1 * qd_q1;
+                    let t3 = qd_q2 + qd_q3;
+                    let t4 = t3 + qd_q4;
+                    let t5 = t4 * t4;
+                    let t6 = t2 + t5;
+                    let t7 = t3 * t3;
+                    let t8 = qd_q1 * t3;
+                    let t9 = t2 + t7;
+                    let t10 = T::from_f64(0.13585) * t2;
+                    let t11 = qd_q1 * qd_q2;
+                    let t12 = T::from_f64(2.0) * t11;
+                    let t13 = qd_q1.mul_add(qd_q3, t11);
+                    let t14 = t13 + t8;
+                    let t15 = qd_q1.mul_add(qd_q4, t13);
+                    let t16 = qd_q1 * t4;
+                    let t17 = t15 + t16;
+                    let t18 = qd_q2 * qd_q2;
+                    let t19 = t2 + t18;
+                    let (sin_q6, cos_q6) = q_q6.sin_cos();
+                    let [(sin20, cos20), (sin_q2, cos_q2)] = t1.sin_cos_pair(q_q2);
+                    let t21 = T::from_f64(0.017784735) * sin20;
+                    let t22 = t21 * t6;
+                    let t23 = T::from_f64(4.4329225) * cos_q2;
+                    let t24 = T::from_f64(1.75501953841) * cos_q2 * sin_q2;
+                    let t25 = T::from_f64(0.425) * sin_q2;
+                    let t26 = t12.mul_neg_add(t25, T::from_f64(0.1197).mul_sub(t2, t10));
+                    let t27 = t18.mul_neg_add(t25, T::from_f64(-9.81));
+                    let t28 = T::from_f64(0.10510116377025) * sin20 * cos20;
+                    let t29 = qd_q1.mul_neg_add(cos20, qd_q5);
+                    let t30 = qd_q1 * sin20;
+                    let t31 = cos20 * t15;
+                    let t32 = sin20 * t15;
+                    let t33 = T::from_f64(0.017784735) * cos20;
+                    let t34 = t17 * t33;
+                    let t35 = T::from_f64(0.425) * cos_q2;
+                    let t36 = T::from_f64(0.001653980355) * sin20;
+                    let t37 = t19 * t35;
+                    let t38 = t5 * t33;
+                    let [(sin39, cos39), (sin_q5, cos_q5)] = t0.sin_cos_pair(q_q5);
+                    let t40 = T::from_f64(1.598759275) * cos39;
+                    let t41 = t9.mul_neg_add(t40, t22);
+                    let t42 = T::from_f64(0.59155695167475) * sin39 * cos39;
+                    let t43 = T::from_f64(0.051322656825) * cos39;
+                    let t44 = t43
+                        .mul_add(t2 - t9, t42.mul_add(t14, t12.mul_add(t24, t23 * t10)));
+                    let t45 = T::from_f64(0.39225) * sin39;
+                    let t46 = t4.mul_add(sin_q5, cos_q5 * t30);
+                    let t47 = sin_q5.mul_neg_add(t30, t4 * cos_q5);
+                    let t48 = sin_q6.mul_add(t46, cos_q6 * t29);
+                    let t49 = t29.mul_neg_add(sin_q6, cos_q6 * t46);
+                    let t50 = t48 * t49;
+                    let t51 = qd_q5.mul_add(t46, sin_q5 * t31);
+                    let t52 = T::from_f64(0.016911)
+                        .mul_neg_add(
+                            t50 + t51,
+                            T::from_f64(0.000225473145) * (t50 - t51),
+                        );
+                    let t53 = T::from_f64(0.10971)
+                        .mul_neg_add(t29.mul_add(t46, t51), t52);
+                    let t54 = qd_q5.mul_add(t47, cos_q5 * t31);
+                    let t55 = t46 * t47;
+                    let t56 = qd_q6 + (t47 + qd_q6);
+                    let t57 = T::from_f64(0.016911)
+                        * t49.mul_add(t56, sin_q6.mul_add(t54, cos_q6 * t32));
+                    let t58 = T::from_f64(0.000225473145)
+                        * cos_q6.mul_neg_add(t54, t48.mul_add(t56, sin_q6 * t32));
+                    let t59 = cos_q6
+                        .mul_neg_add(
                             t58,
-                            cos_q6.mul_add(t57, T::from_f64(0.10971) * (t32 + t55)),
-                        ),
-                );
-            let t61 = sin20
-                .mul_add(
-                    cos_q5.mul_neg_add(t59, sin_q5 * t53),
-                    t28.mul_add(t17, t21.mul_add(t14.mul_neg_add(t45, t26), t44)),
-                );
-            let t62 = T::from_f64(0.39225) * cos39;
-            let t63 = sin_q5
-                .mul_add(t59, t28.mul_add(t6 - t5, t33 * t9.mul_add(t62, t37)));
-            let t64 = t36
-                .mul_neg_add(
-                    t15 - t16,
-                    t21.mul_neg_add(t7.mul_neg_add(t45, t27), cos_q5.mul_add(t53, t63)),
-                );
-            let t65 = T::from_f64(1.598759275) * sin39;
-            let t66 = t42
-                .mul_add(t9 - t7, t43.mul_add(t13 - t8, t65.mul_add(t37, t40 * t27)));
-            let t67 = t35
-                .mul_add(
-                    t14.mul_add(t65, t34),
-                    t62.mul_add(t34, cos20.mul_add(t60, t61)),
-                );
-            let t68 = t45.mul_neg_add(t22, t62.mul_neg_add(t38, t66 + t64));
-            let t69 = t35
-                .mul_neg_add(
-                    t7.mul_add(t65, t38),
-                    T::from_f64(43.486969725)
-                        .mul_neg_add(cos_q2, t24.mul_add(t19 - t18, t68)),
-                );
-            let t70 = (T::from_f64(0.19371331275) * cos_q2)
-                .mul_neg_add(
-                    t2 - t19,
-                    T::from_f64(0.13585).mul_add(t23.mul_neg_add(t19, t41), t67),
-                );
-            ::pendulum_core::nalgebra::SVector::from([
-                T::from_f64(0.1197)
-                    .mul_sub(t41, t36.mul_neg_add(t2 - t6, t40.mul_neg_add(t26, t70))),
-                t25.mul_neg_add(t41, t69),
-                t68,
-                t64,
-                t60,
-                t52,
-            ])
+                            sin_q6
+                                .mul_add(t57, T::from_f64(0.126621) * t29.mul_add(t47, t54)),
+                        );
+                    let t60 = T::from_f64(0.126621)
+                        .mul_neg_add(
+                            t55 - t32,
+                            sin_q6
+                                .mul_add(
+                                    t58,
+                                    cos_q6.mul_add(t57, T::from_f64(0.10971) * (t32 + t55)),
+                                ),
+                        );
+                    let t61 = sin20
+                        .mul_add(
+                            cos_q5.mul_neg_add(t59, sin_q5 * t53),
+                            t28.mul_add(t17, t21.mul_add(t14.mul_neg_add(t45, t26), t44)),
+                        );
+                    let t62 = T::from_f64(0.39225) * cos39;
+                    let t63 = sin_q5
+                        .mul_add(t59, t28.mul_add(t6 - t5, t33 * t9.mul_add(t62, t37)));
+                    let t64 = t36
+                        .mul_neg_add(
+                            t15 - t16,
+                            t21
+                                .mul_neg_add(
+                                    t7.mul_neg_add(t45, t27),
+                                    cos_q5.mul_add(t53, t63),
+                                ),
+                        );
+                    let t65 = T::from_f64(1.598759275) * sin39;
+                    let t66 = t42
+                        .mul_add(
+                            t9 - t7,
+                            t43.mul_add(t13 - t8, t65.mul_add(t37, t40 * t27)),
+                        );
+                    let t67 = t35
+                        .mul_add(
+                            t14.mul_add(t65, t34),
+                            t62.mul_add(t34, cos20.mul_add(t60, t61)),
+                        );
+                    let t68 = t45.mul_neg_add(t22, t62.mul_neg_add(t38, t66 + t64));
+                    let t69 = t35
+                        .mul_neg_add(
+                            t7.mul_add(t65, t38),
+                            T::from_f64(43.486969725)
+                                .mul_neg_add(cos_q2, t24.mul_add(t19 - t18, t68)),
+                        );
+                    let t70 = (T::from_f64(0.19371331275) * cos_q2)
+                        .mul_neg_add(
+                            t2 - t19,
+                            T::from_f64(0.13585).mul_add(t23.mul_neg_add(t19, t41), t67),
+                        );
+                    ::pendulum_core::nalgebra::SVector::from([
+                        T::from_f64(0.1197)
+                            .mul_sub(
+                                t41,
+                                t36.mul_neg_add(t2 - t6, t40.mul_neg_add(t26, t70)),
+                            ),
+                        t25.mul_neg_add(t41, t69),
+                        t68,
+                        t64,
+                        t60,
+                        t52,
+                    ])
+                }
+            }
+            T::apart(__Code { t, x }, &mut (), self)
         }
         ///The momenta of the coordinates: the mass matrix times their rates.
         #[cfg_attr(debug_assertions, inline)]
@@ -2675,103 +2787,128 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             t: T,
             x: &(impl ::pendulum_core::IntoState<T, 12> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
-            let x = ::pendulum_core::IntoState::into_state(*x);
-            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
-            qd_q6] = x.data.0[0];
-            let t0 = qd_q2 + qd_q3 + qd_q4;
-            let t1 = T::from_f64(0.017136473145) * qd_q6;
-            let (sin_q6, cos_q6) = q_q6.sin_cos();
-            let t2 = T::from_f64(0.016685526855) * sin_q6;
-            let [(sin_q2, cos_q2), (sin_q3, cos_q3)] = q_q2.sin_cos_pair(q_q3);
-            let t3 = cos_q2.mul_add(sin_q3, sin_q2 * cos_q3);
-            let t4 = T::from_f64(0.07714261911625) * t3;
-            let t5 = T::from_f64(0.408499208875).mul_add(sin_q2, t4);
-            let t6 = sin_q2.mul_neg_add(sin_q3, cos_q3 * cos_q2);
-            let t7 = (T::from_f64(0.59155695167475) * t3)
-                .mul_neg_add(
-                    t3,
-                    (T::from_f64(1.75501953841) * sin_q2)
+            struct __Code<'a, T, __X0> {
+                t: T,
+                x: &'a __X0,
+            }
+            #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+            impl<
+                T: ::pendulum_core::real::Real,
+                __X0: ::pendulum_core::IntoState<T, 12> + ::core::marker::Copy,
+            > ::pendulum_core::real::lanes::Routine<(), Ur5<T>> for __Code<'_, T, __X0> {
+                type Output = ::pendulum_core::nalgebra::SVector<T, 6>;
+                #[cfg_attr(debug_assertions, inline)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
+                fn run(
+                    self,
+                    (): &mut (),
+                    model: &Ur5<T>,
+                ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+                    let Self { t, x } = self;
+                    let x = ::pendulum_core::IntoState::into_state(*x);
+                    let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4,
+                    qd_q5, qd_q6] = x.data.0[0];
+                    let t0 = qd_q2 + qd_q3 + qd_q4;
+                    let t1 = T::from_f64(0.017136473145) * qd_q6;
+                    let (sin_q6, cos_q6) = q_q6.sin_cos();
+                    let t2 = T::from_f64(0.016685526855) * sin_q6;
+                    let [(sin_q2, cos_q2), (sin_q3, cos_q3)] = q_q2.sin_cos_pair(q_q3);
+                    let t3 = cos_q2.mul_add(sin_q3, sin_q2 * cos_q3);
+                    let t4 = T::from_f64(0.07714261911625) * t3;
+                    let t5 = T::from_f64(0.408499208875).mul_add(sin_q2, t4);
+                    let t6 = sin_q2.mul_neg_add(sin_q3, cos_q3 * cos_q2);
+                    let t7 = (T::from_f64(0.59155695167475) * t3)
                         .mul_neg_add(
-                            sin_q2,
-                            (T::from_f64(1.35894538375) * cos_q2)
-                                .mul_add(t6, T::from_f64(3.0176683025275)),
-                        ),
-                );
-            let [(sin_q4, cos_q4), (sin_q5, cos_q5)] = q_q4.sin_cos_pair(q_q5);
-            let t8 = sin_q3.mul_neg_add(sin_q4, cos_q3 * cos_q4);
-            let t9 = cos_q3.mul_add(sin_q4, sin_q3 * cos_q4);
-            let t10 = sin_q2.mul_neg_add(t9, cos_q2 * t8);
-            let t11 = cos_q2.mul_add(t9, sin_q2 * t8);
-            let t12 = qd_q1
-                * t11
-                    .mul_neg_add(
-                        T::from_f64(0.23149669062525)
+                            t3,
+                            (T::from_f64(1.75501953841) * sin_q2)
+                                .mul_neg_add(
+                                    sin_q2,
+                                    (T::from_f64(1.35894538375) * cos_q2)
+                                        .mul_add(t6, T::from_f64(3.0176683025275)),
+                                ),
+                        );
+                    let [(sin_q4, cos_q4), (sin_q5, cos_q5)] = q_q4.sin_cos_pair(q_q5);
+                    let t8 = sin_q3.mul_neg_add(sin_q4, cos_q3 * cos_q4);
+                    let t9 = cos_q3.mul_add(sin_q4, sin_q3 * cos_q4);
+                    let t10 = sin_q2.mul_neg_add(t9, cos_q2 * t8);
+                    let t11 = cos_q2.mul_add(t9, sin_q2 * t8);
+                    let t12 = qd_q1
+                        * t11
+                            .mul_neg_add(
+                                T::from_f64(0.23149669062525)
+                                    .mul_add(
+                                        t11,
+                                        T::from_f64(0.0139521246075)
+                                            .mul_add(t6, T::from_f64(0.01511702475) * cos_q2),
+                                    ),
+                                t7,
+                            );
+                    let t13 = T::from_f64(0.253242)
+                        .mul_neg_add(qd_q5, T::from_f64(0.00194120382525) * t0)
+                        .mul_add(t10, t4.mul_add(qd_q3, qd_q2 * t5));
+                    let t14 = t11 * sin_q6;
+                    let t15 = t10 * cos_q6;
+                    let t16 = t11 * qd_q1;
+                    let t17 = sin_q5.mul_neg_add(t16, t0 * cos_q5);
+                    let t18 = sin_q5
+                        .mul_add(
+                            t0.mul_neg_add(t15, t14 * t17),
+                            qd_q5 * (t11 * cos_q6).mul_add(cos_q5, t10 * sin_q6),
+                        );
+                    let t19 = T::from_f64(0.016685526855)
+                        .mul_add(
+                            qd_q1.mul_neg_add(sin_q6, t18),
+                            T::from_f64(0.03337105371) * cos_q5.mul_neg_add(t15, t14)
+                                * t16,
+                        );
+                    let t20 = cos_q5.mul_add(t16, sin_q5 * t0);
+                    let t21 = T::from_f64(0.00697606230375)
+                        .mul_neg_add(sin_q4, T::from_f64(0.24116530937475));
+                    let t22 = T::from_f64(0.007558512375) * t9;
+                    let t23 = t21 - t22;
+                    let t24 = T::from_f64(0.00194120382525) * t10;
+                    let t25 = t10.mul_neg_add(qd_q1, qd_q5);
+                    let t26 = (sin_q5 * cos_q6.mul_add(t25, sin_q6 * t20))
+                        .mul_add(t2, t1 * cos_q5);
+                    let t27 = T::from_f64(0.0139521246075) * sin_q4;
+                    let t28 = T::from_f64(0.8368172610495) - t27;
+                    let t29 = T::from_f64(0.679472691875).mul_add(cos_q3, t28) - t22;
+                    let t30 = qd_q2
+                        .mul_add(
+                            T::from_f64(0.01511702475)
+                                .mul_neg_add(
+                                    t9,
+                                    T::from_f64(1.35894538375)
+                                        .mul_add(cos_q3, T::from_f64(2.6069441994595)) - t27,
+                                ),
+                            qd_q3.mul_add(t29, qd_q1.mul_add(t5 + t24, qd_q4 * t23)),
+                        );
+                    let t31 = qd_q2
+                        .mul_add(
+                            t29,
+                            qd_q1.mul_add(t4 + t24, qd_q3.mul_add(t28, qd_q4 * t21)),
+                        );
+                    ::pendulum_core::nalgebra::SVector::from([
+                        (sin_q5 * t1).mul_neg_add(t11, sin_q6.mul_add(t19, t13 + t12)),
+                        t30 + t26,
+                        t31 + t26,
+                        qd_q2
                             .mul_add(
-                                t11,
-                                T::from_f64(0.0139521246075)
-                                    .mul_add(t6, T::from_f64(0.01511702475) * cos_q2),
-                            ),
-                        t7,
-                    );
-            let t13 = T::from_f64(0.253242)
-                .mul_neg_add(qd_q5, T::from_f64(0.00194120382525) * t0)
-                .mul_add(t10, t4.mul_add(qd_q3, qd_q2 * t5));
-            let t14 = t11 * sin_q6;
-            let t15 = t10 * cos_q6;
-            let t16 = t11 * qd_q1;
-            let t17 = sin_q5.mul_neg_add(t16, t0 * cos_q5);
-            let t18 = sin_q5
-                .mul_add(
-                    t0.mul_neg_add(t15, t14 * t17),
-                    qd_q5 * (t11 * cos_q6).mul_add(cos_q5, t10 * sin_q6),
-                );
-            let t19 = T::from_f64(0.016685526855)
-                .mul_add(
-                    qd_q1.mul_neg_add(sin_q6, t18),
-                    T::from_f64(0.03337105371) * cos_q5.mul_neg_add(t15, t14) * t16,
-                );
-            let t20 = cos_q5.mul_add(t16, sin_q5 * t0);
-            let t21 = T::from_f64(0.00697606230375)
-                .mul_neg_add(sin_q4, T::from_f64(0.24116530937475));
-            let t22 = T::from_f64(0.007558512375) * t9;
-            let t23 = t21 - t22;
-            let t24 = T::from_f64(0.00194120382525) * t10;
-            let t25 = t10.mul_neg_add(qd_q1, qd_q5);
-            let t26 = (sin_q5 * cos_q6.mul_add(t25, sin_q6 * t20))
-                .mul_add(t2, t1 * cos_q5);
-            let t27 = T::from_f64(0.0139521246075) * sin_q4;
-            let t28 = T::from_f64(0.8368172610495) - t27;
-            let t29 = T::from_f64(0.679472691875).mul_add(cos_q3, t28) - t22;
-            let t30 = qd_q2
-                .mul_add(
-                    T::from_f64(0.01511702475)
-                        .mul_neg_add(
-                            t9,
-                            T::from_f64(1.35894538375)
-                                .mul_add(cos_q3, T::from_f64(2.6069441994595)) - t27,
-                        ),
-                    qd_q3.mul_add(t29, qd_q1.mul_add(t5 + t24, qd_q4 * t23)),
-                );
-            let t31 = qd_q2
-                .mul_add(t29, qd_q1.mul_add(t4 + t24, qd_q3.mul_add(t28, qd_q4 * t21)));
-            ::pendulum_core::nalgebra::SVector::from([
-                (sin_q5 * t1).mul_neg_add(t11, sin_q6.mul_add(t19, t13 + t12)),
-                t30 + t26,
-                t31 + t26,
-                qd_q2
-                    .mul_add(
-                        t23,
-                        qd_q1
-                            .mul_add(
-                                t24,
-                                T::from_f64(0.24116530937475).mul_add(qd_q4, qd_q3 * t21),
-                            ),
-                    ) + t26,
-                sin_q6
-                    .mul_neg_add(t25, cos_q6 * t20)
-                    .mul_add(t2, T::from_f64(0.253242) * t25),
-                T::from_f64(0.017136473145) * (qd_q6 + t17),
-            ])
+                                t23,
+                                qd_q1
+                                    .mul_add(
+                                        t24,
+                                        T::from_f64(0.24116530937475).mul_add(qd_q4, qd_q3 * t21),
+                                    ),
+                            ) + t26,
+                        sin_q6
+                            .mul_neg_add(t25, cos_q6 * t20)
+                            .mul_add(t2, T::from_f64(0.253242) * t25),
+                        T::from_f64(0.017136473145) * (qd_q6 + t17),
+                    ])
+                }
+            }
+            T::apart(__Code { t, x }, &mut (), self)
         }
         ///The generalised forces `A qdd + b - Q` that must act beside gravity and all forces of the declaration for the accelerations `qdd`: zero along a free motion. Inputs count as zero: where each coordinate has one, these are their values.
         #[cfg_attr(debug_assertions, inline)]
@@ -2782,218 +2919,259 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             x: &(impl ::pendulum_core::IntoState<T, 12> + Copy),
             qdd: &(impl ::pendulum_core::IntoState<T, 6> + Copy),
         ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
-            let x = ::pendulum_core::IntoState::into_state(*x);
-            let qdd = ::pendulum_core::IntoState::into_state(*qdd);
-            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
-            qd_q6] = x.data.0[0];
-            let [qdd_q1, qdd_q2, qdd_q3, qdd_q4, qdd_q5, qdd_q6] = qdd.data.0[0];
-            let t0 = q_q2 + q_q3;
-            let t1 = t0 + q_q4;
-            let (sin2, cos2) = t1.sin_cos();
-            let t3 = qd_q1 * qd_q2;
-            let t4 = qd_q1.mul_add(qd_q3, t3);
-            let t5 = T::from_f64(2.0) * t3;
-            let t6 = qd_q2 + qd_q3;
-            let t7 = qd_q1.mul_add(qd_q4, t4);
-            let t8 = t6 + qd_q4;
-            let t9 = qd_q1 * sin2;
-            let t10 = qdd_q2 + qdd_q3;
-            let t11 = qdd_q1.mul_add(sin2, cos2 * t7);
-            let t12 = t10 + qdd_q4;
-            let t13 = qd_q1.mul_neg_add(cos2, qd_q5);
-            let t14 = qdd_q1.mul_neg_add(cos2, sin2.mul_add(t7, qdd_q5));
-            let t15 = qd_q1 * qd_q1;
-            let t16 = t8 * t8;
-            let t17 = T::from_f64(0.10510116377025) * cos2;
-            let t18 = t15 + t16;
-            let t19 = T::from_f64(0.001653980355) * cos2;
-            let t20 = sin2 * t17;
-            let t21 = cos2 * t17;
-            let t22 = qd_q2 * qd_q2;
-            let t23 = T::from_f64(0.13585) * t15;
-            let t24 = T::from_f64(0.001653980355) * sin2;
-            let t25 = T::from_f64(0.017784735) * sin2;
-            let t26 = t6 * t6;
-            let t27 = qd_q1 * t6;
-            let t28 = qd_q1 * t8;
-            let t29 = T::from_f64(0.00460883622975) + t21;
-            let t30 = t15 + t22;
-            let t31 = T::from_f64(0.13585) * qdd_q1;
-            let t32 = T::from_f64(0.017784735) * cos2;
-            let t33 = t12.mul_neg_add(t32, t25 * t18);
-            let t34 = t15 + t26;
-            let t35 = t7 + t28;
-            let t36 = qdd_q1.mul_add(t25, t35 * t32);
-            let t37 = t4 + t27;
-            let t38 = t25.mul_add(t12, t16 * t32);
-            let [(sin39, cos39), (sin_q6, cos_q6)] = t0.sin_cos_pair(q_q6);
-            let t40 = T::from_f64(0.39225) * cos39;
-            let t41 = T::from_f64(0.39225) * sin39;
-            let t42 = T::from_f64(0.051322656825) * sin39;
-            let t43 = T::from_f64(1.598759275) * cos39;
-            let t44 = T::from_f64(1.598759275) * sin39;
-            let t45 = T::from_f64(0.59155695167475) * cos39;
-            let t46 = t10.mul_neg_add(t44, t34.mul_neg_add(t43, t33));
-            let t47 = T::from_f64(0.051322656825) * cos39;
-            let t48 = sin39 * t45;
-            let t49 = cos39 * t45;
-            let t50 = T::from_f64(0.0020475) + t49;
-            let [(sin_q2, cos_q2), (sin_q5, cos_q5)] = q_q2.sin_cos_pair(q_q5);
-            let t51 = sin_q5.mul_neg_add(t9, t8 * cos_q5);
-            let t52 = t8.mul_add(sin_q5, cos_q5 * t9);
-            let t53 = t12.mul_add(sin_q5, cos_q5.mul_add(t11, qd_q5 * t51));
-            let t54 = qd_q5.mul_neg_add(t52, sin_q5.mul_neg_add(t11, t12 * cos_q5));
-            let t55 = sin_q6.mul_add(t52, cos_q6 * t13);
-            let t56 = t13.mul_neg_add(sin_q6, cos_q6 * t52);
-            let t57 = qd_q6 + (t51 + qd_q6);
-            let t58 = T::from_f64(0.016911)
-                * t56.mul_add(t57, sin_q6.mul_add(t53, cos_q6 * t14));
-            let t59 = T::from_f64(0.000225473145)
-                * cos_q6.mul_neg_add(t53, t55.mul_add(t57, sin_q6 * t14));
-            let t60 = t55 * t56;
-            let t61 = cos_q6
-                .mul_neg_add(
-                    t59,
-                    sin_q6.mul_add(t58, T::from_f64(0.126621) * t13.mul_add(t51, t53)),
-                );
-            let t62 = t52 * t51;
-            let t63 = T::from_f64(0.126621)
-                .mul_neg_add(
-                    t62 - t14,
-                    sin_q6
-                        .mul_add(
+            struct __Code<'a, T, __X0, __X1> {
+                t: T,
+                x: &'a __X0,
+                qdd: &'a __X1,
+            }
+            #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+            impl<
+                T: ::pendulum_core::real::Real,
+                __X0: ::pendulum_core::IntoState<T, 12> + ::core::marker::Copy,
+                __X1: ::pendulum_core::IntoState<T, 6> + ::core::marker::Copy,
+            > ::pendulum_core::real::lanes::Routine<(), Ur5<T>>
+            for __Code<'_, T, __X0, __X1> {
+                type Output = ::pendulum_core::nalgebra::SVector<T, 6>;
+                #[cfg_attr(debug_assertions, inline)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
+                fn run(
+                    self,
+                    (): &mut (),
+                    model: &Ur5<T>,
+                ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+                    let Self { t, x, qdd } = self;
+                    let x = ::pendulum_core::IntoState::into_state(*x);
+                    let qdd = ::pendulum_core::IntoState::into_state(*qdd);
+                    let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4,
+                    qd_q5, qd_q6] = x.data.0[0];
+                    let [qdd_q1, qdd_q2, qdd_q3, qdd_q4, qdd_q5, qdd_q6] = qdd.data.0[0];
+                    let t0 = q_q2 + q_q3;
+                    let t1 = t0 + q_q4;
+                    let (sin2, cos2) = t1.sin_cos();
+                    let t3 = qd_q1 * qd_q2;
+                    let t4 = qd_q1.mul_add(qd_q3, t3);
+                    let t5 = T::from_f64(2.0) * t3;
+                    let t6 = qd_q2 + qd_q3;
+                    let t7 = qd_q1.mul_add(qd_q4, t4);
+                    let t8 = t6 + qd_q4;
+                    let t9 = qd_q1 * sin2;
+                    let t10 = qdd_q2 + qdd_q3;
+                    let t11 = qdd_q1.mul_add(sin2, cos2 * t7);
+                    let t12 = t10 + qdd_q4;
+                    let t13 = qd_q1.mul_neg_add(cos2, qd_q5);
+                    let t14 = qdd_q1.mul_neg_add(cos2, sin2.mul_add(t7, qdd_q5));
+                    let t15 = qd_q1 * qd_q1;
+                    let t16 = t8 * t8;
+                    let t17 = T::from_f64(0.10510116377025) * cos2;
+                    let t18 = t15 + t16;
+                    let t19 = T::from_f64(0.001653980355) * cos2;
+                    let t20 = sin2 * t17;
+                    let t21 = cos2 * t17;
+                    let t22 = qd_q2 * qd_q2;
+                    let t23 = T::from_f64(0.13585) * t15;
+                    let t24 = T::from_f64(0.001653980355) * sin2;
+                    let t25 = T::from_f64(0.017784735) * sin2;
+                    let t26 = t6 * t6;
+                    let t27 = qd_q1 * t6;
+                    let t28 = qd_q1 * t8;
+                    let t29 = T::from_f64(0.00460883622975) + t21;
+                    let t30 = t15 + t22;
+                    let t31 = T::from_f64(0.13585) * qdd_q1;
+                    let t32 = T::from_f64(0.017784735) * cos2;
+                    let t33 = t12.mul_neg_add(t32, t25 * t18);
+                    let t34 = t15 + t26;
+                    let t35 = t7 + t28;
+                    let t36 = qdd_q1.mul_add(t25, t35 * t32);
+                    let t37 = t4 + t27;
+                    let t38 = t25.mul_add(t12, t16 * t32);
+                    let [(sin39, cos39), (sin_q6, cos_q6)] = t0.sin_cos_pair(q_q6);
+                    let t40 = T::from_f64(0.39225) * cos39;
+                    let t41 = T::from_f64(0.39225) * sin39;
+                    let t42 = T::from_f64(0.051322656825) * sin39;
+                    let t43 = T::from_f64(1.598759275) * cos39;
+                    let t44 = T::from_f64(1.598759275) * sin39;
+                    let t45 = T::from_f64(0.59155695167475) * cos39;
+                    let t46 = t10.mul_neg_add(t44, t34.mul_neg_add(t43, t33));
+                    let t47 = T::from_f64(0.051322656825) * cos39;
+                    let t48 = sin39 * t45;
+                    let t49 = cos39 * t45;
+                    let t50 = T::from_f64(0.0020475) + t49;
+                    let [(sin_q2, cos_q2), (sin_q5, cos_q5)] = q_q2.sin_cos_pair(q_q5);
+                    let t51 = sin_q5.mul_neg_add(t9, t8 * cos_q5);
+                    let t52 = t8.mul_add(sin_q5, cos_q5 * t9);
+                    let t53 = t12.mul_add(sin_q5, cos_q5.mul_add(t11, qd_q5 * t51));
+                    let t54 = qd_q5
+                        .mul_neg_add(t52, sin_q5.mul_neg_add(t11, t12 * cos_q5));
+                    let t55 = sin_q6.mul_add(t52, cos_q6 * t13);
+                    let t56 = t13.mul_neg_add(sin_q6, cos_q6 * t52);
+                    let t57 = qd_q6 + (t51 + qd_q6);
+                    let t58 = T::from_f64(0.016911)
+                        * t56.mul_add(t57, sin_q6.mul_add(t53, cos_q6 * t14));
+                    let t59 = T::from_f64(0.000225473145)
+                        * cos_q6.mul_neg_add(t53, t55.mul_add(t57, sin_q6 * t14));
+                    let t60 = t55 * t56;
+                    let t61 = cos_q6
+                        .mul_neg_add(
                             t59,
-                            cos_q6.mul_add(t58, T::from_f64(0.10971) * (t14 + t62)),
-                        ),
-                );
-            let t64 = qdd_q6 + t54;
-            let t65 = T::from_f64(0.016911)
-                .mul_neg_add(t60 - t64, T::from_f64(0.000225473145) * (t60 + t64));
-            let t66 = T::from_f64(0.10971).mul_neg_add(t13.mul_sub(t52, t54), t65);
-            let t67 = cos_q5
-                .mul_add(
-                    t66,
-                    sin_q5.mul_add(t61, qdd_q1.mul_add(t19, t20 * (t18 - t16))),
-                );
-            let t68 = T::from_f64(0.425) * cos_q2;
-            let t69 = T::from_f64(0.425) * sin_q2;
-            let t70 = t22.mul_neg_add(t69, qdd_q2 * t68) - T::from_f64(9.81);
-            let t71 = t25
-                .mul_neg_add(
-                    t26.mul_neg_add(t41, t10.mul_add(t40, t70)),
-                    t24
+                            sin_q6
+                                .mul_add(t58, T::from_f64(0.126621) * t13.mul_add(t51, t53)),
+                        );
+                    let t62 = t52 * t51;
+                    let t63 = T::from_f64(0.126621)
                         .mul_neg_add(
-                            t7 - t28,
-                            t12.mul_add(t29 + (T::from_f64(0.10971) - t21), t67),
-                        ),
-                );
-            let t72 = qdd_q1
-                .mul_add(t42, t47.mul_add(t4 - t27, t48.mul_add(t34 - t26, t43 * t70)));
-            let t73 = t5
-                .mul_neg_add(t69, qdd_q1.mul_add(t68, T::from_f64(0.1197) * t15) - t23);
-            let t74 = t24
-                .mul_add(
-                    t15 - t18,
-                    t43
+                            t62 - t14,
+                            sin_q6
+                                .mul_add(
+                                    t59,
+                                    cos_q6.mul_add(t58, T::from_f64(0.10971) * (t14 + t62)),
+                                ),
+                        );
+                    let t64 = qdd_q6 + t54;
+                    let t65 = T::from_f64(0.016911)
+                        .mul_neg_add(
+                            t60 - t64,
+                            T::from_f64(0.000225473145) * (t60 + t64),
+                        );
+                    let t66 = T::from_f64(0.10971)
+                        .mul_neg_add(t13.mul_sub(t52, t54), t65);
+                    let t67 = cos_q5
                         .mul_add(
-                            t73,
-                            t42
-                                .mul_add(
-                                    t10,
-                                    T::from_f64(0.19371331275) * cos_q2 * (t15 - t30),
+                            t66,
+                            sin_q5.mul_add(t61, qdd_q1.mul_add(t19, t20 * (t18 - t16))),
+                        );
+                    let t68 = T::from_f64(0.425) * cos_q2;
+                    let t69 = T::from_f64(0.425) * sin_q2;
+                    let t70 = t22.mul_neg_add(t69, qdd_q2 * t68) - T::from_f64(9.81);
+                    let t71 = t25
+                        .mul_neg_add(
+                            t26.mul_neg_add(t41, t10.mul_add(t40, t70)),
+                            t24
+                                .mul_neg_add(
+                                    t7 - t28,
+                                    t12.mul_add(t29 + (T::from_f64(0.10971) - t21), t67),
                                 ),
-                        ),
-                );
-            let t75 = t68
-                .mul_add(
-                    t37.mul_neg_add(t44, qdd_q1.mul_sub(t43, t36)),
-                    T::from_f64(0.1197).mul_add(t46, t19.mul_add(t12, t74)),
-                );
-            let t76 = qdd_q2
-                .mul_neg_add(
-                    t69,
-                    t30.mul_neg_add(t68, T::from_f64(0.1197).mul_sub(qdd_q1, t31)),
-                );
-            let t77 = t32
-                .mul_neg_add(t10.mul_neg_add(t41, t34.mul_neg_add(t40, t76)), t71);
-            let t78 = t40
-                .mul_neg_add(
-                    t38,
-                    t44
+                        );
+                    let t72 = qdd_q1
+                        .mul_add(
+                            t42,
+                            t47.mul_add(t4 - t27, t48.mul_add(t34 - t26, t43 * t70)),
+                        );
+                    let t73 = t5
                         .mul_neg_add(
-                            t76,
-                            t10
+                            t69,
+                            qdd_q1.mul_add(t68, T::from_f64(0.1197) * t15) - t23,
+                        );
+                    let t74 = t24
+                        .mul_add(
+                            t15 - t18,
+                            t43
                                 .mul_add(
-                                    t50 + (T::from_f64(0.59360445167475) - t49),
-                                    t72 + t77,
+                                    t73,
+                                    t42
+                                        .mul_add(
+                                            t10,
+                                            T::from_f64(0.19371331275) * cos_q2 * (t15 - t30),
+                                        ),
                                 ),
-                        ),
-                );
-            let t79 = t41.mul_neg_add(t33, t78);
-            let t80 = T::from_f64(1.75501953841) * cos_q2;
-            let t81 = cos_q2 * t80;
-            let t82 = sin_q2 * t80;
-            let t83 = T::from_f64(0.0075537) + t81;
-            let t84 = T::from_f64(4.4329225) * cos_q2;
-            let t85 = T::from_f64(0.19371331275) * sin_q2;
-            let t86 = qdd_q2
-                .mul_neg_add(
-                    t85,
-                    t84
+                        );
+                    let t75 = t68
+                        .mul_add(
+                            t37.mul_neg_add(t44, qdd_q1.mul_sub(t43, t36)),
+                            T::from_f64(0.1197).mul_add(t46, t19.mul_add(t12, t74)),
+                        );
+                    let t76 = qdd_q2
                         .mul_neg_add(
-                            t23,
-                            qdd_q1
-                                .mul_add(
-                                    T::from_f64(0.29853861244275) + t83 + t50 + t29,
-                                    t75,
+                            t69,
+                            t30
+                                .mul_neg_add(t68, T::from_f64(0.1197).mul_sub(qdd_q1, t31)),
+                        );
+                    let t77 = t32
+                        .mul_neg_add(
+                            t10.mul_neg_add(t41, t34.mul_neg_add(t40, t76)),
+                            t71,
+                        );
+                    let t78 = t40
+                        .mul_neg_add(
+                            t38,
+                            t44
+                                .mul_neg_add(
+                                    t76,
+                                    t10
+                                        .mul_add(
+                                            t50 + (T::from_f64(0.59360445167475) - t49),
+                                            t72 + t77,
+                                        ),
                                 ),
-                        ),
-                );
-            let t87 = t25
-                .mul_neg_add(
-                    t37.mul_neg_add(t41, qdd_q1.mul_add(t40, t73)),
-                    t48
+                        );
+                    let t79 = t41.mul_neg_add(t33, t78);
+                    let t80 = T::from_f64(1.75501953841) * cos_q2;
+                    let t81 = cos_q2 * t80;
+                    let t82 = sin_q2 * t80;
+                    let t83 = T::from_f64(0.0075537) + t81;
+                    let t84 = T::from_f64(4.4329225) * cos_q2;
+                    let t85 = T::from_f64(0.19371331275) * sin_q2;
+                    let t86 = qdd_q2
                         .mul_neg_add(
-                            t37,
-                            t47.mul_neg_add(t15 - t34, t5.mul_neg_add(t82, t86)),
-                        ),
-                );
-            let t88 = cos2
-                .mul_neg_add(
-                    t63,
-                    sin2
+                            t85,
+                            t84
+                                .mul_neg_add(
+                                    t23,
+                                    qdd_q1
+                                        .mul_add(
+                                            T::from_f64(0.29853861244275) + t83 + t50 + t29,
+                                            t75,
+                                        ),
+                                ),
+                        );
+                    let t87 = t25
                         .mul_neg_add(
-                            cos_q5.mul_neg_add(t61, sin_q5 * t66),
-                            t20.mul_neg_add(t35, t87),
-                        ),
-                );
-            let t89 = T::from_f64(4.4329225) * sin_q2;
-            let t90 = t68
-                .mul_add(
-                    t26.mul_neg_add(t44, t10.mul_sub(t43, t38)),
-                    t82.mul_add(t30 - t22, t89 * t31) + t79,
-                );
-            let t91 = qdd_q1
-                .mul_neg_add(
-                    t85,
-                    T::from_f64(43.486969725)
+                            t37.mul_neg_add(t41, qdd_q1.mul_add(t40, t73)),
+                            t48
+                                .mul_neg_add(
+                                    t37,
+                                    t47.mul_neg_add(t15 - t34, t5.mul_neg_add(t82, t86)),
+                                ),
+                        );
+                    let t88 = cos2
                         .mul_neg_add(
-                            cos_q2,
-                            qdd_q2.mul_add(t83 + (T::from_f64(1.76257323841) - t81), t90),
-                        ),
-                );
-            ::pendulum_core::nalgebra::SVector::from([
-                T::from_f64(0.13585)
-                    .mul_neg_add(
-                        qdd_q2.mul_neg_add(t89, t84.mul_neg_add(t30, t46)),
-                        t40.mul_neg_add(t36, t88),
-                    ),
-                t69.mul_neg_add(t46, t91),
-                t79,
-                t77,
-                t63,
-                t65,
-            ])
+                            t63,
+                            sin2
+                                .mul_neg_add(
+                                    cos_q5.mul_neg_add(t61, sin_q5 * t66),
+                                    t20.mul_neg_add(t35, t87),
+                                ),
+                        );
+                    let t89 = T::from_f64(4.4329225) * sin_q2;
+                    let t90 = t68
+                        .mul_add(
+                            t26.mul_neg_add(t44, t10.mul_sub(t43, t38)),
+                            t82.mul_add(t30 - t22, t89 * t31) + t79,
+                        );
+                    let t91 = qdd_q1
+                        .mul_neg_add(
+                            t85,
+                            T::from_f64(43.486969725)
+                                .mul_neg_add(
+                                    cos_q2,
+                                    qdd_q2
+                                        .mul_add(t83 + (T::from_f64(1.76257323841) - t81), t90),
+                                ),
+                        );
+                    ::pendulum_core::nalgebra::SVector::from([
+                        T::from_f64(0.13585)
+                            .mul_neg_add(
+                                qdd_q2.mul_neg_add(t89, t84.mul_neg_add(t30, t46)),
+                                t40.mul_neg_add(t36, t88),
+                            ),
+                        t69.mul_neg_add(t46, t91),
+                        t79,
+                        t77,
+                        t63,
+                        t65,
+                    ])
+                }
+            }
+            T::apart(__Code { t, x, qdd }, &mut (), self)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -8,9 +8,10 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::count;
+use super::lanes::inlined_into_lanes;
 use crate::expr::{Binary, Precedence, Unary};
 use crate::program::{Block, Coefficient, Let, Local, MultiplyAdd, Program, Signs, SinCos, Term, Variable};
-use columns::stored;
+use columns::{size, stored};
 
 /// Maximum number of statements in one Rust block. Every `let` opens a scope inside the one before, and compilers that
 /// walk scopes by recursion (as LLVM does for debug information) overflow the stack at some thousand nested scopes.
@@ -200,18 +201,51 @@ impl Writer<'_> {
                 });
                 statements.collect()
             });
-            quote!(T::apart(|| { #inside });)
+            self.part(passed.len(), &inside)
         });
-        let (places, parts, loads) = (
-            count(passed.len()),
-            parts.collect::<TokenStream>(),
-            results.iter().filter_map(load),
-        );
+        let (places, reads) = (count(passed.len()), self.reads());
+        let (parts, loads) = (parts.collect::<TokenStream>(), results.iter().filter_map(load));
         quote! {
             let mut #array = [T::default(); #places];
+            let reads = [#(#reads),*];
             #parts
             #(#loads)*
         }
+    }
+
+    /// Part of the statements: it changes the array of `passed` values, and the columns if there are any.
+    fn part(&self, passed: usize, inside: &TokenStream) -> TokenStream {
+        let (reads, inline) = (self.reads(), inlined_into_lanes());
+        let [passed, number] = [passed, reads.len()].map(count);
+        let columns = self.block.columns.as_deref().map(|columns| {
+            let [length, padded] = size(columns).map(count);
+            (local("columns"), quote!([[T; #padded]; #length]))
+        });
+        let changed = [(local("passed"), quote!([T; #passed]))].into_iter().chain(columns);
+        let (names, types): (Vec<Ident>, Vec<TokenStream>) = changed.unzip();
+        quote! {
+            {
+                struct __Part;
+                impl<T: ::pendulum_core::real::Real>
+                    ::pendulum_core::real::lanes::Routine<(#(&mut #types,)*), [T; #number]> for __Part
+                {
+                    type Output = ();
+                    #inline
+                    fn run(self, (#(#names,)*): &mut (#(&mut #types,)*), reads: &[T; #number]) {
+                        let [#(#reads),*] = *reads;
+                        #inside
+                    }
+                }
+                T::apart(__Part, &mut (#(&mut #names,)*), &reads);
+            }
+        }
+    }
+
+    /// Names of the variables that the statements may read.
+    fn reads(&self) -> Vec<Ident> {
+        let of_columns = |of: &Variable| matches!(of, Variable::Solved(_) | Variable::Factor(_) | Variable::Given(_));
+        let reads = self.block.reads().into_iter().filter(|of| !of_columns(of));
+        reads.map(|variable| self.names.variable(variable)).collect()
     }
 
     /// Number of statements in each of as many equal parts as needed.

@@ -182,7 +182,7 @@ impl Items<'_> {
     }
 
     fn laws(&self) -> TokenStream {
-        let constants = self.constants(&self.program.laws.reads());
+        let constants = self.constants(&format_ident!("self"), &self.program.laws.reads());
         let code = self.names().code(&self.program.laws, |mut values| {
             let laws = self.program.constraints.iter().enumerate().map(|(n, constraint)| {
                 let mut next = || {
@@ -272,7 +272,7 @@ impl Items<'_> {
             _ => quote!(#core::ResponseDerivative<T, #length>),
         };
         let name = format_ident!("{}", routine.name);
-        let block = self.body(routine, result);
+        let block = self.body(routine, &output, result);
         quote!(fn #name(#arguments) -> #output #block)
     }
 

@@ -66,7 +66,7 @@ impl Items<'_> {
         let (name, output, more) = (
             format_ident!("{}", routine.name),
             self.output(routine),
-            self.more_arguments(routine),
+            self.acting_on(routine).map(|(given, name)| quote!(, #name: &#given)),
         );
         let vector = |length| quote!(&(impl ::pendulum_core::IntoState<T, #length> + Copy));
         let converted = |name: &str| {
@@ -81,11 +81,12 @@ impl Items<'_> {
                 (quote!(, #ident: #vector), converted(name))
             })
             .unzip();
-        let statements = self.statements(routine, |values| result(&routine.shapes, values));
+        let conversions = quote!(#state #conversions);
+        let statements = self.statements(routine, &output, Some(&conversions), |values| {
+            result(&routine.shapes, values)
+        });
         quote! {
             fn #name(&self, t: T, x: #x #more #arguments) -> #output {
-                #state
-                #conversions
                 #statements
             }
         }

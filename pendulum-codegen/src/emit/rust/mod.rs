@@ -4,6 +4,7 @@
 //! visibility of the declaration. Every path is absolute, so that a scene may have any name but those of primitive
 //! type.
 
+mod apart;
 mod block;
 mod build;
 mod drawing;

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
+use super::apart::{Apart, is_apart};
 use super::block::{Piece, local, number};
 use super::lanes::inlined_into_lanes;
 use super::{Items, allowed, count};
@@ -127,28 +128,57 @@ impl Items<'_> {
 
     pub(super) fn system(&self) -> Option<TokenStream> {
         let (inline, rhs) = (inlined_into_lanes(), self.program.with_role(Role::Rhs)?);
+        let is_apart = is_apart(rhs).then(|| {
+            quote! {
+                #[inline(always)]
+                fn is_apart(&self) -> bool {
+                    true
+                }
+            }
+        });
         let rhs = self.function(&format_ident!("rhs"), rhs);
         let labels = self.labels();
         let assembly = self.assembly();
-        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #labels #assembly));
-        let jacobian = self.program.with_role(Role::Jacobian).map(|routine| {
-            let arguments = self.arguments(routine);
-            let matrix = self.shape(routine.shapes[1]);
-            let both = self.function(&format_ident!("rhs_and_jacobian"), routine);
-            let time_derivative = self.time_derivative("time_derivative", &arguments);
-            let functions = quote! {
-                #[inline]
-                fn jacobian(#arguments) -> #matrix {
-                    self.rhs_and_jacobian(t, x).1
-                }
-                #inline
-                #both
-                #inline
-                #time_derivative
-            };
-            self.implement(Some(self.named("Jacobian")), &functions)
-        });
+        let system = self.implement(
+            Some(self.named("System")),
+            &quote!(#inline #rhs #is_apart #labels #assembly),
+        );
+        let jacobian = self
+            .program
+            .with_role(Role::Jacobian)
+            .map(|routine| self.jacobian(routine));
         Some(quote!(#system #jacobian))
+    }
+
+    /// Implementation of `Jacobian`. A long Jacobian alone is another function, since a copy of it takes long, too.
+    fn jacobian(&self, routine: &Routine) -> TokenStream {
+        let (inline, arguments) = (inlined_into_lanes(), self.arguments(routine));
+        let (matrix, output) = (self.shape(routine.shapes[1]), self.output(routine));
+        let time_derivative = self.time_derivative("time_derivative", &arguments);
+        let results = |values: &[Piece]| result(&routine.shapes, values);
+        let (item, both, alone) = if is_apart(routine) {
+            let Apart { item, value } = self.apart(routine, &output, None, results);
+            let second = quote!(::pendulum_core::real::lanes::Second(#value));
+            let [both, alone] = [value, second].map(|value| quote!(T::apart(#value, &mut (), self)));
+            (Some(item), both, alone)
+        } else {
+            let both = self.code(&format_ident!("self"), routine, results);
+            (None, both, quote!(self.rhs_and_jacobian(t, x).1))
+        };
+        let functions = quote! {
+            #[inline]
+            fn jacobian(#arguments) -> #matrix {
+                #alone
+            }
+            #inline
+            fn rhs_and_jacobian(#arguments) -> #output {
+                #both
+            }
+            #inline
+            #time_derivative
+        };
+        let jacobian = self.implement(Some(self.named("Jacobian")), &functions);
+        quote!(#item #jacobian)
     }
 
     /// Methods of `System` and `Controlled` that name the components of the state, and of the outputs if there are any.
@@ -180,7 +210,7 @@ impl Items<'_> {
         let state = Shape::Vector(self.program.layout.len());
         let vector = self.shape(state);
         let block = match self.program.with_role(Role::TimeDerivative) {
-            Some(routine) => self.body(routine, |values| value(state, values)),
+            Some(routine) => self.body(routine, &vector, |values| value(state, values)),
             None => {
                 let zeros = value(state, &vec![number(0.0); state.len()]);
                 quote!({ #zeros })
@@ -215,7 +245,7 @@ impl Items<'_> {
     pub(super) fn function(&self, name: &Ident, routine: &Routine) -> TokenStream {
         let arguments = self.arguments(routine);
         let output = self.output(routine);
-        let block = self.body(routine, |values| result(&routine.shapes, values));
+        let block = self.body(routine, &output, |values| result(&routine.shapes, values));
         quote!(fn #name(#arguments) -> #output #block)
     }
 
@@ -229,17 +259,44 @@ impl Items<'_> {
     }
 
     /// Body of a function with the [arguments](Self::arguments) of a routine.
-    pub(super) fn body(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
-        let statements = self.statements(routine, result);
+    pub(super) fn body(
+        &self,
+        routine: &Routine,
+        output: &TokenStream,
+        result: impl FnOnce(&[Piece]) -> TokenStream,
+    ) -> TokenStream {
+        let statements = self.statements(routine, output, None, result);
         quote!({ #statements })
     }
 
-    /// Statements of the body of a routine.
-    pub(super) fn statements(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
+    /// Statements of the body of a routine, after `conversions` of its arguments.
+    pub(super) fn statements(
+        &self,
+        routine: &Routine,
+        output: &TokenStream,
+        conversions: Option<&TokenStream>,
+        result: impl FnOnce(&[Piece]) -> TokenStream,
+    ) -> TokenStream {
+        if is_apart(routine) {
+            let Apart { item, value } = self.apart(routine, output, conversions, result);
+            quote!(#item T::apart(#value, &mut (), self))
+        } else {
+            let code = self.code(&format_ident!("self"), routine, result);
+            quote!(#conversions #code)
+        }
+    }
+
+    /// Statements that compute the results of a routine of `model`.
+    pub(super) fn code(
+        &self,
+        model: &Ident,
+        routine: &Routine,
+        result: impl FnOnce(&[Piece]) -> TokenStream,
+    ) -> TokenStream {
         let takes = |argument: Argument| routine.arguments.contains(&argument);
         let both = takes(Argument::Inputs) && takes(Argument::Forces);
         let given = both.then(|| quote!(let (u, forces) = (&given.inputs, &given.forces);));
-        let statements = self.computed(&routine.block, result);
+        let statements = self.computed(model, &routine.block, result);
         quote!(#given #statements)
     }
 
@@ -257,11 +314,11 @@ impl Items<'_> {
     }
 
     pub(super) fn arguments(&self, routine: &Routine) -> TokenStream {
-        let (state, more) = (
+        let (state, acting) = (
             self.shape(Shape::Vector(self.program.layout.len())),
-            self.more_arguments(routine),
+            self.acting_on(routine).map(|(given, name)| quote!(, #name: &#given)),
         );
-        quote!(&self, t: T, x: &#state #more)
+        quote!(&self, t: T, x: &#state #acting)
     }
 
     /// Name and components of an argument that is a vector.
@@ -276,15 +333,14 @@ impl Items<'_> {
         Some((name, (0..length).map(variable).collect()))
     }
 
-    /// Argument for inputs and constraint forces, if the routine takes any.
-    pub(super) fn more_arguments(&self, routine: &Routine) -> Option<TokenStream> {
+    /// Type and name of the argument for inputs and constraint forces, if the routine takes any.
+    pub(super) fn acting_on(&self, routine: &Routine) -> Option<(TokenStream, Ident)> {
         let takes = |argument: &Argument| routine.arguments.contains(argument);
         if takes(&Argument::Forces) {
-            let (given, name) = self.acting().expect("constraints");
-            Some(quote!(, #name: &#given))
+            self.acting()
         } else if takes(&Argument::Inputs) {
             let inputs = self.inputs_name();
-            Some(quote!(, u: &#inputs<T>))
+            Some((quote!(#inputs<T>), format_ident!("u")))
         } else {
             None
         }
@@ -293,11 +349,11 @@ impl Items<'_> {
     /// Block that computes from the state `x`, the time `t`, the inputs `u`, the accelerations `qdd`, the `forces`
     /// along constraints and the constants of the model.
     pub(super) fn block(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
-        let statements = self.computed(block, result);
+        let statements = self.computed(&format_ident!("self"), block, result);
         quote!({ #statements })
     }
 
-    fn computed(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
+    fn computed(&self, model: &Ident, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
         let (reads, names) = (block.reads(), self.names());
         let pattern = |variables: &mut dyn Iterator<Item = Variable>| {
             let names = variables.map(|variable| match names.variable(variable) {
@@ -328,18 +384,18 @@ impl Items<'_> {
                 head.extend(quote!(let #name = u.#field;));
             }
         }
-        head.extend(self.constants(&reads));
+        head.extend(self.constants(model, &reads));
         let code = names.code(block, result);
         quote!(#head #code)
     }
 
-    /// Statements that copy the constants read by a block.
-    pub(super) fn constants(&self, reads: &BTreeSet<Variable>) -> TokenStream {
+    /// Statements that copy the constants of `model` read by a block.
+    pub(super) fn constants(&self, model: &Ident, reads: &BTreeSet<Variable>) -> TokenStream {
         let read = reads.iter().filter_map(|variable| match variable {
             Variable::Constant(n) => Some((self.names().variable(*variable), count(*n))),
             _ => None,
         });
-        read.map(|(name, index)| quote!(let #name = self.constants[#index];))
+        read.map(|(name, index)| quote!(let #name = #model.constants[#index];))
             .collect()
     }
 

@@ -1,7 +1,7 @@
 //! Power series of a motion.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::block::{Piece, local};
 use super::lanes::inlined_into_lanes;
@@ -144,7 +144,7 @@ impl Items<'_> {
         let pin = is_hybrid.then(|| quote!(held.pin(self, &mut x[k + 1]);));
         let reads_time = reads.contains(&Variable::Series(Coefficient::Time));
         let time = reads_time.then(|| quote!(let #time = T::from_f64(if k == 1 { 1.0 } else { 0.0 });));
-        let head = self.constants(&reads);
+        let head = self.constants(&format_ident!("self"), &reads);
         let (core, slots) = (quote!(::pendulum_core::taylor), count(series.products));
         let (memory, interior, push) = if self.is_written_out() {
             (

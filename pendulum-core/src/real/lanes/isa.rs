@@ -45,6 +45,18 @@ pub trait Routine<A: ?Sized, B: ?Sized> {
     fn run(self, changed: &mut A, read: &B) -> Self::Output;
 }
 
+/// The second of the results of a routine.
+pub struct Second<R>(pub R);
+
+impl<A: ?Sized, B: ?Sized, First, Output, R: Routine<A, B, Output = (First, Output)>> Routine<A, B> for Second<R> {
+    type Output = Output;
+
+    #[inline(always)]
+    fn run(self, changed: &mut A, read: &B) -> Output {
+        self.0.run(changed, read).1
+    }
+}
+
 /// An instruction set. A value of this type proves that the machine supports it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Isa(Set);

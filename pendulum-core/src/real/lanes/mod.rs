@@ -41,8 +41,9 @@ mod wasm;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 mod x86;
 
-pub(crate) use isa::Routine;
 pub use isa::{Isa, Kernel, LaneElement};
+#[doc(hidden)]
+pub use isa::{Routine, Second};
 pub(crate) use register::{Fuse, Pair, Register};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub(super) use wasm::V64 as Two64;

@@ -22,15 +22,22 @@ pub(super) fn stored(columns: &Columns) -> BTreeMap<Local, Vec<[Literal; 2]>> {
     stored
 }
 
+/// Numbers of rows and of columns. For scalars the latter is rounded up, so that compilers fill registers with columns.
+pub(super) fn size(columns: &Columns) -> [usize; 2] {
+    /// Number of `f64` in a register.
+    const LANES: usize = 4;
+    [
+        columns.solution.results.len(),
+        columns.given.len().next_multiple_of(LANES),
+    ]
+}
+
 impl Writer<'_> {
-    /// Declaration of the columns, which the statements fill; and the loop that solves them. For scalars their number
-    /// is rounded up, so that compilers fill registers with columns.
+    /// Declaration of the columns, which the statements fill; and the loop that solves them.
     pub(super) fn columns(&self, columns: &Columns) -> (TokenStream, TokenStream) {
-        /// Number of `f64` in a register.
-        const LANES: usize = 4;
-        let (rows, number) = (columns.solution.results.len(), columns.given.len());
+        let (rows, number) = (columns.solution.results.len(), count(columns.given.len()));
         let (name, n) = (local("columns"), local("column"));
-        let (padded, number, length) = (count(number.next_multiple_of(LANES)), count(number), count(rows));
+        let [length, padded] = size(columns).map(count);
         let before = quote!(let mut #name = [[T::default(); #padded]; #length];);
         let others = columns.given.iter().enumerate().flat_map(|(n, column)| {
             let others = column.iter().enumerate();
