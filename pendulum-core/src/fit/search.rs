@@ -2,16 +2,17 @@
 //!
 //! K. Madsen, H. B. Nielsen, O. Tingleff, "Methods for Non-Linear Least Squares Problems", 2nd ed. (2004), 3.2.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use nalgebra::DMatrix;
 
 use super::elimination::{Block, Damping, Echelon, Eliminated, within};
 use super::loss::Loss;
 use super::measurement::Measurement;
-use super::shooting::{Shooting, Shot};
+use super::parallel::Work;
+use super::shooting::{PART, Shooting, Shot};
 use super::windows::Window;
-use super::{FitError, Progress, parallel};
+use super::{FitError, Progress};
 
 /// First damping, relative to the lengths of the columns of the Jacobian.
 const FIRST_DAMPING: f64 = 1e-3;
@@ -19,7 +20,7 @@ const FIRST_DAMPING: f64 = 1e-3;
 const MOST_DAMPING: f64 = 1e8;
 /// The search ends where a step would decrease the loss by less than this part of that of one residual: parameters are
 /// then within 1e-4 of their standard deviations.
-const ENOUGH: f64 = 1e-8;
+pub(super) const ENOUGH: f64 = 1e-8;
 /// The search also ends after `LAST` steps that decrease the loss by less than this part of that of one residual, such
 /// as along a kink of the loss where joints begin to slip.
 const STALLED: f64 = 1e-2;
@@ -72,9 +73,21 @@ pub(super) struct Search<'a> {
     pub(super) hybrid: bool,
     /// Weights of the gaps between joined windows; none while windows are separate.
     pub(super) joints: Option<Joints>,
+    /// For each window, the mean square of its residuals where it was last fitted from other starts; 0 if it was not.
+    pub(super) tried: Vec<f64>,
+    /// Least decrease of the loss that is worth a step, as a part of that of one residual.
+    pub(super) enough: f64,
     pub(super) max_iterations: usize,
     pub(super) iterations: usize,
     pub(super) shots: usize,
+    pub(super) work: Works,
+}
+
+/// Work on all windows.
+#[derive(Debug, Default)]
+pub(super) struct Works {
+    shots: Work,
+    blocks: Work,
 }
 
 /// Weights of the gaps between joined windows.
@@ -117,7 +130,14 @@ impl Search<'_> {
     /// # Errors
     /// The first window that cannot be integrated.
     pub(super) fn at(&mut self, parameters: Vec<f64>, starts: Vec<Vec<f64>>) -> Result<Point, FitError> {
-        let shots = self.shoot(&parameters, &starts)?;
+        let point = self.begin_at(parameters, starts)?;
+        self.complete(point)
+    }
+
+    /// Integrates all windows, with derivatives by the first variables alone: the others only matter where the loss
+    /// decreases.
+    fn begin_at(&mut self, parameters: Vec<f64>, starts: Vec<Vec<f64>>) -> Result<Point, FitError> {
+        let shots = self.shoot(&parameters, &starts, 0..PART.min(self.variables()))?;
         self.shots += shots.len();
         let mut point = Point {
             parameters,
@@ -129,24 +149,41 @@ impl Search<'_> {
         Ok(point)
     }
 
+    /// Adds the derivatives by the other variables.
+    fn complete(&self, mut point: Point) -> Result<Point, FitError> {
+        if self.variables() > PART {
+            let others = self.shoot(&point.parameters, &point.starts, PART..self.variables())?;
+            for (shot, others) in point.shots.iter_mut().zip(&others) {
+                shot.append(others);
+            }
+        }
+        Ok(point)
+    }
+
+    /// Number of variables of a window: its start, and the free parameters.
+    fn variables(&self) -> usize {
+        self.n + self.free.len()
+    }
+
     /// True if an output depends on a free parameter.
     pub(super) fn influences(&self, point: &Point, j: usize) -> bool {
         let of = |shot: &Shot| shot.by.column(self.n + j).iter().any(|&slope| slope != 0.0);
         point.shots.iter().any(of)
     }
 
-    /// Integrates all windows, on all cores. The results do not depend on the number of cores.
-    fn shoot(&self, parameters: &[f64], starts: &[Vec<f64>]) -> Result<Vec<Shot>, FitError> {
+    /// Integrates all windows, on all cores, with derivatives by some of the variables. The results do not depend on the
+    /// number of cores.
+    fn shoot(&self, parameters: &[f64], starts: &[Vec<f64>], variables: Range<usize>) -> Result<Vec<Shot>, FitError> {
         let shoot = |w: usize| {
             let window = &self.windows[w];
-            let shot = self.shooting.shoot(window, &starts[w], parameters, &self.free);
+            let shot = (self.shooting).shoot(window, &starts[w], parameters, &self.free, variables.clone());
             shot.map_err(|reason| FitError::Integration {
                 experiment: window.experiment,
                 from: window.span[0],
                 reason: Box::new(reason),
             })
         };
-        parallel::each(self.windows.len(), shoot).into_iter().collect()
+        self.work.shots.each(self.windows.len(), shoot).into_iter().collect()
     }
 
     /// Calls `each` for each residual of a window: its row, its sample, its column and measured minus computed value.
@@ -259,14 +296,20 @@ impl Search<'_> {
         let block = |w: usize| {
             let shot = &point.shots[w];
             let mut rows = DMatrix::zeros(shot.outputs.len(), n + p + 1);
+            // missing values have no weight
+            let mut roots = vec![0.0; shot.outputs.len()];
             self.residuals(w, shot, |row, _, column, residual| {
                 let deviation = self.noise_of(w, column);
                 let root = loss.of(residual / deviation)[1].sqrt() / deviation;
-                for variable in 0..n + p {
-                    rows[(row, variable)] = root * shot.by[(row, variable)];
-                }
+                roots[row] = root;
                 rows[(row, n + p)] = root * residual;
             });
+            let slopes = shot.by.as_slice().chunks_exact(roots.len().max(1)).take(n + p);
+            for (weighted, slopes) in rows.as_mut_slice().chunks_exact_mut(roots.len().max(1)).zip(slopes) {
+                for ((weighted, slope), root) in weighted.iter_mut().zip(slopes).zip(&roots) {
+                    *weighted = root * slope;
+                }
+            }
             let joint = self.joints.as_ref().filter(|_| self.windows[w].joined).map(|joints| {
                 let (before, mut gap) = (&point.shots[w - 1], self.gap(w, point));
                 let mut rows = DMatrix::zeros(n, 2 * n + p + 1);
@@ -285,7 +328,7 @@ impl Search<'_> {
                 joint,
             }
         };
-        parallel::each(point.shots.len(), block)
+        self.work.blocks.each(point.shots.len(), block)
     }
 
     /// The problem without starts, for standard deviations: all residuals have the same weight.
@@ -358,7 +401,7 @@ impl Search<'_> {
             let change = within(&eliminated.parameters.upper(), &room);
             let changes = eliminated.starts(&change);
             let predicted = predicted_decrease(&blocks, &changes, &change, self.n);
-            let enough = ENOUGH.max(ROUNDING * samples as f64) * unit;
+            let enough = self.enough.max(ROUNDING * samples as f64) * unit;
             let stalled = losses.len() > LAST && losses[losses.len() - 1 - LAST] - point.loss <= STALLED * unit;
             if predicted * (1.0 + damping) <= enough {
                 return (point, End::Converged);
@@ -377,13 +420,14 @@ impl Search<'_> {
                     self.shooting.project(window, start, &parameters);
                 }
             }
-            let next = self.at(parameters, starts).ok();
-            let gain = next.as_ref().map(|next| (point.loss - next.loss) / predicted);
-            match next.filter(|next| next.loss < point.loss) {
+            let next = self.begin_at(parameters, starts).ok();
+            let better = next.filter(|next| next.loss < point.loss);
+            match better.and_then(|next| self.complete(next).ok()) {
                 Some(next) if (0..p).any(|j| !lost[j] && self.influences(&point, j) && !self.influences(&next, j)) => {
                     (0..p).for_each(|j| lost[j] |= !self.influences(&next, j));
                 }
                 Some(next) => {
+                    let gain = (point.loss - next.loss) / predicted;
                     point = next;
                     if self.loss == Loss::Squares {
                         self.estimate_noise(&point);
@@ -398,7 +442,6 @@ impl Search<'_> {
                     for (most, now) in lengths.parameters.iter_mut().zip(now.parameters) {
                         *most = most.max(now);
                     }
-                    let gain = gain.unwrap_or_default();
                     let excess = 2.0 * gain - 1.0;
                     damping *= (1.0 - excess * excess * excess).max(if gain > 0.9 { 0.1 } else { 1.0 / 3.0 });
                     growth = 2.0;
