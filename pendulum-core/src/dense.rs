@@ -96,6 +96,9 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         if theta == T::from_f64(1.0) {
             return self.step.x1;
         }
+        if theta.is_zero() {
+            return self.step.x0;
+        }
         polynomial(&self.step.x0, self.coefficients, theta * self.cut)
     }
 
@@ -172,29 +175,64 @@ fn evaluate<const FUSED: bool, T: Real, const N: usize>(
     coefficients: &[SVector<T, N>],
     theta: T,
 ) -> SVector<T, N> {
+    // usually the position carries no derivatives
+    if theta.is_constant() {
+        sum::<FUSED, true, T, N>(x0, coefficients, theta)
+    } else {
+        sum::<FUSED, false, T, N>(x0, coefficients, theta)
+    }
+}
+
+#[inline(always)]
+fn sum<const FUSED: bool, const CONSTANT: bool, T: Real, const N: usize>(
+    x0: &SVector<T, N>,
+    coefficients: &[SVector<T, N>],
+    theta: T,
+) -> SVector<T, N> {
     let square = theta * theta;
     let (mut odd, mut even) = ([T::default(); N], [T::default(); N]);
     let (pairs, last) = coefficients.as_chunks::<2>();
-    for last in last {
-        for (odd, &coefficient) in odd.iter_mut().zip(&last.data.0[0]) {
-            *odd = add_product::<FUSED, T>(*odd, square, coefficient);
+    let mut pairs = pairs.iter().rev();
+    match (pairs.next(), last) {
+        (Some([first, second]), []) => (odd, even) = (first.data.0[0], second.data.0[0]),
+        (Some([first, second]), [last, ..]) => {
+            (odd, even) = (last.data.0[0], second.data.0[0]);
+            onto::<FUSED, CONSTANT, T, N>(square, &mut odd, first);
         }
+        (None, [last, ..]) => odd = last.data.0[0],
+        (None, []) => {}
     }
-    for [first, second] in pairs.iter().rev() {
-        for i in 0..N {
-            odd[i] = add_product::<FUSED, T>(odd[i], square, first.data.0[0][i]);
-            even[i] = add_product::<FUSED, T>(even[i], square, second.data.0[0][i]);
-        }
+    for [first, second] in pairs {
+        onto::<FUSED, CONSTANT, T, N>(square, &mut odd, first);
+        onto::<FUSED, CONSTANT, T, N>(square, &mut even, second);
     }
     let mut x = *x0;
     for (x, (&odd, &even)) in x.data.0[0].iter_mut().zip(odd.iter().zip(&even)) {
-        *x = add_product::<FUSED, T>(theta, add_product::<FUSED, T>(theta, even, odd), *x);
+        let slope = add_product::<FUSED, CONSTANT, T>(theta, even, odd);
+        *x = add_product::<FUSED, CONSTANT, T>(theta, slope, *x);
     }
     x
 }
 
-/// `a * b + c`.
+/// Replaces sums by `factor * sums + next`.
 #[inline(always)]
-fn add_product<const FUSED: bool, T: Real>(a: T, b: T, c: T) -> T {
-    if FUSED { a.mul_add(b, c) } else { a * b + c }
+fn onto<const FUSED: bool, const CONSTANT: bool, T: Real, const N: usize>(
+    factor: T,
+    sums: &mut [T; N],
+    next: &SVector<T, N>,
+) {
+    for (sum, &next) in sums.iter_mut().zip(&next.data.0[0]) {
+        *sum = add_product::<FUSED, CONSTANT, T>(factor, *sum, next);
+    }
+}
+
+/// `factor * a + b`, where a constant factor carries no derivatives.
+#[inline(always)]
+fn add_product<const FUSED: bool, const CONSTANT: bool, T: Real>(factor: T, a: T, b: T) -> T {
+    match (FUSED, CONSTANT) {
+        (true, true) => a.scaled_onto(factor, b),
+        (true, false) => factor.mul_add(a, b),
+        (false, true) => a.scaled(factor) + b,
+        (false, false) => factor * a + b,
+    }
 }

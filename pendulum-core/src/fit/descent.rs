@@ -17,7 +17,7 @@ const FIRST_DAMPING: f64 = 1e-3;
 const MOST_DAMPING: f64 = 1e8;
 /// The search ends where a step would decrease the loss by less than this part of that of one residual: parameters are
 /// then within 1e-4 of their standard deviations.
-const ENOUGH: f64 = 1e-8;
+pub(super) const ENOUGH: f64 = 1e-8;
 /// The search also ends after `LAST` steps that decrease the loss by less than this part of that of one residual, such
 /// as along a kink of the loss where joints begin to slip.
 const STALLED: f64 = 1e-2;
@@ -68,11 +68,11 @@ impl Search<'_> {
             }
             self.iterations += 1;
             let step = descent.step(self, &point);
-            if let Some(end) = descent.end(&step) {
+            if let Some(end) = descent.end(&step, self.enough) {
                 return (point, end);
             }
             let next = self.after(&point, &step).filter(|next| next.loss < point.loss);
-            match next {
+            match next.and_then(|next| self.complete(next).ok()) {
                 Some(next) if descent.loses_influence(self, &point, &next) => {}
                 Some(next) => {
                     let gain = (point.loss - next.loss) / step.predicted;
@@ -99,7 +99,7 @@ impl Search<'_> {
         }
     }
 
-    /// The point after a step, unless a window cannot be integrated there.
+    /// The point after a step, not yet [complete](Self::complete), unless a window cannot be integrated there.
     fn after(&mut self, point: &Point, step: &Step) -> Option<Point> {
         let mut parameters = point.parameters.clone();
         for ((&n, change), [low, high]) in self.free.iter().zip(&step.parameters).zip(&self.bounds) {
@@ -112,7 +112,7 @@ impl Search<'_> {
                 self.shooting.project(window, start, &parameters);
             }
         }
-        self.at(parameters, starts).ok()
+        self.begin_at(parameters, starts).ok()
     }
 
     /// Lengths of the columns of the Jacobian. Those of the starts are means over all windows: where a joint sticks, a
@@ -199,9 +199,10 @@ impl Descent {
         }
     }
 
-    /// The end of the search, if no step is worth its work.
-    fn end(&self, step: &Step) -> Option<End> {
-        let enough = ENOUGH.max(ROUNDING * self.samples as f64) * self.unit;
+    /// The end of the search, if no step is worth its work: `enough` is the least decrease of the loss that is, as a part
+    /// of that of one residual.
+    fn end(&self, step: &Step, enough: f64) -> Option<End> {
+        let enough = enough.max(ROUNDING * self.samples as f64) * self.unit;
         if step.predicted * (1.0 + self.damping) <= enough {
             return Some(End::Converged);
         }

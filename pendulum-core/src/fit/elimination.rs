@@ -14,6 +14,19 @@ use nalgebra::{DMatrix, DVector};
 /// A column whose remainder is below this part of its length depends on the columns before it, up to rounding errors.
 const DEPENDENT: f64 = 1e-12;
 
+/// Scalar product, in parts that vector registers sum side by side.
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    let ((a, a_left), (b, b_left)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
+    let mut sums = [0.0; 8];
+    for (a, b) in a.iter().zip(b) {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum += a * b;
+        }
+    }
+    let left = a_left.iter().zip(b_left).map(|(a, b)| a * b);
+    sums.into_iter().chain(left).sum()
+}
+
 /// Rows `[J, r]` of a least-squares problem, in echelon form in their first columns.
 #[derive(Clone, Debug)]
 pub(super) struct Echelon {
@@ -37,7 +50,7 @@ impl Echelon {
             let entries = rows.as_mut_slice();
             let (done, others) = entries.split_at_mut((column + 1) * height);
             let part = &mut done[column * height + next..];
-            let length = part.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+            let length = product(part, part).sqrt();
             if length <= DEPENDENT * lengths[column] {
                 part.fill(0.0);
                 continue;
@@ -52,8 +65,7 @@ impl Echelon {
             part[0] = target;
             for other in 0..width - column - 1 {
                 let part = &mut others[other * height + next..(other + 1) * height];
-                let product = normal.iter().zip(&*part).map(|(n, entry)| n * entry).sum::<f64>();
-                let factor = product / square;
+                let factor = product(normal, part) / square;
                 for (entry, n) in part.iter_mut().zip(&*normal) {
                     *entry -= factor * n;
                 }

@@ -83,9 +83,9 @@ pub use table::{Table, TableError};
 use crate::dual::Dual;
 use crate::method::Method;
 use crate::system::{IntoState, Parametric, System};
-use descent::End;
+use descent::{ENOUGH, End};
 use measurement::Column;
-use search::{Joints, Point, Search};
+use search::{Joints, Point, Search, Works};
 use shooting::{PART, Trajectories, sources};
 
 /// Weights of the gaps between joined windows, in standard deviations of their starts, one after the other: the last
@@ -284,11 +284,13 @@ impl<X> Fit<X> {
         };
         let measurements: Vec<_> = experiments.iter().map(|experiment| experiment.measurement).collect();
         let (outputs, sensors, given) = report::sensors(&measurements);
+        let tried = vec![0.0; windows.len()];
         let mut search = Search {
             shooting: &trajectories,
             measurements,
             windows,
             sensors,
+            tried,
             noise: given.iter().map(|given| given.unwrap_or(1.0)).collect(),
             given: given.iter().map(Option::is_some).collect(),
             has_noise: false,
@@ -298,9 +300,11 @@ impl<X> Fit<X> {
             n: active,
             hybrid: model.hybrid().is_some(),
             joints: None,
+            enough: ENOUGH,
             max_iterations: self.max_iterations,
             iterations: 0,
             shots: 0,
+            work: Works::default(),
         };
         let parameters = first.model.parameters().to_vec();
         let starts = starts::first(&search, &trajectories, &parameters, &self.division)?;

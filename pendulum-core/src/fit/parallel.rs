@@ -3,40 +3,62 @@
 use std::iter;
 use std::panic::resume_unwind;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
 /// Number of cores, which takes reading files to find out.
 static CORES: OnceLock<usize> = OnceLock::new();
 /// Work that is worth starting threads, which takes some 0.1 ms each, and longer on a busy machine.
-const WORTH_A_THREAD: Duration = Duration::from_millis(2);
+const WORTH_A_THREAD: Duration = Duration::from_millis(1);
 
-/// Results of a function of the numbers below `count`, in order, computed on all cores if it takes long enough. The
-/// results do not depend on the number of cores.
-pub(super) fn each<T: Send>(count: usize, function: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    let cores = *CORES.get_or_init(|| thread::available_parallelism().map_or(1, usize::from));
-    if cores == 1 || count < 2 {
-        return (0..count).map(function).collect();
-    }
-    let begin = Instant::now();
-    let first = function(0);
-    let others = count - 1;
-    if begin.elapsed() * u32::try_from(others).unwrap_or(u32::MAX) < WORTH_A_THREAD {
-        return iter::once(first).chain((1..count).map(function)).collect();
-    }
-    let part = others.div_ceil(cores);
-    let of_part = |from: usize| (from..count.min(from + part)).map(&function).collect::<Vec<_>>();
-    thread::scope(|scope| {
-        let of_part = &of_part;
-        let parts = (1 + part..count).step_by(part);
-        let parts: Vec<_> = parts.map(|from| scope.spawn(move || of_part(from))).collect();
-        let mut results = vec![first];
-        results.extend(of_part(1));
-        for part in parts {
-            results.extend(part.join().unwrap_or_else(|panic| resume_unwind(panic)));
+/// Work of one kind on all cores.
+#[derive(Debug, Default)]
+pub(super) struct Work {
+    /// Time that one result took last, in ns; 0 before the first.
+    of_one: AtomicU64,
+}
+
+impl Work {
+    /// Results of a function of the numbers below `count`, in order, computed on all cores if it takes long enough. The
+    /// results do not depend on the number of cores.
+    pub(super) fn each<T: Send>(&self, count: usize, function: impl Fn(usize) -> T + Sync) -> Vec<T> {
+        let cores = *CORES.get_or_init(|| thread::available_parallelism().map_or(1, usize::from));
+        if cores == 1 || count < 2 {
+            return (0..count).map(function).collect();
         }
-        results
-    })
+        // threads take one number after the other, since some take longer than others
+        let next = AtomicUsize::new(0);
+        let take = |most: usize| {
+            let begin = Instant::now();
+            let numbers = iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed)).take(most);
+            let own = numbers.take_while(|&n| n < count).map(|n| (n, function(n)));
+            let own: Vec<_> = own.collect();
+            if !own.is_empty() {
+                let of_one = begin.elapsed().as_nanos() / own.len() as u128;
+                self.of_one
+                    .store(u64::try_from(of_one).unwrap_or(u64::MAX), Ordering::Relaxed);
+            }
+            own
+        };
+        let mut results = match self.of_one.load(Ordering::Relaxed) {
+            0 => take(1),
+            _ => Vec::new(),
+        };
+        let left = count - results.len();
+        let time = Duration::from_nanos(self.of_one.load(Ordering::Relaxed))
+            .saturating_mul(u32::try_from(left).unwrap_or(u32::MAX));
+        let helpers = if time < WORTH_A_THREAD { 0 } else { cores.min(left) - 1 };
+        thread::scope(|scope| {
+            let helpers: Vec<_> = (0..helpers).map(|_| scope.spawn(|| take(count))).collect();
+            results.extend(take(count));
+            for helper in helpers {
+                results.extend(helper.join().unwrap_or_else(|panic| resume_unwind(panic)));
+            }
+        });
+        results.sort_unstable_by_key(|&(n, _)| n);
+        results.into_iter().map(|(_, result)| result).collect()
+    }
 }
 
 #[cfg(test)]
@@ -44,19 +66,19 @@ mod tests {
     use std::thread::sleep;
     use std::time::Duration;
 
-    use super::each;
+    use super::Work;
 
     #[test]
     fn results_are_in_order() {
-        for (count, time) in [0, 1, 2, 3, 7, 20]
-            .into_iter()
-            .flat_map(|count| [(count, 0), (count, 1500)])
-        {
-            let squares = each(count, |n| {
-                sleep(Duration::from_micros(time));
-                n * n
-            });
-            assert!(squares.into_iter().eq((0..count).map(|n| n * n)));
+        for time in [0, 1500] {
+            let work = Work::default();
+            for count in [0, 1, 2, 3, 7, 20, 3] {
+                let squares = work.each(count, |n| {
+                    sleep(Duration::from_micros(time));
+                    n * n
+                });
+                assert!(squares.into_iter().eq((0..count).map(|n| n * n)));
+            }
         }
     }
 }

@@ -1,13 +1,16 @@
 //! The problem of a fit: residuals, their noise, the loss, and its linear model.
 
+use std::ops::Range;
+
 use nalgebra::DMatrix;
 
+use super::FitError;
 use super::elimination::{Block, Damping, Echelon, Eliminated};
 use super::loss::Loss;
 use super::measurement::Measurement;
-use super::shooting::{Shooting, Shot};
+use super::parallel::Work;
+use super::shooting::{PART, Shooting, Shot};
 use super::windows::Window;
-use super::{FitError, parallel};
 
 /// Residuals without noise have this variance at least.
 const LEAST_VARIANCE: f64 = 1e-200;
@@ -50,9 +53,21 @@ pub(super) struct Search<'a> {
     pub(super) hybrid: bool,
     /// Weights of the gaps between joined windows; none while windows are separate.
     pub(super) joints: Option<Joints>,
+    /// For each window, the mean square of its residuals where it was last fitted from other starts; 0 if it was not.
+    pub(super) tried: Vec<f64>,
+    /// Least decrease of the loss that is worth a step, as a part of that of one residual.
+    pub(super) enough: f64,
     pub(super) max_iterations: usize,
     pub(super) iterations: usize,
     pub(super) shots: usize,
+    pub(super) work: Works,
+}
+
+/// Work on all windows.
+#[derive(Debug, Default)]
+pub(super) struct Works {
+    shots: Work,
+    blocks: Work,
 }
 
 /// Weights of the gaps between joined windows.
@@ -76,7 +91,14 @@ impl Search<'_> {
     /// # Errors
     /// The first window that cannot be integrated.
     pub(super) fn at(&mut self, parameters: Vec<f64>, starts: Vec<Vec<f64>>) -> Result<Point, FitError> {
-        let shots = self.shoot(&parameters, &starts)?;
+        let point = self.begin_at(parameters, starts)?;
+        self.complete(point)
+    }
+
+    /// Integrates all windows, with derivatives by the first variables alone: the others only matter where the loss
+    /// decreases.
+    pub(super) fn begin_at(&mut self, parameters: Vec<f64>, starts: Vec<Vec<f64>>) -> Result<Point, FitError> {
+        let shots = self.shoot(&parameters, &starts, 0..PART.min(self.variables()))?;
         self.shots += shots.len();
         let mut point = Point {
             parameters,
@@ -88,24 +110,41 @@ impl Search<'_> {
         Ok(point)
     }
 
+    /// Adds the derivatives by the other variables.
+    pub(super) fn complete(&self, mut point: Point) -> Result<Point, FitError> {
+        if self.variables() > PART {
+            let others = self.shoot(&point.parameters, &point.starts, PART..self.variables())?;
+            for (shot, others) in point.shots.iter_mut().zip(&others) {
+                shot.append(others);
+            }
+        }
+        Ok(point)
+    }
+
+    /// Number of variables of a window: its start, and the free parameters.
+    fn variables(&self) -> usize {
+        self.n + self.free.len()
+    }
+
     /// True if an output depends on a free parameter.
     pub(super) fn influences(&self, point: &Point, j: usize) -> bool {
         let of = |shot: &Shot| shot.by.column(self.n + j).iter().any(|&slope| slope != 0.0);
         point.shots.iter().any(of)
     }
 
-    /// Integrates all windows, on all cores. The results do not depend on the number of cores.
-    fn shoot(&self, parameters: &[f64], starts: &[Vec<f64>]) -> Result<Vec<Shot>, FitError> {
+    /// Integrates all windows, on all cores, with derivatives by some of the variables. The results do not depend on the
+    /// number of cores.
+    fn shoot(&self, parameters: &[f64], starts: &[Vec<f64>], variables: Range<usize>) -> Result<Vec<Shot>, FitError> {
         let shoot = |w: usize| {
             let window = &self.windows[w];
-            let shot = self.shooting.shoot(window, &starts[w], parameters, &self.free);
+            let shot = (self.shooting).shoot(window, &starts[w], parameters, &self.free, variables.clone());
             shot.map_err(|reason| FitError::Integration {
                 experiment: window.experiment,
                 from: window.span[0],
                 reason: Box::new(reason),
             })
         };
-        parallel::each(self.windows.len(), shoot).into_iter().collect()
+        self.work.shots.each(self.windows.len(), shoot).into_iter().collect()
     }
 
     /// Calls `each` for each residual of a window: its row, its sample, its column and measured minus computed value.
@@ -218,14 +257,20 @@ impl Search<'_> {
         let block = |w: usize| {
             let shot = &point.shots[w];
             let mut rows = DMatrix::zeros(shot.outputs.len(), n + p + 1);
+            // missing values have no weight
+            let mut roots = vec![0.0; shot.outputs.len()];
             self.residuals(w, shot, |row, _, column, residual| {
                 let deviation = self.noise_of(w, column);
                 let root = loss.of(residual / deviation)[1].sqrt() / deviation;
-                for variable in 0..n + p {
-                    rows[(row, variable)] = root * shot.by[(row, variable)];
-                }
+                roots[row] = root;
                 rows[(row, n + p)] = root * residual;
             });
+            let slopes = shot.by.as_slice().chunks_exact(roots.len().max(1)).take(n + p);
+            for (weighted, slopes) in rows.as_mut_slice().chunks_exact_mut(roots.len().max(1)).zip(slopes) {
+                for ((weighted, slope), root) in weighted.iter_mut().zip(slopes).zip(&roots) {
+                    *weighted = root * slope;
+                }
+            }
             let joint = self.joints.as_ref().filter(|_| self.windows[w].joined).map(|joints| {
                 let (before, mut gap) = (&point.shots[w - 1], self.gap(w, point));
                 let mut rows = DMatrix::zeros(n, 2 * n + p + 1);
@@ -244,7 +289,7 @@ impl Search<'_> {
                 joint,
             }
         };
-        parallel::each(point.shots.len(), block)
+        self.work.blocks.each(point.shots.len(), block)
     }
 
     /// The problem without starts, for standard deviations: all residuals have the same weight.

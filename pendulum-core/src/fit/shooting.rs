@@ -1,5 +1,7 @@
 //! Trajectories in windows, as functions of their starts and the parameters.
 
+use std::ops::Range;
+
 use nalgebra::{DMatrix, SVector};
 
 use super::measurement::Measurement;
@@ -18,7 +20,7 @@ use crate::system::{Parametric, System};
 /// in the same steps.
 pub(super) const PART: usize = 8;
 
-/// A trajectory in a window, with its derivatives by the start and the free parameters.
+/// A trajectory in a window, with its derivatives by variables: its start and the free parameters.
 #[derive(Clone, Debug)]
 pub(super) struct Shot {
     /// Outputs: all columns of the first sample, then those of the next.
@@ -31,11 +33,28 @@ pub(super) struct Shot {
     pub(super) end_by: DMatrix<f64>,
 }
 
+impl Shot {
+    /// Appends the derivatives of another one.
+    pub(super) fn append(&mut self, others: &Self) {
+        for (by, others) in [(&mut self.by, &others.by), (&mut self.end_by, &others.end_by)] {
+            let all = [by.as_slice(), others.as_slice()].concat();
+            *by = DMatrix::from_vec(by.nrows(), by.ncols() + others.ncols(), all);
+        }
+    }
+}
+
 /// Models and methods behind plain numbers, so that the search is compiled once.
 pub(super) trait Shooting: Sync {
-    /// Integrates a window, with derivatives by the start and by the parameters of the indices `by`. Those by a known
-    /// start are zero.
-    fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], by: &[usize]) -> Result<Shot, Reason>;
+    /// Integrates a window, with derivatives by some of the variables: the start, and the parameters of the indices
+    /// `by`. Those by a known start are zero.
+    fn shoot(
+        &self,
+        window: &Window,
+        start: &[f64],
+        parameters: &[f64],
+        by: &[usize],
+        variables: Range<usize>,
+    ) -> Result<Shot, Reason>;
 
     /// Projects a start onto the constraints of the model, and into its stops.
     fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64]);
@@ -96,22 +115,30 @@ where
     M: Parametric<N, P> + Sync,
     X: Method<M::In<Dual<f64, PART>>, Dual<f64, PART>, N> + Sync,
 {
-    fn shoot(&self, window: &Window, start: &[f64], parameters: &[f64], by: &[usize]) -> Result<Shot, Reason> {
+    fn shoot(
+        &self,
+        window: &Window,
+        start: &[f64],
+        parameters: &[f64],
+        by: &[usize],
+        variables: Range<usize>,
+    ) -> Result<Shot, Reason> {
         let experiment = &self.experiments[window.experiment];
         let sources = &self.sources[window.experiment];
         let times = &experiment.measurement.times[window.samples.clone()];
         let [t0, t1] = window.span.map(Dual::constant);
         let rows = times.len() * sources.len();
         let n = start.len();
-        let variables = n + by.len();
         let mut shot = Shot {
             outputs: vec![0.0; rows],
-            by: DMatrix::zeros(rows, variables),
+            by: DMatrix::zeros(rows, variables.len()),
             end: vec![0.0; n],
-            end_by: DMatrix::zeros(n, variables),
+            end_by: DMatrix::zeros(n, variables.len()),
         };
         // without variables, once for the outputs
-        for first in (0..variables.max(1)).step_by(PART) {
+        for part in (0..variables.len().max(1)).step_by(PART) {
+            let columns = part..variables.len().min(part + PART);
+            let first = variables.start + part;
             let seed = |value: f64, variable: Option<usize>| {
                 let place = variable.and_then(|variable| variable.checked_sub(first));
                 match place.filter(|&place| place < PART) {
@@ -147,14 +174,14 @@ where
             };
             for (row, output) in sampler.outputs.iter().enumerate() {
                 shot.outputs[row] = output.value;
-                for column in first..variables.min(first + PART) {
-                    shot.by[(row, column)] = output.slopes[column - first];
+                for column in columns.clone() {
+                    shot.by[(row, column)] = output.slopes[column - part];
                 }
             }
             for (row, component) in end.iter().take(n).enumerate() {
                 shot.end[row] = component.value;
-                for column in first..variables.min(first + PART) {
-                    shot.end_by[(row, column)] = component.slopes[column - first];
+                for column in columns.clone() {
+                    shot.end_by[(row, column)] = component.slopes[column - part];
                 }
             }
         }

@@ -2,16 +2,20 @@
 
 use std::ops::ControlFlow;
 
-use super::search::{Point, Search};
+use super::parallel::Work;
+use super::search::{Point, Search, Works};
 use super::shooting::{Shot, Source, Trajectories, position_of};
 use super::windows::Window;
-use super::{Division, FitError, guess, parallel};
+use super::{Division, FitError, guess};
 use crate::system::{Parametric, System};
 
 /// Number of samples that give a first guess of a start, for each component of the state.
 const SAMPLES_OF_A_START: usize = 5;
 /// Number of iterations for the start of a window alone.
 const ITERATIONS_OF_A_START: usize = 20;
+/// Least decrease of the loss that is worth a step of a start alone, as a part of that of one residual: starts within a
+/// tenth of their standard deviations are good guesses.
+const ENOUGH_OF_A_START: f64 = 1e-2;
 /// A window is bad if the mean square of its residuals is this many times the median of all windows.
 const BAD: f64 = 3.0;
 
@@ -55,7 +59,7 @@ where
                 .start_alone(&beginning, start, parameters, &search.given)?
                 .starts
                 .swap_remove(0);
-            let whole = search.shooting.shoot(window, &start, parameters, &[]);
+            let whole = search.shooting.shoot(window, &start, parameters, &[], 0..0);
             before = whole.ok().map(|shot| shot.end);
         }
         starts.push(start);
@@ -63,7 +67,7 @@ where
     // kinks may keep a search from the modes of the first samples; over a whole trajectory wrong parameters would spoil
     // the start
     if search.hybrid && *division != Division::Whole {
-        let fitted = parallel::each(starts.len(), |w| {
+        let fitted = Work::default().each(starts.len(), |w| {
             let window = &search.windows[w];
             let alone = || search.start_alone(window, starts[w].clone(), parameters, &search.given);
             (!window.known).then(alone)
@@ -122,15 +126,9 @@ where
 }
 
 impl Search<'_> {
-    /// Fits the start of a window alone, with the noise that is `given`.
-    fn start_alone(
-        &self,
-        window: &Window,
-        start: Vec<f64>,
-        parameters: &[f64],
-        given: &[bool],
-    ) -> Result<Point, FitError> {
-        let mut alone = Search {
+    /// Search for the start of a window alone, with the noise that is `given`.
+    fn alone(&self, window: &Window, given: &[bool]) -> Self {
+        Self {
             measurements: self.measurements.clone(),
             windows: vec![Window {
                 joined: false,
@@ -143,18 +141,44 @@ impl Search<'_> {
             free: Vec::new(),
             bounds: Vec::new(),
             joints: None,
+            tried: Vec::new(),
+            enough: ENOUGH_OF_A_START,
             max_iterations: ITERATIONS_OF_A_START,
             iterations: 0,
             shots: 0,
+            work: Works::default(),
             ..*self
-        };
+        }
+    }
+
+    /// Fits the start of a window alone, with the noise that is `given`.
+    fn start_alone(
+        &self,
+        window: &Window,
+        start: Vec<f64>,
+        parameters: &[f64],
+        given: &[bool],
+    ) -> Result<Point, FitError> {
+        let mut alone = self.alone(window, given);
         let point = alone.at(parameters.to_vec(), vec![start])?;
         Ok(alone.minimise(point, &mut |_| ControlFlow::Continue(())).0)
     }
 
+    /// Fits the start of a window of a point alone, with all noise given.
+    fn restart(&self, w: usize, point: &Point) -> Point {
+        let mut alone = self.alone(&self.windows[w], &vec![true; self.given.len()]);
+        let own = Point {
+            parameters: point.parameters.clone(),
+            starts: vec![point.starts[w].clone()],
+            shots: vec![point.shots[w].clone()],
+            loss: 0.0,
+        };
+        alone.minimise(own, &mut |_| ControlFlow::Continue(())).0
+    }
+
     /// Fits the start of each window alone, which kinks in other windows do not hinder, if the search ended at one.
     /// Where a window is much worse than others, such as where a joint sticks in vain, it is also fitted from other
-    /// starts. True if the loss decreases noticeably.
+    /// starts, and again only if it becomes much worse. True if the loss decreases noticeably.
     pub(super) fn relax(&mut self, point: &mut Point, at_a_kink: bool) -> bool {
         let given = vec![true; self.given.len()];
         let mean_square = |(w, shot): (usize, &Shot)| {
@@ -172,17 +196,24 @@ impl Search<'_> {
         if !at_a_kink && losses.iter().all(|&loss| loss <= bad) {
             return false;
         }
+        let mut from_others = vec![false; losses.len()];
+        for ((from_others, &loss), tried) in from_others.iter_mut().zip(&losses).zip(&mut self.tried) {
+            *from_others = loss > bad && loss > BAD * *tried;
+            if *from_others {
+                *tried = loss;
+            }
+        }
         // mean sizes of the components
         let sizes: Vec<f64> = (0..self.n)
             .map(|i| point.starts.iter().map(|start| start[i].abs()).sum::<f64>() / point.starts.len() as f64)
             .collect();
-        let starts = parallel::each(self.windows.len(), |w| {
+        let starts = Work::default().each(self.windows.len(), |w| {
             let (window, start) = (&self.windows[w], &point.starts[w]);
-            let mut candidates = Vec::new();
-            if !window.known {
-                candidates.push(start.clone());
+            if window.known {
+                return start.clone();
             }
-            if !window.known && losses[w] > bad {
+            let mut candidates = Vec::new();
+            if from_others[w] {
                 for (i, side) in (0..self.n).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
                     let mut other = start.clone();
                     other[i] += side * sizes[i];
@@ -191,10 +222,15 @@ impl Search<'_> {
                 }
             }
             let alone = |candidate| self.start_alone(window, candidate, &point.parameters, &given);
-            let fitted = candidates.into_iter().filter_map(|candidate| alone(candidate).ok());
-            let best = fitted.min_by(|a, b| a.loss.total_cmp(&b.loss));
-            best.map_or_else(|| start.clone(), |mut best| best.starts.swap_remove(0))
+            let others = candidates.into_iter().filter_map(|candidate| alone(candidate).ok());
+            let mut best = others.fold(self.restart(w, point), |best, other| {
+                if other.loss < best.loss { other } else { best }
+            });
+            best.starts.swap_remove(0)
         });
+        if starts == point.starts {
+            return false;
+        }
         let relaxed = self.at(point.parameters.clone(), starts).ok();
         match relaxed.filter(|relaxed| relaxed.loss < point.loss - self.mean_square(point)) {
             Some(relaxed) => {

@@ -89,13 +89,14 @@ pub(super) fn solve_negated<T: Real>(
     chosen: u8,
     b: &[T; MAX_CONSTRAINTS],
 ) -> [T; MAX_CONSTRAINTS] {
-    if chosen.is_power_of_two() {
-        let row = chosen.trailing_zeros() as usize;
-        let mut x = [T::default(); MAX_CONSTRAINTS];
-        x[row] = -b[row] * (T::from_f64(1.0) / matrix[row][row]);
-        return x;
+    if chosen.count_ones() > 1 {
+        return Factored::of(matrix, chosen).solve_negated(b);
     }
-    Factored::of(matrix, chosen).solve_negated(b)
+    let mut x = [T::default(); MAX_CONSTRAINTS];
+    for row in bits(chosen) {
+        x[row] = -b[row] * (T::from_f64(1.0) / matrix[row][row]);
+    }
+    x
 }
 
 /// Mask of the bits below an index.
@@ -106,8 +107,9 @@ fn before(place: usize) -> u8 {
 
 /// Chosen rows that are independent of the chosen rows before them.
 pub(crate) fn independent<T: Float>(matrix: &[[T; MAX_CONSTRAINTS]; MAX_CONSTRAINTS], chosen: u8) -> u8 {
-    if chosen == 0 {
-        return chosen;
+    if chosen.count_ones() <= 1 {
+        let is_independent = |&row: &usize| matrix[row][row] > T::from_f64(INDEPENDENT) * matrix[row][row];
+        return set_of(bits(chosen).filter(is_independent));
     }
     let mut factored = Factored::none();
     for row in bits(chosen) {

@@ -36,6 +36,11 @@ impl Status {
         matches!(self, Self::Low | Self::High)
     }
 
+    /// Sign of the rate of a slip: -1 backward, otherwise 1.
+    pub(super) fn slip(self) -> f64 {
+        if self == Self::Backward { -1.0 } else { 1.0 }
+    }
+
     /// Direction in which friction acts: 1 forward, -1 backward, 0 for none.
     pub(super) fn friction(self) -> i8 {
         match self {

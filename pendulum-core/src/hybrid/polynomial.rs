@@ -65,17 +65,26 @@ fn least<V: Lanes, const N: usize>(start: (V, V), witness: Watched<'_>, terms: &
     }
 }
 
-/// True if the lower bound of a witness over a step is positive.
+/// True if the lower bound of a witness over a step is positive. Only values matter, so numbers with derivatives are
+/// reduced to these.
 pub(super) fn stays_positive<T: Float, const N: usize>(
-    start: (T, T),
+    start: (f64, f64),
     witness: Watched<'_>,
     terms: &[SVector<T, N>],
 ) -> bool {
     if terms.len() < FEW {
-        Polynomial::<T, FEW>::new(start, witness, terms).stays_positive()
+        Polynomial::<f64, FEW>::of_values(start, witness, terms).stays_positive()
     } else {
-        Polynomial::<T, MANY>::new(start, witness, terms).stays_positive()
+        Polynomial::<f64, MANY>::of_values(start, witness, terms).stays_positive()
     }
+}
+
+/// Value of a rate that is a sum of components of the state.
+pub(super) fn rate_of<T: Float, const N: usize>(constraint: &Constraint<'_>, x: &SVector<T, N>) -> f64 {
+    let terms = constraint.rate.iter();
+    terms.fold(0.0, |sum, &(component, its)| {
+        sum + x[component].to_f64() * f64::from(its)
+    })
 }
 
 /// Course of a witness over a step.
@@ -170,13 +179,32 @@ impl<V: Lanes, const TERMS: usize> Polynomial<V, TERMS> {
     }
 }
 
-impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
-    fn stays_positive(&self) -> bool {
-        // usually the terms are too small to reach zero
-        let size = self.size() * T::from_f64(1.0 + SLACK);
-        self.coefficients[0] > size || self.least() > T::default()
+impl<const TERMS: usize> Polynomial<f64, TERMS> {
+    fn of_values<T: Float, const N: usize>(
+        (value, sign): (f64, f64),
+        (constraint, witness, dof): Watched<'_>,
+        terms: &[SVector<T, N>],
+    ) -> Self {
+        let back = if witness.is_gap() { dof } else { 0 };
+        let mut coefficients = [0.0; TERMS];
+        coefficients[0] = value;
+        for (coefficient, term) in coefficients[1..].iter_mut().zip(terms) {
+            for &(component, its) in constraint.rate {
+                *coefficient += term[component - back].to_f64() * f64::from(its);
+            }
+            *coefficient *= sign;
+        }
+        let degree = terms.len();
+        Self { coefficients, degree }
     }
 
+    fn stays_positive(&self) -> bool {
+        // usually the terms are too small to reach zero
+        self.coefficients[0] > self.size() * (1.0 + SLACK) || self.least() > 0.0
+    }
+}
+
+impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
     fn course(&self, is_positive: bool, noise: T) -> Course<T> {
         let (zero, start) = (T::default(), self.coefficients[0]);
         let end = self.at(T::from_f64(1.0));
@@ -262,5 +290,43 @@ impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
         let middle = from + (to - from) * half;
         let of_left = self.first_zero(&left, (from, middle), noise);
         of_left.or_else(|| self.first_zero(&right, (middle, to), noise))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+
+    use super::{Constraint, Witness, rate_of, stays_positive};
+    use crate::dual::Dual;
+
+    /// A rate `1 - a theta + b theta^2`, with derivatives that change sign.
+    fn proves_that_it_is_positive(a: f64, b: f64) -> bool {
+        let constraint = Constraint {
+            name: "slip",
+            rate: &[(1, 1), (0, -1)],
+        };
+        let number = |value: f64| Dual::<f64, 1> {
+            value,
+            slopes: [-1e3 * value],
+        };
+        let state = |x: [f64; 2]| SVector::from(x.map(number));
+        // backward
+        let (start, terms) = (state([1.5, 0.5]), [state([-a, 0.0]), state([0.0, -b])]);
+        let start = -rate_of(&constraint, &start);
+        stays_positive((start, -1.0), (&constraint, Witness::Slip, 0), &terms)
+    }
+
+    #[test]
+    fn bounds_of_a_slip_are_those_of_its_values() {
+        for (a, b, expected) in [
+            (0.5, 0.4, true),
+            // positive by the Bernstein coefficients 1, 1 - a / 2, 1 - a + b alone
+            (1.5, 0.6, true),
+            (1.5, 0.4, false),
+            (2.1, 2.0, false),
+        ] {
+            assert_eq!(proves_that_it_is_positive(a, b), expected, "{a} {b}");
+        }
     }
 }

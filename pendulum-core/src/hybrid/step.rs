@@ -104,13 +104,6 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         forces(self.system, self.hold, t, x)
     }
 
-    /// Witnesses of all constraints in this mode, without limits that their laws do not have.
-    pub(super) fn witnesses(&self) -> impl Iterator<Item = (usize, Witness)> {
-        let statuses = self.mode.0.iter().enumerate().take(self.system.constraints().len());
-        let all = statuses.flat_map(|(n, &status)| Witness::of(status).iter().map(move |&witness| (n, witness)));
-        all.filter(|&(n, witness)| witness.exists(&self.laws[n]))
-    }
-
     /// Value of a witness of the state.
     pub(super) fn value(&self, place: &Place<T>, (n, witness): (usize, Witness)) -> T {
         let ([value, rate], law) = (place.measures[n], &self.laws[n]);
@@ -269,20 +262,21 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
     }
 
     /// Sign of a witness relative to its constraint, if it is a polynomial of the dense output.
-    fn sign(&self, (n, witness): (usize, Witness)) -> Option<T> {
+    fn sign(&self, (n, witness): (usize, Witness)) -> Option<f64> {
         let is_polynomial = !witness.is_force() && !self.system.constraints()[n].rate.is_empty();
-        let is_negated = match witness {
-            Witness::Slip => self.mode.0[n] == Status::Backward,
-            _ => witness == Witness::High,
-        };
-        is_polynomial.then(|| T::from_f64(if is_negated { -1.0 } else { 1.0 }))
+        is_polynomial.then(|| match witness {
+            Witness::Slip => self.mode.0[n].slip(),
+            Witness::High => -1.0,
+            _ => 1.0,
+        })
     }
 
     /// True if the dense output proves that a positive witness stays positive.
     pub(super) fn stays_positive(&self, start: &Place<T>, (n, witness): (usize, Witness)) -> bool {
         self.sign((n, witness)).is_some_and(|sign| {
             let (start, constraint) = (self.value(start, (n, witness)), &self.system.constraints()[n]);
-            stays_positive((start, sign), (constraint, witness, self.dof), self.dense.terms())
+            let start = (start.to_f64(), sign);
+            stays_positive(start, (constraint, witness, self.dof), self.dense.terms())
         })
     }
 
@@ -291,7 +285,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         self.sign((n, witness)).map_or(Course::Unclear, |sign| {
             let (start, constraint) = (self.value(start, (n, witness)), &self.system.constraints()[n]);
             course(
-                (start, sign),
+                (start, T::from_f64(sign)),
                 (constraint, witness, self.dof),
                 self.dense.terms(),
                 known,

@@ -1,14 +1,16 @@
 //! Search for the end of a mode within a step.
 
+use nalgebra::SVector;
+
 #[cfg(feature = "std")]
 use super::Law;
 use super::mode::Mode;
-use super::polynomial::Course;
+use super::polynomial::{Course, rate_of, stays_positive};
 use super::resolution::{NOISE, ulps};
 use super::sizes::{ForceSizes, Gains};
 use super::step::{ABOUT_THE_END, Place, RIGHT_AGAIN, StepInMode, resolution};
 use super::witness::{Values, Witness, Witnesses};
-use super::{Hold, Hybrid, MAX_CONSTRAINTS};
+use super::{Constraint, Hold, Hybrid, MAX_CONSTRAINTS};
 use crate::dense::Dense;
 use crate::error::Reason;
 use crate::real::Float;
@@ -22,6 +24,8 @@ pub(super) type Ended<T> = (T, Witnesses);
 /// History of a mode since it began.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ModeWatch<T, const N: usize> {
+    /// Witnesses of the mode.
+    watched: Witnesses,
     /// Witnesses that have been positive.
     pub(super) positive: Witnesses,
     /// True until the first step of the mode is searched.
@@ -42,6 +46,7 @@ pub(crate) struct ModeWatch<T, const N: usize> {
 impl<T: Float, const N: usize> ModeWatch<T, N> {
     pub(crate) fn new() -> Self {
         Self {
+            watched: Witnesses::default(),
             positive: Witnesses::default(),
             starts: true,
             reach: [T::default(); MAX_CONSTRAINTS],
@@ -53,9 +58,9 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         }
     }
 
-    /// Resets the history for another mode.
-    pub(crate) fn restart(&mut self, mode: &Mode, gains: Gains<T, N>, begun: ForceSizes<T>) {
-        (self.gains, self.begun) = (gains, begun);
+    /// Resets the history for another mode, with its witnesses.
+    pub(crate) fn restart(&mut self, (mode, watched): (&Mode, Witnesses), gains: Gains<T, N>, begun: ForceSizes<T>) {
+        (self.gains, self.begun, self.watched) = (gains, begun, watched);
         (self.positive, self.starts, self.forces) = (Witnesses::default(), true, None);
         (self.width, self.sizes) = (T::from_f64(f64::INFINITY), [T::default(); MAX_CONSTRAINTS]);
         for (reach, status) in self.reach.iter_mut().zip(mode.0) {
@@ -65,12 +70,27 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         }
     }
 
-    /// True if all witnesses of a mode in which nothing is held have been positive. From then on, the mode ends only
-    /// where one of them reaches zero.
-    #[cfg(feature = "std")]
-    pub(crate) fn is_settled(&self, laws: &[Law<T>; MAX_CONSTRAINTS], mode: &Mode) -> bool {
-        let is_positive = |n, &witness: &Witness| !witness.exists(&laws[n]) || self.positive.has(n, witness);
-        (0..MAX_CONSTRAINTS).all(|n| Witness::of(mode.0[n]).iter().all(|witness| is_positive(n, witness)))
+    /// True if all witnesses of a mode have been positive. If nothing is held, the mode then ends only where one of
+    /// them reaches zero.
+    pub(crate) fn is_settled(&self) -> bool {
+        self.watched.without(self.positive).is_empty()
+    }
+
+    /// True if only slips may end a settled mode, and the values of a step prove that none does: its start and the
+    /// terms of its polynomial.
+    pub(crate) fn outlasts(
+        &self,
+        (constraints, mode): (&[Constraint<'_>], &Mode),
+        (x0, terms): (&SVector<T, N>, &[SVector<T, N>]),
+    ) -> bool {
+        let goes_on = |(n, witness): (usize, Witness)| {
+            let (constraint, sign) = (&constraints[n], mode.0[n].slip());
+            witness == Witness::Slip && !constraint.rate.is_empty() && {
+                let start = (sign * rate_of(constraint, x0), sign);
+                stays_positive(start, (constraint, witness, 0), terms)
+            }
+        };
+        self.is_settled() && self.watched.pairs().all(goes_on)
     }
 
     /// Updates the distances from the limits for a lane, as [`look`](Self::look) does for a scalar trajectory.
@@ -110,7 +130,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
         self.note_reach(step, &start);
         let is_first = core::mem::replace(&mut self.starts, false);
         let mut live = Witnesses::default();
-        for (n, witness) in step.witnesses() {
+        for (n, witness) in self.watched.pairs() {
             let is_positive = || self.positive.has(n, witness) && step.stays_positive(&start, (n, witness));
             if disproved.has(n, witness) || !is_positive() {
                 live.insert(n, witness);

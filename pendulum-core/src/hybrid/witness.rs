@@ -72,6 +72,16 @@ impl Witnesses {
     /// Number of bits for each constraint.
     const PLACES: usize = u64::BITS as usize / MAX_CONSTRAINTS;
 
+    /// Witnesses of all constraints in a mode, without limits that their laws do not have.
+    pub(crate) fn of<T>(mode: &Mode, laws: &[Law<T>; MAX_CONSTRAINTS]) -> Self {
+        let mut all = Self::default();
+        for (n, (status, law)) in mode.0.into_iter().zip(laws).enumerate() {
+            let own = Witness::of(status).iter().filter(|witness| witness.exists(law));
+            own.for_each(|&witness| all.insert(n, witness));
+        }
+        all
+    }
+
     fn bit(constraint: usize, witness: Witness) -> u64 {
         const { assert!(Witness::ALL.len() <= Self::PLACES) };
         1 << (constraint * Self::PLACES + witness as usize)

@@ -1,5 +1,6 @@
 //! Inputs given by samples.
 
+use std::cell::Cell;
 use std::fmt;
 use std::sync::Arc;
 
@@ -46,6 +47,8 @@ struct Pieces<const M: usize> {
     times: Vec<f64>,
     /// For each piece, the coefficients of the powers of the time since its start: 0, 1, 2, 3.
     coefficients: Vec<[[f64; 4]; M]>,
+    /// False if the coefficients of the powers 2 and 3 are zero.
+    are_cubic: bool,
     /// For equal divisions of the span, the number of samples before the end of each.
     before: Vec<usize>,
 }
@@ -113,6 +116,7 @@ impl<const M: usize> TimeTable<M> {
         Ok(Self {
             pieces: Arc::new(Pieces {
                 times: times.to_vec(),
+                are_cubic: coefficients.iter().flatten().any(|of_input| of_input[2..] != [0.0; 2]),
                 coefficients,
                 before,
             }),
@@ -121,10 +125,8 @@ impl<const M: usize> TimeTable<M> {
 }
 
 impl<const M: usize> Pieces<M> {
-    /// Start and coefficients of one input, in the piece with the time `t`.
-    fn at(&self, t: f64, input: usize) -> [f64; 5] {
-        // the time belongs to the piece after this number of samples
-        let piece = self.samples_until(t);
+    /// Start and coefficients of one input, in the piece after a number of samples.
+    fn of(&self, piece: usize, input: usize) -> [f64; 5] {
         let start = self.times[piece.max(1) - 1];
         let [c0, c1, c2, c3] = self.coefficients[piece][input];
         [start, c0, c1, c2, c3]
@@ -188,12 +190,29 @@ impl<const M: usize> PartialEq for TimeTable<M> {
 }
 
 impl<const N: usize, const M: usize> InputLaw<N, M> for TimeTable<M> {
+    #[inline]
     fn inputs<T: Real>(&self, t: T, _x: &SVector<T, N>) -> [T; M] {
-        core::array::from_fn(|input| {
-            let [start, c0, c1, c2, c3] = t.piecewise(|t| self.pieces.at(t, input));
+        // all inputs, and usually all lanes, need the piece at the same time
+        let last = Cell::new((f64::NAN, 0));
+        let piece_at = |t: f64| {
+            if last.get().0 != t {
+                last.set((t, self.pieces.samples_until(t)));
+            }
+            last.get().1
+        };
+        let (mut inputs, is_constant) = ([T::default(); M], t.is_constant());
+        for (input, value) in inputs.iter_mut().enumerate() {
+            let [start, c0, c1, c2, c3] = t.piecewise(|t| self.pieces.of(piece_at(t), input));
             let s = t - start;
-            c0 + s * (c1 + s * (c2 + s * c3))
-        })
+            let times = |slope: T| if is_constant { slope.scaled(s) } else { s * slope };
+            let highest = if self.pieces.are_cubic {
+                times(c2 + times(c3))
+            } else {
+                T::default()
+            };
+            *value = c0 + times(c1 + highest);
+        }
+        inputs
     }
 }
 

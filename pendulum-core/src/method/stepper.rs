@@ -170,9 +170,9 @@ where
     /// Dense output of the last step. Some methods evaluate the right-hand side a few more times for it. Before the
     /// first step, and after a failed one, it is the point reached.
     pub fn dense(&mut self) -> Dense<'_, T, N> {
-        let last = self.smooth.last;
+        let Step { t0, t1, .. } = self.smooth.last;
         // in a hybrid system the search for the end of the mode has computed it
-        if last.t0 != last.t1 && self.system.hybrid().is_none() {
+        if t0 != t1 && self.system.hybrid().is_none() {
             self.smooth.find_dense(self.system, &self.modes.hold);
         }
         self.known_dense()
@@ -352,9 +352,8 @@ where
 
     /// True if nothing is held and all witnesses of the mode have been positive: see `ModeWatch::is_settled`.
     pub(crate) fn is_settled(&self) -> bool {
-        let Modes { mode, hold, watch, .. } = &self.modes;
-        let hybrid = self.system.hybrid().filter(|_| hold.held == 0);
-        hybrid.is_some_and(|hybrid| watch.is_settled(&hybrid.laws(), mode))
+        let Modes { hold, watch, .. } = &self.modes;
+        hold.held == 0 && self.system.hybrid().is_some() && watch.is_settled()
     }
 
     /// Takes one step, and switches the mode at once if it ends before the end of the span.

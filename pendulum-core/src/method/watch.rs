@@ -142,9 +142,10 @@ where
         if observer.is_cancelled() {
             return Err(here(stepper)(Reason::Cancelled));
         }
-        let stepped = stepper.step();
-        let Some(step) = stepped.map_err(here(stepper))? else {
-            return Ok((stepper.x(), false));
+        let step = match stepper.step() {
+            Ok(Some(step)) => step,
+            Ok(None) => return Ok((stepper.x(), false)),
+            Err(reason) => return Err(here(stepper)(reason)),
         };
         if reached.changes(stepper, &step, observer) {
             let times = (step.t0, stepper.t1(), step.t0.abs().max(step.h.abs()));

@@ -55,6 +55,12 @@ where
             return Ok(());
         };
         (self.modes.cut, self.modes.is_dense) = (T::from_f64(1.0), false);
+        self.find_dense();
+        let step = (&self.smooth.last.x0, self.smooth.scheme.coefficients());
+        let mode = (hybrid.constraints(), &self.modes.mode);
+        if self.modes.hold.held == 0 && self.modes.watch.outlasts(mode, step) {
+            return Ok(());
+        }
         let mut disproved = Witnesses::default();
         for _ in 0..MOST_RETAKEN {
             let (dense, modes, work) = self.dense_and_mode();
@@ -127,10 +133,7 @@ where
 
     /// Dense output of the last step before it is cut off, with the modes and the statistics.
     fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T, N>, &mut Statistics) {
-        if !self.modes.is_dense {
-            self.smooth.find_dense(self.system, &self.modes.hold);
-        }
-        self.modes.is_dense = true;
+        self.find_dense();
         (
             Dense::new(self.smooth.last, self.smooth.scheme.coefficients()),
             &mut self.modes,
@@ -138,12 +141,20 @@ where
         )
     }
 
+    /// Computes the dense output of the last step, if it is not available.
+    fn find_dense(&mut self) {
+        if !self.modes.is_dense {
+            self.smooth.find_dense(self.system, &self.modes.hold);
+        }
+        self.modes.is_dense = true;
+    }
+
     /// Lets a step end as it was taken: no mode ends within it.
     #[cfg(feature = "std")]
     pub(super) fn end_as_taken(&mut self) {
         (self.modes.cut, self.modes.fired) = (T::from_f64(1.0), Witnesses::default());
         if self.system.hybrid().is_some() {
-            self.dense_and_mode();
+            self.find_dense();
         }
     }
 
@@ -232,7 +243,10 @@ where
         (self.modes.mode, self.modes.hold, self.modes.from) = (mode, hold, (t + delay).min(self.smooth.t1));
         (self.modes.impulses, self.modes.ambiguity) = (impulses, ambiguity);
         self.modes.fired = Witnesses::default();
-        self.modes.watch.restart(&mode, gains, sizes);
+        let watched = self.system.hybrid().map(|hybrid| Witnesses::of(&mode, &hybrid.laws()));
+        self.modes
+            .watch
+            .restart((&mode, watched.unwrap_or_default()), gains, sizes);
         self.smooth.last = Step::at_rest(t, x);
     }
 
