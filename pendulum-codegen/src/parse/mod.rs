@@ -58,7 +58,7 @@ const ITEMS: [&str; 20] = [
 const MOST_LEVELS: usize = 256;
 
 /// Names used by the generated code; a scene of this name does not even get a stand-in.
-const USED: [&str; 7] = ["T", "N", "M", "D", "bool", "f64", "usize"];
+const USED: [&str; 9] = ["T", "N", "M", "D", "bool", "f64", "usize", "__Code", "__Part"];
 
 /// Traits in the prelude of the core; a model of this name would hide the trait and its methods.
 const HIDDEN: [&str; 6] = ["Controlled", "Energy", "Ensemble", "Jacobian", "Method", "System"];
@@ -170,7 +170,7 @@ fn head(input: ParseStream) -> syn::Result<Head> {
         return Err(unnamed(format!("leave out `{word}`: write `pub Name {{ .. }}`")));
     }
     let name = identifier(input, "the name of the scene", form)?;
-    if USED.iter().any(|used| name == used) {
+    if USED.iter().any(|used| name == used) || name.to_string().starts_with("__X") {
         let fact = format!("`{name}` is reserved for the generated code");
         let help = "choose another name, such as `DoublePendulum`";
         return Err(at(Code::NameTaken, span, fact, help));

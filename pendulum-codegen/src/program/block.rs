@@ -194,27 +194,21 @@ impl Block {
 
     /// Variables read by the block.
     pub fn reads(&self) -> BTreeSet<Variable> {
-        let mut reads = BTreeSet::new();
-        let mut leaf = |leaf: &Term| {
-            if let Term::Read(variable) = leaf {
-                reads.insert(*variable);
-            }
-        };
-        let of_lets = self.lets.iter().flat_map(Let::terms);
         let of_columns = self.columns.iter().flat_map(|columns| columns.terms());
-        of_lets
-            .chain(of_columns)
-            .chain(&self.results)
-            .for_each(|term| term.leaves(&mut leaf));
+        let mut reads = read_by(of_columns.chain(&self.results));
+        reads.append(&mut self.read_by_statements());
         reads
+    }
+
+    /// Variables that the statements read.
+    pub(crate) fn read_by_statements(&self) -> BTreeSet<Variable> {
+        read_by(self.lets.iter().flat_map(Let::terms))
     }
 
     /// True if a statement reads a solution of [`columns`](Self::columns), which are solved after all statements.
     pub(super) fn statements_read_solutions(&self) -> bool {
-        let mut some = false;
-        let terms = self.lets.iter().flat_map(Let::terms);
-        terms.for_each(|term| term.leaves(&mut |leaf| some |= matches!(leaf, Term::Read(Variable::Solved(_)))));
-        some
+        let mut reads = self.read_by_statements().into_iter();
+        reads.any(|variable| matches!(variable, Variable::Solved(_)))
     }
 
     /// The block with its linear systems solved one after another by statements, for code without loops.
@@ -260,6 +254,19 @@ impl Block {
         }
         Cow::Owned(block)
     }
+}
+
+/// Variables that terms read.
+fn read_by<'a>(terms: impl Iterator<Item = &'a Term>) -> BTreeSet<Variable> {
+    let mut reads = BTreeSet::new();
+    terms.for_each(|term| {
+        term.leaves(&mut |leaf| {
+            if let Term::Read(variable) = leaf {
+                reads.insert(*variable);
+            }
+        });
+    });
+    reads
 }
 
 impl Columns {

@@ -199,8 +199,8 @@ impl Descent {
         }
     }
 
-    /// The end of the search, if no step is worth its work: `enough` is the least decrease of the loss that is, as a part
-    /// of that of one residual.
+    /// The end of the search, if no step is worth its work: `enough` is the least decrease of the loss that is worth a
+    /// step, as a part of the loss of one residual.
     fn end(&self, step: &Step, enough: f64) -> Option<End> {
         let enough = enough.max(ROUNDING * self.samples as f64) * self.unit;
         if step.predicted * (1.0 + self.damping) <= enough {

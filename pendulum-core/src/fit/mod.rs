@@ -85,7 +85,7 @@ use crate::method::Method;
 use crate::system::{IntoState, Parametric, System};
 use descent::{ENOUGH, End};
 use measurement::Column;
-use search::{Joints, Point, Search, Works};
+use search::{Joints, Point, Search, Tasks};
 use shooting::{PART, Trajectories, sources};
 
 /// Weights of the gaps between joined windows, in standard deviations of their starts, one after the other: the last
@@ -304,7 +304,7 @@ impl<X> Fit<X> {
             max_iterations: self.max_iterations,
             iterations: 0,
             shots: 0,
-            work: Works::default(),
+            tasks: Tasks::default(),
         };
         let parameters = first.model.parameters().to_vec();
         let starts = starts::first(&search, &trajectories, &parameters, &self.division)?;

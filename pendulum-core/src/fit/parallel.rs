@@ -9,17 +9,17 @@ use std::time::{Duration, Instant};
 
 /// Number of cores, which takes reading files to find out.
 static CORES: OnceLock<usize> = OnceLock::new();
-/// Work that is worth starting threads, which takes some 0.1 ms each, and longer on a busy machine.
-const WORTH_A_THREAD: Duration = Duration::from_millis(1);
+/// Work that is worth starting a thread, which takes some 0.1 ms, and longer on a busy machine.
+const WORTH_A_THREAD: Duration = Duration::from_micros(500);
 
-/// Work of one kind on all cores.
+/// Calls of one kind, on all cores.
 #[derive(Debug, Default)]
-pub(super) struct Work {
+pub(super) struct Parallel {
     /// Time that one result took last, in ns; 0 before the first.
     of_one: AtomicU64,
 }
 
-impl Work {
+impl Parallel {
     /// Results of a function of the numbers below `count`, in order, computed on all cores if it takes long enough. The
     /// results do not depend on the number of cores.
     pub(super) fn each<T: Send>(&self, count: usize, function: impl Fn(usize) -> T + Sync) -> Vec<T> {
@@ -48,9 +48,10 @@ impl Work {
         let left = count - results.len();
         let time = Duration::from_nanos(self.of_one.load(Ordering::Relaxed))
             .saturating_mul(u32::try_from(left).unwrap_or(u32::MAX));
-        let helpers = if time < WORTH_A_THREAD { 0 } else { cores.min(left) - 1 };
+        let worth = time.as_nanos() / WORTH_A_THREAD.as_nanos();
+        let threads = cores.min(left).min(usize::try_from(worth).unwrap_or(usize::MAX));
         thread::scope(|scope| {
-            let helpers: Vec<_> = (0..helpers).map(|_| scope.spawn(|| take(count))).collect();
+            let helpers: Vec<_> = (1..threads).map(|_| scope.spawn(|| take(count))).collect();
             results.extend(take(count));
             for helper in helpers {
                 results.extend(helper.join().unwrap_or_else(|panic| resume_unwind(panic)));
@@ -66,14 +67,14 @@ mod tests {
     use std::thread::sleep;
     use std::time::Duration;
 
-    use super::Work;
+    use super::Parallel;
 
     #[test]
     fn results_are_in_order() {
         for time in [0, 1500] {
-            let work = Work::default();
+            let calls = Parallel::default();
             for count in [0, 1, 2, 3, 7, 20, 3] {
-                let squares = work.each(count, |n| {
+                let squares = calls.each(count, |n| {
                     sleep(Duration::from_micros(time));
                     n * n
                 });

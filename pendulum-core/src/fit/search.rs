@@ -8,7 +8,7 @@ use super::FitError;
 use super::elimination::{Block, Damping, Echelon, Eliminated};
 use super::loss::Loss;
 use super::measurement::Measurement;
-use super::parallel::Work;
+use super::parallel::Parallel;
 use super::shooting::{PART, Shooting, Shot};
 use super::windows::Window;
 
@@ -53,21 +53,22 @@ pub(super) struct Search<'a> {
     pub(super) hybrid: bool,
     /// Weights of the gaps between joined windows; none while windows are separate.
     pub(super) joints: Option<Joints>,
-    /// For each window, the mean square of its residuals where it was last fitted from other starts; 0 if it was not.
+    /// For each window, the mean square of its residuals over that of the median window, when it was last fitted from
+    /// other starts; 0 if it was not.
     pub(super) tried: Vec<f64>,
     /// Least decrease of the loss that is worth a step, as a part of that of one residual.
     pub(super) enough: f64,
     pub(super) max_iterations: usize,
     pub(super) iterations: usize,
     pub(super) shots: usize,
-    pub(super) work: Works,
+    pub(super) tasks: Tasks,
 }
 
-/// Work on all windows.
+/// Tasks for all windows, on all cores.
 #[derive(Debug, Default)]
-pub(super) struct Works {
-    shots: Work,
-    blocks: Work,
+pub(super) struct Tasks {
+    shots: Parallel,
+    blocks: Parallel,
 }
 
 /// Weights of the gaps between joined windows.
@@ -121,6 +122,11 @@ impl Search<'_> {
         Ok(point)
     }
 
+    /// Windows whose start is not known.
+    pub(super) fn unknown(&self) -> Vec<usize> {
+        (0..self.windows.len()).filter(|&w| !self.windows[w].known).collect()
+    }
+
     /// Number of variables of a window: its start, and the free parameters.
     fn variables(&self) -> usize {
         self.n + self.free.len()
@@ -132,8 +138,8 @@ impl Search<'_> {
         point.shots.iter().any(of)
     }
 
-    /// Integrates all windows, on all cores, with derivatives by some of the variables. The results do not depend on the
-    /// number of cores.
+    /// Integrates all windows, on all cores, with derivatives by some of the variables. The results do not depend on
+    /// the number of cores.
     fn shoot(&self, parameters: &[f64], starts: &[Vec<f64>], variables: Range<usize>) -> Result<Vec<Shot>, FitError> {
         let shoot = |w: usize| {
             let window = &self.windows[w];
@@ -144,7 +150,7 @@ impl Search<'_> {
                 reason: Box::new(reason),
             })
         };
-        self.work.shots.each(self.windows.len(), shoot).into_iter().collect()
+        self.tasks.shots.each(self.windows.len(), shoot).into_iter().collect()
     }
 
     /// Calls `each` for each residual of a window: its row, its sample, its column and measured minus computed value.
@@ -289,7 +295,7 @@ impl Search<'_> {
                 joint,
             }
         };
-        self.work.blocks.each(point.shots.len(), block)
+        self.tasks.blocks.each(point.shots.len(), block)
     }
 
     /// The problem without starts, for standard deviations: all residuals have the same weight.

@@ -2,8 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use super::parallel::Work;
-use super::search::{Point, Search, Works};
+use super::parallel::Parallel;
+use super::search::{Point, Search, Tasks};
 use super::shooting::{Shot, Source, Trajectories, position_of};
 use super::windows::Window;
 use super::{Division, FitError, guess};
@@ -67,14 +67,14 @@ where
     // kinks may keep a search from the modes of the first samples; over a whole trajectory wrong parameters would spoil
     // the start
     if search.hybrid && *division != Division::Whole {
-        let fitted = Work::default().each(starts.len(), |w| {
-            let window = &search.windows[w];
-            let alone = || search.start_alone(window, starts[w].clone(), parameters, &search.given);
-            (!window.known).then(alone)
+        let unknown = search.unknown();
+        let fitted = Parallel::default().each(unknown.len(), |n| {
+            let w = unknown[n];
+            search.start_alone(&search.windows[w], starts[w].clone(), parameters, &search.given)
         });
-        for (start, fitted) in starts.iter_mut().zip(fitted) {
-            if let Some(Ok(mut fitted)) = fitted {
-                *start = fitted.starts.swap_remove(0);
+        for (w, fitted) in unknown.into_iter().zip(fitted) {
+            if let Ok(mut fitted) = fitted {
+                starts[w] = fitted.starts.swap_remove(0);
             }
         }
     }
@@ -146,7 +146,7 @@ impl Search<'_> {
             max_iterations: ITERATIONS_OF_A_START,
             iterations: 0,
             shots: 0,
-            work: Works::default(),
+            tasks: Tasks::default(),
             ..*self
         }
     }
@@ -188,30 +188,28 @@ impl Search<'_> {
         let losses: Vec<f64> = point.shots.iter().enumerate().map(mean_square).collect();
         let mut sorted = losses.clone();
         sorted.sort_by(f64::total_cmp);
-        let bad = if self.hybrid {
-            BAD * sorted[sorted.len() / 2]
-        } else {
-            f64::INFINITY
-        };
+        let median = sorted[sorted.len() / 2];
+        let bad = if self.hybrid { BAD * median } else { f64::INFINITY };
         if !at_a_kink && losses.iter().all(|&loss| loss <= bad) {
             return false;
         }
         let mut from_others = vec![false; losses.len()];
         for ((from_others, &loss), tried) in from_others.iter_mut().zip(&losses).zip(&mut self.tried) {
-            *from_others = loss > bad && loss > BAD * *tried;
+            *from_others = loss > bad && loss > BAD * *tried * median;
             if *from_others {
-                *tried = loss;
+                *tried = loss / median;
             }
         }
         // mean sizes of the components
         let sizes: Vec<f64> = (0..self.n)
             .map(|i| point.starts.iter().map(|start| start[i].abs()).sum::<f64>() / point.starts.len() as f64)
             .collect();
-        let starts = Work::default().each(self.windows.len(), |w| {
+        // windows to be fitted from other starts take longest
+        let mut unknown = self.unknown();
+        unknown.sort_by_key(|&w| !from_others[w]);
+        let fitted = Parallel::default().each(unknown.len(), |n| {
+            let w = unknown[n];
             let (window, start) = (&self.windows[w], &point.starts[w]);
-            if window.known {
-                return start.clone();
-            }
             let mut candidates = Vec::new();
             if from_others[w] {
                 for (i, side) in (0..self.n).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
@@ -228,6 +226,10 @@ impl Search<'_> {
             });
             best.starts.swap_remove(0)
         });
+        let mut starts = point.starts.clone();
+        for (w, start) in unknown.into_iter().zip(fitted) {
+            starts[w] = start;
+        }
         if starts == point.starts {
             return false;
         }

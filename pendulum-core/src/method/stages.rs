@@ -19,7 +19,7 @@ pub(crate) struct Called<'a, S: ?Sized>(pub(crate) &'a S);
 impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for Called<'_, S> {
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        if self.0.is_apart() {
+        if const { T::LANES == 1 } && self.0.is_apart() {
             return self.0.rhs(t, x);
         }
         T::call(Evaluation { t, x }, &mut (), self.0)
@@ -28,7 +28,7 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for Called<
     /// Numbers with derivatives are large: they are written in place.
     #[inline(always)]
     fn rhs_into(&self, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
-        if const { T::HAS_SLOPES } && !self.0.is_apart() {
+        if const { T::HAS_SLOPES } && (const { T::LANES > 1 } || !self.0.is_apart()) {
             T::call(EvaluationInto { t, x }, rates, self.0);
         } else {
             *rates = self.rhs(t, x);

@@ -8,7 +8,8 @@ use super::lanes::inlined_into_lanes;
 use super::{Items, allowed, count};
 use crate::program::{Role, Routine, Shape};
 
-/// Least [weight](crate::pass::Operations::weight) of a long routine. Shorter ones gain about what a call takes, 0.6 ns.
+/// Least [weight](crate::pass::Operations::weight) of a long routine. Shorter ones gain about what a call takes,
+/// 0.6 ns.
 const LEAST_WEIGHT: usize = 400;
 
 /// True if a routine is long. Canonical equations are called by methods. Energies are added, and share their sines.

@@ -241,10 +241,9 @@ impl Writer<'_> {
         }
     }
 
-    /// Names of the variables that the statements may read.
+    /// Names of the variables that the statements read.
     fn reads(&self) -> Vec<Ident> {
-        let of_columns = |of: &Variable| matches!(of, Variable::Solved(_) | Variable::Factor(_) | Variable::Given(_));
-        let reads = self.block.reads().into_iter().filter(|of| !of_columns(of));
+        let reads = self.block.read_by_statements().into_iter();
         reads.map(|variable| self.names.variable(variable)).collect()
     }
 

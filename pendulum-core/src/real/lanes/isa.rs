@@ -31,7 +31,7 @@ pub trait Kernel<T> {
     fn run<V: Lanes<Scalar = T>>(self) -> Self::Output;
 }
 
-/// Code that is compiled apart from its callers: see [`Isa::run_routine`] and [`Real::call`](crate::Real::call).
+/// Code that is compiled apart from its callers: see [`Real::call`](crate::Real::call).
 ///
 /// The trait is public because it bounds a public method.
 ///
