@@ -213,8 +213,8 @@ where
         if const { T::LANES == 1 } {
             self.stages[0] = self.slope;
         }
-        // Short right-hand sides of generated models are inlined, long ones are calls. Calls are faster than many copies,
-        // as of several derivatives. In lanes a function would not use their instructions.
+        // Short right-hand sides of generated models are inlined, long ones are calls. Calls are faster than many
+        // copies, as of several derivatives. In lanes a function would not use their instructions.
         *x_new = if const { N <= SHORT && size_of::<T>() <= 2 * size_of::<f64>() || T::LANES > 1 } {
             inner_stages::<B, _, _, _, _>(inner, (t, x), t_new, &mut self.stages)
         } else {
