@@ -81,7 +81,7 @@ impl Taylor {
         // `length`, whose logarithm and power are `log2` and `exp2`
         let length = Operations::new(12 * TERMS + 10, 5 * TERMS + 5, TERMS + 1, 0, 0, 60);
         let terms = order * n;
-        let polynomial = Operations::new(terms + 2 * n, terms + 2 * n + 1, 0, 0, 0, order + 5);
+        let polynomial = Operations::new(terms, terms + 1, 0, 0, 0, order + 5);
         let defect = Operations::new(terms + 2 * n, 2 * terms + 2 * n + 2, 0, 0, 0, order + 5);
         sizes
             .and(length)
