@@ -10,8 +10,10 @@ use rayon::prelude::*;
 
 use crate::error::Error;
 use crate::method::{Method, TaskInLanes};
+use crate::motion::Stopped;
 use crate::padded::{LONGEST, Padded, Smooth, active, padded};
-use crate::solve::{self, Options, Sampler, Stopped, check_times};
+use crate::sampler::{Sampler, check_times};
+use crate::solve::{self, Options};
 
 /// Most trajectories that are integrated together in lanes.
 const MOST: usize = 256;

@@ -111,6 +111,15 @@ impl Error {
             .then_some(())
             .ok_or(Self::Length { what, given, needed })
     }
+
+    /// The message in one line.
+    #[cfg(feature = "full")]
+    pub(crate) fn in_one_line(&self) -> String {
+        match self {
+            Self::Declaration(wrong) => format!("{} [{}]", wrong.problems[0].message, wrong.problems[0].code),
+            _ => self.to_string(),
+        }
+    }
 }
 
 impl fmt::Display for Error {

@@ -31,16 +31,18 @@
 
 #![forbid(unsafe_code)]
 
-#[cfg(feature = "full")]
-mod analyses;
 mod declaration;
+mod engine;
 mod ensemble;
 mod error;
+mod event;
 #[cfg(feature = "full")]
 mod fit;
 mod method;
 mod model;
+mod motion;
 mod padded;
+mod sampler;
 #[cfg(feature = "full")]
 mod sensitivity;
 #[cfg(feature = "full")]
@@ -55,15 +57,17 @@ mod worker;
 pub use declaration::{Declaration, DeclarationError, Problem, Robot};
 pub use ensemble::{Ensemble, Members};
 pub use error::Error;
+pub use event::Event;
 #[cfg(feature = "full")]
 pub use fit::{Experiment, Fit, Fitted};
 pub use method::Method;
 pub use model::{Component, Function, Model, Quantity};
+pub use motion::{Impact, Motion, Occurrence, Stopped};
 #[cfg(feature = "full")]
 pub use sensitivity::Sensitivity;
 #[cfg(feature = "full")]
 pub use simplest::{Answer, Cost, Question, Refused, Simpler, simplest, simplest_unless};
-pub use solve::{Event, Impact, Motion, Occurrence, Options, Stopped};
+pub use solve::Options;
 #[cfg(feature = "full")]
 pub use stability::{Equilibrium, Exponents, Lyapunov, Resting};
 #[cfg(feature = "full")]

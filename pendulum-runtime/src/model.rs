@@ -1,21 +1,28 @@
 //! Models.
 
+mod about;
+#[cfg(feature = "full")]
+mod analyses;
+
 use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
 
 use nalgebra::DMatrix;
-use pendulum_codegen::program::{self, Program};
+use pendulum_codegen::program::Program;
+use pendulum_core::StateLayout;
 use pendulum_core::shapes::Shape;
-use pendulum_core::tape::{Given, Shape as ResultShape, Tape};
-use pendulum_core::{SlotKind, StateLayout};
+use pendulum_core::tape::{Given, Tape};
 
+use self::about::About;
+pub use self::about::{Component, Function, Quantity};
 use crate::declaration::{Declaration, Robot};
+use crate::engine::{self, Engine};
 use crate::ensemble::{Ensemble, Members};
 use crate::error::Error;
 use crate::method::Method;
-use crate::padded::{self, Engine};
-use crate::solve::{Motion, Options, Stopped};
+use crate::motion::{Motion, Stopped};
+use crate::solve::Options;
 use crate::worker;
 
 /// Length of the states up to which a single motion needs no large stack.
@@ -26,64 +33,6 @@ const SHORT: usize = 16;
 pub struct Model {
     about: Arc<About>,
     pub(crate) engine: Arc<dyn Engine>,
-}
-
-/// Parts that do not depend on the values of parameters.
-struct About {
-    tape: Arc<Tape>,
-    docs: String,
-    parameters: Vec<Quantity>,
-    inputs: Vec<Quantity>,
-    components: Vec<Component>,
-    functions: Vec<Function>,
-    equations: String,
-    latex: String,
-    /// Repairs of the file of a robot.
-    repaired: Vec<String>,
-}
-
-/// A parameter or an input.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Quantity {
-    /// Name.
-    pub name: String,
-    /// Unit, as in the declaration.
-    pub unit: String,
-    /// Default value of a parameter.
-    pub default: Option<f64>,
-    /// Comment in the declaration.
-    pub docs: String,
-}
-
-/// A component of the state.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Component {
-    /// Name, such as `theta` or `dot(theta)`.
-    pub name: String,
-    /// Unit.
-    pub unit: String,
-    /// True if it is an angle with the period 2 pi.
-    pub periodic: bool,
-}
-
-/// A function that the declaration asks for.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Function {
-    /// Name.
-    pub name: String,
-    /// Its result, in words.
-    pub docs: String,
-    /// Lists that it takes beside the time and the state: `accelerations`, `weights`, `direction` or `forces`.
-    pub arguments: Vec<&'static str>,
-    /// Shapes of the results.
-    pub shapes: Vec<ResultShape>,
-    /// Form of the code, such as `recursion, L^T D L`.
-    pub form: String,
-    /// Numbers of additions, multiplications, divisions, sines with cosines, and other functions.
-    pub operations: [usize; 5],
 }
 
 impl Model {
@@ -146,7 +95,7 @@ impl Model {
             return Err(Error::NoValue { parameters: missing });
         }
         let values: Vec<f64> = values.into_iter().flatten().collect();
-        let engine = padded::build(&tape, &values)?;
+        let engine = engine::build(&tape, &values)?;
         Ok(Self { about, engine })
     }
 
@@ -368,19 +317,7 @@ impl Model {
             *place = list;
         }
         let results = self.engine.evaluate(n, t, x, &given);
-        let mut rest = results.into_iter();
-        let mut next = |length| rest.by_ref().take(length).collect::<Vec<f64>>();
-        let matrix = |shape: &ResultShape| match *shape {
-            ResultShape::Scalar => DMatrix::from_vec(1, 1, next(1)),
-            ResultShape::Vector(length) => DMatrix::from_vec(length, 1, next(length)),
-            ResultShape::Matrix(rows, columns) => DMatrix::from_vec(rows, columns, next(rows * columns)),
-            ResultShape::Symmetric(rows) => {
-                let triangle = next(rows * (rows + 1) / 2);
-                let place = |i: usize, j: usize| i * (2 * rows - i - 1) / 2 + j;
-                DMatrix::from_fn(rows, rows, |i, j| triangle[place(i.min(j), i.max(j))])
-            }
-        };
-        Ok(function.shapes.iter().map(matrix).collect())
+        Ok(about::matrices(&function.shapes, results))
     }
 
     /// Shapes for drawing.
@@ -480,94 +417,5 @@ impl fmt::Debug for Model {
             .field("name", &self.name())
             .field("parameters", &names.zip(self.values()).collect::<Vec<_>>())
             .finish_non_exhaustive()
-    }
-}
-
-impl About {
-    fn new(program: &Program, tape: Arc<Tape>) -> Self {
-        let quantity = |own: &program::Quantity| Quantity {
-            name: own.name.clone(),
-            unit: own.unit.clone(),
-            default: own.default,
-            docs: text(&own.docs),
-        };
-        Self {
-            docs: text(&program.docs),
-            parameters: program.parameters.iter().map(quantity).collect(),
-            inputs: program.inputs.iter().map(quantity).collect(),
-            components: components(&tape),
-            functions: program.routines.iter().zip(tape.routines()).map(function).collect(),
-            equations: program.equations.to_string(),
-            latex: program.equations.latex(),
-            repaired: program.repaired.clone(),
-            tape,
-        }
-    }
-
-    /// Values of the parameters, some of which are given by name.
-    fn values(&self, given: &[(&str, f64)], own: Vec<Option<f64>>) -> Result<Vec<Option<f64>>, Error> {
-        let mut values = own;
-        for &(name, value) in given {
-            let names = self.parameters.iter().map(|own| own.name.as_str());
-            values[Error::index_of("parameter", name, names)?] = Some(value);
-        }
-        Ok(values)
-    }
-}
-
-/// A comment without the spaces before its lines.
-fn text(docs: &[String]) -> String {
-    let lines: Vec<&str> = docs.iter().map(|line| line.trim()).collect();
-    lines.join("\n")
-}
-
-fn components(tape: &Tape) -> Vec<Component> {
-    let layout = tape.layout();
-    let mut components: Vec<Component> = layout
-        .components()
-        .into_iter()
-        .map(|name| Component {
-            name,
-            unit: String::new(),
-            periodic: false,
-        })
-        .collect();
-    for slot in layout.slots {
-        for n in slot.positions.clone() {
-            components[n].unit = slot.unit().to_owned();
-            components[n].periodic = slot.periodic && slot.kind == SlotKind::Angle;
-        }
-        for n in slot.rates.clone() {
-            components[n].unit = slot.rate_unit().to_owned();
-        }
-    }
-    for state in layout.states {
-        components[state.index].unit = state.unit.to_owned();
-    }
-    components
-}
-
-fn function((routine, of_tape): (&program::Routine, &pendulum_core::tape::Routine)) -> Function {
-    let arguments = routine.arguments.iter().filter_map(|argument| match argument {
-        program::Argument::Inputs => None,
-        program::Argument::Accelerations => Some("accelerations"),
-        program::Argument::Forces => Some("forces"),
-        program::Argument::Weights => Some("weights"),
-        program::Argument::Direction => Some("direction"),
-    });
-    let operations = &routine.cost.operations;
-    Function {
-        name: routine.name.clone(),
-        docs: routine.doc.clone(),
-        arguments: arguments.collect(),
-        shapes: of_tape.shapes().to_vec(),
-        form: routine.cost.form.clone(),
-        operations: [
-            operations.additions,
-            operations.multiplications,
-            operations.divisions,
-            operations.sincos,
-            operations.functions,
-        ],
     }
 }

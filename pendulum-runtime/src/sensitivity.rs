@@ -6,11 +6,11 @@ use pendulum_core::dual::Dual;
 use pendulum_core::sensitivity::{self, Variable};
 use pendulum_core::{Observer, Reason, Rodas5P, System, Vern9};
 
-use crate::analyses::Cancel;
 use crate::error::Error;
 use crate::method::{Kind, Method};
 use crate::padded::{Padded, padded};
-use crate::solve::check_times;
+use crate::sampler::check_times;
+use crate::worker::Cancel;
 
 /// Number of derivatives that are carried at once.
 pub(crate) const PART: usize = 8;

@@ -6,6 +6,7 @@ use pendulum_core::stability::{self, Stability, StabilityError};
 
 use crate::error::Error;
 use crate::padded::{Padded, active, padded};
+use crate::worker::Cancel;
 
 /// A state at which the right-hand side vanishes.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,7 +102,7 @@ pub(crate) fn lyapunov<const N: usize>(
     model: &Padded<f64, N>,
     x0: &[f64],
     settings: &Lyapunov,
-    cancel: &(dyn Fn() -> bool + Sync),
+    cancel: &Cancel<'_>,
 ) -> Result<Exponents, Error> {
     let method = stability::Lyapunov::new()
         .duration(settings.duration)

@@ -2,10 +2,10 @@
 
 use pendulum_core::accuracy::{Alternative, Setting, Tuning};
 
-use crate::analyses::Cancel;
 use crate::error::Error;
 use crate::method::Method;
 use crate::padded::{Padded, padded};
+use crate::worker::Cancel;
 
 /// A method that keeps within an error, with its settings.
 #[derive(Clone, Debug, PartialEq)]

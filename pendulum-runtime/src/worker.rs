@@ -12,6 +12,9 @@ const STACK: usize = 64 << 20;
 /// Time between two calls of the function that polls.
 const LOOK: Duration = Duration::from_millis(20);
 
+/// Function that ends a computation when it returns true.
+pub(crate) type Cancel<'c> = dyn Fn() -> bool + Sync + 'c;
+
 thread_local! {
     /// True in threads with such a stack.
     static IS_LARGE: Cell<bool> = const { Cell::new(false) };

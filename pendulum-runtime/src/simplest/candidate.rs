@@ -204,7 +204,7 @@ impl<'q> Origin<'q> {
                 Err(error) => error,
             };
             let Error::Declaration(wrong) = &error else {
-                return Err(reason(&error));
+                return Err(error.in_one_line());
             };
             let idle = wrong
                 .problems
@@ -214,7 +214,7 @@ impl<'q> Origin<'q> {
                 .filter_map(|problem| outline.idle(problem.line, problem.column))
                 .collect();
             if idle.is_empty() {
-                return Err(reason(&error));
+                return Err(error.in_one_line());
             }
             let mut edits: Vec<_> = idle.iter().map(|part| outline.without(part)).collect();
             let parameters = outline.of("params").flat_map(|params| &params.fields);
@@ -250,18 +250,18 @@ impl<'q> Origin<'q> {
         for x in linear::equilibria(&model, &starts)? {
             let is_declared = |n: &&usize| !self.is_added(model.outputs()[**n]);
             let declared: Vec<usize> = of.compared.iter().filter(is_declared).copied().collect();
-            let measured = linear::declaration(&model, &x, &of.compared).map_err(|error| reason(&error))?;
+            let measured = linear::declaration(&model, &x, &of.compared).map_err(|error| error.in_one_line())?;
             let outline = Outline::new(measured)?;
             let own = Model::declared(&Declaration::new(&outline.text).also(["jacobian"]), &[]);
             let about = format!("linear about {}", linear::name(&model, &x));
             all.push(Candidate {
                 changes: std::iter::once(about).chain(of.changes.iter().cloned()).collect(),
-                text: linear::declaration(&model, &x, &declared).map_err(|error| reason(&error))?,
+                text: linear::declaration(&model, &x, &declared).map_err(|error| error.in_one_line())?,
                 measured: outline,
                 compared: (0..of.compared.len()).collect(),
                 part: of.part.clone(),
                 fixed: Vec::new(),
-                model: own.map_err(|error| reason(&error))?,
+                model: own.map_err(|error| error.in_one_line())?,
             });
         }
         Ok(all)
@@ -280,14 +280,6 @@ impl<'q> Origin<'q> {
             .and_then(|from| self.component(from))
             .map(|n| (n, -1.0));
         own.into_iter().chain(from).collect()
-    }
-}
-
-/// Reason why there is no model, in one line.
-pub(super) fn reason(error: &Error) -> String {
-    match error {
-        Error::Declaration(wrong) => format!("{} [{}]", wrong.problems[0].message, wrong.problems[0].code),
-        _ => error.to_string(),
     }
 }
 

@@ -5,11 +5,12 @@ use pendulum_core::Reason;
 
 use super::candidate::Candidate;
 use super::{Cost, Question};
-use crate::analyses::Cancel;
 use crate::error::Error;
 use crate::method::Method;
 use crate::model::Model;
-use crate::solve::{Motion, Options, Stopped};
+use crate::motion::{Motion, Stopped};
+use crate::solve::Options;
+use crate::worker::Cancel;
 
 /// Number of intervals between the samples of a motion.
 const INTERVALS: usize = 200;

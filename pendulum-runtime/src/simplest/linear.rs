@@ -5,7 +5,6 @@ use std::fmt::Write;
 
 use pendulum_core::stability::StabilityError;
 
-use super::candidate::reason;
 use crate::error::Error;
 use crate::model::Model;
 
@@ -20,7 +19,7 @@ pub(super) fn equilibria(model: &Model, starts: &[Vec<f64>]) -> Result<Vec<Vec<f
     }
     let (found, _) = model.equilibria(starts).map_err(|error| match error {
         Error::Stability(StabilityError::TimeDependent) => "the equations depend on time".to_owned(),
-        error => reason(&error),
+        error => error.in_one_line(),
     })?;
     let near = |x: &[f64], start: &[f64]| -> Vec<f64> {
         let turned = x.iter().zip(start).zip(model.components());
