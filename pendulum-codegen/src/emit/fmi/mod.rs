@@ -20,11 +20,12 @@ const TOOL: &str = concat!("pendulum-codegen ", env!("CARGO_PKG_VERSION"));
 
 /// Sources that are the same for every model: their names, and their texts. Names with a dash cannot be those of a
 /// model, nor can the names in camel case within them.
-const COMMON: [(&str, &str); 5] = [
+const COMMON: [(&str, &str); 6] = [
     ("fmi3-functions.c", include_str!("templates/fmi3-functions.c")),
     ("fmi3-loops.c", include_str!("templates/fmi3-loops.c")),
     ("fmi3-integrate.c", include_str!("templates/fmi3-integrate.c")),
     ("fmi3-absent.c", include_str!("templates/fmi3-absent.c")),
+    ("fmi3-instance.c", include_str!("templates/fmi3-instance.c")),
     ("fmi3-instance.h", include_str!("templates/fmi3-instance.h")),
 ];
 

@@ -2,8 +2,6 @@
 #include "fmi3-instance.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,17 +27,6 @@ static variable find(fmi3ValueReference reference) {
         found.kind++;
     }
     return found;
-}
-
-fmi3Status instanceReport(Instance *own, fmi3Status status, const char *format, ...) {
-    char text[512];
-    va_list values;
-    va_start(values, format);
-    vsnprintf(text, sizeof text, format, values);
-    va_end(values);
-    if (own->log)
-        own->log(own->environment, status, status == fmi3Discard ? "logStatusDiscard" : "logStatusError", text);
-    return status;
 }
 
 static fmi3Status unknown(Instance *own, fmi3ValueReference reference) {

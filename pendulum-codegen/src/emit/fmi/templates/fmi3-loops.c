@@ -17,13 +17,6 @@
 // Least margin of a loop from its singularity.
 #define NEAR 1e-4
 
-bool allFinite(const double *values, size_t count) {
-    for (size_t n = 0; n < count; n++) {
-        if (!isfinite(values[n])) return false;
-    }
-    return true;
-}
-
 fmi3Status instanceBuild(Instance *own) {
     Snapshot *const now = &own->now;
     if (now->is_built) return fmi3OK;
