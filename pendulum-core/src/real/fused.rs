@@ -2,8 +2,8 @@
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::lanes::{Fuse, Lanes, Pack, Pair, Register, Routine, Two64};
-use super::sincos::{self, Precision};
+use super::lanes::{Fuse, Lanes, Pack, Pair, Precision, Register, Routine, Two64};
+use super::sincos;
 use super::{Float, Real};
 
 /// A number whose sums with a product, [`Real::mul_add`] and its siblings, are rounded once instead of twice.

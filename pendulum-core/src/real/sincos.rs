@@ -9,32 +9,8 @@
 //! polynomials minimise the largest relative error of sine and cosine on this interval (Remez algorithm). Their
 //! coefficients are rounded one at a time, highest power last, refitting the rest each time.
 
-use super::lanes::Register;
-use super::{Float, Real};
-
-/// Range and constants of the kernel in one precision.
-pub trait Precision: Float + Register<Scalar = Self> {
-    /// Largest angle that the kernel reduces: up to this limit the products of the quotient with all but the last part
-    /// of pi/2 are exact.
-    const LIMIT: Self;
-
-    /// pi/2 as a sum. Subtracting multiples of the first parts from the angle is exact; the rounding error of the last
-    /// two is carried along.
-    const HALF_PI: (&'static [Self], [Self; 2]);
-
-    /// 1.5 times the smallest power of 2 above which all numbers are integers. Adding it to the quotient rounds the
-    /// quotient to an integer, in the lowest bits.
-    const SHIFT: Self;
-
-    /// `(x - sin x) / x^3` in ascending powers of `x^2`.
-    const SIN: &'static [Self];
-
-    /// `(cos x - 1 + x^2 / 2) / x^4` in ascending powers of `x^2`.
-    const COS: &'static [Self];
-
-    /// Sine and cosine of an angle beyond [`LIMIT`](Self::LIMIT).
-    fn far(self) -> (Self, Self);
-}
+use super::Real;
+use super::lanes::{Precision, Register};
 
 /// Quotients have 16 bits; polynomial errors are below 2^-56.
 impl Precision for f64 {

@@ -44,7 +44,7 @@ mod x86;
 pub use isa::{Isa, Kernel, LaneElement};
 #[doc(hidden)]
 pub use isa::{Routine, Second};
-pub(crate) use register::{Fuse, Pair, Register};
+pub(crate) use register::{Fuse, Pair, Precision, Register};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub(super) use wasm::V64 as Two64;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]

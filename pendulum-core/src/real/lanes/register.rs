@@ -3,8 +3,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::Routine;
-use crate::real::Real;
-use crate::real::sincos::Precision;
+use crate::real::{Float, Real};
 
 /// One or more numbers on which operations act at once.
 ///
@@ -81,6 +80,30 @@ pub trait Register:
     fn any_beyond(self, limit: Self::Scalar) -> bool;
     /// Returns `(sin(x + n pi/2), cos(x + n pi/2))`, given `sin x`, `cos x`, and `n` in the lowest bits of `self`.
     fn turn(self, sin: Self, cos: Self) -> (Self, Self);
+}
+
+/// Scalar type of lanes, with the range and the constants of the kernel of [sine and cosine](crate::real::sincos).
+pub trait Precision: Float + Register<Scalar = Self> {
+    /// Largest angle that the kernel reduces: up to this limit the products of the quotient with all but the last part
+    /// of pi/2 are exact.
+    const LIMIT: Self;
+
+    /// pi/2 as a sum. Subtracting multiples of the first parts from the angle is exact; the rounding error of the last
+    /// two is carried along.
+    const HALF_PI: (&'static [Self], [Self; 2]);
+
+    /// 1.5 times the smallest power of 2 above which all numbers are integers. Adding it to the quotient rounds the
+    /// quotient to an integer, in the lowest bits.
+    const SHIFT: Self;
+
+    /// `(x - sin x) / x^3` in ascending powers of `x^2`.
+    const SIN: &'static [Self];
+
+    /// `(cos x - 1 + x^2 / 2) / x^4` in ascending powers of `x^2`.
+    const COS: &'static [Self];
+
+    /// Sine and cosine of an angle beyond [`LIMIT`](Self::LIMIT).
+    fn far(self) -> (Self, Self);
 }
 
 macro_rules! one_lane {
