@@ -3,7 +3,6 @@
 use pendulum_runtime::{Ensemble, Error, Members, Method, Model};
 
 use crate::message::{Accuracy, Moved};
-use crate::page::times;
 use crate::{drag, frames};
 
 /// Longest step, in s.
@@ -42,7 +41,7 @@ impl Crowd {
         frames: usize,
         numbers: &mut Vec<f64>,
     ) -> Result<Moved, Error> {
-        let times = times(span, frames);
+        let times = frames::times(span, frames);
         let accuracy = self.choose_step(model, span)?;
         let all = integrated(model, accuracy.h, span, &self.x, &times)?;
         let length = model.components().len();

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, Point3, Vector3};
 use pendulum_runtime::{Error, Model, SlotKind};
 
 use crate::frames;
-use crate::page::can_move;
+use crate::start::can_move;
 
 /// Most steps that are tried towards the hand.
 const TRIES: usize = 60;

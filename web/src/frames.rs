@@ -35,3 +35,15 @@ pub(crate) fn shapes<'m>(model: &'m Model, t: f64, x: &[f64]) -> Result<Vec<Shap
 pub(crate) fn moves(shape: &Shape<'_>) -> bool {
     shape.body != "ground" && !matches!(shape.kind, ShapeKind::Guide | ShapeKind::Wall)
 }
+
+/// Times of frames, equally spaced, the last at the end of the span.
+pub(crate) fn times([t0, t1]: [f64; 2], frames: usize) -> Vec<f64> {
+    let time = |n: usize| {
+        if n == frames {
+            t1
+        } else {
+            t0 + (t1 - t0) * (n as f64 / frames as f64)
+        }
+    };
+    (1..=frames).map(time).collect()
+}

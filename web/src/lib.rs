@@ -7,6 +7,7 @@ mod exports;
 mod frames;
 mod message;
 mod page;
+mod start;
 
 pub use message::{Answer, Request};
 pub use page::Page;
