@@ -4,8 +4,8 @@ use charts::page::{BLUE, GREEN, INK, ORANGE, PURPLE, RGBColor, SKY, VERMILION};
 use charts::panels::{self, Column, Panels};
 use twelve::OURS;
 
+use super::measured::Measured;
 use super::results::{Cost, Curve, Measure, Point};
-use super::write::Measured;
 
 /// Libraries and their colours, distinguishable with any colour vision (Okabe and Ito, 2008).
 const LIBRARIES: [(&str, RGBColor); 10] = [

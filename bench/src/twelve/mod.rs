@@ -8,6 +8,7 @@ mod compiled;
 mod emitted;
 mod entrant;
 mod foreign;
+mod measured;
 mod results;
 mod sweep;
 mod write;
@@ -18,8 +19,9 @@ use std::path::Path;
 
 use emitted::Emitted;
 use entrant::Entrant;
+use measured::Measured;
 use results::Measure;
-use write::{Measured, Results};
+use write::Results;
 
 use crate::machine::{self, locked};
 

@@ -10,7 +10,8 @@ use twelve::{OURS, Problem};
 
 use super::cells::{Cell, Fastest, LIMITS, TARGETS};
 use super::chart::chart;
-use super::results::{Cost, Curve, Measure};
+use super::measured::Measured;
+use super::results::{Cost, Measure};
 use super::sweep::Setting;
 use crate::report::{list, number, table, write};
 
@@ -19,16 +20,6 @@ pub(crate) struct Results {
     pub header: Vec<String>,
     pub notes: Vec<String>,
     pub problems: Vec<Measured>,
-}
-
-/// Results on a problem.
-pub(crate) struct Measured {
-    pub problem: Problem,
-    pub curves: Vec<Curve>,
-    pub settings: Vec<Setting>,
-    pub cells: Vec<Cell>,
-    /// Cells of the errors over time.
-    pub cells_along: Vec<Cell>,
 }
 
 pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
