@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{Lanes, Least64, Pack};
+use super::{Lanes, Least32, Least64, Pack};
 use crate::dual::Dual;
 use crate::real::{Float, Fused};
 
@@ -74,8 +74,8 @@ enum Set {
 
 impl Isa {
     /// Instruction sets of this machine, widest registers first. The last one exists on every machine and has a single
-    /// lane, in WebAssembly with `simd128` two of `f64`. Without the feature `std`, only sets enabled at compile time
-    /// are listed.
+    /// lane, on 64-bit ARM two of `f64` or four of `f32`, in WebAssembly with `simd128` two of `f64`. Without the
+    /// feature `std`, only sets enabled at compile time are listed.
     ///
     /// Results are bit-identical on each. To try a narrower set, set the environment variable `PENDULUM_ISA` to `Avx2`
     /// or `Portable` before the program starts: wider sets are then unavailable.
@@ -202,6 +202,6 @@ macro_rules! lane {
 
 lane! {
     f64: Least64 Ymm64 Zmm64;
-    f32: f32 Ymm32 Zmm32;
+    f32: Least32 Ymm32 Zmm32;
 }
-lane!([] Fused<f64>: Pack<Fused<f64>>, Pack<Fused<super::x86::Ymm64>>, Pack<Fused<super::x86::Zmm64>>);
+lane!([] Fused<f64>: Pack<Fused<Least64>>, Pack<Fused<super::x86::Ymm64>>, Pack<Fused<super::x86::Zmm64>>);

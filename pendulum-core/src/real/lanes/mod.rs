@@ -2,8 +2,8 @@
 //!
 //! Code that is generic over [`Real`] runs on lanes unchanged, and each lane is bit-identical to a scalar computation.
 //! [`F64x4`] and its siblings work on any machine, but use only the baseline instructions of the target. [`Isa`]
-//! detects AVX2 and AVX-512 at run time and runs a [`Kernel`] on their registers. In WebAssembly it uses those of
-//! `simd128`, if the compilation enables it:
+//! detects AVX2 and AVX-512 at run time and runs a [`Kernel`] on their registers. On 64-bit ARM it uses those of NEON,
+//! and in WebAssembly those of `simd128`, if the compilation enables it:
 //!
 //! ```
 //! use pendulum_core::real::Real;
@@ -34,6 +34,8 @@
 //! ```
 
 mod isa;
+#[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
+mod neon;
 mod pack;
 mod register;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
@@ -44,6 +46,8 @@ mod x86;
 pub use isa::{Isa, Kernel, LaneElement};
 #[doc(hidden)]
 pub use isa::{Routine, Second};
+#[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
+pub(super) use neon::{V32 as Two32, V64 as Two64};
 pub(crate) use register::{Fuse, Pair, Precision, Register};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub(super) use wasm::V64 as Two64;
@@ -52,20 +56,31 @@ pub(super) use x86::{Xmm32 as Two32, Xmm64 as Two64};
 #[cfg(all(target_arch = "x86_64", target_feature = "avx2"))]
 pub(super) use x86::{Ymm32 as Wide32, Ymm64 as Wide64};
 
-/// Register of `f64` that every machine with the target has: a scalar, or what the compilation enables.
+/// Registers that every machine with the target has: scalars, or what the compilation enables.
+#[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
+use neon::{V32 as Least32, V64 as Least64};
+#[cfg(not(all(target_arch = "aarch64", target_feature = "neon")))]
+type Least32 = f32;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 type Least64 = wasm::V64;
-#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+#[cfg(not(any(
+    all(target_arch = "aarch64", target_feature = "neon"),
+    all(target_arch = "wasm32", target_feature = "simd128")
+)))]
 type Least64 = f64;
 #[cfg(not(all(target_arch = "x86_64", target_feature = "avx2")))]
 pub(super) use {Two32 as Wide32, Two64 as Wide64};
 
 /// At least two `f32` in the baseline vector register of the target.
-#[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
+#[cfg(not(any(
+    all(target_arch = "x86_64", target_feature = "sse2"),
+    all(target_arch = "aarch64", target_feature = "neon")
+)))]
 pub(super) type Two32 = Pair<f32>;
 /// At least two `f64` in the baseline vector register of the target.
 #[cfg(not(any(
     all(target_arch = "x86_64", target_feature = "sse2"),
+    all(target_arch = "aarch64", target_feature = "neon"),
     all(target_arch = "wasm32", target_feature = "simd128")
 )))]
 pub(super) type Two64 = Pair<f64>;
