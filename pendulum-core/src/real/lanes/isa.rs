@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-use super::{Lanes, Least32, Least64, Pack};
+use super::target::{Least32, Least64};
+use super::{Lanes, Pack};
 use crate::dual::Dual;
 use crate::real::{Float, Fused};
 

@@ -38,6 +38,7 @@ mod isa;
 mod neon;
 mod pack;
 mod register;
+mod target;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod wasm;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
@@ -46,46 +47,9 @@ mod x86;
 pub use isa::{Isa, Kernel, LaneElement};
 #[doc(hidden)]
 pub use isa::{Routine, Second};
-#[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
-pub(super) use neon::{V32 as Two32, V64 as Two64};
-pub(crate) use register::{Fuse, Pair, Precision, Register};
-#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-pub(super) use wasm::V64 as Two64;
-#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-pub(super) use x86::{Xmm32 as Two32, Xmm64 as Two64};
-#[cfg(all(target_arch = "x86_64", target_feature = "avx2"))]
-pub(super) use x86::{Ymm32 as Wide32, Ymm64 as Wide64};
-
-/// Registers that every machine with the target has: scalars, or what the compilation enables.
-#[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
-use neon::{V32 as Least32, V64 as Least64};
-#[cfg(not(all(target_arch = "aarch64", target_feature = "neon")))]
-type Least32 = f32;
-#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-type Least64 = wasm::V64;
-#[cfg(not(any(
-    all(target_arch = "aarch64", target_feature = "neon"),
-    all(target_arch = "wasm32", target_feature = "simd128")
-)))]
-type Least64 = f64;
-#[cfg(not(all(target_arch = "x86_64", target_feature = "avx2")))]
-pub(super) use {Two32 as Wide32, Two64 as Wide64};
-
-/// At least two `f32` in the baseline vector register of the target.
-#[cfg(not(any(
-    all(target_arch = "x86_64", target_feature = "sse2"),
-    all(target_arch = "aarch64", target_feature = "neon")
-)))]
-pub(super) type Two32 = Pair<f32>;
-/// At least two `f64` in the baseline vector register of the target.
-#[cfg(not(any(
-    all(target_arch = "x86_64", target_feature = "sse2"),
-    all(target_arch = "aarch64", target_feature = "neon"),
-    all(target_arch = "wasm32", target_feature = "simd128")
-)))]
-pub(super) type Two64 = Pair<f64>;
-
 pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};
+pub(crate) use register::{Fuse, Pair, Precision, Register};
+pub(super) use target::{Two32, Two64, Wide32, Wide64};
 
 use super::{Float, Real};
 
