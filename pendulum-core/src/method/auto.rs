@@ -32,13 +32,13 @@ use crate::tableau::{HairerWanner4, Steinebach5, Tableau, Tsitouras5, Verner7, V
 /// | above 1e-9 | [`Vern9`](crate::Vern9) | [`Rodas5P`](crate::Rodas5P) |
 /// | up to 1e-9 | [`Vern9`](crate::Vern9) | [`Radau13`](crate::Radau13) |
 ///
-/// In each step the explicit method estimates `|h lambda|`, the length of the step times the fastest rate of the
-/// system, as `h |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2).
-/// If the estimate repeatedly reaches the limit of stability, then stability rather than the tolerance limits the
-/// steps, and the implicit method takes over. It does so at a smaller estimate if the derivative changes much less over
-/// a step than it would at that rate, and with tolerances above 1e-4 at once if the first step is rejected far beyond
-/// the limit. The implicit method estimates `|h lambda|` by power iteration with its Jacobian, and hands back once
-/// explicit steps of the same length would be stable.
+/// The explicit method estimates `|h lambda|`, the length of the step times the fastest rate of the system, as
+/// `h |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2). If the
+/// estimate repeatedly reaches the limit of stability, then stability rather than the tolerance limits the steps, and
+/// the implicit method takes over. It does so at a smaller estimate if the derivative bends much less over a step than
+/// it would at that rate, and with tolerances above 1e-4 at once if the first step is rejected far beyond the limit.
+/// The implicit method estimates `|h lambda|` by power iteration with its Jacobian, and hands back once explicit steps
+/// of the same length would be stable. `Vern9` and the implicit methods do this in every second step.
 ///
 /// [`Statistics`] count the implicit steps and the switches.
 ///
@@ -63,7 +63,7 @@ pub type Auto = Adaptive<Switching>;
 #[cfg(feature = "std")]
 pub(crate) use in_lanes::{SwitchInLanes, SwitchingFrom};
 use stiff::Stiff;
-use stiffness::{Stiffness, even, of_fastest_rate};
+use stiffness::{Limit, Stiffness, even, of_fastest_rate};
 
 /// Kind of method of [`Auto`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -134,8 +134,8 @@ pub struct Switch<T, const N: usize> {
 
 /// An explicit method with its limit of stability.
 pub(crate) trait Bounded<const STAGES: usize>: Tableau<STAGES> {
-    /// Limit of stability on the negative real axis.
-    const LIMIT: f64;
+    /// Limit of the steps.
+    const LIMIT: Limit;
 
     /// True if the implicit method takes over where the first step is unstable. With tight tolerances the explicit one
     /// is better at fast transients, which it has to resolve.
@@ -143,16 +143,25 @@ pub(crate) trait Bounded<const STAGES: usize>: Tableau<STAGES> {
 }
 
 impl Bounded<7> for Tsitouras5 {
-    const LIMIT: f64 = 3.5;
+    const LIMIT: Limit = Limit {
+        stable: 3.5,
+        creeps: false,
+    };
     const YIELDS_AT_ONCE: bool = true;
 }
 
 impl Bounded<11> for Verner7 {
-    const LIMIT: f64 = 4.6;
+    const LIMIT: Limit = Limit {
+        stable: 4.6,
+        creeps: false,
+    };
 }
 
 impl Bounded<17> for Verner9 {
-    const LIMIT: f64 = 4.4;
+    const LIMIT: Limit = Limit {
+        stable: 4.4,
+        creeps: true,
+    };
 }
 
 /// Choice of the explicit method.
@@ -219,14 +228,37 @@ impl<T: Float, const N: usize> Free<T, N> {
         })
     }
 
-    /// Limit of stability.
-    fn limit(&self) -> f64 {
+    /// Limit of the steps.
+    fn limit(&self) -> Limit {
         match self {
             Self::Tsit5(_) => Tsitouras5::LIMIT,
             Self::Vern7(_) => Verner7::LIMIT,
             Self::Vern9(_) => Verner9::LIMIT,
         }
     }
+}
+
+/// Tests the last explicit step, of length `h`, if one is due.
+#[inline(always)]
+fn test<B, T, const STAGES: usize, const N: usize>(
+    stages: &ExplicitStages<B, T, STAGES, N>,
+    h: T,
+    stiffness: &mut Stiffness,
+) where
+    B: Bounded<STAGES>,
+    T: Float,
+{
+    if !stiffness.is_tested(B::LIMIT) {
+        return;
+    }
+    let measured = stages.stiffness(h).to_f64();
+    let needs_bend = Stiffness::needs_bend(measured, B::LIMIT);
+    let bend = if needs_bend {
+        stages.bend().to_f64()
+    } else {
+        f64::INFINITY
+    };
+    stiffness.after_explicit(measured, bend, B::LIMIT);
 }
 
 impl<T: Float, const N: usize> Switch<T, N> {
@@ -295,7 +327,7 @@ where
             && !is_within_tolerance(error)
         {
             let measured = stages.stiffness(t_new - t).to_f64();
-            self.stiffness.after_rejected(measured, Tsitouras5::LIMIT);
+            self.stiffness.after_rejected(measured, Tsitouras5::LIMIT.stable);
             if self.stiffness.changes {
                 return Ok(T::from_f64(BARELY_TOO_LARGE));
             }
@@ -319,19 +351,18 @@ where
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
-        let limit = self.explicit.limit();
         if self.stiffness.is_stiff {
             work.stiff += 1;
-            let rate = self.implicit.accept(system, (step, lanes), &mut self.fastest, work);
-            self.stiffness.after_implicit((step.h.abs() * rate).to_f64(), limit);
+            let limit = self.explicit.limit();
+            let fastest = self.stiffness.is_tested(limit).then_some(&mut self.fastest);
+            if let Some(rate) = self.implicit.accept(system, (step, lanes), fastest, work) {
+                self.stiffness.after_implicit((step.h.abs() * rate).to_f64(), limit);
+            }
         } else {
-            let (measured, turn) = explicit!(&mut self.explicit, stages => {
+            explicit!(&mut self.explicit, stages => {
                 stages.accept(system, step, lanes, work);
-                let measured = stages.stiffness(step.h).to_f64();
-                let needs_turn = Stiffness::needs_turn(measured, limit);
-                (measured, if needs_turn { stages.turn().to_f64() } else { f64::INFINITY })
+                test(stages, step.h, &mut self.stiffness);
             });
-            self.stiffness.after_explicit(measured, turn, limit);
         }
     }
 

@@ -95,9 +95,12 @@ pub(super) const fn attempt_within<B: Tableau<STAGES>, const STAGES: usize>(rhs:
 pub(super) const fn stiffness<B: Tableau<STAGES>, const STAGES: usize>(n: usize) -> Operations {
     let apart = count::weighted_sum(&difference(B::TABLEAU.b, B::TABLEAU.a[STAGES - 2]), n).and(count::square(n));
     let change = count::added(n).and(count::square(n));
-    let turn = count::added(n).and(count::square(n)).and(count::square(n));
-    let turn = turn.and(Operations::new(0, 0, 1, 0, 2, 25));
-    apart.and(change).and(Operations::new(0, 1, 1, 0, 3, 25)).and(turn)
+    let bend = count::added(n)
+        .times(3)
+        .and(count::multiplied(n))
+        .and(count::square(n).times(2));
+    let bend = bend.and(Operations::new(0, 1, 1, 0, 2, 25));
+    apart.and(change).and(Operations::new(0, 1, 1, 0, 3, 25)).and(bend)
 }
 
 impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Explicit<B, STAGES>
@@ -123,6 +126,18 @@ where
 }
 
 impl<B: Estimates, const STAGES: usize> Estimates for Explicit<B, STAGES> {}
+
+/// Index of the stage whose time is nearest to the middle of a step.
+const fn halfway<B: Tableau<STAGES>, const STAGES: usize>() -> usize {
+    let (mut nearest, mut i) = (1, 2);
+    while i < STAGES - 2 {
+        if (B::TABLEAU.c[i] - 0.5).abs() < (B::TABLEAU.c[nearest] - 0.5).abs() {
+            nearest = i;
+        }
+        i += 1;
+    }
+    nearest
+}
 
 /// Stages of a step of an explicit method.
 #[derive(Clone, Copy, Debug)]
@@ -259,17 +274,21 @@ where
         })
     }
 
-    /// Change of the derivative over the last attempt, relative to the derivative at its end; 0 if that is 0. Of the
-    /// order of `|h lambda|` if the solution moves at the rate `lambda`.
+    /// Deviation of the derivative from a straight line over the last attempt, relative to its change, and scaled to be
+    /// `|h lambda|` if the solution moves at a small rate `lambda`; 0 without a change. A constant part of the
+    /// derivative, as of a rotor, does not affect it.
     #[inline(always)]
-    pub(super) fn turn(&self) -> T {
-        let last = &self.stages[STAGES - 1];
-        let change = square(&(last - self.stages[0])).sqrt();
-        let size = square(last).sqrt();
+    pub(super) fn bend(&self) -> T {
+        let i = const { halfway::<B, STAGES>() };
+        let c = const { B::TABLEAU.c[halfway::<B, STAGES>()] };
+        let (first, middle, last) = (&self.stages[0], &self.stages[i], &self.stages[STAGES - 1]);
+        let change = last - first;
+        let off = square(&(middle - first - change * T::from_f64(c))).sqrt() * T::from_f64(2.0 / (c * (1.0 - c)));
+        let change = square(&change).sqrt();
         T::from_fn(|lane| {
-            let [change, size] = [change, size].map(|length| length.lane(lane));
-            if size > T::Scalar::default() {
-                change / size
+            let [off, change] = [off, change].map(|length| length.lane(lane));
+            if change > T::Scalar::default() {
+                off / change
             } else {
                 T::Scalar::default()
             }

@@ -105,6 +105,36 @@ fn explicit_steps_do_not_creep_at_tight_tolerances() {
     check(&oregonator, 360.0, [1.0, 2.0, 3.0], 1e-8);
 }
 
+/// With tight tolerances, explicit steps crept along very smooth solutions, at 0.1 to 0.35 of the limit of
+/// stability.
+#[test]
+fn explicit_steps_do_not_creep_along_very_smooth_solutions() {
+    for (tolerance, lambda) in [(1e-9, 300.0), (1e-12, 300.0), (1e-12, 1e4)] {
+        let method = Auto::new().rtol(tolerance).atol(tolerance);
+        let solution = method.solve(&Prothero { lambda }, 0.0, 20.0, [1.0]).expect("regular");
+        let statistics = solution.statistics();
+        assert!(
+            statistics.switches == 1 && statistics.accepted < 200,
+            "{lambda} {tolerance}: {statistics:?}"
+        );
+        assert_abs_diff_eq!(solution.end()[0], 20.0_f64.cos(), epsilon = 10.0 * tolerance);
+    }
+}
+
+/// An oscillation beside a motion of constant rate, which almost hides how the derivative changes.
+#[test]
+fn a_constant_part_of_the_derivative_is_not_smoothness() {
+    let system = FnSystem::with_jacobian(
+        |_t: f64, x: &SVector<f64, 3>| SVector::from([1000.0, x[2], -x[1]]),
+        |_t: f64, _x: &SVector<f64, 3>| SMatrix::from([[0.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]),
+    );
+    for tolerance in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let method = Auto::new().rtol(tolerance).atol(tolerance);
+        let solution = method.solve(&system, 0.0, 60.0, [0.0, 1.0, 0.0]).expect("regular");
+        assert_eq!(solution.statistics().switches, 0, "{tolerance}");
+    }
+}
+
 /// Relaxation oscillations of van der Pol, in the time of the slow phases.
 fn relaxation() -> impl Jacobian<f64, 2> {
     FnSystem::with_jacobian(
@@ -271,7 +301,7 @@ fn it_returns_after_four_steps_in_a_row_that_explicit_ones_could_have_taken() {
         let system = Loosening { ripple };
         let method = Auto::new().rtol(tolerance).atol(tolerance);
         let mut stepper = method.stepper(&system, 0.0, 20.0, [1.5]).expect("valid");
-        let (mut before, mut free, mut returned) = (Statistics::default(), 0, false);
+        let (mut before, mut implicit, mut free, mut returned) = (Statistics::default(), 0, 0, false);
         while let Some(step) = stepper.step().expect("regular") {
             let now = stepper.statistics();
             if now.switches > before.switches && now.stiff == before.stiff {
@@ -281,11 +311,14 @@ fn it_returns_after_four_steps_in_a_row_that_explicit_ones_could_have_taken() {
             }
             if now.stiff > before.stiff {
                 assert!(free < 4, "{tolerance}: at {}", step.t0);
-                // With one state, power iteration is exact.
+                implicit += 1;
+                // With one state, power iteration is exact. Every second step is tested, for two.
                 let is_free = step.h * system.rate(step.t1) <= 0.3 * limit;
-                free = if is_free { free + 1 } else { 0 };
+                if implicit % 2 == 0 {
+                    free = if is_free { free + 2 } else { 0 };
+                }
             } else {
-                free = 0;
+                (implicit, free) = (0, 0);
             }
             before = now;
         }

@@ -134,7 +134,7 @@ where
         let measured = self.explicit.stiffness(h);
         for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
             if is_doubtful(own, lane) {
-                own.after_rejected(measured.lane(lane).to_f64(), B::LIMIT);
+                own.after_rejected(measured.lane(lane).to_f64(), B::LIMIT.stable);
             }
         }
         V::from_fn(|lane| match self.stiffness[lane].changes {
@@ -279,20 +279,29 @@ where
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn accept(&mut self, system: &InMode<'_, S, V>, step: &Step<V, N>, lanes: Accepted<V>, work: &mut Statistics) {
         let [some_free, some_stiff] = self.at_work();
-        if some_free {
+        let (mut is_tested, mut tests_free) = ([false; MOST_LANES], false);
+        for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
+            is_tested[lane] = lanes.is_in(lane) && own.is_tested(B::LIMIT);
+            tests_free |= is_tested[lane] && !own.is_stiff;
+        }
+        if tests_free {
             // before acceptance, which overwrites the first stage by the one of the next step
-            let (measured, turn) = (self.explicit.stiffness(step.h), self.explicit.turn());
-            self.explicit.accept(system, step, lanes, work);
+            let (measured, bend) = (self.explicit.stiffness(step.h), self.explicit.bend());
             for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
-                if !own.is_stiff && lanes.is_in(lane) {
-                    own.after_explicit(measured.lane(lane).to_f64(), turn.lane(lane).to_f64(), B::LIMIT);
+                if !own.is_stiff && is_tested[lane] {
+                    let (measured, bend) = (measured.lane(lane).to_f64(), bend.lane(lane).to_f64());
+                    let needs_bend = Stiffness::needs_bend(measured, B::LIMIT);
+                    own.after_explicit(measured, if needs_bend { bend } else { f64::INFINITY }, B::LIMIT);
                 }
             }
+        }
+        if some_free {
+            self.explicit.accept(system, step, lanes, work);
         }
         if some_stiff {
             self.implicit.accept(system, step, lanes, work);
             for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
-                if own.is_stiff && lanes.is_in(lane) {
+                if own.is_stiff && is_tested[lane] {
                     let jacobian = self.implicit.jacobian().map(|entry| entry.lane(lane));
                     let mut fastest = in_lane(&self.fastest, lane);
                     let rate = fastest_rate(&jacobian, &mut fastest, self.active);

@@ -110,16 +110,16 @@ impl<T: Float, const N: usize> Stiff<T, N> {
         implicit!(self, stages => stages.end())
     }
 
-    /// Accepts the step, and returns the fastest rate of the system at its end, given a direction for the iteration
-    /// that finds it.
+    /// Accepts the step, and returns the fastest rate of the system at its end if a direction for the iteration that
+    /// finds it is given.
     #[inline(always)]
     pub(super) fn accept<S>(
         &mut self,
         system: &InMode<'_, S, T>,
         (step, lanes): (&Step<T, N>, Accepted<T>),
-        fastest: &mut SVector<T, N>,
+        fastest: Option<&mut SVector<T, N>>,
         work: &mut Statistics,
-    ) -> T
+    ) -> Option<T>
     where
         S: Jacobian<T, N> + ?Sized,
     {
@@ -199,18 +199,22 @@ where
 /// Acceptance of a step, with the fastest rate at its end.
 struct Accept<'a, T, const N: usize>(&'a Step<T, N>, Accepted<T>);
 
-impl<'s, S, T, const N: usize> Routine<Tried<'_, T, N>, InMode<'s, S, T>> for Accept<'_, T, N>
+/// Data that an acceptance changes: the method, the direction of the fastest change, and the work so far.
+type Taken<'a, T, const N: usize> = (&'a mut Stiff<T, N>, Option<&'a mut SVector<T, N>>, &'a mut Statistics);
+
+impl<'s, S, T, const N: usize> Routine<Taken<'_, T, N>, InMode<'s, S, T>> for Accept<'_, T, N>
 where
     S: Jacobian<T, N> + ?Sized,
     T: Float,
 {
-    type Output = T;
+    type Output = Option<T>;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run(self, (stiff, fastest, work): &mut Tried<'_, T, N>, system: &InMode<'s, S, T>) -> T {
+    fn run(self, (stiff, fastest, work): &mut Taken<'_, T, N>, system: &InMode<'s, S, T>) -> Option<T> {
         implicit!(stiff, stages => {
             stages.accept(system, self.0, self.1, work);
-            fastest_rate(stages.jacobian(), fastest, system.active())
+            let fastest = fastest.as_deref_mut()?;
+            Some(fastest_rate(stages.jacobian(), fastest, system.active()))
         })
     }
 }

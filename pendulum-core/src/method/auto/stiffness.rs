@@ -13,18 +13,47 @@ const AT_THE_LIMIT: f64 = 0.55;
 /// Fraction of the stability limit above which it limits steps along a smooth solution. With Verner's method of order 9
 /// and a tolerance of 1e-12, steps along the slow solution of Robertson's problem stay between 0.4 and 0.55.
 const AT_THE_LIMIT_IF_SMOOTH: f64 = 0.35;
-/// Change of the derivative over a step, in units of `|h lambda|`, below which a solution is smooth: it does not move
-/// at the fastest rate `lambda`.
+/// Fraction of the stability limit above which it limits steps of methods that [creep](Limit::creeps) along a very
+/// smooth solution. With tolerances from 1e-10 down, the steps of Verner's method of order 9 along `cos t`, approached
+/// at a rate of 300 or 1e4, stay between 0.15 and 0.31.
+const AT_THE_LIMIT_IF_VERY_SMOOTH: f64 = 0.1;
+/// Bend of the derivative over a step, in units of `|h lambda|`, below which a solution is smooth: it does not move at
+/// the fastest rate `lambda`.
 const SMOOTH: f64 = 0.1;
+/// Bend in these units below which a solution is very smooth: implicit steps can be a hundred times as long.
+const VERY_SMOOTH: f64 = 0.01;
 /// Multiple of the stability limit from which a rejected first step is unstable rather than inaccurate. Later steps are
 /// at most three times as long as stable ones.
 const UNSTABLE: f64 = 10.0;
-/// Number of steps at the limit that make a system stiff, without [`FREE`] others in a row between them.
+/// Number of steps per test, of implicit methods and of those that [creep](Limit::creeps).
+const STEPS: usize = 2;
+/// Number of steps at the limit that make a system stiff, without [`FREE`] others in a row between them. Those along a
+/// very smooth solution count twice.
 const STIFF: usize = 8;
 /// Number of steps in a row below the limit that reset the count, or that return to the explicit method.
 const FREE: usize = 4;
 /// Fraction of the stability limit up to which an implicit step could as well be explicit.
 const WITHIN: f64 = 0.3;
+
+/// Limit of the explicit steps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limit {
+    /// Limit of stability on the negative real axis.
+    pub(crate) stable: f64,
+    /// True if the method creeps: with tight tolerances, steps along smooth solutions stay far below the limit.
+    pub(crate) creeps: bool,
+}
+
+impl Limit {
+    /// Range of `|h lambda|` in which a test depends on the bend of the derivative.
+    fn in_doubt(self) -> (f64, f64) {
+        let least = match self.creeps {
+            true => AT_THE_LIMIT_IF_VERY_SMOOTH,
+            false => AT_THE_LIMIT_IF_SMOOTH,
+        };
+        (least * self.stable, AT_THE_LIMIT * self.stable)
+    }
+}
 
 /// Detection of stiffness from the steps so far.
 #[derive(Clone, Copy, Debug, Default)]
@@ -35,6 +64,8 @@ pub(crate) struct Stiffness {
     pub(crate) changes: bool,
     /// True if the active method has not accepted a step.
     at_start: bool,
+    /// True if the last step was not tested.
+    is_due: bool,
     /// Number of steps at the limit of stability.
     at_limit: usize,
     /// Number of steps in a row that are not.
@@ -44,7 +75,15 @@ pub(crate) struct Stiffness {
 impl Stiffness {
     /// Restarts the counts for the active method.
     pub(crate) fn begin(&mut self) {
-        (self.changes, self.at_start, self.at_limit, self.free) = (false, true, 0, 0);
+        (self.changes, self.at_start, self.is_due, self.at_limit, self.free) = (false, true, false, 0, 0);
+    }
+
+    /// Returns true if the step that was accepted last is to be tested: each one, or every second one for both.
+    #[inline(always)]
+    pub(crate) fn is_tested(&mut self, limit: Limit) -> bool {
+        let is_tested = self.is_due || !(self.is_stiff || limit.creeps);
+        (self.is_due, self.at_start) = (!is_tested, false);
+        is_tested
     }
 
     /// True if [`after_rejected`](Self::after_rejected) is to judge a rejected step.
@@ -57,26 +96,28 @@ impl Stiffness {
         self.changes = measured > UNSTABLE * limit;
     }
 
-    /// True if [`after_explicit`](Self::after_explicit) depends on the change of the derivative.
-    pub(crate) fn needs_turn(measured: f64, limit: f64) -> bool {
-        measured > AT_THE_LIMIT_IF_SMOOTH * limit
+    /// True if [`after_explicit`](Self::after_explicit) depends on the bend of the derivative.
+    pub(crate) fn needs_bend(measured: f64, limit: Limit) -> bool {
+        let (least, most) = limit.in_doubt();
+        least < measured && measured <= most
     }
 
-    /// Counts an explicit step by its `|h lambda|` and the relative change of the derivative over it, and requests a
-    /// switch after too many at the limit of stability.
-    pub(crate) fn after_explicit(&mut self, measured: f64, turn: f64, limit: f64) {
-        self.at_start = false;
-        let is_smooth = turn < SMOOTH * measured;
-        let share = if is_smooth {
-            AT_THE_LIMIT_IF_SMOOTH
+    /// Counts tested explicit steps by `|h lambda|` and, [where needed](Self::needs_bend), the bend of the derivative
+    /// over the last of them, and requests a switch after too many at the limit of stability.
+    pub(crate) fn after_explicit(&mut self, measured: f64, bend: f64, limit: Limit) {
+        let steps = if limit.creeps { STEPS } else { 1 };
+        let (share, counted) = if limit.creeps && bend < VERY_SMOOTH * measured {
+            (AT_THE_LIMIT_IF_VERY_SMOOTH, 2 * steps)
+        } else if bend < SMOOTH * measured {
+            (AT_THE_LIMIT_IF_SMOOTH, steps)
         } else {
-            AT_THE_LIMIT
+            (AT_THE_LIMIT, steps)
         };
-        if measured > share * limit {
-            self.at_limit += 1;
+        if measured > share * limit.stable {
+            self.at_limit += counted;
             self.free = 0;
         } else {
-            self.free += 1;
+            self.free += steps;
             if self.free >= FREE {
                 self.at_limit = 0;
             }
@@ -84,11 +125,11 @@ impl Stiffness {
         self.changes = self.at_limit >= STIFF;
     }
 
-    /// Counts an implicit step, and requests a switch if explicit steps of such lengths would have been stable for a
-    /// while.
-    pub(crate) fn after_implicit(&mut self, measured: f64, limit: f64) {
-        if measured <= WITHIN * limit {
-            self.free += 1;
+    /// Counts tested implicit steps, and requests a switch if explicit steps of such lengths would have been stable for
+    /// a while.
+    pub(crate) fn after_implicit(&mut self, measured: f64, limit: Limit) {
+        if measured <= WITHIN * limit.stable {
+            self.free += STEPS;
         } else {
             self.free = 0;
         }
