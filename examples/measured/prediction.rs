@@ -112,12 +112,13 @@ pub(crate) fn limits(runs: [(&Run, &ArmFit); 2]) -> Result<(), Box<dyn Error>> {
     for (number, (run, fitted)) in (1..).zip(runs) {
         let [upper, lower] = left_by_noise(fitted, run)?.map(|residual| 1e3 * residual);
         println!("  run {number}: noise of the torques alone leaves {upper:>18.2} {lower:>6.2}");
-        let [resting, moving] = by_rest(fitted, run);
-        println!(
-            "  run {number}: windows in which the lower link rests {:>14.2} {:>6.2}",
-            resting[0], resting[1]
-        );
-        println!("  run {number}: other windows {:>36.2} {:>6.2}", moving[0], moving[1]);
+        for (windows, [upper, lower]) in ["in which the lower link rests", "in which it does not"]
+            .into_iter()
+            .zip(by_rest(fitted, run))
+            .filter(|(_, residuals)| residuals[0].is_finite())
+        {
+            println!("  run {number}: windows {windows:<35} {upper:>8.2} {lower:>6.2}");
+        }
         for (what, names) in OWN {
             let [residuals, changes] = with_own(names, fitted, run)?;
             println!(
