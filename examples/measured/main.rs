@@ -9,6 +9,7 @@
 //! and the torques of both motors. The makers published the parameters of [`ArmParams::default`].
 
 mod figures;
+mod prediction;
 
 use std::error::Error;
 use std::fs::File;
@@ -41,6 +42,8 @@ mechanism! {
             static1: 1 = 1, static2: 1 = 1,
             /// Angles at which the encoders show zero.
             zero1: rad = 0, zero2: rad = 0,
+            /// Errors of the measured torques.
+            error1: N m = 0, error2: N m = 0,
         }
         input torque1: N m, input torque2: N m,
         gravity: [0, -9.81, 0],
@@ -48,13 +51,13 @@ mechanism! {
         output q2: lower_angle - zero2,
         body upper on ground {
             mass: m1, com: [0, -r1, 0], inertia: i1 about joint,
-            joint: revolute(z), coordinate: upper_angle, torque: torque1,
+            joint: revolute(z), coordinate: upper_angle, torque: torque1 + error1,
             friction: viscous1, dry_friction: dry1, static_friction: static1*dry1,
         }
         body lower on upper {
             mass: m2, com: [0, -r2, 0], inertia: i2 about joint,
             joint: revolute(z) at [0, -l, 0],
-            coordinate: lower_angle, torque: torque2,
+            coordinate: lower_angle, torque: torque2 + error2,
             friction: viscous2, dry_friction: dry2, static_friction: static2*dry2,
         }
         body rotor2 on upper { inertia: rotor, joint: revolute(z), motion: -6*lower_angle }
@@ -63,7 +66,7 @@ mechanism! {
 
 /// The arm with recorded torques.
 type Driven = WithInputs<Arm, Generic<TimeTable<2>>, 2>;
-type ArmFit = Fitted<4, 16>;
+type ArmFit = Fitted<4, 18>;
 
 /// Length of the windows of fits and predictions, in s.
 const WINDOW: f64 = 0.5;
@@ -98,11 +101,13 @@ const BEST: usize = 3;
 struct Run {
     angles: Measurement,
     torques: TimeTable<2>,
+    /// Samples of the torques.
+    samples: [Vec<f64>; 2],
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let runs = [read("run_1.csv")?, read("run_2.csv")?];
-    let noise = ["q1", "q2"].map(|name| runs[0].noise(name));
+    let noise = ["q1", "q2"].map(|name| noise(runs[0].values(name)));
     println!(
         "noise of the angles of run 1, from second differences: {:.2} and {:.2} mrad",
         1e3 * noise[0],
@@ -137,7 +142,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     print_estimates(best, &sparse);
     which_friction(&sparse, &runs[0], residuals)?;
     which_parameters(best, &runs[0])?;
-    let predicted = predict(best, &runs[1])?;
+    let predicted = prediction::predict(best, &runs[1])?;
+    prediction::limits([(&runs[0], best), (&runs[1], &predicted)])?;
 
     println!();
     let stem = |name: &str| Path::new("out/measured").join(name);
@@ -164,8 +170,20 @@ fn read(name: &str) -> Result<Run, Box<dyn Error>> {
     let angles = Measurement::new(times)?
         .output_with_noise("q1", table.column("q1_rad")?, 2e-4)?
         .output_with_noise("q2", table.column("q2_rad")?, 2e-4)?;
-    let torques = TimeTable::linear(times, [table.column("tau1_Nm")?, table.column("tau2_Nm")?])?;
-    Ok(Run { angles, torques })
+    let samples = [table.column("tau1_Nm")?, table.column("tau2_Nm")?];
+    let torques = TimeTable::linear(times, samples)?;
+    let samples = samples.map(<[f64]>::to_vec);
+    Ok(Run {
+        angles,
+        torques,
+        samples,
+    })
+}
+
+/// Standard deviation of the noise of samples, from second differences, which the motion hardly has at 500 Hz.
+fn noise(samples: &[f64]) -> f64 {
+    let second = samples.windows(3).map(|x| (x[0] - 2.0 * x[1] + x[2]).powi(2) / 6.0);
+    (second.sum::<f64>() / samples.len() as f64).sqrt()
 }
 
 impl Run {
@@ -173,15 +191,6 @@ impl Run {
     fn values(&self, name: &str) -> &[f64] {
         let mut columns = self.angles.names().zip(self.angles.values());
         columns.find(|(own, _)| *own == name).map_or(&[], |(_, values)| values)
-    }
-
-    /// Standard deviation of the noise of an angle, from its second differences, which the motion hardly has at 500 Hz.
-    fn noise(&self, name: &str) -> f64 {
-        let second = self
-            .values(name)
-            .windows(3)
-            .map(|x| (x[0] - 2.0 * x[1] + x[2]).powi(2) / 6.0);
-        (second.sum::<f64>() / self.angles.times().len() as f64).sqrt()
     }
 
     fn arm(&self, params: ArmParams) -> Result<Driven, ParameterError> {
@@ -271,90 +280,4 @@ fn which_parameters(best: &ArmFit, run: &Run) -> Result<(), Box<dyn Error>> {
         println!("  {combination}");
     }
     Ok(())
-}
-
-/// Predicts a run by parameters of another, in windows whose starts are fitted, with its own zeros of the encoders, and
-/// with static friction that the other run does not determine. Then forecasts each window from the end of the one
-/// before.
-fn predict(best: &ArmFit, run: &Run) -> Result<ArmFit, Box<dyn Error>> {
-    let arm = run.arm(ArmParams::from_array(best.parameters))?;
-    let fit = Fit::new(Rk4::new(STEP))
-        .free(["zero1", "zero2"])
-        .separate_windows(WINDOW);
-    let predicted = fit.run(&[Experiment::new(&arm, &run.angles)])?;
-    println!("\nRun 2 by the parameters of run 1; residuals in mrad, and times those of run 1");
-    let row = |name: &str, [upper, lower]: [f64; 2]| {
-        println!(
-            "  {name:<32} {:>6.2} {:>6.2} {:>5.1} {:>5.1}",
-            1e3 * upper,
-            1e3 * lower,
-            upper / best.rms("q1"),
-            lower / best.rms("q2")
-        );
-    };
-    row(
-        "windows with their own starts",
-        ["q1", "q2"].map(|name| predicted.rms(name)),
-    );
-    let params = ArmParams::from_array(predicted.parameters);
-    let own = |run: &str, fitted: &ArmFit, names: [&str; 2]| {
-        let value = |name| fitted.estimate(name).map_or(f64::NAN, |estimate| estimate.value);
-        println!(
-            "    {}, {} of {run}: {:.3}, {:.3}",
-            names[0],
-            names[1],
-            value(names[0]),
-            value(names[1])
-        );
-    };
-    own("run 1", best, ["zero1", "zero2"]);
-    own("run 2", &predicted, ["zero1", "zero2"]);
-    // the lower link rests six times in run 2, and never in run 1
-    let params = ArmParams {
-        static1: 1.5,
-        static2: 1.5,
-        ..params
-    };
-    let arm = run.arm(params)?;
-    let sticks = Fit::new(Rk4::new(STEP))
-        .free(["zero1", "zero2", "static1", "static2"])
-        .bounds("static1", 1.0, 9.0)
-        .bounds("static2", 1.0, 9.0)
-        .separate_windows(WINDOW)
-        .run(&[Experiment::new(&arm, &run.angles)])?;
-    row(
-        "with static friction of its own",
-        ["q1", "q2"].map(|name| sticks.rms(name)),
-    );
-    own("run 2", &sticks, ["static1", "static2"]);
-    for (ahead, errors) in AHEAD.into_iter().zip(forecast(&predicted, run)?) {
-        row(&format!("forecast {ahead} s ahead"), errors);
-    }
-    Ok(predicted)
-}
-
-/// Times ahead at which forecasts are compared, in s.
-const AHEAD: [f64; 3] = [0.1, 0.25, 0.5];
-
-/// Root mean square errors of both angles in forecasts from the end of one window into the next, at the times
-/// [`AHEAD`]. No sample of a window is used for its forecast.
-fn forecast(fitted: &ArmFit, run: &Run) -> Result<[[f64; 2]; 3], Box<dyn Error>> {
-    let params = ArmParams::from_array(fitted.parameters);
-    let (arm, driven) = (Arm::new(params)?, run.arm(params)?);
-    let mut errors = [const { Vec::new() }; 3];
-    for window in &fitted.windows[..fitted.windows.len() - 1] {
-        let motion = Rk4::new(STEP).solve(&driven, window.t1, window.t1 + WINDOW, window.end)?;
-        let samples = run.values("q1").iter().zip(run.values("q2"));
-        for (&t, (&upper, &lower)) in run.angles.times().iter().zip(samples) {
-            let after = t - window.t1;
-            let near = AHEAD.iter().position(|ahead| (ahead - after).abs() < 0.025);
-            if let Some(k) = near.filter(|_| after <= WINDOW) {
-                errors[k].push(SVector::from([upper, lower]) - arm.outputs(t, &motion.at(t)?));
-            }
-        }
-    }
-    let rms = |errors: &[SVector<f64, 2>], n: usize| {
-        (errors.iter().map(|error| error[n] * error[n]).sum::<f64>() / errors.len() as f64).sqrt()
-    };
-    Ok(errors.map(|errors| [rms(&errors, 0), rms(&errors, 1)]))
 }

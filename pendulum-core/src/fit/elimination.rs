@@ -11,10 +11,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::real::lanes::{Isa, Routine};
+
 /// A column whose remainder is below this part of its length depends on the columns before it, up to rounding errors.
 const DEPENDENT: f64 = 1e-12;
 
 /// Scalar product, in parts that vector registers sum side by side.
+#[inline(always)]
 fn product(a: &[f64], b: &[f64]) -> f64 {
     let ((a, a_left), (b, b_left)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
     let mut sums = [0.0; 8];
@@ -23,8 +26,37 @@ fn product(a: &[f64], b: &[f64]) -> f64 {
             *sum += a * b;
         }
     }
-    let left = a_left.iter().zip(b_left).map(|(a, b)| a * b);
-    sums.into_iter().chain(left).sum()
+    let mut sum = 0.0;
+    for part in sums {
+        sum += part;
+    }
+    for (a, b) in a_left.iter().zip(b_left) {
+        sum += a * b;
+    }
+    sum
+}
+
+/// Reflects the last rows of columns by a normal of these rows.
+struct Reflect {
+    /// Number of all rows.
+    height: usize,
+    /// Half the square of the length of the normal.
+    square: f64,
+}
+
+impl Routine<[f64], [f64]> for Reflect {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self, columns: &mut [f64], normal: &[f64]) {
+        for column in columns.chunks_exact_mut(self.height) {
+            let part = &mut column[self.height - normal.len()..];
+            let factor = product(normal, part) / self.square;
+            for (entry, n) in part.iter_mut().zip(normal) {
+                *entry -= factor * n;
+            }
+        }
+    }
 }
 
 /// Rows `[J, r]` of a least-squares problem, in echelon form in their first columns.
@@ -38,7 +70,7 @@ pub(super) struct Echelon {
 impl Echelon {
     /// Brings the first `columns` columns to echelon form by Householder reflections.
     pub(super) fn new(mut rows: DMatrix<f64>, columns: usize) -> Self {
-        let (height, width) = rows.shape();
+        let height = rows.nrows();
         let lengths: Vec<f64> = (0..columns).map(|c| rows.column(c).norm()).collect();
         let mut pivots = vec![None; columns];
         let mut normal = vec![0.0; height];
@@ -63,13 +95,7 @@ impl Echelon {
             let square = -target * normal[0];
             part.fill(0.0);
             part[0] = target;
-            for other in 0..width - column - 1 {
-                let part = &mut others[other * height + next..(other + 1) * height];
-                let factor = product(normal, part) / square;
-                for (entry, n) in part.iter_mut().zip(&*normal) {
-                    *entry -= factor * n;
-                }
-            }
+            Isa::run_routine(Reflect { height, square }, others, normal);
             *pivot = Some(next);
             next += 1;
         }

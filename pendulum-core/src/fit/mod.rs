@@ -83,7 +83,7 @@ pub use table::{Table, TableError};
 use crate::dual::Dual;
 use crate::method::Method;
 use crate::system::{IntoState, Parametric, System};
-use descent::{ENOUGH, End};
+use descent::{ENOUGH, ENOUGH_WITH_SWITCHES, End};
 use measurement::Column;
 use search::{Joints, Point, Search, Tasks};
 use shooting::{PART, Trajectories, sources};
@@ -284,7 +284,7 @@ impl<X> Fit<X> {
         };
         let measurements: Vec<_> = experiments.iter().map(|experiment| experiment.measurement).collect();
         let (outputs, sensors, given) = report::sensors(&measurements);
-        let tried = vec![0.0; windows.len()];
+        let (tried, hybrid) = (vec![0.0; windows.len()], model.hybrid().is_some());
         let mut search = Search {
             shooting: &trajectories,
             measurements,
@@ -298,9 +298,10 @@ impl<X> Fit<X> {
             bounds,
             loss: self.loss,
             n: active,
-            hybrid: model.hybrid().is_some(),
+            hybrid,
             joints: None,
-            enough: ENOUGH,
+            leaves_bad_windows: hybrid,
+            enough: if hybrid { ENOUGH_WITH_SWITCHES } else { ENOUGH },
             max_iterations: self.max_iterations,
             iterations: 0,
             shots: 0,
@@ -382,9 +383,11 @@ impl<X> Fit<X> {
         let mut end;
         (point, end) = search.minimise(point, progress);
         for _ in 0..KINKS {
-            if end.is_final() || !search.relax(&mut point, end != End::Converged) {
+            let at_a_kink = matches!(end, End::Kink | End::Stuck);
+            if end.is_final() || !search.relax(&mut point, at_a_kink) && end != End::BadWindow {
                 break;
             }
+            search.leaves_bad_windows = false;
             (point, end) = search.minimise(point, progress);
         }
         if matches!(self.division, Division::Joined(_)) {

@@ -271,7 +271,8 @@ pub(super) fn fitted<const N: usize, const P: usize>(
         residuals,
         status: match end {
             End::Converged | End::Kink => Status::Converged,
-            End::Stuck => Status::Stuck,
+            // a search goes on after it was interrupted
+            End::Stuck | End::BadWindow => Status::Stuck,
             End::OutOfIterations => Status::OutOfIterations,
             End::Stopped => Status::Stopped,
         },

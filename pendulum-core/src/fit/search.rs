@@ -56,6 +56,8 @@ pub(super) struct Search<'a> {
     /// For each window, the mean square of its residuals over that of the median window, when it was last fitted from
     /// other starts; 0 if it was not.
     pub(super) tried: Vec<f64>,
+    /// True if the search is interrupted near its end for windows that are bad.
+    pub(super) leaves_bad_windows: bool,
     /// Least decrease of the loss that is worth a step, as a part of that of one residual.
     pub(super) enough: f64,
     pub(super) max_iterations: usize,
@@ -128,7 +130,7 @@ impl Search<'_> {
     }
 
     /// Number of variables of a window: its start, and the free parameters.
-    fn variables(&self) -> usize {
+    pub(super) fn variables(&self) -> usize {
         self.n + self.free.len()
     }
 

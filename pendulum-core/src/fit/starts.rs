@@ -142,6 +142,7 @@ impl Search<'_> {
             bounds: Vec::new(),
             joints: None,
             tried: Vec::new(),
+            leaves_bad_windows: false,
             enough: ENOUGH_OF_A_START,
             max_iterations: ITERATIONS_OF_A_START,
             iterations: 0,
@@ -176,28 +177,40 @@ impl Search<'_> {
         alone.minimise(own, &mut |_| ControlFlow::Continue(())).0
     }
 
-    /// Fits the start of each window alone, which kinks in other windows do not hinder, if the search ended at one.
-    /// Where a window is much worse than others, such as where a joint sticks in vain, it is also fitted from other
-    /// starts, and again only if it becomes much worse. True if the loss decreases noticeably.
-    pub(super) fn relax(&mut self, point: &mut Point, at_a_kink: bool) -> bool {
-        let given = vec![true; self.given.len()];
+    /// Mean squares of the residuals of all windows, over that of the median window.
+    fn mean_squares(&self, point: &Point) -> Vec<f64> {
         let mean_square = |(w, shot): (usize, &Shot)| {
             let [sum, count] = self.weighted_squares(w, shot);
             sum / count.max(1.0)
         };
-        let losses: Vec<f64> = point.shots.iter().enumerate().map(mean_square).collect();
-        let mut sorted = losses.clone();
+        let mut all: Vec<f64> = point.shots.iter().enumerate().map(mean_square).collect();
+        let mut sorted = all.clone();
         sorted.sort_by(f64::total_cmp);
         let median = sorted[sorted.len() / 2];
-        let bad = if self.hybrid { BAD * median } else { f64::INFINITY };
-        if !at_a_kink && losses.iter().all(|&loss| loss <= bad) {
+        all.iter_mut().for_each(|square| *square /= median);
+        all
+    }
+
+    /// True for windows that are much worse than others, such as where a joint sticks in vain, and much worse than when
+    /// they were last fitted from other starts.
+    pub(super) fn bad(&self, point: &Point) -> Vec<bool> {
+        let all = self.mean_squares(point).into_iter().zip(&self.tried);
+        all.map(|(square, tried)| self.hybrid && square > BAD.max(BAD * tried))
+            .collect()
+    }
+
+    /// Fits the start of each window alone, which kinks in other windows do not hinder, if the search ended at one or
+    /// there are [bad](Self::bad) windows, which are also fitted from other starts. True if the loss decreases
+    /// noticeably.
+    pub(super) fn relax(&mut self, point: &mut Point, at_a_kink: bool) -> bool {
+        let given = vec![true; self.given.len()];
+        let from_others = self.bad(point);
+        if !at_a_kink && !from_others.contains(&true) {
             return false;
         }
-        let mut from_others = vec![false; losses.len()];
-        for ((from_others, &loss), tried) in from_others.iter_mut().zip(&losses).zip(&mut self.tried) {
-            *from_others = loss > bad && loss > BAD * *tried * median;
-            if *from_others {
-                *tried = loss / median;
+        for (w, square) in self.mean_squares(point).into_iter().enumerate() {
+            if from_others[w] {
+                self.tried[w] = square;
             }
         }
         // mean sizes of the components
@@ -224,22 +237,24 @@ impl Search<'_> {
             let mut best = others.fold(self.restart(w, point), |best, other| {
                 if other.loss < best.loss { other } else { best }
             });
-            best.starts.swap_remove(0)
-        });
-        let mut starts = point.starts.clone();
-        for (w, start) in unknown.into_iter().zip(fitted) {
-            starts[w] = start;
-        }
-        if starts == point.starts {
-            return false;
-        }
-        let relaxed = self.at(point.parameters.clone(), starts).ok();
-        match relaxed.filter(|relaxed| relaxed.loss < point.loss - self.mean_square(point)) {
-            Some(relaxed) => {
-                *point = relaxed;
-                true
+            let start = best.starts.swap_remove(0);
+            if start == point.starts[w] {
+                return None;
             }
-            None => false,
+            let variables = 0..self.variables();
+            let shot = (self.shooting).shoot(window, &start, &point.parameters, &self.free, variables);
+            Some((w, start, shot.ok()?))
+        });
+        let mut relaxed = point.clone();
+        for (w, start, shot) in fitted.into_iter().flatten() {
+            self.shots += 1;
+            (relaxed.starts[w], relaxed.shots[w]) = (start, shot);
         }
+        relaxed.loss = self.loss_of(&relaxed);
+        let is_better = relaxed.loss < point.loss - self.mean_square(point);
+        if is_better {
+            *point = relaxed;
+        }
+        is_better
     }
 }
