@@ -181,7 +181,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let ended = self.drive(method, model, span, x0, self.member, &mut recorder);
         let work = recorder.work;
         observer.finish(work);
-        ended.map(|(x, _)| x).map_err(|halt| halt.reason)
+        ended.map_err(|halt| halt.reason)
     }
 }
 
