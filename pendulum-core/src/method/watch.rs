@@ -10,7 +10,7 @@ use crate::method::Stepper;
 use crate::method::input::{of_reset, place};
 use crate::method::scheme::Scheme;
 use crate::method::search::{Found, Search, What};
-use crate::real::Float;
+use crate::real::{Float, ulps};
 use crate::solution::{Need, Observer, Solution};
 use crate::step_size::Tolerance;
 use crate::system::System;
@@ -148,7 +148,7 @@ where
             Err(reason) => return Err(here(stepper)(reason)),
         };
         if reached.changes(stepper, &step, observer) {
-            let times = (step.t0, stepper.t1(), step.t0.abs().max(step.h.abs()));
+            let times = (step.t0, stepper.t1(), step.scale(step.t0));
             let restarted = search.restart(times, &step.x0, &[]);
             restarted.map_err(Early::at((step.t0, step.x0)))?;
         }
@@ -366,7 +366,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
             theta,
             t,
             x: dense.at_fraction(theta),
-            scale: t.abs().max(dense.step().h.abs()),
+            scale: dense.step().scale(t),
             fired: Vec::new(),
             changes: false,
             is_the_end: false,
@@ -374,7 +374,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
     }
 
     fn resolution(&self) -> T {
-        T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * self.scale
+        ulps(SIMULTANEOUS_ULPS, self.scale)
     }
 
     fn is_simultaneous(&self, t: T) -> bool {
