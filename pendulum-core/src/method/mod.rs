@@ -55,7 +55,7 @@ pub(crate) use explicit::MAX_DEGREE;
 #[cfg(feature = "std")]
 pub(crate) use input::check_loops;
 pub(crate) use input::{check_start, place, require};
-pub(crate) use zero::{Known, dip, first_zero, places, root, root_of_line, unseen_bend};
+pub(crate) use zero::{Known, first_zero, places, root, root_of_line, unseen_bend, zero_between};
 #[cfg(feature = "std")]
 pub(crate) use {
     grid::Grid,
