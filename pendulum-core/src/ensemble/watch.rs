@@ -6,7 +6,7 @@ use super::check::in_lane;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::event::Event;
-use crate::method::{Early, Scheme, Search, Stepper, follow, see};
+use crate::method::{Early, Scheme, Search, Stepper, see};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::solution::{Need, Observer};
@@ -191,11 +191,7 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
-        let observer = &mut self.observers[index];
-        tolerance.into_iter().for_each(|tolerance| observer.within(tolerance));
-        let ended = follow(stepper, x0, self.events[index], observer);
-        observer.finish(stepper.statistics());
-        ended
+        stepper.watched(x0, self.events[index], tolerance, &mut self.observers[index])
     }
 
     fn start(

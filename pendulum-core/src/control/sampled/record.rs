@@ -9,7 +9,7 @@ use crate::error::{Reason, SolveError};
 use crate::event::{Event, Missed, Occurrence};
 use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::inputs::{Controlled, WithInputs};
-use crate::method::{Method, Scheme, Search, Stepper, check_start, follow_on, require};
+use crate::method::{Method, Scheme, Search, Stepper, check_start, require};
 use crate::real::Float;
 use crate::solution::{Need, Observer, Solution};
 use crate::statistics::Statistics;
@@ -230,7 +230,7 @@ where
             }
             None => self.search.insert(Search::new(self.events, t, &x)?),
         };
-        let ended = follow_on(stepper, x0, search, &mut self.legs);
+        let ended = stepper.follow_on(x0, search, &mut self.legs);
         self.work = stepper.statistics();
         let (x, is_the_end) = ended.map_err(|early| early.reason)?;
         self.end = is_the_end.then_some(x);
