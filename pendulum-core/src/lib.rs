@@ -100,6 +100,7 @@ mod constraint;
 #[cfg(feature = "std")]
 mod csv;
 mod linear;
+mod settings;
 mod statistics;
 mod step_size;
 
