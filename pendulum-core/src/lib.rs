@@ -99,6 +99,7 @@ pub mod taylor;
 mod constraint;
 #[cfg(feature = "std")]
 mod csv;
+mod forward;
 mod linear;
 mod settings;
 mod statistics;
