@@ -74,6 +74,30 @@ pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};
 
 use super::{Float, Real};
 
+/// Implements [`Lanes`] for a number that is a single lane, except for the methods that check its value.
+macro_rules! single_lane {
+    () => {
+        type Scalar = Self;
+
+        #[inline(always)]
+        fn splat(v: Self) -> Self {
+            v
+        }
+
+        #[inline(always)]
+        fn from_fn(mut f: impl FnMut(usize) -> Self) -> Self {
+            f(0)
+        }
+
+        #[inline(always)]
+        fn lane(&self, i: usize) -> Self {
+            assert!(i == 0, "lane {i} of one");
+            *self
+        }
+    };
+}
+pub(crate) use single_lane;
+
 /// A [`Real`] made of one or more scalars; a scalar is a single lane.
 pub trait Lanes: Real {
     /// Type of one lane.
