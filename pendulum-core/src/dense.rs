@@ -41,6 +41,14 @@ impl<T: Real, const N: usize> Step<T, N> {
     pub(crate) fn at_rest(t: T, x: SVector<T, N>) -> Self {
         Self::new((t, x), (t, x))
     }
+
+    /// Size to which a time within the step is resolved: its own, or the length of the step near zero.
+    pub(crate) fn scale(&self, t: T) -> T
+    where
+        T: Float,
+    {
+        t.abs().max(self.h.abs())
+    }
 }
 
 /// Dense output: the states within a step, whose ends are in [`Step`].
@@ -56,11 +64,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
     /// Dense output with the polynomial `x0 + c_1 theta + c_2 theta^2 + ..`, where `coefficients` are the vectors `c_1,
     /// c_2, ..` and `theta` is the fraction of the step.
     pub(crate) fn new(step: Step<T, N>, coefficients: &'a [SVector<T, N>]) -> Self {
-        Self {
-            step,
-            coefficients,
-            cut: T::from_f64(1.0),
-        }
+        Self::cut_off(step, coefficients, T::from_f64(1.0))
     }
 
     /// Dense output of a step that was cut off at the fraction `cut` of the step of the coefficients.

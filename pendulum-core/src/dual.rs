@@ -5,7 +5,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use nalgebra::SVector;
 
-use crate::real::lanes::{Lanes, Pack, Register, Routine};
+use crate::real::lanes::{Lanes, Pack, Register, Routine, single_lane};
 use crate::real::{Float, Real};
 
 /// A value with its derivatives with respect to `N` variables, propagated through every operation by the chain rule.
@@ -358,24 +358,8 @@ macro_rules! float {
     ($float:ident) => {
         /// A single lane.
         impl<const N: usize> Lanes for Dual<$float, N> {
-            type Scalar = Self;
+            single_lane!();
             type Double = Self;
-
-            #[inline]
-            fn splat(v: Self) -> Self {
-                v
-            }
-
-            #[inline]
-            fn from_fn(mut f: impl FnMut(usize) -> Self) -> Self {
-                f(0)
-            }
-
-            #[inline]
-            fn lane(&self, i: usize) -> Self {
-                assert!(i == 0, "lane {i} of one");
-                *self
-            }
 
             #[inline]
             fn all_finite(self) -> bool {

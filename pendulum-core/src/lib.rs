@@ -99,7 +99,9 @@ pub mod taylor;
 mod constraint;
 #[cfg(feature = "std")]
 mod csv;
+mod forward;
 mod linear;
+mod settings;
 mod statistics;
 mod step_size;
 

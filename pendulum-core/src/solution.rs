@@ -8,6 +8,7 @@ use nalgebra::SVector;
 use crate::dense::{Dense, polynomial};
 use crate::error::debug_as_display;
 use crate::event::{Missed, Occurrence};
+use crate::forward::forward;
 use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::real::Float;
 use crate::step_size::Tolerance;
@@ -301,56 +302,20 @@ pub trait Observer<T, const N: usize> {
 }
 
 impl<O: Observer<T, N> + ?Sized, T, const N: usize> Observer<T, N> for &mut O {
-    fn start(&mut self, t: T, x: &SVector<T, N>) {
-        (**self).start(t, x);
-    }
-
-    fn needs(&self, t0: T, t1: T) -> Need {
-        (**self).needs(t0, t1)
-    }
-
-    fn keeps_all(&self) -> bool {
-        (**self).keeps_all()
-    }
-
-    fn is_cancelled(&self) -> bool {
-        (**self).is_cancelled()
-    }
-
-    fn within(&mut self, tolerance: Tolerance<T>) {
-        (**self).within(tolerance);
-    }
-
-    fn step(&mut self, dense: &Dense<'_, T, N>) {
-        (**self).step(dense);
-    }
-
-    fn jump(&mut self, t: T, x: SVector<T, N>) {
-        (**self).jump(t, x);
-    }
-
-    fn event(&mut self, event: Occurrence<T, N>) {
-        (**self).event(event);
-    }
-
-    fn missed(&mut self, missed: Missed<T>) {
-        (**self).missed(missed);
-    }
-
-    fn mode(&mut self, from: T, mode: Mode) {
-        (**self).mode(from, mode);
-    }
-
-    fn finish(&mut self, statistics: Statistics) {
-        (**self).finish(statistics);
-    }
-
-    fn impact(&mut self, impact: Impact<T, N>) {
-        (**self).impact(impact);
-    }
-
-    fn ambiguity(&mut self, ambiguity: Ambiguity<T>) {
-        (**self).ambiguity(ambiguity);
+    forward! { self => (**self);
+        needs(t0: T, t1: T) -> Need;
+        keeps_all() -> bool;
+        is_cancelled() -> bool;
+        [mut] start(t: T, x: &SVector<T, N>);
+        [mut] within(tolerance: Tolerance<T>);
+        [mut] step(dense: &Dense<'_, T, N>);
+        [mut] jump(t: T, x: SVector<T, N>);
+        [mut] event(event: Occurrence<T, N>);
+        [mut] missed(missed: Missed<T>);
+        [mut] mode(from: T, mode: Mode);
+        [mut] finish(statistics: Statistics);
+        [mut] impact(impact: Impact<T, N>);
+        [mut] ambiguity(ambiguity: Ambiguity<T>);
     }
 }
 

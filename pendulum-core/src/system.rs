@@ -31,6 +31,7 @@ pub use state::IntoState;
 use nalgebra::{SMatrix, SVector};
 
 use crate::constraint::MAX_CONSTRAINTS;
+use crate::forward::{forward, forward_system};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
@@ -292,39 +293,6 @@ pub trait Energy<T: Real, const N: usize> {
         self.kinetic(t, &x) + self.potential(t, &x)
     }
 }
-
-/// Implements methods by forwarding to a wrapped value.
-macro_rules! forward {
-    ($self:ident => $wrapped:expr;
-     $($method:ident($($argument:ident: $kind:ty),*) $(-> $output:ty)? $(where $number:ident: $order:ident)?;)*) => {
-        $(
-            #[inline]
-            fn $method(&$self, $($argument: $kind),*) $(-> $output)?
-            $(where $number: $order)?
-            {
-                $wrapped.$method($($argument),*)
-            }
-        )*
-    };
-}
-
-/// Implements all methods of a [`System`] by forwarding to a wrapped system.
-macro_rules! forward_system {
-    ($self:ident => $wrapped:expr) => {
-        $crate::system::forward! { $self => $wrapped;
-            rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
-            is_apart() -> bool;
-            active() -> usize;
-            layout() -> Option<StateLayout<'_>>;
-            is_autonomous() -> Option<bool>;
-            project(t: T, x: &mut SVector<T, N>);
-            margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 2]));
-            gaps(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3]));
-            hybrid() -> Option<&dyn Hybrid<T, N>>;
-        }
-    };
-}
-pub(crate) use {forward, forward_system};
 
 impl<T: Real, S: System<T, N> + ?Sized, const N: usize> System<T, N> for &S {
     forward_system!(self => (**self));

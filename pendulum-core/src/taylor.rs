@@ -21,6 +21,7 @@ pub use self::products::{FewProducts, Newest, Products};
 #[cfg(feature = "std")]
 pub use self::recording::Recording;
 use crate::constraint::Hold;
+use crate::forward::forward;
 use crate::real::Real;
 use crate::system::{Cast, System};
 
@@ -92,18 +93,9 @@ pub trait CastTaylor<const N: usize>: Cast<N> {
 impl<T: Real, S: TaylorSeries<T, N> + ?Sized, const N: usize> TaylorSeries<T, N> for &S {
     type Workspace = S::Workspace;
 
-    #[inline]
-    fn workspace(&self) -> Self::Workspace {
-        (**self).workspace()
-    }
-
-    #[inline]
-    fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
-        (**self).series(t, x, work);
-    }
-
-    #[inline]
-    fn hybrid_series(&self) -> Option<&dyn HybridSeries<T, N, Workspace = Self::Workspace>> {
-        (**self).hybrid_series()
+    forward! { self => (**self);
+        workspace() -> Self::Workspace;
+        series(t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace);
+        hybrid_series() -> Option<&dyn HybridSeries<T, N, Workspace = Self::Workspace>>;
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::error::Reason;
+use crate::forward::{forward, forward_state};
 use crate::hybrid::Hybrid;
 use crate::layout::StateLayout;
 use crate::linear::PerLane;
@@ -115,66 +116,25 @@ impl<M: Cast<N>, V: Lanes, const N: usize> Expanded<M, V, N> {
 }
 
 impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
-    #[inline(always)]
-    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        self.0.rhs(t, x)
-    }
-
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn rhs_into(&self, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
         self.0.rhs_into(t, x, rates);
     }
 
-    #[inline(always)]
-    fn active(&self) -> usize {
-        self.0.active()
+    forward! { self => self.0;
+        rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
+        hybrid() -> Option<&dyn Hybrid<T, N>>;
     }
-
-    fn layout(&self) -> Option<StateLayout<'_>> {
-        self.0.layout()
-    }
-
-    fn is_autonomous(&self) -> Option<bool> {
-        self.0.is_autonomous()
-    }
-
-    #[inline(always)]
-    fn project(&self, t: T, x: &mut SVector<T, N>) {
-        self.0.project(t, x);
-    }
-
-    #[inline(always)]
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 2])) {
-        self.0.margins(t, x, tell);
-    }
-
-    #[inline]
-    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3])) {
-        self.0.gaps(t, x, tell);
-    }
-
-    #[inline(always)]
-    fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
-        self.0.hybrid()
-    }
+    forward_state!(self => self.0);
 }
 
 impl<M: CastTaylor<N>, T: Real, const N: usize> TaylorSeries<T, N> for Expanded<M, T, N> {
     type Workspace = M::Workspace<T>;
 
-    #[inline(always)]
-    fn workspace(&self) -> Self::Workspace {
-        M::with_series(&self.0).workspace()
-    }
-
-    #[inline(always)]
-    fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
-        M::with_series(&self.0).series(t, x, work);
-    }
-
-    #[inline(always)]
-    fn hybrid_series(&self) -> Option<&dyn HybridSeries<T, N, Workspace = Self::Workspace>> {
-        M::with_series(&self.0).hybrid_series()
+    forward! { self => M::with_series(&self.0);
+        workspace() -> Self::Workspace;
+        series(t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace);
+        hybrid_series() -> Option<&dyn HybridSeries<T, N, Workspace = Self::Workspace>>;
     }
 }
 
@@ -208,17 +168,9 @@ impl<M: CastJacobian<N>, T: Real, const N: usize> Jacobian<T, N> for Expanded<M,
         self.rhs_and_jacobian(t, x).1
     }
 
-    #[inline(always)]
-    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        M::with_jacobian(&self.0).rhs_and_jacobian(t, x)
-    }
-
-    #[inline(always)]
-    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
-    where
-        T: Lanes,
-    {
-        M::with_jacobian(&self.0).time_derivative(t, x)
+    forward! { self => M::with_jacobian(&self.0);
+        rhs_and_jacobian(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
+        time_derivative(t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Lanes;
     }
 }
 

@@ -6,7 +6,7 @@ use super::check::in_lane;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::event::Event;
-use crate::method::{Early, Scheme, Search, Stepper, follow, see};
+use crate::method::{Early, Scheme, Search, Stepper, see};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::solution::{Need, Observer};
@@ -14,16 +14,20 @@ use crate::statistics::Statistics;
 use crate::step_size::Tolerance;
 use crate::system::System;
 
-/// Observer of all trajectories of an ensemble, which are identified by their index.
+/// Observer of all trajectories of an ensemble, which are identified by their index. By default there are no observers.
 pub trait Watch<T: Float, const N: usize> {
     /// True if there are observers.
-    const WATCHES: bool;
+    const WATCHES: bool = false;
 
     /// True if some observer keeps every step of its trajectory.
-    fn keeps_all(&self) -> bool;
+    fn keeps_all(&self) -> bool {
+        false
+    }
 
     /// True if a trajectory must be integrated alone.
-    fn is_alone(&self, index: usize) -> bool;
+    fn is_alone(&self, _index: usize) -> bool {
+        false
+    }
 
     /// Integrates a trajectory alone and returns its final state.
     ///
@@ -31,13 +35,17 @@ pub trait Watch<T: Float, const N: usize> {
     /// Reason and place of an early stop.
     fn run<C, S>(
         &mut self,
-        start: (usize, SVector<T, N>),
+        _start: (usize, SVector<T, N>),
         stepper: &mut Stepper<'_, C, S, T, N>,
-        tolerance: Option<Tolerance<T>>,
+        _tolerance: Option<Tolerance<T>>,
     ) -> Result<SVector<T, N>, Early<T, N>>
     where
         C: Scheme<S, T, N>,
-        S: System<T, N> + ?Sized;
+        S: System<T, N> + ?Sized,
+    {
+        let ended = stepper.run();
+        ended.map_err(Early::at((stepper.t(), stepper.x())))
+    }
 
     /// Integrates a trajectory that has left its lane after this many steps, because it switched to another method, and
     /// returns its final state.
@@ -83,26 +91,34 @@ pub trait Watch<T: Float, const N: usize> {
     /// Called when a trajectory starts in a lane. `work` counts the evaluations so far.
     fn start(
         &mut self,
-        index: usize,
-        at: (T, &SVector<T, N>),
-        tolerance: Option<Tolerance<T>>,
-        work: &Statistics,
-    ) -> Result<(), Reason>;
+        _index: usize,
+        _at: (T, &SVector<T, N>),
+        _tolerance: Option<Tolerance<T>>,
+        _work: &Statistics,
+    ) -> Result<(), Reason> {
+        Ok(())
+    }
 
     /// The part of a step that will be evaluated.
-    fn needs(&self, index: usize, span: (T, T)) -> Need;
+    fn needs(&self, _index: usize, _span: (T, T)) -> Need {
+        Need::Nothing
+    }
 
     /// True if a trajectory is stopped by its observer.
-    fn is_cancelled(&self, index: usize) -> bool;
+    fn is_cancelled(&self, _index: usize) -> bool {
+        false
+    }
 
     /// Receives a step of a lane. Returns the state at a terminal event in this step, if there is one.
-    fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Early<T, N>>;
+    fn see(&mut self, _index: usize, _dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Early<T, N>> {
+        Ok(None)
+    }
 
     /// Adds evaluations made in a lane.
-    fn work(&mut self, index: usize, work: &Statistics);
+    fn work(&mut self, _index: usize, _work: &Statistics) {}
 
     /// Called when a trajectory leaves its lane, at its end or earlier.
-    fn finish(&mut self, index: usize);
+    fn finish(&mut self, _index: usize) {}
 }
 
 /// Passes the step of a lane to [`Watch::see`] and returns its result. `inside` holds the coefficients of the dense
@@ -130,57 +146,7 @@ pub(super) fn show_lane<V: Lanes, W: Watch<V::Scalar, N>, const N: usize>(
 /// No observers.
 pub(super) struct Unwatched;
 
-impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
-    const WATCHES: bool = false;
-
-    fn keeps_all(&self) -> bool {
-        false
-    }
-
-    fn is_alone(&self, _index: usize) -> bool {
-        false
-    }
-
-    fn run<C, S>(
-        &mut self,
-        _start: (usize, SVector<T, N>),
-        stepper: &mut Stepper<'_, C, S, T, N>,
-        _tolerance: Option<Tolerance<T>>,
-    ) -> Result<SVector<T, N>, Early<T, N>>
-    where
-        C: Scheme<S, T, N>,
-        S: System<T, N> + ?Sized,
-    {
-        let ended = stepper.run();
-        ended.map_err(Early::at((stepper.t(), stepper.x())))
-    }
-
-    fn start(
-        &mut self,
-        _index: usize,
-        _at: (T, &SVector<T, N>),
-        _tolerance: Option<Tolerance<T>>,
-        _work: &Statistics,
-    ) -> Result<(), Reason> {
-        Ok(())
-    }
-
-    fn needs(&self, _index: usize, _span: (T, T)) -> Need {
-        Need::Nothing
-    }
-
-    fn is_cancelled(&self, _index: usize) -> bool {
-        false
-    }
-
-    fn see(&mut self, _index: usize, _dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Early<T, N>> {
-        Ok(None)
-    }
-
-    fn work(&mut self, _index: usize, _work: &Statistics) {}
-
-    fn finish(&mut self, _index: usize) {}
-}
+impl<T: Float, const N: usize> Watch<T, N> for Unwatched {}
 
 /// One observer per trajectory, with its events.
 pub(super) struct Watched<'o, 'w, 'e, O, T, const N: usize> {
@@ -225,11 +191,7 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
-        let observer = &mut self.observers[index];
-        tolerance.into_iter().for_each(|tolerance| observer.within(tolerance));
-        let ended = follow(stepper, x0, self.events[index], observer);
-        observer.finish(stepper.statistics());
-        ended
+        stepper.watched(x0, self.events[index], tolerance, &mut self.observers[index])
     }
 
     fn start(

@@ -11,13 +11,13 @@ use nalgebra::SVector;
 
 use super::complementarity::{groups, impulses, solve_negated};
 use super::mode::{Status, bits, set_of};
-use super::resolution::{AT_LIMIT, CONSISTENT, ORDER_MATTERS, ulps};
+use super::resolution::{AT_LIMIT, CONSISTENT, ORDER_MATTERS};
 use super::series::Series;
 use super::settling::Settling;
 use super::switch::finish;
 use super::witness::{Witness, Witnesses};
 use super::{MAX_CONSTRAINTS, Response};
-use crate::real::Float;
+use crate::real::{Float, ulps};
 
 /// Contacts at an instant at which some of them approach.
 struct Approach<T, const N: usize> {

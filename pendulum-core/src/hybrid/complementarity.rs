@@ -2,8 +2,8 @@
 
 use super::MAX_CONSTRAINTS;
 use super::mode::{bits, set_of};
-use super::resolution::{LAWFUL, UNCOUPLED, ulps};
-use crate::real::{Float, Real};
+use super::resolution::{LAWFUL, UNCOUPLED};
+use crate::real::{Float, Real, ulps};
 
 /// Pivot, relative to the diagonal, below which a row depends on those before it and gets no force of its own.
 const INDEPENDENT: f64 = 1e-10;

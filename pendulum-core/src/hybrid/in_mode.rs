@@ -6,6 +6,7 @@ use super::held::{self, pin, pressing, reduced};
 use super::mode::Mode;
 use super::witness::Witnesses;
 use super::{Hold, MAX_CONSTRAINTS};
+use crate::forward::forward_state;
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
@@ -91,35 +92,7 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
         self.system.hybrid().is_none() && self.system.is_apart()
     }
 
-    #[inline(always)]
-    fn active(&self) -> usize {
-        self.system.active()
-    }
-
-    #[inline(always)]
-    fn layout(&self) -> Option<StateLayout<'_>> {
-        self.system.layout()
-    }
-
-    #[inline(always)]
-    fn is_autonomous(&self) -> Option<bool> {
-        self.system.is_autonomous()
-    }
-
-    #[inline(always)]
-    fn project(&self, t: T, x: &mut SVector<T, N>) {
-        self.system.project(t, x);
-    }
-
-    #[inline(always)]
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 2])) {
-        self.system.margins(t, x, tell);
-    }
-
-    #[inline]
-    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3])) {
-        self.system.gaps(t, x, tell);
-    }
+    forward_state!(self => self.system);
 }
 
 impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for InMode<'_, S, T> {

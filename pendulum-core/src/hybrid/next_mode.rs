@@ -2,11 +2,11 @@
 
 use super::complementarity::{depends, independent, solve_negated, subsets};
 use super::mode::{Mode, Status, bits, set_of};
-use super::resolution::{CONSISTENT, ulps};
+use super::resolution::CONSISTENT;
 use super::settling::Settling;
 use super::sizes::ForceSizes;
 use super::{Hold, MAX_CONSTRAINTS, Response};
-use crate::real::Float;
+use crate::real::{Float, ulps};
 
 /// Push on a constraint that gave way, relative to the forces on it: it stands for the growth of the force shortly
 /// after.

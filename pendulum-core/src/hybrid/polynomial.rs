@@ -1,5 +1,7 @@
 //! Witnesses that are polynomials of the dense output.
 
+use core::convert::identity;
+
 use nalgebra::SVector;
 
 use super::Constraint;
@@ -59,9 +61,9 @@ pub(crate) fn room<V: Lanes, const N: usize>(
 #[inline(always)]
 fn least<V: Lanes, const N: usize>(start: (V, V), witness: Watched<'_>, terms: &[SVector<V, N>]) -> V {
     if terms.len() < FEW {
-        Polynomial::<V, FEW>::new(start, witness, terms).least()
+        Polynomial::<V, FEW>::new(start, witness, terms, identity).least()
     } else {
-        Polynomial::<V, MANY>::new(start, witness, terms).least()
+        Polynomial::<V, MANY>::new(start, witness, terms, identity).least()
     }
 }
 
@@ -73,9 +75,9 @@ pub(super) fn stays_positive<T: Float, const N: usize>(
     terms: &[SVector<T, N>],
 ) -> bool {
     if terms.len() < FEW {
-        Polynomial::<f64, FEW>::of_values(start, witness, terms).stays_positive()
+        Polynomial::<f64, FEW>::new(start, witness, terms, T::to_f64).stays_positive()
     } else {
-        Polynomial::<f64, MANY>::of_values(start, witness, terms).stays_positive()
+        Polynomial::<f64, MANY>::new(start, witness, terms, T::to_f64).stays_positive()
     }
 }
 
@@ -114,9 +116,9 @@ pub(super) fn course<T: Float, const N: usize>(
     (is_positive, noise): (bool, T),
 ) -> Course<T> {
     if terms.len() < FEW {
-        Polynomial::<T, FEW>::new(start, witness, terms).course(is_positive, noise)
+        Polynomial::<T, FEW>::new(start, witness, terms, identity).course(is_positive, noise)
     } else {
-        Polynomial::<T, MANY>::new(start, witness, terms).course(is_positive, noise)
+        Polynomial::<T, MANY>::new(start, witness, terms, identity).course(is_positive, noise)
     }
 }
 
@@ -127,18 +129,20 @@ struct Polynomial<V, const TERMS: usize> {
 }
 
 impl<V: Lanes, const TERMS: usize> Polynomial<V, TERMS> {
+    /// `number` converts the components of the terms.
     #[inline(always)]
-    fn new<const N: usize>(
+    fn new<T: Lanes, const N: usize>(
         (value, sign): (V, V),
         (constraint, witness, dof): Watched<'_>,
-        terms: &[SVector<V, N>],
+        terms: &[SVector<T, N>],
+        number: impl Fn(T) -> V,
     ) -> Self {
         let back = if witness.is_gap() { dof } else { 0 };
         let mut coefficients = [V::default(); TERMS];
         coefficients[0] = value;
         for (coefficient, term) in coefficients[1..].iter_mut().zip(terms) {
             for &(component, its) in constraint.rate {
-                *coefficient += term[component - back] * V::from_f64(f64::from(its));
+                *coefficient += number(term[component - back]) * V::from_f64(f64::from(its));
             }
             *coefficient *= sign;
         }
@@ -180,24 +184,6 @@ impl<V: Lanes, const TERMS: usize> Polynomial<V, TERMS> {
 }
 
 impl<const TERMS: usize> Polynomial<f64, TERMS> {
-    fn of_values<T: Float, const N: usize>(
-        (value, sign): (f64, f64),
-        (constraint, witness, dof): Watched<'_>,
-        terms: &[SVector<T, N>],
-    ) -> Self {
-        let back = if witness.is_gap() { dof } else { 0 };
-        let mut coefficients = [0.0; TERMS];
-        coefficients[0] = value;
-        for (coefficient, term) in coefficients[1..].iter_mut().zip(terms) {
-            for &(component, its) in constraint.rate {
-                *coefficient += term[component - back].to_f64() * f64::from(its);
-            }
-            *coefficient *= sign;
-        }
-        let degree = terms.len();
-        Self { coefficients, degree }
-    }
-
     fn stays_positive(&self) -> bool {
         // usually the terms are too small to reach zero
         self.coefficients[0] > self.size() * (1.0 + SLACK) || self.least() > 0.0

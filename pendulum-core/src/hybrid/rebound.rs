@@ -5,9 +5,9 @@ use super::complementarity::{independent, solve_negated};
 use super::held::rhs;
 use super::mode::{Status, bits, set_of};
 use super::next_mode::Next;
-use super::resolution::{CONSISTENT, LOWEST_REBOUND, SHORTEST_REBOUND, ulps};
+use super::resolution::{CONSISTENT, LOWEST_REBOUND, SHORTEST_REBOUND};
 use super::settling::Settling;
-use crate::real::Float;
+use crate::real::{Float, ulps};
 
 /// Height below which rebounds are not followed, relative to the size of the positions, unless rounding errors resolve
 /// less.

@@ -1,7 +1,5 @@
 //! Resolution of positions, forces and times: tolerances, in ulps, below which two values count as equal.
 
-use crate::real::Float;
-
 /// Coupling below which two rows of the constraint matrix are independent.
 pub(super) const UNCOUPLED: f64 = 8.0;
 /// Beyond this distance from a limit, contact is lost. A force larger than its limit by more than this breaks a hold.
@@ -26,9 +24,3 @@ pub(super) const SHORTEST_MODE: f64 = 4.0;
 // rebounds that are followed, and contacts that are lost, stand out from rounding errors
 const _: () = assert!(UNCOUPLED < NOISE && NOISE < AT_LIMIT && NOISE < LOWEST_REBOUND);
 const _: () = assert!(SHORTEST_MODE < SIMULTANEOUS && SIMULTANEOUS < SHORTEST_REBOUND);
-
-/// Returns `count` ulps of a size.
-#[inline(always)]
-pub(super) fn ulps<T: Float>(count: f64, size: T) -> T {
-    T::from_f64(count) * T::EPSILON * size
-}

@@ -5,11 +5,11 @@ use nalgebra::{SMatrix, SVector};
 use super::complementarity::Factored;
 use super::held::{forces, pin, rhs};
 use super::mode::{Mode, bits, set_of};
-use super::resolution::{CONSISTENT, ulps};
+use super::resolution::CONSISTENT;
 use super::witness::{Witness, Witnesses};
 use super::{Hold, HybridJacobian, MAX_CONSTRAINTS, ModeSwitch};
 use crate::linear::image;
-use crate::real::Float;
+use crate::real::{Float, ulps};
 
 /// Computes the saltation matrix `S`, which maps a tangent `v` before a mode switch to `S v` after it.
 ///

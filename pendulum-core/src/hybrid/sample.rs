@@ -7,7 +7,7 @@ use super::step::{Place, StepInMode};
 use super::watch::{Ended, ModeWatch, sooner};
 use super::witness::{Values, Witness, Witnesses};
 use crate::error::Reason;
-use crate::method::{dip, first_zero, places, root, unseen_bend};
+use crate::method::{first_zero, places, unseen_bend, zero_between};
 use crate::real::Float;
 
 /// Largest bend of a force between three samples, relative to its size. A larger one doubles the number of samples.
@@ -75,7 +75,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
                 } else {
                     let at = |place: &Place<T>| (place.theta, step.value(place, (n, witness)));
                     let rate = |theta| step.value(&step.place(theta), (n, witness));
-                    zero(rate, T::default(), earlier.as_ref().map(at), [&last, &here].map(at))
+                    zero_between(rate, T::default(), earlier.as_ref().map(at), [&last, &here].map(at))
                 };
                 first = sooner(first, place.map(|theta| (theta, Witnesses::only(n, witness))));
             }
@@ -162,7 +162,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
                 let (before, after) = (at(&last), at(&here));
                 step.number(theta, n, after.1)?;
                 let place = if self.positive.has(n, witness) {
-                    zero(margin, noise, earlier.as_ref().map(at), [before, after])
+                    zero_between(margin, noise, earlier.as_ref().map(at), [before, after])
                 } else if after.1 + noise < T::default() {
                     let raise = |(theta, margin): (T, T)| (theta, margin + noise);
                     Some(step.end_since(|theta| margin(theta) + noise, raise(before), raise(after)))
@@ -222,27 +222,7 @@ fn look_ahead<T: Float, const N: usize>(
     finds
 }
 
-/// First zero of an initially positive function, up to the last of three samples. The first sample may be missing.
-/// Values within the noise of zero do not count as a crossing.
-#[inline]
-fn zero<T: Float>(
-    function: impl Fn(T) -> T,
-    noise: T,
-    earlier: Option<(T, T)>,
-    [last, here]: [(T, T); 2],
-) -> Option<T> {
-    let zero = T::default();
-    if here.1 < -noise || here.1 <= zero && noise == zero {
-        let raised = if last.1 > zero { zero } else { noise };
-        let raise = |(theta, value): (T, T)| (theta, value + raised);
-        return Some(root(|theta| function(theta) + raised, raise(last), raise(here)));
-    }
-    let earlier = earlier.filter(|earlier| earlier.1 > zero)?;
-    let bottom = dip(&function, [earlier, last, here])?;
-    (bottom.1 < -noise || noise == zero).then(|| root(&function, earlier, bottom))
-}
-
-/// Like [`zero`], but for a gap, whose slope is available. `bend` is its largest bend between samples so far.
+/// Like [`zero_between`], but for a gap, whose slope is available. `bend` is its largest bend between samples so far.
 fn zero_of_gap<T: Float, const N: usize>(
     step: &StepInMode<'_, T, N>,
     gap: (usize, Witness),

@@ -6,12 +6,12 @@ use super::complementarity::{depends, independent};
 use super::held::pin;
 use super::mode::{Status, bits, set_of};
 use super::project::{apart, place_coordinates, shift};
-use super::resolution::{AT_LIMIT, ulps};
+use super::resolution::AT_LIMIT;
 use super::series::Series;
 use super::settled::Settled;
 use super::sizes::{Gains, Sizes};
 use super::{Hybrid, Law, MAX_CONSTRAINTS};
-use crate::real::Float;
+use crate::real::{Float, ulps};
 
 /// A state in transition to the next mode.
 #[derive(Clone, Copy)]

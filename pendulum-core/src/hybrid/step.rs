@@ -7,14 +7,14 @@ use nalgebra::SVector;
 use super::held::forces;
 use super::mode::{Mode, Status};
 use super::polynomial::{Course, course, stays_positive};
-use super::resolution::{SHORTEST_MODE, SIMULTANEOUS, ulps};
+use super::resolution::{SHORTEST_MODE, SIMULTANEOUS};
 use super::sizes::rates_at_rest;
 use super::witness::Witness;
 use super::{Hold, Hybrid, Law, MAX_CONSTRAINTS};
 use crate::dense::Dense;
 use crate::error::Reason;
 use crate::method::{Known, root, root_of_line};
-use crate::real::Float;
+use crate::real::{Float, ulps};
 
 /// Acceleration, relative to the one at the end of the step, below which it may be a rounding error.
 const LEAST_ACCELERATION: f64 = 1e-6;
@@ -301,6 +301,6 @@ pub(super) fn resolution<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T
 
 /// Converts `count` ulps of a time into a fraction of a step.
 fn part_of<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T, count: f64) -> T {
-    let h = dense.step().h.abs();
-    ulps(count, t.abs().max(h)) / h
+    let step = dense.step();
+    ulps(count, step.scale(t)) / step.h.abs()
 }

@@ -7,7 +7,7 @@ use super::in_mode::InMode;
 use super::in_mode::ModeSwitch;
 use super::mode::{Mode, Status, bits, set_of};
 use super::project::shift;
-use super::resolution::{AT_LIMIT, CONSISTENT, ulps};
+use super::resolution::{AT_LIMIT, CONSISTENT};
 use super::settled::Settled;
 use super::settling::Settling;
 use super::sizes::Gains;
@@ -16,7 +16,7 @@ use super::witness::{Witness, Witnesses};
 use super::{Hold, Hybrid, MAX_CONSTRAINTS, project};
 use crate::error::Reason;
 use crate::layout::StateLayout;
-use crate::real::{Float, Real};
+use crate::real::{Float, Real, ulps};
 #[cfg(feature = "std")]
 use crate::system::System;
 

@@ -6,16 +6,16 @@ use nalgebra::SVector;
 use super::Law;
 use super::mode::Mode;
 use super::polynomial::{Course, rate_of, stays_positive};
-use super::resolution::{NOISE, ulps};
+use super::resolution::NOISE;
 use super::sizes::{ForceSizes, Gains};
 use super::step::{ABOUT_THE_END, Place, RIGHT_AGAIN, StepInMode, resolution};
 use super::witness::{Values, Witness, Witnesses};
 use super::{Constraint, Hold, Hybrid, MAX_CONSTRAINTS};
 use crate::dense::Dense;
 use crate::error::Reason;
-use crate::real::Float;
 #[cfg(feature = "std")]
 use crate::real::lanes::Lanes;
+use crate::real::{Float, ulps};
 use crate::statistics::Statistics;
 
 /// End of a mode within a step: the fraction of the step, and the witnesses that ended it.

@@ -6,6 +6,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::{CastControlled, ControlLaw, Controlled, Generic, InputLaw, LawJacobian};
 use crate::error::ParameterError;
+use crate::forward::forward;
 use crate::hybrid::{Constraint, Law, MAX_CONSTRAINTS, MeasureDerivatives, Response, ResponseDerivative};
 use crate::layout::StateLayout;
 use crate::real::Real;
@@ -129,35 +130,18 @@ where
         self.eval(t, x, &by_sign(self, t, x))
     }
 
-    #[inline(always)]
-    fn layout(&self) -> Option<StateLayout<'_>> {
-        self.system.layout()
+    forward! { self => self.system;
+        layout() -> Option<StateLayout<'_>>;
+        project(t: T, x: &mut SVector<T, N>);
+        margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 2]));
+        gaps(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3]));
+        each_output(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut(&str, T));
     }
 
     /// Unknown, since the law may depend on time.
     #[inline(always)]
     fn is_autonomous(&self) -> Option<bool> {
         None
-    }
-
-    #[inline(always)]
-    fn project(&self, t: T, x: &mut SVector<T, N>) {
-        self.system.project(t, x);
-    }
-
-    #[inline(always)]
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 2])) {
-        self.system.margins(t, x, tell);
-    }
-
-    #[inline]
-    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&str; 2], [T; 3])) {
-        self.system.gaps(t, x, tell);
-    }
-
-    #[inline]
-    fn each_output(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut(&str, T)) {
-        self.system.each_output(t, x, tell);
     }
 
     #[inline(always)]
@@ -210,24 +194,11 @@ where
             .eval(t, x, &S::Given::with(self.law.inputs(t, x).into(), forces))
     }
 
-    #[inline(always)]
-    fn dof(&self) -> usize {
-        self.system.dof()
-    }
-
-    #[inline(always)]
-    fn constraints(&self) -> &[Constraint<'_>] {
-        self.system.constraints()
-    }
-
-    #[inline]
-    fn laws(&self) -> [Law<T>; MAX_CONSTRAINTS] {
-        self.system.laws()
-    }
-
-    #[inline]
-    fn measures(&self, t: T, x: &SVector<T, N>) -> [[T; 2]; MAX_CONSTRAINTS] {
-        self.system.measures(t, x)
+    forward! { self => self.system;
+        dof() -> usize;
+        constraints() -> &[Constraint<'_>];
+        laws() -> [Law<T>; MAX_CONSTRAINTS];
+        measures(t: T, x: &SVector<T, N>) -> [[T; 2]; MAX_CONSTRAINTS];
     }
 
     #[inline]
@@ -297,9 +268,8 @@ where
         derivative
     }
 
-    #[inline]
-    fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
-        self.system.measure_derivatives(t, x)
+    forward! { self => self.system;
+        measure_derivatives(t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N>;
     }
 }
 
@@ -323,14 +293,9 @@ where
 }
 
 impl<T: Real, S: Energy<T, N>, L, const N: usize, const M: usize> Energy<T, N> for WithInputs<S, L, M> {
-    #[inline]
-    fn kinetic(&self, t: T, x: &SVector<T, N>) -> T {
-        self.system.kinetic(t, x)
-    }
-
-    #[inline]
-    fn potential(&self, t: T, x: &SVector<T, N>) -> T {
-        self.system.potential(t, x)
+    forward! { self => self.system;
+        kinetic(t: T, x: &SVector<T, N>) -> T;
+        potential(t: T, x: &SVector<T, N>) -> T;
     }
 }
 
@@ -340,16 +305,10 @@ where
     S: ParametricControlled<N, M, P>,
     L: InputLaw<N, M>,
 {
-    fn parameters(&self) -> [f64; P] {
-        self.system.parameters()
-    }
-
-    fn parameter_names(&self) -> [&str; P] {
-        self.system.parameter_names()
-    }
-
-    fn check_parameters(&self, parameters: &[f64; P]) -> Result<(), ParameterError> {
-        self.system.check_parameters(parameters)
+    forward! { self => self.system;
+        parameters() -> [f64; P];
+        parameter_names() -> [&str; P];
+        check_parameters(parameters: &[f64; P]) -> Result<(), ParameterError>;
     }
 
     fn with_parameters<T: Real>(&self, parameters: [T; P]) -> Self::In<T> {

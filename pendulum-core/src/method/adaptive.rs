@@ -7,6 +7,7 @@ use crate::method::smooth::Steps;
 use crate::method::step_control::StepControl;
 use crate::method::{Method, Stepper};
 use crate::real::Float;
+use crate::settings::settings;
 use crate::step_size::{Estimates, Tolerance};
 use crate::system::{IntoState, System};
 
@@ -90,55 +91,33 @@ impl<F> Adaptive<F> {
         }
     }
 
-    /// Sets the relative tolerance, at least 10 ulps of the number type and below 1. Default: 1e-6, in `f32` 1.2e-5
-    /// (100 ulps).
-    #[must_use]
-    pub const fn rtol(mut self, rtol: f64) -> Self {
-        self.rtol = Some(rtol);
-        self
-    }
+    settings! {
+        /// Sets the relative tolerance, at least 10 ulps of the number type and below 1. Default: 1e-6, in `f32` 1.2e-5
+        /// (100 ulps).
+        rtol: f64 => Some(rtol);
 
-    /// Sets the absolute tolerance, positive, in the units of the state. Default: 1e-9, in `f32` 1.2e-7 (1 ulp).
-    ///
-    /// The default suits motions of magnitude 1. If a component always stays below 1000 times `atol`, set `atol` to
-    /// `rtol` times the size of the motion. A [`Solution`](crate::Solution) lists such components as
-    /// [`below_tolerance`](crate::Solution::below_tolerance); a [`Stepper`] cannot.
-    #[must_use]
-    pub const fn atol(mut self, atol: f64) -> Self {
-        self.atol = Some(atol);
-        self
-    }
+        /// Sets the absolute tolerance, positive, in the units of the state. Default: 1e-9, in `f32` 1.2e-7 (1 ulp).
+        ///
+        /// The default suits motions of magnitude 1. If a component always stays below 1000 times `atol`, set `atol` to
+        /// `rtol` times the size of the motion. A [`Solution`](crate::Solution) lists such components as
+        /// [`below_tolerance`](crate::Solution::below_tolerance); a [`Stepper`] cannot.
+        atol: f64 => Some(atol);
 
-    /// Sets the first step to try; [`Taylor`](crate::Taylor) takes a shorter one if its series requires it. Default:
-    /// chosen from the first and second derivatives at the start.
-    #[must_use]
-    pub const fn h0(mut self, h0: f64) -> Self {
-        self.h0 = Some(h0);
-        self
-    }
+        /// Sets the first step to try; [`Taylor`](crate::Taylor) takes a shorter one if its series requires it.
+        /// Default: chosen from the first and second derivatives at the start.
+        h0: f64 => Some(h0);
 
-    /// Sets the minimum step: if the tolerance requires a shorter one, the integration stops with
-    /// [`Reason::StepUnderflow`]. Default: 0. The effective minimum is at least 4 ulps of the time; only the last step
-    /// may be shorter.
-    #[must_use]
-    pub const fn h_min(mut self, h_min: f64) -> Self {
-        self.h_min = h_min;
-        self
-    }
+        /// Sets the minimum step: if the tolerance requires a shorter one, the integration stops with
+        /// [`Reason::StepUnderflow`]. Default: 0. The effective minimum is at least 4 ulps of the time; only the last
+        /// step may be shorter.
+        h_min: f64;
 
-    /// Sets the maximum step. Default: infinite. The last step may be 1 % longer.
-    #[must_use]
-    pub const fn h_max(mut self, h_max: f64) -> Self {
-        self.h_max = h_max;
-        self
-    }
+        /// Sets the maximum step. Default: infinite. The last step may be 1 % longer.
+        h_max: f64;
 
-    /// Sets the number of steps, accepted or rejected, after which the integration stops with [`Reason::TooManySteps`].
-    /// Default: a million.
-    #[must_use]
-    pub const fn max_steps(mut self, max_steps: usize) -> Self {
-        self.max_steps = max_steps;
-        self
+        /// Sets the number of steps, accepted or rejected, after which the integration stops with
+        /// [`Reason::TooManySteps`]. Default: a million.
+        max_steps: usize;
     }
 
     /// Sets whether the tolerances bound the errors of [derivatives](crate::sensitivity) computed forward as well.

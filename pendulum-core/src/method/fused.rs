@@ -106,15 +106,10 @@ impl<A> FusedMethod<A> {
             Ok(stepper) => stepper,
             Err(reason) => return Err(SolveError::at_start(reason, t0, x0)),
         };
-        let mut solution = Solution::start(t0, plain(&watch::from(&stepper, fused(&x0))));
+        let mut solution = Solution::start(t0, plain(&stepper.start(fused(&x0))));
         let tolerance = self.0.tolerance();
-        let ended = watch::watched(
-            &mut stepper,
-            fused(&x0),
-            &fused_events(events),
-            tolerance,
-            &mut Plain(&mut solution),
-        );
+        let observer = &mut Plain(&mut solution);
+        let ended = stepper.watched(fused(&x0), &fused_events(events), tolerance, observer);
         watch::concluded(ended, solution)
     }
 

@@ -2,7 +2,7 @@
 
 use crate::error::Reason;
 use crate::method::input::require;
-use crate::real::Float;
+use crate::real::{Float, ulps};
 
 /// Times `t0 + i h` from `t0` towards `t1`; the last one is exactly `t1`.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +41,7 @@ impl<T: Float> Grid<T> {
     #[inline]
     fn check(&self) -> Result<(), Reason> {
         require(
-            self.h >= T::from_f64(LEAST_ULPS) * T::EPSILON * self.largest(),
+            self.h >= ulps(LEAST_ULPS, self.largest()),
             "h",
             self.h.to_f64(),
             "the step is below the resolution of the time; lengthen it, or count time from a closer origin",
@@ -67,7 +67,7 @@ impl<T: Float> Grid<T> {
         self.reached = ((t - self.t0).abs() / self.h).to_f64() as usize;
         // rounding errors may put the quotient on either side, and no step should end at a time almost reached
         let next = self.time(self.reached + 1);
-        let near = T::from_f64(LEAST_ULPS) * T::EPSILON * self.largest();
+        let near = ulps(LEAST_ULPS, self.largest());
         if next != self.t1 && (next - t).abs() <= near {
             self.reached += 1;
         }
@@ -87,7 +87,7 @@ impl<T: Float> Grid<T> {
         let direction = self.direction();
         // multiples of h from the start on: repeated additions of h would accumulate their rounding errors
         let time = self.t0 + direction * (self.h * T::from_f64(i as f64));
-        let slack = T::from_f64(SLACK_ULPS) * T::EPSILON * self.largest();
+        let slack = ulps(SLACK_ULPS, self.largest());
         let is_last = (self.t1 - time) * direction <= slack;
         if is_last { self.t1 } else { time }
     }

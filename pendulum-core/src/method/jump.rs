@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::error::Reason;
-use crate::real::Float;
+use crate::real::{Float, ulps};
 use crate::system::System;
 
 /// Times in which the state would change by its own size, up to which jumps are searched for.
@@ -70,7 +70,7 @@ impl<'a, S: System<T, N> + ?Sized, T: Float, const N: usize> Line<'a, S, T, N> {
         }
         let own = largest(self.x).1 / self.size;
         let reach = T::from_f64(REACH) * own.max(T::EPSILON.sqrt() * self.t.abs()).max(T::MIN_POSITIVE.sqrt());
-        let shortest = T::from_f64(SHORTEST_ULPS) * T::EPSILON * self.t.abs().max(reach);
+        let shortest = ulps(SHORTEST_ULPS, self.t.abs().max(reach));
         [reach, -reach].into_iter().find_map(|mut far| {
             while far.abs() >= T::from_f64(LEAST_INTERVAL) * shortest {
                 let found = self.within(far, shortest);

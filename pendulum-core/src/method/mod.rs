@@ -55,7 +55,7 @@ pub(crate) use explicit::MAX_DEGREE;
 #[cfg(feature = "std")]
 pub(crate) use input::check_loops;
 pub(crate) use input::{check_start, place, require};
-pub(crate) use zero::{Known, dip, first_zero, places, root, root_of_line, unseen_bend};
+pub(crate) use zero::{Known, first_zero, places, root, root_of_line, unseen_bend, zero_between};
 #[cfg(feature = "std")]
 pub(crate) use {
     grid::Grid,
@@ -67,7 +67,7 @@ pub(crate) use {
     step_control::{Pace, is_within_tolerance},
     stepper::Progress,
     tangent::{Carried, CarriedStages, Carry, Tangent},
-    watch::{Early, follow, follow_on, see},
+    watch::{Early, see},
 };
 
 pub use crate::step_size::{Estimates, Tolerance};
@@ -150,7 +150,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     {
         let x0 = x0.into_state();
         match self.stepper(system, t0, t1, x0) {
-            Ok(stepper) => watch::collect(stepper, x0, events, self.tolerance()),
+            Ok(stepper) => stepper.collect(x0, events, self.tolerance()),
             Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
         }
     }
@@ -201,7 +201,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     {
         let x0 = x0.into_state();
         let mut stepper = self.stepper(system, t0, t1, x0)?;
-        let ended = watch::watched(&mut stepper, x0, events, self.tolerance(), observer);
+        let ended = stepper.watched(x0, events, self.tolerance(), observer);
         ended.map_err(|early| early.reason)
     }
 }

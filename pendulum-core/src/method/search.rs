@@ -8,7 +8,7 @@ use crate::event::{Event, Missed, Occurrence};
 use crate::method::scan::{Scan, Wanted};
 use crate::method::side::{Change, Passage, Side};
 use crate::method::zero::{dip, places, root};
-use crate::real::Float;
+use crate::real::{Float, ulps};
 
 /// Spacing of two occurrences, in square roots of an ulp of t, below which an event never ends if its function is then
 /// found on the far side: heights decrease with the square of the time between rebounds, and vanish among rounding
@@ -108,7 +108,7 @@ fn hurried<T: Float>(scale: T) -> T {
 
 /// Maximum spacing of occurrences of a kink that are one, if `scale` is the size of times.
 fn resolution<T: Float>(scale: T) -> T {
-    T::from_f64(SAME_KINK_ULPS) * T::EPSILON * scale
+    ulps(SAME_KINK_ULPS, scale)
 }
 
 impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
@@ -203,9 +203,8 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
     /// True if an event was acted on within a spacing, which depends on the size of times, before this occurrence.
     fn recurs(&self, found: &Found<T>, dense: &Dense<'_, T, N>, spacing: fn(T) -> T) -> bool {
         let t = dense.time(found.theta);
-        let scale = t.abs().max(dense.step().h.abs());
         let acted = self.seen[found.index].acted;
-        acted.is_some_and(|acted| (t - acted).abs() <= spacing(scale))
+        acted.is_some_and(|acted| (t - acted).abs() <= spacing(dense.step().scale(t)))
     }
 
     /// State of the search at the end of the last step, for [`go_back`](Self::go_back).

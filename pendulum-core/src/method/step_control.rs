@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::error::Reason;
 use crate::method::scheme::StepFailure;
 use crate::method::stages::Called;
-use crate::real::Float;
+use crate::real::{Float, ulps};
 use crate::step_size::{PiController, Tolerance};
 use crate::system::System;
 
@@ -78,9 +78,7 @@ impl<T: Float> StepControl<T> {
     /// Minimum step at the time `t`: the setting, or the resolution of the time if that is larger.
     #[inline(always)]
     pub(crate) fn least(&self, t: T) -> T {
-        self.h_min
-            .max(T::from_f64(LEAST_ULPS) * T::EPSILON * t.abs())
-            .max(T::MIN_POSITIVE)
+        self.h_min.max(ulps(LEAST_ULPS, t.abs())).max(T::MIN_POSITIVE)
     }
 
     /// Chooses a first step towards `t1`, unless it is given, from the initial point and its derivative, with one

@@ -10,7 +10,7 @@ use crate::method::Stepper;
 use crate::method::input::{of_reset, place};
 use crate::method::scheme::Scheme;
 use crate::method::search::{Found, Search, What};
-use crate::real::Float;
+use crate::real::{Float, ulps};
 use crate::solution::{Need, Observer, Solution};
 use crate::step_size::Tolerance;
 use crate::system::System;
@@ -37,23 +37,6 @@ impl<T: Float, const N: usize> Early<T, N> {
     }
 }
 
-/// Integrates to the end from the state `x0`, with events if there are any, and stores the trajectory.
-pub(super) fn collect<C, S, T, const N: usize>(
-    mut stepper: Stepper<'_, C, S, T, N>,
-    x0: SVector<T, N>,
-    events: &[Event<'_, T, N>],
-    tolerance: Option<Tolerance<T>>,
-) -> Result<Solution<T, N>, SolveError<T, N>>
-where
-    C: Scheme<S, T, N>,
-    S: System<T, N> + ?Sized,
-    T: Float,
-{
-    let mut solution = Solution::start(stepper.t(), from(&stepper, x0));
-    let ended = watched(&mut stepper, x0, events, tolerance, &mut solution);
-    concluded(ended, solution)
-}
-
 /// Solution of an integration that ended in this way, whose numbers may be of another type.
 pub(super) fn concluded<T, U, const N: usize>(
     ended: Result<SVector<T, N>, Early<T, N>>,
@@ -68,122 +51,188 @@ pub(super) fn concluded<T, U, const N: usize>(
     }
 }
 
-/// Like [`follow`], but also passes the tolerance and the statistics to the observer.
-pub(super) fn watched<C, S, T, const N: usize>(
-    stepper: &mut Stepper<'_, C, S, T, N>,
-    x0: SVector<T, N>,
-    events: &[Event<'_, T, N>],
-    tolerance: Option<Tolerance<T>>,
-    observer: &mut impl Observer<T, N>,
-) -> Result<SVector<T, N>, Early<T, N>>
+impl<C, S, T, const N: usize> Stepper<'_, C, S, T, N>
 where
     C: Scheme<S, T, N>,
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    tolerance.into_iter().for_each(|tolerance| observer.within(tolerance));
-    let ended = follow(stepper, x0, events, observer);
-    observer.finish(stepper.statistics());
-    ended
-}
-
-/// Actual initial state of a stepper for the given `x0`: the state before an impact at the start, if there is one.
-pub(super) fn from<C, S, T, const N: usize>(stepper: &Stepper<'_, C, S, T, N>, x0: SVector<T, N>) -> SVector<T, N>
-where
-    C: Scheme<S, T, N>,
-    S: System<T, N> + ?Sized,
-    T: Float,
-{
-    if stepper.impulses().is_some() { x0 } else { stepper.x() }
-}
-
-/// Integrates to the end, and passes the trajectory to `observer`. Returns the final state, which is the one of a
-/// terminal event if one occurred. The stepper was created with the initial state `x0`.
-pub(crate) fn follow<C, S, T, const N: usize>(
-    stepper: &mut Stepper<'_, C, S, T, N>,
-    x0: SVector<T, N>,
-    events: &[Event<'_, T, N>],
-    observer: &mut impl Observer<T, N>,
-) -> Result<SVector<T, N>, Early<T, N>>
-where
-    C: Scheme<S, T, N>,
-    S: System<T, N> + ?Sized,
-    T: Float,
-{
-    let search = Search::new(events, stepper.t(), &stepper.x());
-    let mut search = search.map_err(Early::at((stepper.t(), stepper.x())))?;
-    follow_on(stepper, x0, &mut search, observer).map(|(x, _)| x)
-}
-
-/// Like [`follow`], with a search for events that may have gone through an earlier part of the trajectory. Also returns
-/// true if a terminal event occurred.
-pub(crate) fn follow_on<C, S, T, const N: usize>(
-    stepper: &mut Stepper<'_, C, S, T, N>,
-    x0: SVector<T, N>,
-    search: &mut Search<'_, '_, T, N>,
-    observer: &mut impl Observer<T, N>,
-) -> Result<(SVector<T, N>, bool), Early<T, N>>
-where
-    C: Scheme<S, T, N>,
-    S: System<T, N> + ?Sized,
-    T: Float,
-{
-    let here = |stepper: &Stepper<'_, C, S, T, N>| Early::at((stepper.t(), stepper.x()));
-    if observer.keeps_all() {
-        stepper.check_to_keep().map_err(here(stepper))?;
+    /// Integrates to the end from the state `x0`, with events if there are any, and stores the trajectory.
+    pub(super) fn collect(
+        mut self,
+        x0: SVector<T, N>,
+        events: &[Event<'_, T, N>],
+        tolerance: Option<Tolerance<T>>,
+    ) -> Result<Solution<T, N>, SolveError<T, N>> {
+        let mut solution = Solution::start(self.t(), self.start(x0));
+        let ended = self.watched(x0, events, tolerance, &mut solution);
+        concluded(ended, solution)
     }
-    let system = stepper.system();
-    let placed = |t: T, x: &SVector<T, N>| place(system, t, x);
-    let start = from(stepper, x0);
-    observer.start(stepper.t(), &start);
-    let mut reached = Reached::start(stepper, start, observer);
-    let mut crowded = 0;
-    loop {
-        if observer.is_cancelled() {
-            return Err(here(stepper)(Reason::Cancelled));
+
+    /// Like [`follow`](Self::follow), but also passes the tolerance and the statistics to the observer.
+    pub(crate) fn watched(
+        &mut self,
+        x0: SVector<T, N>,
+        events: &[Event<'_, T, N>],
+        tolerance: Option<Tolerance<T>>,
+        observer: &mut impl Observer<T, N>,
+    ) -> Result<SVector<T, N>, Early<T, N>> {
+        tolerance.into_iter().for_each(|tolerance| observer.within(tolerance));
+        let ended = self.follow(x0, events, observer);
+        observer.finish(self.statistics());
+        ended
+    }
+
+    /// Actual initial state for the given `x0`: the state before an impact at the start, if there is one.
+    pub(super) fn start(&self, x0: SVector<T, N>) -> SVector<T, N> {
+        if self.impulses().is_some() { x0 } else { self.x() }
+    }
+
+    /// Integrates to the end, and passes the trajectory to `observer`. Returns the final state, which is the one of a
+    /// terminal event if one occurred. The stepper was created with the initial state `x0`.
+    pub(crate) fn follow(
+        &mut self,
+        x0: SVector<T, N>,
+        events: &[Event<'_, T, N>],
+        observer: &mut impl Observer<T, N>,
+    ) -> Result<SVector<T, N>, Early<T, N>> {
+        let search = Search::new(events, self.t(), &self.x());
+        let mut search = search.map_err(|reason| self.end_here(reason))?;
+        self.follow_on(x0, &mut search, observer).map(|(x, _)| x)
+    }
+
+    /// Like [`follow`](Self::follow), with a search for events that may have gone through an earlier part of the
+    /// trajectory. Also returns true if a terminal event occurred.
+    pub(crate) fn follow_on(
+        &mut self,
+        x0: SVector<T, N>,
+        search: &mut Search<'_, '_, T, N>,
+        observer: &mut impl Observer<T, N>,
+    ) -> Result<(SVector<T, N>, bool), Early<T, N>> {
+        if observer.keeps_all() {
+            self.check_to_keep().map_err(|reason| self.end_here(reason))?;
         }
-        let step = match stepper.step() {
-            Ok(Some(step)) => step,
-            Ok(None) => return Ok((stepper.x(), false)),
-            Err(reason) => return Err(here(stepper)(reason)),
-        };
-        if reached.changes(stepper, &step, observer) {
-            let times = (step.t0, stepper.t1(), step.t0.abs().max(step.h.abs()));
-            let restarted = search.restart(times, &step.x0, &[]);
-            restarted.map_err(Early::at((step.t0, step.x0)))?;
-        }
-        if search.is_empty() {
-            match observer.needs(step.t0, step.t1) {
-                Need::Nothing => {}
-                Need::Ends => observer.step(&Dense::new(step, &[])),
-                Need::Inside => observe(&stepper.dense(), T::from_f64(1.0), observer),
+        let system = self.system();
+        let placed = |t: T, x: &SVector<T, N>| place(system, t, x);
+        let start = self.start(x0);
+        observer.start(self.t(), &start);
+        let mut reached = self.reach(start, observer);
+        let mut crowded = 0;
+        loop {
+            if observer.is_cancelled() {
+                return Err(self.end_here(Reason::Cancelled));
             }
-            continue;
+            let step = match self.step() {
+                Ok(Some(step)) => step,
+                Ok(None) => return Ok((self.x(), false)),
+                Err(reason) => return Err(self.end_here(reason)),
+            };
+            let changes = self.enter_at((step.t0, step.x0), &mut reached, observer);
+            reached.x = step.x1;
+            if changes {
+                let times = (step.t0, self.t1(), step.scale(step.t0));
+                let restarted = search.restart(times, &step.x0, &[]);
+                restarted.map_err(Early::at((step.t0, step.x0)))?;
+            }
+            if search.is_empty() {
+                match observer.needs(step.t0, step.t1) {
+                    Need::Nothing => {}
+                    Need::Ends => observer.step(&Dense::new(step, &[])),
+                    Need::Inside => observe(&self.dense(), T::from_f64(1.0), observer),
+                }
+                continue;
+            }
+            let found = self.look_for_events(search, step);
+            let Some(mut stop) = pass(found, search, &self.known_dense(), observer, placed)? else {
+                reached.x = self.x();
+                continue;
+            };
+            if stop.is_the_end {
+                return Ok((stop.x, true));
+            }
+            let at_stop = Early::at((stop.t, stop.x));
+            if !stop.changes {
+                let is_short = (stop.t - step.t0).abs() < T::from_f64(SHORT) * step.h.abs();
+                crowded = if is_short { crowded + 1 } else { 0 };
+                search.ends_at_kinks = crowded < MOST_CROWDED;
+                system.project(stop.t, &mut stop.x);
+            }
+            self.restart(stop.t, stop.x).map_err(&at_stop)?;
+            if stop.changes {
+                reached = self.reach(stop.x, observer);
+            } else {
+                self.go_on_at(stop.x, &mut reached);
+            }
+            search
+                .restart((stop.t, self.t1(), stop.scale), &self.x(), &stop.fired)
+                .map_err(at_stop)?;
         }
-        let found = stepper.look_for_events(search, step);
-        let Some(mut stop) = pass(found, search, &stepper.known_dense(), observer, placed)? else {
-            reached.x = stepper.x();
-            continue;
+    }
+
+    /// Ends the trajectory at the point reached.
+    fn end_here(&self, reason: Reason) -> Early<T, N> {
+        Early::at((self.t(), self.x()))(reason)
+    }
+
+    /// Point reached at the start, or at a restart, from the state `x`.
+    fn reach(&self, x: SVector<T, N>, observer: &mut impl Observer<T, N>) -> Reached<T, N> {
+        let mut reached = Reached { x, mode: None };
+        self.enter_at((self.t(), self.x()), &mut reached, observer);
+        reached
+    }
+
+    /// Continues from the end of a step at a kink, in the mode there if no other one begins.
+    fn go_on_at(&self, x: SVector<T, N>, reached: &mut Reached<T, N>) {
+        reached.x = x;
+        if let (Some((_, before)), Some((from, mode))) = (reached.mode, self.mode())
+            && before == mode
+            && self.impulses().is_none()
+        {
+            reached.mode = Some((from, mode));
+        }
+    }
+
+    /// Reports the mode from a point on, the state there and the impact, as far as they are new. Returns true if they
+    /// are.
+    fn enter_at(
+        &self,
+        (t, x): (T, SVector<T, N>),
+        reached: &mut Reached<T, N>,
+        observer: &mut impl Observer<T, N>,
+    ) -> bool {
+        let Some((from, mode)) = self.mode() else {
+            return false;
         };
-        if stop.is_the_end {
-            return Ok((stop.x, true));
+        let before = reached.x;
+        let is_same = x
+            .iter()
+            .zip(&before)
+            .all(|(x, before)| x == before && x.has_same_slopes(before));
+        let (jumps, changes) = (!is_same, reached.mode != Some((from, mode)));
+        if jumps {
+            observer.jump(t, x);
         }
-        let at_stop = Early::at((stop.t, stop.x));
-        if !stop.changes {
-            let is_short = (stop.t - step.t0).abs() < T::from_f64(SHORT) * step.h.abs();
-            crowded = if is_short { crowded + 1 } else { 0 };
-            search.ends_at_kinks = crowded < MOST_CROWDED;
-            system.project(stop.t, &mut stop.x);
+        if changes {
+            observer.mode(from, mode);
         }
-        stepper.restart(stop.t, stop.x).map_err(&at_stop)?;
-        if stop.changes {
-            reached = Reached::start(stepper, stop.x, observer);
-        } else {
-            reached.goes_on(stepper, stop.x);
+        if (jumps || changes)
+            && let Some(impulses) = self.impulses()
+        {
+            observer.impact(Impact {
+                t,
+                impulses,
+                before,
+                after: x,
+            });
+            if let Some(ambiguity) = self.ambiguity() {
+                observer.ambiguity(ambiguity);
+            }
         }
-        search
-            .restart((stop.t, stepper.t1(), stop.scale), &stepper.x(), &stop.fired)
-            .map_err(at_stop)?;
+        *reached = Reached {
+            x,
+            mode: Some((from, mode)),
+        };
+        jumps || changes
     }
 }
 
@@ -255,94 +304,6 @@ struct Reached<T, const N: usize> {
     mode: Option<(T, Mode)>,
 }
 
-impl<T: Float, const N: usize> Reached<T, N> {
-    /// Start of a stepper that was created with the state `x`.
-    fn start<C, S>(stepper: &Stepper<'_, C, S, T, N>, x: SVector<T, N>, observer: &mut impl Observer<T, N>) -> Self
-    where
-        C: Scheme<S, T, N>,
-        S: System<T, N> + ?Sized,
-    {
-        let mut reached = Self { x, mode: None };
-        reached.enter(stepper, (stepper.t(), stepper.x()), observer);
-        reached
-    }
-
-    /// Continues from the end of a step at a kink, in the mode there if no other one begins.
-    fn goes_on<C, S>(&mut self, stepper: &Stepper<'_, C, S, T, N>, x: SVector<T, N>)
-    where
-        C: Scheme<S, T, N>,
-        S: System<T, N> + ?Sized,
-    {
-        self.x = x;
-        if let (Some((_, before)), Some((from, mode))) = (self.mode, stepper.mode())
-            && before == mode
-            && stepper.impulses().is_none()
-        {
-            self.mode = Some((from, mode));
-        }
-    }
-
-    /// Advances to the end of a step. Returns true if the step started in another mode or from another state.
-    fn changes<C, S>(
-        &mut self,
-        stepper: &Stepper<'_, C, S, T, N>,
-        step: &Step<T, N>,
-        observer: &mut impl Observer<T, N>,
-    ) -> bool
-    where
-        C: Scheme<S, T, N>,
-        S: System<T, N> + ?Sized,
-    {
-        let changes = self.enter(stepper, (step.t0, step.x0), observer);
-        self.x = step.x1;
-        changes
-    }
-
-    /// Reports the mode of a stepper from a point on, the state there and the impact, as far as they are new. Returns
-    /// true if they are.
-    fn enter<C, S>(
-        &mut self,
-        stepper: &Stepper<'_, C, S, T, N>,
-        (t, x): (T, SVector<T, N>),
-        observer: &mut impl Observer<T, N>,
-    ) -> bool
-    where
-        C: Scheme<S, T, N>,
-        S: System<T, N> + ?Sized,
-    {
-        let Some((from, mode)) = stepper.mode() else {
-            return false;
-        };
-        let is_same = x
-            .iter()
-            .zip(&self.x)
-            .all(|(x, before)| x == before && x.has_same_slopes(before));
-        let (jumps, changes) = (!is_same, self.mode != Some((from, mode)));
-        if jumps {
-            observer.jump(t, x);
-        }
-        if changes {
-            observer.mode(from, mode);
-        }
-        if (jumps || changes)
-            && let Some(impulses) = stepper.impulses()
-        {
-            let before = self.x;
-            observer.impact(Impact {
-                t,
-                impulses,
-                before,
-                after: x,
-            });
-            if let Some(ambiguity) = stepper.ambiguity() {
-                observer.ambiguity(ambiguity);
-            }
-        }
-        (self.x, self.mode) = (x, Some((from, mode)));
-        jumps || changes
-    }
-}
-
 /// A point within a step at which events act, one after the other.
 pub(crate) struct Stop<T, const N: usize> {
     /// Position in fractions of the step.
@@ -366,7 +327,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
             theta,
             t,
             x: dense.at_fraction(theta),
-            scale: t.abs().max(dense.step().h.abs()),
+            scale: dense.step().scale(t),
             fired: Vec::new(),
             changes: false,
             is_the_end: false,
@@ -374,7 +335,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
     }
 
     fn resolution(&self) -> T {
-        T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * self.scale
+        ulps(SIMULTANEOUS_ULPS, self.scale)
     }
 
     fn is_simultaneous(&self, t: T) -> bool {

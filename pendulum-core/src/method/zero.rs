@@ -89,7 +89,7 @@ fn root_from<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T), mut fractio
 
 /// Finds where a function of the same sign at three positions, closest to zero at the middle one, touches or passes
 /// zero between them. Returns the position and the value there.
-pub(crate) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(T, T)> {
+pub(super) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(T, T)> {
     let [first, middle, last] = places;
     let zero = T::default();
     let sign = T::from_f64(if middle.1 > zero { 1.0 } else { -1.0 });
@@ -131,6 +131,26 @@ pub(crate) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
         }
     }
     None
+}
+
+/// First zero of an initially positive function, up to the last of three samples. The first sample may be missing.
+/// Values within the noise of zero do not count as a crossing.
+#[inline]
+pub(crate) fn zero_between<T: Float>(
+    function: impl Fn(T) -> T,
+    noise: T,
+    earlier: Option<(T, T)>,
+    [last, here]: [(T, T); 2],
+) -> Option<T> {
+    let zero = T::default();
+    if here.1 < -noise || here.1 <= zero && noise == zero {
+        let raised = if last.1 > zero { zero } else { noise };
+        let raise = |(theta, value): (T, T)| (theta, value + raised);
+        return Some(root(|theta| function(theta) + raised, raise(last), raise(here)));
+    }
+    let earlier = earlier.filter(|earlier| earlier.1 > zero)?;
+    let bottom = dip(&function, [earlier, last, here])?;
+    (bottom.1 < -noise || noise == zero).then(|| root(&function, earlier, bottom))
 }
 
 /// A position, with the value of a function there and its derivative.

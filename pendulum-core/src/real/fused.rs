@@ -2,7 +2,7 @@
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::lanes::{Fuse, Lanes, Pack, Pair, Precision, Register, Routine, Two64};
+use super::lanes::{Fuse, Lanes, Pack, Pair, Precision, Register, Routine, Two64, single_lane};
 use super::sincos;
 use super::{Float, Real};
 
@@ -226,23 +226,8 @@ impl Real for Fused<f64> {
 
 /// A single lane.
 impl Lanes for Fused<f64> {
-    type Scalar = Self;
+    single_lane!();
     type Double = Pack<Pair<Self>>;
-
-    #[inline(always)]
-    fn splat(v: Self) -> Self {
-        v
-    }
-
-    #[inline(always)]
-    fn from_fn(mut f: impl FnMut(usize) -> Self) -> Self {
-        f(0)
-    }
-
-    #[inline(always)]
-    fn lane(&self, i: usize) -> Self {
-        Self(Lanes::lane(&self.0, i))
-    }
 
     #[inline(always)]
     fn all_finite(self) -> bool {

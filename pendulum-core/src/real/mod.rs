@@ -290,3 +290,9 @@ pub trait Float: lanes::Lanes<Scalar = Self> + PartialOrd {
         true
     }
 }
+
+/// `count` units in the last place of a number of this size.
+#[inline(always)]
+pub(crate) fn ulps<T: Float>(count: f64, size: T) -> T {
+    T::from_f64(count) * T::EPSILON * size
+}

@@ -1,6 +1,6 @@
 //! `Real` and `Float` for the primitive floating-point types.
 
-use super::lanes::{Lanes, Pack, Pair, Register, Two32, Two64, Wide32, Wide64};
+use super::lanes::{Lanes, Pack, Pair, Register, Two32, Two64, Wide32, Wide64, single_lane};
 use super::{Float, Real, sincos};
 
 /// Implements a method by a function.
@@ -102,24 +102,8 @@ macro_rules! scalar {
 
         /// A single lane.
         impl Lanes for $float {
-            type Scalar = Self;
+            single_lane!();
             type Double = Pack<Pair<Self>>;
-
-            #[inline(always)]
-            fn splat(v: Self) -> Self {
-                v
-            }
-
-            #[inline(always)]
-            fn from_fn(mut f: impl FnMut(usize) -> Self) -> Self {
-                f(0)
-            }
-
-            #[inline(always)]
-            fn lane(&self, i: usize) -> Self {
-                assert!(i == 0, "lane {i} of one");
-                *self
-            }
 
             #[inline(always)]
             fn all_finite(self) -> bool {

@@ -12,6 +12,7 @@ use super::trace::Tracer;
 use super::{Eigenmode, Equilibrium, PeriodicOrbit, Shooting, StabilityError, equilibrium};
 use crate::error::{ParameterError, Reason};
 use crate::method::require;
+use crate::settings::settings;
 use crate::system::{IntoState, Jacobian};
 
 /// Continuation of equilibria or periodic orbits in a parameter: a plain value with settings.
@@ -101,36 +102,22 @@ where
         }
     }
 
-    /// Sets the characteristic length of the scene, in m. Default: 1.
-    ///
-    /// Steps measure lengths in this unit and angles in radians. The time unit of rates is 1 s for equilibria, and
-    /// `period / 2 pi` of the first orbit for orbits. Without a layout all components have the size 1.
-    #[must_use]
-    pub fn length(mut self, length: f64) -> Self {
-        self.length = length;
-        self
-    }
+    settings! {
+        /// Sets the characteristic length of the scene, in m. Default: 1.
+        ///
+        /// Steps measure lengths in this unit and angles in radians. The time unit of rates is 1 s for equilibria, and
+        /// `period / 2 pi` of the first orbit for orbits. Without a layout all components have the size 1.
+        length: f64;
 
-    /// Sets the largest step size. If the state changes little, a step of 0.05 covers the span in 20 steps. Default:
-    /// 0.05.
-    #[must_use]
-    pub fn step(mut self, step: f64) -> Self {
-        self.step = step;
-        self
-    }
+        /// Sets the largest step size. If the state changes little, a step of 0.05 covers the span in 20 steps.
+        /// Default: 0.05.
+        step: f64;
 
-    /// Sets the maximum number of points on each side of the start. Default: 1000.
-    #[must_use]
-    pub fn points(mut self, points: usize) -> Self {
-        self.points = points;
-        self
-    }
+        /// Sets the maximum number of points on each side of the start. Default: 1000.
+        points: usize;
 
-    /// Sets the tolerance of the integration for periodic orbits. Default: 1e-10.
-    #[must_use]
-    pub fn tolerance(mut self, tolerance: f64) -> Self {
-        self.tolerance = tolerance;
-        self
+        /// Sets the tolerance of the integration for periodic orbits. Default: 1e-10.
+        tolerance: f64;
     }
 
     /// Computes the branch through the equilibrium near `x0` at the parameter `p0`.

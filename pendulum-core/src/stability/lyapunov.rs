@@ -9,6 +9,7 @@ use super::directions::{dimension, directions};
 use super::transition::flow;
 use crate::error::Reason;
 use crate::method::{Method, require};
+use crate::settings::settings;
 use crate::system::{IntoState, Jacobian, System};
 
 /// Computation of Lyapunov exponents: a plain value with settings.
@@ -92,26 +93,16 @@ impl Lyapunov {
         }
     }
 
-    /// Sets the relative and absolute tolerance of the trajectory and of its tangents. Default: 1e-8.
-    #[must_use]
-    pub const fn tolerance(mut self, tolerance: f64) -> Self {
-        self.tolerance = tolerance;
-        self
-    }
+    settings! {
+        /// Sets the relative and absolute tolerance of the trajectory and of its tangents. Default: 1e-8.
+        tolerance: f64;
 
-    /// Sets the time in s before growth is counted, in which the motion settles and the tangents align with the growing
-    /// directions. Default: 0.
-    #[must_use]
-    pub const fn transient(mut self, transient: f64) -> Self {
-        self.transient = transient;
-        self
-    }
+        /// Sets the time in s before growth is counted, in which the motion settles and the tangents align with the
+        /// growing directions. Default: 0.
+        transient: f64;
 
-    /// Sets the time over which growth is counted, in s. Default: 1000.
-    #[must_use]
-    pub const fn duration(mut self, duration: f64) -> Self {
-        self.duration = duration;
-        self
+        /// Sets the time over which growth is counted, in s. Default: 1000.
+        duration: f64;
     }
 
     /// Computes the largest exponent of the trajectory from `x0` at the time 0.

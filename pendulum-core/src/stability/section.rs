@@ -2,7 +2,7 @@
 
 use super::StabilityError;
 use crate::event::{Event, Occurrence};
-use crate::method::{Method, follow};
+use crate::method::Method;
 use crate::system::{IntoState, System};
 
 /// Computes the Poincare section of a trajectory from the state `x0` at `t0` to `t1`: the points at which it crosses a
@@ -43,7 +43,7 @@ where
 {
     let (x0, mut points) = (x0.into_state(), Vec::new());
     let stepper = &mut method.stepper(system, t0, t1, x0)?;
-    let ended = follow(stepper, x0, std::slice::from_ref(surface), &mut points);
+    let ended = stepper.follow(x0, std::slice::from_ref(surface), &mut points);
     ended.map_err(|early| early.reason)?;
     Ok(points)
 }

@@ -12,6 +12,7 @@ use super::{StabilityError, transition};
 use crate::error::Reason;
 use crate::hybrid::rate;
 use crate::method::{Method, require};
+use crate::settings::settings;
 use crate::system::{IntoState, Jacobian};
 
 /// Computation of periodic orbits by shooting: a plain value with settings.
@@ -72,13 +73,11 @@ impl Shooting {
         Self { tolerance: 1e-12 }
     }
 
-    /// Sets the relative and absolute tolerance of the integration. Default: 1e-12.
-    ///
-    /// The final distance is about a hundred times the tolerance, times the norm of the monodromy matrix.
-    #[must_use]
-    pub const fn tolerance(mut self, tolerance: f64) -> Self {
-        self.tolerance = tolerance;
-        self
+    settings! {
+        /// Sets the relative and absolute tolerance of the integration. Default: 1e-12.
+        ///
+        /// The final distance is about a hundred times the tolerance, times the norm of the monodromy matrix.
+        tolerance: f64;
     }
 
     /// Finds the periodic orbit near the state `x0` of an autonomous system, and its period in s. `period` is a guess.

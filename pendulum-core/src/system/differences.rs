@@ -2,7 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Energy, Hybrid, Jacobian, System, forward, forward_system};
+use super::{Energy, Hybrid, Jacobian, System};
+use crate::forward::{forward, forward_system};
 use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};

@@ -4,7 +4,8 @@ use core::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Hybrid, Jacobian, System, forward, forward_system};
+use super::{Hybrid, Jacobian, System};
+use crate::forward::{forward, forward_system};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;

@@ -1,7 +1,8 @@
 //! Errors of tapes.
 
 use std::error::Error;
-use std::fmt;
+
+use crate::error::messages;
 
 /// A text is not a tape, or not one of this version.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,10 +13,9 @@ pub struct TapeError {
     pub fact: String,
 }
 
-impl fmt::Display for TapeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {} of the tape: {}", self.line, self.fact)
-    }
+messages! {
+    [] TapeError;
+    Self { line, fact } => "line {line} of the tape: {fact}";
 }
 
 impl Error for TapeError {}
@@ -54,37 +54,20 @@ pub enum ModelError {
     Hybrid,
 }
 
-impl fmt::Display for ModelError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::State { given, length } => write!(f, "the state has {length} components, not {given}"),
-            Self::Parameters { given, names } if names.is_empty() => {
-                write!(f, "the model has no parameters, and {given} are given")
-            }
-            Self::Parameters { given, names } => write!(
-                f,
-                "the model has the parameters {}, which are {}, not {given}",
-                names.join(", "),
-                names.len()
-            ),
-            Self::Parameter(error) => error.fmt(f),
-            Self::Shape { name } => {
-                write!(
-                    f,
-                    "the routine `{name}` of the tape has other arguments or results than its name demands"
-                )
-            }
-            Self::Missing { name } => {
-                write!(
-                    f,
-                    "the tape has no routine `{name}`: add `rhs` to the `generate` of its declaration"
-                )
-            }
-            Self::Hybrid => {
-                f.write_str("the mechanism has dry friction, stops or walls: ask for a `HybridModel` of its tape")
-            }
-        }
-    }
+messages! {
+    [] ModelError;
+    Self::State { given, length } => "the state has {length} components, not {given}";
+    Self::Parameters { given, names } if names.is_empty() => "the model has no parameters, and {given} are given";
+    Self::Parameters { given, names } =>
+        "the model has the parameters {all}, which are {count}, not {given}",
+        all = names.join(", "), count = names.len();
+    Self::Parameter(error) => "{error}";
+    Self::Shape { name } =>
+        "the routine `{name}` of the tape has other arguments or results than its name demands";
+    Self::Missing { name } =>
+        "the tape has no routine `{name}`: add `rhs` to the `generate` of its declaration";
+    Self::Hybrid =>
+        "the mechanism has dry friction, stops or walls: ask for a `HybridModel` of its tape";
 }
 
 impl Error for ModelError {}

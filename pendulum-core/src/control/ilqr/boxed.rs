@@ -5,7 +5,7 @@
 
 use nalgebra::SMatrix;
 
-use crate::real::Float;
+use crate::real::{Float, ulps};
 
 /// Maximum number of Newton steps beyond one for each input.
 const EXTRA_STEPS: usize = 20;
@@ -111,7 +111,7 @@ pub(super) fn minimize<T: Float, const M: usize>(
             let is_held =
                 at[i] <= low[i] && gradient[i] >= T::default() || at[i] >= high[i] && gradient[i] <= T::default();
             free[i] = !is_held;
-            let rounding = T::from_f64(ROUNDING_ULPS) * T::EPSILON * sizes[i];
+            let rounding = ulps(ROUNDING_ULPS, sizes[i]);
             is_level &= is_held || gradient[i].abs() <= rounding;
         }
         let factor = match known {

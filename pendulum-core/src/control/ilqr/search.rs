@@ -7,8 +7,8 @@ use super::forward::Forward;
 use super::kink::Tilt;
 use super::line_search::NoShare;
 use super::{Ilqr, IlqrError, Objective, StepMap};
-use crate::real::Float;
 use crate::real::lanes::Isa;
+use crate::real::{Float, ulps};
 use crate::system::IntoState;
 
 /// Factor by which the damping changes, more at each change in the same direction.
@@ -176,7 +176,7 @@ where
         let cost_before = self.forward(model, t0, x0, T::default())?;
         let promise = self.backward(model, t0, None)?;
         self.plan = self.trial;
-        if promise.of(T::from_f64(1.0)) <= T::from_f64(ROUNDING_ULPS) * T::EPSILON * cost_before.abs() {
+        if promise.of(T::from_f64(1.0)) <= ulps(ROUNDING_ULPS, cost_before.abs()) {
             self.damping.decay();
             return Ok(Pass {
                 cost: cost_before,

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::held::Holding;
 use super::legs::{Leg, Legs};
 use super::run::Run;
+use super::trajectory::{Halt, Unseen};
 use super::{Commanded, Controller, Outputs, Sampled};
 use crate::ensemble::{EnsembleError, Marches, Stopped, check_models, check_number, conclude, go_on, model_of};
 use crate::error::Reason;
@@ -134,7 +135,15 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let mut stopped = Vec::new();
         let shares_clock = |other: &Self| (other.period, other.delay) == (first.period, first.delay);
         if S::HYBRID || !A::GOES_ON || !controllers.iter().all(shares_clock) {
-            Self::one_by_one(controllers, method, models, (t0, t1), (&mut ends, &mut stopped));
+            for (index, x) in ends.iter_mut().enumerate() {
+                let model = model_of(models, index).cast();
+                let (controller, member) = Self::of(controllers, index);
+                let end = controller.drive(method, &model, (t0, t1), *x, member, &mut Unseen);
+                *x = end.unwrap_or_else(|Halt { reason, t, x }| {
+                    stopped.push(Stopped::new(index, t, reason));
+                    x
+                });
+            }
             return conclude(ends, stopped);
         }
         let mut flock = Flock::start(controllers, holding, (t0, t1), &mut ends, &mut stopped);
@@ -149,33 +158,6 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         }
         flock.leave(|_| true, &mut ends);
         conclude(ends, stopped)
-    }
-
-    /// Integrates from the states `ends`, one trajectory after the other, and replaces them.
-    fn one_by_one<A, S, T, const N: usize>(
-        controllers: &[Self],
-        method: &A,
-        models: &[S],
-        span: (T, T),
-        (ends, stopped): (&mut [SVector<T, N>], &mut Vec<Stopped<T>>),
-    ) where
-        A: SampledMethod<S, T, N, M>,
-        C: Controller<T, P, M>,
-        W: Outputs<T, N, P>,
-        S: CastControlled<N, M, In<T>: Clone> + Clone,
-        T: LaneElement,
-    {
-        for (index, x) in ends.iter_mut().enumerate() {
-            let model = model_of(models, index).cast();
-            let (controller, member) = Self::of(controllers, index);
-            match controller.end_of(method, &model, span, *x, member) {
-                Ok(end) => *x = end,
-                Err(halt) => {
-                    *x = halt.x;
-                    stopped.push(Stopped::new(index, halt.t, halt.reason));
-                }
-            }
-        }
     }
 
     /// The controller of a trajectory, and the member whose noise it has.

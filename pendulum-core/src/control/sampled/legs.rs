@@ -1,6 +1,6 @@
 //! Times of a sampled controller.
 
-use crate::real::Float;
+use crate::real::{Float, ulps};
 
 /// Fraction of a period within which a delay is a whole number of periods.
 const ROUNDING: f64 = 1e-9;
@@ -55,7 +55,7 @@ impl<T: Float> Legs<T> {
             t1,
             period,
             lag: lag(delay, period),
-            latest: t1 - T::from_f64(SLACK_ULPS) * T::EPSILON * t0.abs().max(t1.abs()),
+            latest: t1 - ulps(SLACK_ULPS, t0.abs().max(t1.abs())),
             from: t0,
             sample: 0,
             is_within: false,

@@ -26,6 +26,7 @@ pub use run::Sample;
 use crate::error::Reason;
 use crate::method::require;
 use crate::real::Float;
+use crate::settings::settings;
 
 /// Maximum delay of a command, in periods.
 pub const MAX_DELAY: usize = 32;
@@ -137,70 +138,40 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         }
     }
 
-    /// Sets the time in s from a sample to the change of the inputs that it commands: at most [`MAX_DELAY`] periods,
-    /// whole or not. Default: 0.
-    #[must_use]
-    pub const fn delay(mut self, delay: f64) -> Self {
-        self.delay = delay;
-        self
-    }
+    settings! {
+        /// Sets the time in s from a sample to the change of the inputs that it commands: at most [`MAX_DELAY`]
+        /// periods, whole or not. Default: 0.
+        delay: f64;
 
-    /// Sets the inputs until the first command acts. Default: 0.
-    #[must_use]
-    pub const fn start(mut self, inputs: [f64; M]) -> Self {
-        self.start = inputs;
-        self
+        /// Sets the inputs until the first command acts. Default: 0.
+        start: [f64; M];
+
+        /// Rounds each measurement to a multiple of its resolution (quantisation). 0, the default, does not round.
+        resolution: [f64; P];
+
+        /// Rounds each command to a multiple of its resolution, before the limits. 0, the default, does not round.
+        input_resolution: [f64; M];
+
+        /// Adds normally distributed noise with these standard deviations to the measurements, independent from sample
+        /// to sample. Default: 0.
+        noise: [f64; P];
+
+        /// Adds normally distributed noise with these standard deviations to the inputs, beyond their limits as well.
+        /// It is held from sample to sample, a disturbance that the controller does not know. Default: 0.
+        input_noise: [f64; M];
+
+        /// Sets the seed of the noise. Default: 0.
+        seed: u64;
+
+        /// Sets the member of an ensemble whose noise a trajectory has. In an ensemble it is that of the first one, and
+        /// counts up from there. Default: 0.
+        member: u64;
     }
 
     /// Limits each input to the range from `low` to `high` (saturation). Default: no limits.
     #[must_use]
     pub const fn limits(mut self, low: [f64; M], high: [f64; M]) -> Self {
         (self.low, self.high) = (low, high);
-        self
-    }
-
-    /// Rounds each measurement to a multiple of its resolution (quantisation). 0, the default, does not round.
-    #[must_use]
-    pub const fn resolution(mut self, steps: [f64; P]) -> Self {
-        self.resolution = steps;
-        self
-    }
-
-    /// Rounds each command to a multiple of its resolution, before the limits. 0, the default, does not round.
-    #[must_use]
-    pub const fn input_resolution(mut self, steps: [f64; M]) -> Self {
-        self.input_resolution = steps;
-        self
-    }
-
-    /// Adds normally distributed noise with these standard deviations to the measurements, independent from sample to
-    /// sample. Default: 0.
-    #[must_use]
-    pub const fn noise(mut self, deviations: [f64; P]) -> Self {
-        self.noise = deviations;
-        self
-    }
-
-    /// Adds normally distributed noise with these standard deviations to the inputs, beyond their limits as well. It is
-    /// held from sample to sample, a disturbance that the controller does not know. Default: 0.
-    #[must_use]
-    pub const fn input_noise(mut self, deviations: [f64; M]) -> Self {
-        self.input_noise = deviations;
-        self
-    }
-
-    /// Sets the seed of the noise. Default: 0.
-    #[must_use]
-    pub const fn seed(mut self, seed: u64) -> Self {
-        self.seed = seed;
-        self
-    }
-
-    /// Sets the member of an ensemble whose noise a trajectory has. In an ensemble it is that of the first one, and
-    /// counts up from there. Default: 0.
-    #[must_use]
-    pub const fn member(mut self, member: u64) -> Self {
-        self.member = member;
         self
     }
 

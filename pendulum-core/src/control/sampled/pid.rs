@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::Controller;
 use crate::real::Float;
+use crate::settings::settings;
 
 /// A PID controller of one input and one measurement `y`: the command is
 /// `kp (b r - y) + integral of ki (r - y) - kd dy/dt`, with the set point `r` and its weight `b`.
@@ -44,41 +45,23 @@ impl Pid {
         }
     }
 
-    /// Sets the value that the measurement shall take. Default: 0.
-    #[must_use]
-    pub const fn set_point(mut self, set_point: f64) -> Self {
-        self.set_point = set_point;
-        self
-    }
+    settings! {
+        /// Sets the value that the measurement shall take. Default: 0.
+        set_point: f64;
 
-    /// Sets the weight of the set point in the proportional part, from 0 to 1; less overshoots less. Default: 1.
-    #[must_use]
-    pub const fn weight(mut self, weight: f64) -> Self {
-        self.weight = weight;
-        self
-    }
+        /// Sets the weight of the set point in the proportional part, from 0 to 1; less overshoots less. Default: 1.
+        weight: f64;
 
-    /// Sets the time constant in s of the filter of the derivative: use it where the measurement is noisy or rounded.
-    /// Default: 0, the difference of the last two measurements.
-    #[must_use]
-    pub const fn filter(mut self, filter: f64) -> Self {
-        self.filter = filter;
-        self
-    }
+        /// Sets the time constant in s of the filter of the derivative: use it where the measurement is noisy or
+        /// rounded. Default: 0, the difference of the last two measurements.
+        filter: f64;
 
-    /// Sets the time in s in which the integral follows a limited command; infinite for windup. Default: `kp / ki`, or
-    /// the geometric mean of that and `kd / kp`, and at least a period.
-    #[must_use]
-    pub const fn tracking(mut self, tracking: f64) -> Self {
-        self.tracking = Some(tracking);
-        self
-    }
+        /// Sets the time in s in which the integral follows a limited command; infinite for windup. Default: `kp / ki`,
+        /// or the geometric mean of that and `kd / kp`, and at least a period.
+        tracking: f64 => Some(tracking);
 
-    /// Sets the integral at the start, such as the input that holds the set point. Default: 0.
-    #[must_use]
-    pub const fn offset(mut self, offset: f64) -> Self {
-        self.offset = offset;
-        self
+        /// Sets the integral at the start, such as the input that holds the set point. Default: 0.
+        offset: f64;
     }
 
     /// Time in which the integral follows a limited command.

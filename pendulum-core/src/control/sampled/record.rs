@@ -7,9 +7,10 @@ use super::{Commanded, Controller, Outputs, Sample, Sampled};
 use crate::dense::Dense;
 use crate::error::{Reason, SolveError};
 use crate::event::{Event, Missed, Occurrence};
+use crate::forward::forward;
 use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::inputs::{Controlled, WithInputs};
-use crate::method::{Method, Scheme, Search, Stepper, check_start, follow_on, require};
+use crate::method::{Method, Scheme, Search, Stepper, check_start, require};
 use crate::real::Float;
 use crate::solution::{Need, Observer, Solution};
 use crate::statistics::Statistics;
@@ -181,7 +182,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         let ended = self.drive(method, model, span, x0, self.member, &mut recorder);
         let work = recorder.work;
         observer.finish(work);
-        ended.map(|(x, _)| x).map_err(|halt| halt.reason)
+        ended.map_err(|halt| halt.reason)
     }
 }
 
@@ -230,7 +231,7 @@ where
             }
             None => self.search.insert(Search::new(self.events, t, &x)?),
         };
-        let ended = follow_on(stepper, x0, search, &mut self.legs);
+        let ended = stepper.follow_on(x0, search, &mut self.legs);
         self.work = stepper.statistics();
         let (x, is_the_end) = ended.map_err(|early| early.reason)?;
         self.end = is_the_end.then_some(x);
@@ -271,16 +272,12 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Observer<T, N> for Legwise<'_,
         self.observer.needs(t0, t1).max(Need::Ends)
     }
 
-    fn keeps_all(&self) -> bool {
-        self.observer.keeps_all()
-    }
-
-    fn is_cancelled(&self) -> bool {
-        self.observer.is_cancelled()
-    }
-
-    fn within(&mut self, tolerance: Tolerance<T>) {
-        self.observer.within(tolerance);
+    forward! { self => self.observer;
+        keeps_all() -> bool;
+        is_cancelled() -> bool;
+        [mut] within(tolerance: Tolerance<T>);
+        [mut] event(event: Occurrence<T, N>);
+        [mut] missed(missed: Missed<T>);
     }
 
     fn step(&mut self, dense: &Dense<'_, T, N>) {
@@ -291,14 +288,6 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Observer<T, N> for Legwise<'_,
     fn jump(&mut self, t: T, x: SVector<T, N>) {
         self.observer.jump(t, x);
         self.has_jumped = true;
-    }
-
-    fn event(&mut self, event: Occurrence<T, N>) {
-        self.observer.event(event);
-    }
-
-    fn missed(&mut self, missed: Missed<T>) {
-        self.observer.missed(missed);
     }
 
     fn mode(&mut self, from: T, mode: Mode) {

@@ -10,7 +10,6 @@ use crate::error::Reason;
 use crate::inputs::{Controlled, WithInputs};
 use crate::method::{Method, Scheme, Stepper, check_start, place};
 use crate::real::Float;
-use crate::statistics::Statistics;
 use crate::system::{IntoState, System};
 
 /// A model with commanded inputs.
@@ -50,7 +49,7 @@ pub(super) trait Witness<S, T: Float, const N: usize, const P: usize, const M: u
 }
 
 /// Records nothing.
-struct Unseen;
+pub(super) struct Unseen;
 
 impl<S, T: Float, const N: usize, const P: usize, const M: usize> Witness<S, T, N, P, M> for Unseen {
     const IS_DENSE: bool = false;
@@ -92,31 +91,11 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         S: Controlled<T, N, M> + Clone,
         T: Float,
     {
-        self.end_of(method, model, (t0, t1), x0.into_state(), self.member)
+        self.drive(method, model, (t0, t1), x0.into_state(), self.member, &mut Unseen)
             .map_err(|halt| halt.reason)
     }
 
-    /// Final state of a member of an ensemble.
-    pub(super) fn end_of<A, S, T, const N: usize>(
-        &self,
-        method: &A,
-        model: &S,
-        span: (T, T),
-        x0: SVector<T, N>,
-        member: u64,
-    ) -> Result<SVector<T, N>, Halt<T, N>>
-    where
-        A: for<'c> Method<WithInputs<S, Commanded<'c, T, M>, M>, T, N>,
-        C: Controller<T, P, M>,
-        W: Outputs<T, N, P>,
-        S: Controlled<T, N, M> + Clone,
-        T: Float,
-    {
-        self.drive(method, model, span, x0, member, &mut Unseen).map(|(x, _)| x)
-    }
-
-    /// Integrates leg by leg. Returns the final state and the work.
-    #[allow(clippy::type_complexity, reason = "a state and the work")]
+    /// Integrates leg by leg. Returns the final state.
     pub(super) fn drive<A, S, T, O, const N: usize>(
         &self,
         method: &A,
@@ -125,7 +104,7 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
         x0: SVector<T, N>,
         member: u64,
         witness: &mut O,
-    ) -> Result<(SVector<T, N>, Statistics), Halt<T, N>>
+    ) -> Result<SVector<T, N>, Halt<T, N>>
     where
         A: for<'c> Method<Driven<'c, S, T, M>, T, N>,
         C: Controller<T, P, M>,
@@ -171,11 +150,10 @@ impl<C, W, const P: usize, const M: usize> Sampled<C, W, P, M> {
             x = stepper.x();
             ended.map_err(halt(stepper.t(), x))?;
             if let Some(end) = witness.end() {
-                return Ok((end, stepper.statistics()));
+                return Ok(end);
             }
         }
-        let work = stepper.map_or_else(Statistics::default, |stepper| stepper.statistics());
-        Ok((x, work))
+        Ok(x)
     }
 
     /// Checks the settings, the span and the initial state.

@@ -6,7 +6,7 @@ use super::Stepper;
 use crate::dense::Step;
 use crate::method::scheme::Scheme;
 use crate::method::search::{Found, Search};
-use crate::real::Float;
+use crate::real::{Float, ulps};
 use crate::system::System;
 
 /// Maximum number of times that a step is retaken to a kink: convergence is superlinear.
@@ -79,13 +79,13 @@ where
             }
             last = Some((t, value));
             let correction = -value / slope;
-            let ulps = |count: f64| T::from_f64(count) * T::EPSILON * t.abs().max(whole.h.abs());
-            if correction * whole.h <= T::default() && correction.abs() <= ulps(REACHED_ULPS) {
+            let scale = whole.scale(t);
+            if correction * whole.h <= T::default() && correction.abs() <= ulps(REACHED_ULPS, scale) {
                 self.smooth.go_to(t);
                 self.end_as_taken();
                 return true;
             }
-            t += correction + ahead * ulps(BEYOND_ULPS);
+            t += correction + ahead * ulps(BEYOND_ULPS, scale);
             if (t - whole.t0) * (whole.t1 - t) <= T::default() {
                 break;
             }

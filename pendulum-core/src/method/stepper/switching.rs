@@ -8,7 +8,7 @@ use crate::error::Reason;
 use crate::hybrid::{self, ABOUT_THE_END, Ambiguity, Hybrid, Modes, Settled, Witnesses};
 use crate::method::scheme::Scheme;
 use crate::method::smooth::Steps;
-use crate::real::Float;
+use crate::real::{Float, ulps};
 use crate::statistics::Statistics;
 use crate::step_size::Tolerance;
 use crate::system::System;
@@ -163,7 +163,7 @@ where
         if t == self.smooth.last.t1 {
             return true;
         }
-        if (t - whole.t0).abs() <= T::from_f64(SHORTEST_ULPS) * T::EPSILON * t.abs().max(whole.h.abs()) {
+        if (t - whole.t0).abs() <= ulps(SHORTEST_ULPS, whole.scale(t)) {
             return false;
         }
         self.modes.is_dense = false;
@@ -212,7 +212,7 @@ where
                 Steps::Equal(grid) => T::from_f64(HURRIED_OF_STEP) * grid.h(),
                 Steps::Controlled { .. } => T::from_f64(HURRIED_OF_REST) * (self.smooth.t1 - t),
             };
-            let resolved = T::from_f64(HURRIED_ULPS) * T::EPSILON * t.abs().max(self.smooth.last.h.abs());
+            let resolved = ulps(HURRIED_ULPS, self.smooth.last.scale(t));
             if t - since <= T::from_f64(MANY_CHANGES as f64) * shortest.max(resolved) {
                 let constraint = hybrid.constraints()[fired.first()].name.into();
                 return Err(Reason::ModesAccumulate { constraint });

@@ -53,6 +53,30 @@ pub(super) use target::{Two32, Two64, Wide32, Wide64};
 
 use super::{Float, Real};
 
+/// Implements [`Lanes`] for a number that is a single lane, except for the methods that check its value.
+macro_rules! single_lane {
+    () => {
+        type Scalar = Self;
+
+        #[inline(always)]
+        fn splat(v: Self) -> Self {
+            v
+        }
+
+        #[inline(always)]
+        fn from_fn(mut f: impl FnMut(usize) -> Self) -> Self {
+            f(0)
+        }
+
+        #[inline(always)]
+        fn lane(&self, i: usize) -> Self {
+            assert!(i == 0, "lane {i} of one");
+            *self
+        }
+    };
+}
+pub(crate) use single_lane;
+
 /// A [`Real`] made of one or more scalars; a scalar is a single lane.
 pub trait Lanes: Real {
     /// Type of one lane.

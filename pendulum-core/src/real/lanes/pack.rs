@@ -65,6 +65,26 @@ impl<R: Register> Lanes for Pack<R> {
     }
 }
 
+/// Operations of the registers.
+macro_rules! in_registers {
+    ($($method:ident($($argument:ident),*);)*) => { $(
+        #[inline(always)]
+        fn $method(self, $($argument: Self),*) -> Self {
+            Self(self.0.$method($($argument.0),*))
+        }
+    )* };
+}
+
+/// Functions that registers do not have.
+macro_rules! by_lanes {
+    ($over:ident: $($method:ident($($argument:ident)?);)*) => { $(
+        #[inline]
+        fn $method(self, $($argument: Self)?) -> Self {
+            self.$over($($argument,)? Real::$method)
+        }
+    )* };
+}
+
 impl<R: Register> Real for Pack<R> {
     const LANES: usize = R::LANES;
 
@@ -94,75 +114,9 @@ impl<R: Register> Real for Pack<R> {
         (Self(sin), Self(cos))
     }
 
-    #[inline(always)]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        Self(self.0.mul_add(a.0, b.0))
-    }
-
-    #[inline(always)]
-    fn mul_sub(self, a: Self, b: Self) -> Self {
-        Self(self.0.mul_sub(a.0, b.0))
-    }
-
-    #[inline(always)]
-    fn mul_neg_add(self, a: Self, b: Self) -> Self {
-        Self(self.0.mul_neg_add(a.0, b.0))
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self(self.0.sqrt())
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Self(self.0.abs())
-    }
-
-    #[inline]
-    fn tan(self) -> Self {
-        self.map(Real::tan)
-    }
-
-    #[inline]
-    fn exp(self) -> Self {
-        self.map(Real::exp)
-    }
-
-    #[inline]
-    fn ln(self) -> Self {
-        self.map(Real::ln)
-    }
-
-    #[inline]
-    fn tanh(self) -> Self {
-        self.map(Real::tanh)
-    }
-
-    #[inline]
-    fn signum(self) -> Self {
-        self.map(Real::signum)
-    }
-
-    #[inline]
-    fn at_least(self, low: Self) -> Self {
-        self.zip(low, Real::at_least)
-    }
-
-    #[inline]
-    fn at_most(self, high: Self) -> Self {
-        self.zip(high, Real::at_most)
-    }
-
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        self.zip(x, Real::atan2)
-    }
-
-    #[inline]
-    fn powf(self, exponent: Self) -> Self {
-        self.zip(exponent, Real::powf)
-    }
+    in_registers! { mul_add(a, b); mul_sub(a, b); mul_neg_add(a, b); sqrt(); abs(); }
+    by_lanes! { map: tan(); exp(); ln(); tanh(); signum(); }
+    by_lanes! { zip: at_least(low); at_most(high); atan2(x); powf(exponent); }
 }
 
 macro_rules! operators {

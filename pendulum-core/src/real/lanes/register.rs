@@ -229,6 +229,15 @@ impl<R: Register> Neg for Pair<R> {
     }
 }
 
+macro_rules! both {
+    ($($method:ident($($argument:ident),*);)*) => { $(
+        #[inline(always)]
+        fn $method(self, $($argument: Self),*) -> Self {
+            Self(self.0.$method($($argument.0),*), self.1.$method($($argument.1),*))
+        }
+    )* };
+}
+
 impl<R: Register> Register for Pair<R> {
     type Scalar = R::Scalar;
     const LANES: usize = 2 * R::LANES;
@@ -257,38 +266,7 @@ impl<R: Register> Register for Pair<R> {
         }
     }
 
-    #[inline(always)]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        Self(self.0.mul_add(a.0, b.0), self.1.mul_add(a.1, b.1))
-    }
-
-    #[inline(always)]
-    fn mul_sub(self, a: Self, b: Self) -> Self {
-        Self(self.0.mul_sub(a.0, b.0), self.1.mul_sub(a.1, b.1))
-    }
-
-    #[inline(always)]
-    fn mul_neg_add(self, a: Self, b: Self) -> Self {
-        Self(self.0.mul_neg_add(a.0, b.0), self.1.mul_neg_add(a.1, b.1))
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self(self.0.sqrt(), self.1.sqrt())
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Self(self.0.abs(), self.1.abs())
-    }
-
-    #[inline(always)]
-    fn select(self, negative: Self, otherwise: Self) -> Self {
-        Self(
-            self.0.select(negative.0, otherwise.0),
-            self.1.select(negative.1, otherwise.1),
-        )
-    }
+    both! { mul_add(a, b); mul_sub(a, b); mul_neg_add(a, b); sqrt(); abs(); select(negative, otherwise); }
 
     #[inline(always)]
     fn all_finite(self) -> bool {

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use nalgebra::SVector;
 
 use super::{Exponents, Lyapunov, TangentGrowth, oblique, orthonormalize};
-use crate::ensemble::{Ensemble, EnsembleError, check_models};
+use crate::ensemble::{Ensemble, EnsembleError, check_models, model_of};
 use crate::method::{Carried, Carry, Tangent};
 use crate::real::lanes::{Isa, Kernel, Lanes};
 use crate::stability::StabilityError;
@@ -83,10 +83,7 @@ impl Lyapunov {
         let flow = flow::<K>(self.tolerance).h_max(self.h_max());
         flow.tolerance::<f64>()?;
         if const { M::HYBRID } || dimension(&first) < N || isa.run(CountLanes) == 1 {
-            let alone = |(n, &start)| {
-                let model = if let [model] = models { model } else { &models[n] };
-                self.exponents(&model.cast::<f64>(), start)
-            };
+            let alone = |(n, &start)| self.exponents(&model_of(models, n).cast::<f64>(), start);
             return Ok(starts.iter().enumerate().map(alone).collect());
         }
         let growths = vec![TangentGrowth::new(self.transient, self.end()); starts.len()];
