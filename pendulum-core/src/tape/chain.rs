@@ -57,8 +57,9 @@ macro_rules! links {
         }
 
         impl Chain {
-            /// Runs the operations on registers.
-            #[inline(always)]
+            /// Runs the operations on registers. Inlining is not forced without optimisation, where it would take much
+            /// of the stack.
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub(super) fn run<$T: Real>(&self, registers: &mut [$T]) {
                 let mut alone = self.alone.iter();
                 let mut $x = $T::default();

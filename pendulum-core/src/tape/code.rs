@@ -71,7 +71,7 @@ macro_rules! operations {
             }
 
             /// Runs the operations.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub(super) fn run<$T: Real>(&self, registers: &mut [$T]) {
                 match self {
                     $(Self::$kind(row) => {
