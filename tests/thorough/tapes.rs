@@ -7,6 +7,8 @@ use std::sync::Arc;
 use nalgebra::SVector;
 use pendulum_core::hybrid::{Hold, MAX_CONSTRAINTS};
 use pendulum_core::prelude::*;
+use pendulum_core::real::Real;
+use pendulum_core::real::lanes::{F64x4, Lanes};
 use pendulum_core::sensitivity::{self, Variable};
 use pendulum_core::tape::{Given, HybridModel, Model, ModelError, Tape};
 use pendulum_core::{Canonical, Parametric, Plant, TaylorSeries, stability};
@@ -302,6 +304,44 @@ fn inputs_and_arguments_have_their_places() {
     assert_eq!(idle.rhs(0.0, &x), own.rhs(0.0, &x));
 }
 
+/// Results of a routine at a state, a time and arguments, all given by their numbers.
+fn results<T: Real>(model: &HybridModel<T, 5>, routine: usize, value: impl Fn(usize) -> T) -> Vec<T> {
+    let numbers: [T; MAX_CONSTRAINTS] = std::array::from_fn(&value);
+    let given = Given {
+        inputs: &numbers,
+        forces: &numbers,
+        accelerations: &numbers,
+        weights: &numbers,
+        direction: &numbers,
+    };
+    let x = SVector::from_fn(|n, _| value(20 + n));
+    let mut results = vec![T::default(); model.tape().routines()[routine].results()];
+    model.evaluate(routine, value(30), &x, &given, &mut results);
+    results
+}
+
+/// Lanes run the operations in another order than scalars.
+#[test]
+fn every_routine_has_the_same_bits_in_lanes() {
+    let own = include_str!("tapes.rs");
+    for tape in [tape_of_double_pendulum(), tape(own, "Constrained"), tape(own, "Driven")] {
+        let params: Vec<f64> = tape.parameters().iter().map(|own| own.default.unwrap_or(1.0)).collect();
+        let alone: HybridModel<f64, 5> = tape.padded(&params).expect("valid");
+        let in_lanes = alone.cast::<F64x4>();
+        for (routine, round) in (0..tape.routines().len()).flat_map(|routine| [(routine, 0), (routine, 1)]) {
+            let value = |n: usize, lane: usize| (0.7 * n as f64 + lane as f64 + 5.0 * f64::from(round)).sin();
+            let of_lanes = results(&in_lanes, routine, |n| F64x4::from_fn(|lane| value(n, lane)));
+            for lane in 0..F64x4::LANES {
+                let bits = results(&alone, routine, |n| value(n, lane))
+                    .into_iter()
+                    .map(f64::to_bits);
+                let name = tape.routines()[routine].name();
+                assert!(bits.eq(of_lanes.iter().map(|x| x.lane(lane).to_bits())), "{name}");
+            }
+        }
+    }
+}
+
 #[test]
 fn what_is_wrong_is_said() {
     let text = text(SCENES, "DoublePendulum");
@@ -441,6 +481,8 @@ fn damaged_tapes_do_not_panic() {
             continue;
         };
         let (x, forces) = (SVector::from([0.1, 0.2, 0.3, 0.4]), [0.1; MAX_CONSTRAINTS]);
+        let in_lanes = model.cast::<F64x4>();
+        std::hint::black_box(in_lanes.rhs(F64x4::splat(0.0), &x.map(F64x4::splat)));
         let mut projected = x;
         model.project(0.0, &mut projected);
         model.margins(0.0, &x, &mut |_, _| {});

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Mutex;
 
+use super::chain::Chain;
 use super::source::{Lists, Source};
 use crate::real::Real;
 use crate::real::lanes::Routine;
@@ -52,8 +53,15 @@ macro_rules! operations {
                 }
             }
 
+            /// Name of the operations.
+            pub(super) fn name(&self) -> &'static str {
+                match self {
+                    $(Self::$kind(_) => $name,)*
+                }
+            }
+
             /// Registers that each operation writes to and reads.
-            fn registers(&self) -> Vec<(&[Register], &[Register])> {
+            pub(super) fn registers(&self) -> Vec<(&[Register], &[Register])> {
                 match self {
                     $(Self::$kind(row) => {
                         let results = [$(stringify!($result)),+].len();
@@ -63,8 +71,8 @@ macro_rules! operations {
             }
 
             /// Runs the operations.
-            #[inline(always)]
-            fn run<$T: Real>(&self, registers: &mut [$T]) {
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            pub(super) fn run<$T: Real>(&self, registers: &mut [$T]) {
                 match self {
                     $(Self::$kind(row) => {
                         for &[$($result,)+ $($operand),+] in row {
@@ -137,9 +145,17 @@ pub(super) struct Code {
     pub(super) numbers: Vec<(Register, f64)>,
     pub(super) rows: Vec<Row>,
     pub(super) results: Vec<Register>,
+    /// The operations as lanes run them, if not in rows.
+    pub(super) chain: Option<Chain>,
 }
 
 impl Code {
+    /// Code whose operations lanes run in chains.
+    pub(super) fn chained(mut self) -> Self {
+        self.chain = Chain::new(&self);
+        self
+    }
+
     /// Adds a variable that is read.
     pub(super) fn read(&mut self, register: usize, source: Source, index: usize) {
         match self.reads.last_mut() {
@@ -177,12 +193,8 @@ impl Code {
     /// # Errors
     /// If it may have others: the reason.
     pub(super) fn check(&self) -> Result<(), &'static str> {
-        let numbers = self.numbers.iter().map(|&(register, _)| register);
-        let constants = self.constants.iter().map(|&(register, _)| register);
-        let kept: BTreeSet<Register> = numbers.chain(constants).collect();
-        let reads = self.reads.iter().flat_map(|read| read.registers.clone());
-        let reads = reads.map(|register| register as Register);
-        let mut set: BTreeSet<Register> = kept.iter().copied().chain(reads).collect();
+        let kept: BTreeSet<Register> = self.kept().collect();
+        let mut set = self.given();
         for (results, operands) in self.rows.iter().flat_map(Row::registers) {
             if operands.iter().any(|operand| !set.contains(operand)) {
                 return Err("an operation reads a register before anything is written to it");
@@ -195,6 +207,37 @@ impl Code {
         match self.results.iter().all(|result| set.contains(result)) {
             true => Ok(()),
             false => Err("a result is a register that nothing is written to"),
+        }
+    }
+
+    /// Registers of numbers and constants.
+    fn kept(&self) -> impl Iterator<Item = Register> {
+        let numbers = self.numbers.iter().map(|&(register, _)| register);
+        numbers.chain(self.constants.iter().map(|&(register, _)| register))
+    }
+
+    /// Registers of numbers, constants and variables, which are set before the operations run.
+    pub(super) fn given(&self) -> BTreeSet<Register> {
+        let reads = self.reads.iter().flat_map(|read| read.registers.clone());
+        self.kept().chain(reads.map(|register| register as Register)).collect()
+    }
+
+    /// The operations in chains, for numbers that run them so.
+    #[inline(always)]
+    fn chain<T: Real>(&self) -> Option<&Chain> {
+        if const { T::LANES > 1 } {
+            self.chain.as_ref()
+        } else {
+            None
+        }
+    }
+
+    /// Number of registers on which numbers run the code, and registers of the results.
+    #[inline(always)]
+    fn places<T: Real>(&self) -> (usize, &[Register]) {
+        match self.chain::<T>() {
+            Some(chain) => (chain.registers, &chain.results),
+            None => (self.registers, &self.results),
         }
     }
 
@@ -216,7 +259,7 @@ impl Code {
     ) {
         let mut unset = None;
         if registers.is_empty() {
-            registers.resize(self.registers, T::default());
+            registers.resize(self.places::<T>().0, T::default());
             unset = Some(constants);
         }
         let run = Run {
@@ -239,11 +282,12 @@ impl Code {
     where
         for<'r> Run<'r, T>: Routine<A, Self>,
     {
-        if self.registers > 1024 || self.registers * size_of::<T>() > MOST_ON_STACK {
-            let registers = &mut vec![T::default(); self.registers];
+        let (registers, _) = self.places::<T>();
+        if registers > 1024 || registers * size_of::<T>() > MOST_ON_STACK {
+            let registers = &mut vec![T::default(); registers];
             return self.interpret(registers, constants, lists, into);
         }
-        let on = match self.registers {
+        let on = match registers {
             0..=16 => on::<T, A, 16>,
             17..=24 => on::<T, A, 24>,
             25..=32 => on::<T, A, 32>,
@@ -321,7 +365,7 @@ impl<'s, T: Real> Routine<[&'s mut [T]], Code> for Run<'_, T> {
     #[inline(always)]
     fn run(self, results: &mut [&'s mut [T]], code: &Code) {
         let registers = self.run(code);
-        let mut places = code.results.iter();
+        let mut places = code.places::<T>().1.iter();
         for results in results {
             for (result, &place) in results.iter_mut().zip(&mut places) {
                 *result = registers[usize::from(place)];
@@ -336,7 +380,7 @@ impl<'p, T: Real> Routine<dyn FnMut(usize, T) + 'p, Code> for Run<'_, T> {
     #[inline(always)]
     fn run(self, pass: &mut (dyn FnMut(usize, T) + 'p), code: &Code) {
         let registers = self.run(code);
-        for (n, &place) in code.results.iter().enumerate() {
+        for (n, &place) in code.places::<T>().1.iter().enumerate() {
             pass(n, registers[usize::from(place)]);
         }
     }
@@ -346,7 +390,7 @@ impl<'a, T: Real> Run<'a, T> {
     /// Sets the registers, runs the operations on them, and returns them.
     #[inline(always)]
     fn run(self, code: &Code) -> &'a [T] {
-        let registers = &mut self.registers[..code.registers];
+        let registers = &mut self.registers[..code.places::<T>().0];
         if let Some(constants) = self.constants {
             for &(register, number) in &code.numbers {
                 registers[usize::from(register)] = T::from_f64(number);
@@ -359,8 +403,13 @@ impl<'a, T: Real> Run<'a, T> {
             let to = &mut registers[read.registers.clone()];
             to.copy_from_slice(&self.lists.of(read.source)[read.first..][..to.len()]);
         }
-        for row in &code.rows {
-            row.run(registers);
+        match code.chain::<T>() {
+            Some(chain) => chain.run(registers),
+            None => {
+                for row in &code.rows {
+                    row.run(registers);
+                }
+            }
         }
         registers
     }

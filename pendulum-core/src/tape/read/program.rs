@@ -62,7 +62,7 @@ impl Reader<'_> {
         };
         Ok(Some(Routine {
             name: name.to_owned(),
-            code: self.code(&lengths(&[given, &own].concat()), Some(results))?,
+            code: self.code(&lengths(&[given, &own].concat()), Some(results))?.chained(),
             arguments: own.into_iter().map(|(source, _)| source).collect(),
             shapes,
         }))
