@@ -138,7 +138,8 @@ fn rms<const N: usize>(rows: &[[f64; N]]) -> [f64; N] {
     std::array::from_fn(|n| (rows.iter().map(|row| row[n] * row[n]).sum::<f64>() / rows.len() as f64).sqrt())
 }
 
-/// Residuals of a run that the scene describes, but for noise of the torques, as large as that of the measured ones.
+/// Residuals in rad of a simulated run whose torques differ from those of the scene by noise, as large as that of the
+/// measured torques.
 fn left_by_noise(fitted: &ArmFit, run: &Run) -> Result<[f64; 2], Box<dyn Error>> {
     let params = ArmParams::from_array(fitted.parameters);
     let (arm, times) = (Arm::new(params)?, run.angles.times());

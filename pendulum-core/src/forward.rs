@@ -33,7 +33,7 @@ macro_rules! forward_state {
     };
 }
 
-/// Implements all methods of a [`System`](crate::System) by forwarding to a wrapped system.
+/// Implements the methods of a [`System`](crate::System) by forwarding to a wrapped system, but for `rhs_into`.
 macro_rules! forward_system {
     ($self:ident => $wrapped:expr) => {
         $crate::forward::forward_state!($self => $wrapped);

@@ -382,12 +382,12 @@ impl<X> Fit<X> {
     ) -> (Point, End) {
         let mut end;
         (point, end) = search.minimise(point, progress);
+        search.leaves_bad_windows = false;
         for _ in 0..KINKS {
             let at_a_kink = matches!(end, End::Kink | End::Stuck);
             if end.is_final() || !search.relax(&mut point, at_a_kink) && end != End::BadWindow {
                 break;
             }
-            search.leaves_bad_windows = false;
             (point, end) = search.minimise(point, progress);
         }
         if matches!(self.division, Division::Joined(_)) {

@@ -38,7 +38,7 @@ use crate::tableau::{HairerWanner4, Steinebach5, Tableau, Tsitouras5, Verner7, V
 /// the implicit method takes over. It does so at a smaller estimate if the derivative bends much less over a step than
 /// it would at that rate, and with tolerances above 1e-4 at once if the first step is rejected far beyond the limit.
 /// The implicit method estimates `|h lambda|` by power iteration with its Jacobian, and hands back once explicit steps
-/// of the same length would be stable. `Vern9` and the implicit methods do this in every second step.
+/// of the same length would be stable. `Vern9` and the implicit methods are tested in every second step.
 ///
 /// [`Statistics`] count the implicit steps and the switches.
 ///
@@ -248,7 +248,7 @@ fn test<B, T, const STAGES: usize, const N: usize>(
     B: Bounded<STAGES>,
     T: Float,
 {
-    if !stiffness.is_tested(B::LIMIT) {
+    if !stiffness.takes_test(B::LIMIT) {
         return;
     }
     let measured = stages.stiffness(h).to_f64();
@@ -354,7 +354,7 @@ where
         if self.stiffness.is_stiff {
             work.stiff += 1;
             let limit = self.explicit.limit();
-            let fastest = self.stiffness.is_tested(limit).then_some(&mut self.fastest);
+            let fastest = self.stiffness.takes_test(limit).then_some(&mut self.fastest);
             if let Some(rate) = self.implicit.accept(system, (step, lanes), fastest, work) {
                 self.stiffness.after_implicit((step.h.abs() * rate).to_f64(), limit);
             }

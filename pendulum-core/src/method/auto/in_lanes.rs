@@ -281,7 +281,7 @@ where
         let [some_free, some_stiff] = self.at_work();
         let (mut is_tested, mut tests_free) = ([false; MOST_LANES], false);
         for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
-            is_tested[lane] = lanes.is_in(lane) && own.is_tested(B::LIMIT);
+            is_tested[lane] = lanes.is_in(lane) && own.takes_test(B::LIMIT);
             tests_free |= is_tested[lane] && !own.is_stiff;
         }
         if tests_free {

@@ -27,8 +27,8 @@ const VERY_SMOOTH: f64 = 0.01;
 const UNSTABLE: f64 = 10.0;
 /// Number of steps per test, of implicit methods and of those that [creep](Limit::creeps).
 const STEPS: usize = 2;
-/// Number of steps at the limit that make a system stiff, without [`FREE`] others in a row between them. Those along a
-/// very smooth solution count twice.
+/// Number of steps at the limit that make a system stiff, without [`FREE`] others in a row between them. Those that are
+/// at the limit only because the solution is very smooth count twice.
 const STIFF: usize = 8;
 /// Number of steps in a row below the limit that reset the count, or that return to the explicit method.
 const FREE: usize = 4;
@@ -78,9 +78,10 @@ impl Stiffness {
         (self.changes, self.at_start, self.is_due, self.at_limit, self.free) = (false, true, false, 0, 0);
     }
 
-    /// Returns true if the step that was accepted last is to be tested: each one, or every second one for both.
+    /// Takes the step that was accepted last as tested, and returns true, for each step, or for every second one, which
+    /// then counts for two.
     #[inline(always)]
-    pub(crate) fn is_tested(&mut self, limit: Limit) -> bool {
+    pub(crate) fn takes_test(&mut self, limit: Limit) -> bool {
         let is_tested = self.is_due || !(self.is_stiff || limit.creeps);
         (self.is_due, self.at_start) = (!is_tested, false);
         is_tested

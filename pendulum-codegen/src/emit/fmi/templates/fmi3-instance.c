@@ -1,4 +1,4 @@
-// Functions that all other sources call.
+// Functions that several other sources call.
 #include "fmi3-instance.h"
 
 #include <math.h>

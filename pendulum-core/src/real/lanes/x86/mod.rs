@@ -1,4 +1,4 @@
-//! Vector registers of x86-64, and functions compiled with their instructions: all the unsafe code of the crate.
+//! Vector registers of x86-64, and functions compiled with their instructions.
 //!
 //! Its soundness rests on two facts, and each block names the one it uses.
 //!
