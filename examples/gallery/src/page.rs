@@ -8,11 +8,9 @@ use crate::{SYSTEMS, System};
 pub fn page() -> String {
     let mut page = String::from(
         "# Gallery\n\n\
-        Mechanisms of the paper (H. Williams, Forces in Mechanics 2023), of its references, and beyond. \
-         `cargo run --release -p \
-         gallery`\nchecks each of them and draws it into `out/gallery/`; `--animate` makes GIFs as well. Each name \
-         leads to its file, \
-         with the checks.\n",
+        Mechanisms of the paper (H. Williams, Forces in Mechanics 2023), of its references, and beyond. `cargo run \
+         --release -p\ngallery` checks each of them and draws it into `out/gallery/`; `--animate` makes GIFs as well. \
+         Each name leads to its\nfile, with the checks.\n",
     );
     for system in SYSTEMS {
         let (title, text) = system.text();
