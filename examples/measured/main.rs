@@ -10,6 +10,7 @@
 
 mod figures;
 mod prediction;
+mod random;
 
 use std::error::Error;
 use std::fs::File;

@@ -2,12 +2,11 @@
 
 use std::error::Error;
 
+use super::random::Random;
+use super::{Arm, ArmFit, ArmParams, Run, STEP, WINDOW, noise};
 use pendulum_core::fit::{Experiment, Fit, Measurement};
 use pendulum_core::inputs::TimeTable;
 use pendulum_core::prelude::*;
-use testbed::random::Random;
-
-use super::{Arm, ArmFit, ArmParams, Run, STEP, WINDOW, noise};
 
 /// Predicts a run by parameters of another, in windows whose starts are fitted, with its own zeros of the encoders, and
 /// with static friction that the other run does not determine. Then forecasts each window from the end of the one
