@@ -82,6 +82,40 @@ pub trait Register:
     fn turn(self, sin: Self, cos: Self) -> (Self, Self);
 }
 
+/// Implements the access of a [`Register`] to memory by its conversions from and to an array.
+#[cfg(any(
+    all(target_arch = "x86_64", target_feature = "sse2"),
+    all(target_arch = "aarch64", target_feature = "neon")
+))]
+macro_rules! through_arrays {
+    ($lanes:literal $scalar:ident) => {
+        #[inline(always)]
+        fn load(from: &[$scalar]) -> Self {
+            Self::from_array(*from.first_chunk().expect("enough numbers"))
+        }
+
+        #[inline(always)]
+        fn store(self, to: &mut [$scalar]) {
+            *to.first_chunk_mut().expect("enough numbers") = self.to_array();
+        }
+
+        #[inline(always)]
+        fn from_fn(f: &mut impl FnMut(usize) -> $scalar) -> Self {
+            // The compiler does not inline the calls of `f` in `array::from_fn`.
+            let mut array = [0.0; $lanes];
+            for (i, lane) in array.iter_mut().enumerate() {
+                *lane = f(i);
+            }
+            Self::from_array(array)
+        }
+    };
+}
+#[cfg(any(
+    all(target_arch = "x86_64", target_feature = "sse2"),
+    all(target_arch = "aarch64", target_feature = "neon")
+))]
+pub(super) use through_arrays;
+
 /// Scalar type of lanes, with the range and the constants of the kernel of [sine and cosine](crate::real::sincos).
 pub trait Precision: Float + Register<Scalar = Self> {
     /// Largest angle that the kernel reduces: up to this limit the products of the quotient with all but the last part

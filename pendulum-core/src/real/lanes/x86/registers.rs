@@ -7,7 +7,7 @@ use core::mem::transmute;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::super::Routine;
-use super::super::register::{Fuse, Register};
+use super::super::register::{Fuse, Register, through_arrays};
 
 macro_rules! binary {
     ($name:ident, $($trait:ident $method:ident $intrinsic:ident),*) => { $(
@@ -85,25 +85,7 @@ macro_rules! register {
                 unsafe { Self($splat(v)) }
             }
 
-            #[inline(always)]
-            fn load(from: &[$scalar]) -> Self {
-                Self::from_array(*from.first_chunk().expect("enough numbers"))
-            }
-
-            #[inline(always)]
-            fn store(self, to: &mut [$scalar]) {
-                *to.first_chunk_mut().expect("enough numbers") = self.to_array();
-            }
-
-            #[inline(always)]
-            fn from_fn(f: &mut impl FnMut(usize) -> $scalar) -> Self {
-                // The compiler does not inline the calls of `f` in `array::from_fn`.
-                let mut array = [0.0; $lanes];
-                for (i, lane) in array.iter_mut().enumerate() {
-                    *lane = f(i);
-                }
-                Self::from_array(array)
-            }
+            through_arrays!($lanes $scalar);
 
             #[inline(always)]
             fn lane(&self, i: usize) -> $scalar {
