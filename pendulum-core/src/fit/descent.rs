@@ -84,8 +84,7 @@ impl Search<'_> {
             if let Some(end) = descent.end(&step, self.enough) {
                 return (point, end);
             }
-            if step.model.at(1.0) <= NEAR * descent.unit && self.leaves_bad_windows && self.bad(&point).contains(&true)
-            {
+            if step.model.at(1.0) <= NEAR * descent.unit && self.leaves_bad_windows && self.has_bad(&point) {
                 return (point, End::BadWindow);
             }
             let next = self.after(&point, &step).filter(|next| next.loss < point.loss);

@@ -193,10 +193,15 @@ impl Search<'_> {
 
     /// True for windows that are much worse than others, such as where a joint sticks in vain, and much worse than when
     /// they were last fitted from other starts.
-    pub(super) fn bad(&self, point: &Point) -> Vec<bool> {
-        let all = self.mean_squares(point).into_iter().zip(&self.tried);
-        all.map(|(square, tried)| self.hybrid && square > BAD.max(BAD * tried))
+    fn bad(&self, mean_squares: &[f64]) -> Vec<bool> {
+        let all = mean_squares.iter().zip(&self.tried);
+        all.map(|(&square, tried)| self.hybrid && square > BAD.max(BAD * tried))
             .collect()
+    }
+
+    /// True if there are [bad](Self::bad) windows.
+    pub(super) fn has_bad(&self, point: &Point) -> bool {
+        self.bad(&self.mean_squares(point)).contains(&true)
     }
 
     /// Fits the start of each window alone, which kinks in other windows do not hinder, if the search ended at one or
@@ -204,11 +209,12 @@ impl Search<'_> {
     /// noticeably.
     pub(super) fn relax(&mut self, point: &mut Point, at_a_kink: bool) -> bool {
         let given = vec![true; self.given.len()];
-        let from_others = self.bad(point);
+        let mean_squares = self.mean_squares(point);
+        let from_others = self.bad(&mean_squares);
         if !at_a_kink && !from_others.contains(&true) {
             return false;
         }
-        for (w, square) in self.mean_squares(point).into_iter().enumerate() {
+        for (w, square) in mean_squares.into_iter().enumerate() {
             if from_others[w] {
                 self.tried[w] = square;
             }
