@@ -2,11 +2,12 @@
 
 use std::error::Error;
 
-use super::random::Random;
-use super::{Arm, ArmFit, ArmParams, Run, STEP, WINDOW, noise};
 use pendulum_core::fit::{Experiment, Fit, Measurement};
 use pendulum_core::inputs::TimeTable;
 use pendulum_core::prelude::*;
+
+use super::random::Random;
+use super::{Arm, ArmFit, ArmParams, Run, STEP, WINDOW, noise};
 
 /// Predicts a run by parameters of another, in windows whose starts are fitted, with its own zeros of the encoders, and
 /// with static friction that the other run does not determine. Then forecasts each window from the end of the one
@@ -84,14 +85,12 @@ fn forecast(fitted: &ArmFit, run: &Run) -> Result<[[f64; 2]; 3], Box<dyn Error>>
             let after = t - window.t1;
             let near = AHEAD.iter().position(|ahead| (ahead - after).abs() < 0.025);
             if let Some(k) = near.filter(|_| after <= WINDOW) {
-                errors[k].push(SVector::from([upper, lower]) - arm.outputs(t, &motion.at(t)?));
+                let error = SVector::from([upper, lower]) - arm.outputs(t, &motion.at(t)?);
+                errors[k].push([error[0], error[1]]);
             }
         }
     }
-    let rms = |errors: &[SVector<f64, 2>], n: usize| {
-        (errors.iter().map(|error| error[n] * error[n]).sum::<f64>() / errors.len() as f64).sqrt()
-    };
-    Ok(errors.map(|errors| [rms(&errors, 0), rms(&errors, 1)]))
+    Ok(errors.map(|errors| rms(&errors)))
 }
 
 /// The lower link rests if its angle changes by less than `RESTS`, in rad, over this many samples: 0.1 s.
