@@ -1,11 +1,12 @@
 //! Times of tapes over those of compiled code: `cargo bench -p benches --bench tapes`. One evaluation, and ensembles of
 //! 256 trajectories in lanes on one core, of which those of tapes are observed and padded as in `pendulum-runtime`.
 //!
-//! Each number is the ratio of the least times of two functions that are measured in turn.
+//! Each number is the median over some pairs of measurements.
+
+mod ratio;
 
 use std::hint::black_box;
 use std::sync::Arc;
-use std::time::Instant;
 
 use nalgebra::SVector;
 use pendulum_core::dense::Dense;
@@ -17,10 +18,12 @@ use testbed::robots::{Panda, PandaParams, Ur5, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 use testbed::source::{ROBOTS, SCENES, declaration};
 
+use ratio::ratio;
+
 /// Number of trajectories.
 const COUNT: usize = 256;
-/// Number of times each function is measured.
-const ROUNDS: usize = 15;
+/// Number of pairs of measurements.
+const PAIRS: usize = 15;
 /// End of the motions, in s.
 const T1: f64 = 0.3;
 
@@ -69,7 +72,7 @@ where
     M: Cast<N> + System<f64, N>,
 {
     let (starts, padded) = (states::<N, N>(), states::<N, L>());
-    let alone = ratio(
+    let alone = over(
         || starts.iter().map(|x| compiled.rhs(0.0, black_box(x))[N - 1]).sum(),
         || padded.iter().map(|x| tape.rhs(0.0, black_box(x))[N - 1]).sum(),
     );
@@ -86,7 +89,7 @@ where
                 let ends = $method.observe_on($isa, tapes, (0.0, T1), &padded, |_| &[], &mut observers);
                 ends.expect("regular").iter().map(|x| x[0]).sum()
             };
-            println!("{name}, {}, {:?}: {:.2}", stringify!($name), $isa, ratio(of_compiled, of_tape));
+            println!("{name}, {}, {:?}: {:.2}", stringify!($name), $isa, over(of_compiled, of_tape));
         )*};
     }
     for isa in Isa::available() {
@@ -94,17 +97,8 @@ where
     }
 }
 
-/// Ratio of the least times of the second and of the first of two functions with the same result.
-fn ratio(first: impl Fn() -> f64, second: impl Fn() -> f64) -> f64 {
+/// Ratio of the times of the second and of the first of two functions with the same result.
+fn over(first: impl Fn() -> f64, second: impl Fn() -> f64) -> f64 {
     assert_eq!(first().to_bits(), second().to_bits(), "other bits");
-    let functions: [&dyn Fn() -> f64; 2] = [&first, &second];
-    let mut least = [f64::INFINITY; 2];
-    for _ in 0..ROUNDS {
-        for (least, function) in least.iter_mut().zip(functions) {
-            let start = Instant::now();
-            black_box(function());
-            *least = least.min(start.elapsed().as_secs_f64());
-        }
-    }
-    least[1] / least[0]
+    ratio(PAIRS, 1, second, first)
 }
