@@ -50,11 +50,11 @@
 //!
 //! # Without `std`
 //!
-//! With `default-features = false` the crate is `no_std` and uses no heap. Generated models and the [`Stepper`] of
+//! Without the default feature `std` the crate is `no_std` and uses no heap. Generated models and the [`Stepper`] of
 //! every method work in this mode, [iterative LQR](control::Ilqr), and [sampled controllers](control::Sampled);
-//! trajectories and lists do not. The default feature `std` adds [`Method::solve`], [`solution`], [`event`],
-//! [`ensemble`], [`sensitivity`], the design of linear [`control`], [`stability`], [`accuracy`], [`shapes`], and the
-//! detection of instruction sets at run time.
+//! trajectories and lists do not. The feature adds [`Method::solve`], [`solution`], [`event`], [`ensemble`],
+//! [`sensitivity`], the design of linear [`control`], [`stability`], [`accuracy`], [`shapes`], and the detection of
+//! instruction sets at run time.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(
@@ -133,6 +133,7 @@ pub use system::{
 pub use taylor::{CastTaylor, TaylorSeries};
 
 /// Declares a mechanism and generates its equations of motion: see [`language`].
+#[cfg(feature = "macros")]
 pub use pendulum_macros::mechanism;
 
 #[doc = include_str!("language.md")]
@@ -163,6 +164,7 @@ macro_rules! with_std {
 pub mod prelude {
     #[cfg(feature = "std")]
     pub use crate::accuracy::Refine as _;
+    #[cfg(feature = "macros")]
     pub use crate::mechanism;
     pub use crate::{
         Auto, Gauss4, Gauss6, Gauss16, Radau5, Radau9, Radau13, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9,
