@@ -221,6 +221,36 @@ fn joined_windows_give_the_single_trajectory_and_separate_ones_less() {
     }
 }
 
+/// A motor's torque, sampled at 200 Hz.
+fn torque() -> TimeTable<1> {
+    let clock = times(200.0, 8.0);
+    let torque: Vec<f64> = clock
+        .iter()
+        .map(|t| 3.0 * (1.3 * t).sin() + 2.0 * (3.1 * t).sin())
+        .collect();
+    TimeTable::linear(&clock, [&torque]).expect("samples")
+}
+
+/// Readings of the encoder at 200 Hz, with noise of 2 mrad. The pendulum rests at times.
+fn readings(truth: DrivenParams, seed: u64) -> Vec<f64> {
+    let driven = Driven::new(truth).expect("valid");
+    let motion = Rk4::new(0.0025)
+        .solve(&driven.with_law(torque()), 0.0, 8.0, [0.3, 0.0])
+        .expect("a motion");
+    assert!(motion.modes().len() > 6);
+    let random = &mut Random::new(seed);
+    let reading = |t: f64| {
+        let x = motion.at(t.min(motion.last().0)).expect("inside");
+        driven.encoder(t, &x) + 0.002 * random.normal()
+    };
+    times(200.0, 8.0).into_iter().map(reading).collect()
+}
+
+fn of_encoder(readings: &[f64]) -> Measurement {
+    let measurement = Measurement::new(&times(200.0, 8.0)).expect("times");
+    measurement.output("encoder", readings).expect("values")
+}
+
 #[test]
 fn dry_friction_offset_and_gain_are_fitted_to_driven_motion() {
     let truth = DrivenParams {
@@ -230,32 +260,11 @@ fn dry_friction_offset_and_gain_are_fitted_to_driven_motion() {
         zero: 0.05,
         gain: 1.03,
     };
-    let clock = times(200.0, 8.0);
-    let torque: Vec<f64> = clock
-        .iter()
-        .map(|t| 3.0 * (1.3 * t).sin() + 2.0 * (3.1 * t).sin())
-        .collect();
-    let table = TimeTable::linear(&clock, [&torque]).expect("samples");
-    let model = |params| Driven::new(params).expect("valid").with_law(table.clone());
-    let motion = Rk4::new(0.0025)
-        .solve(&model(truth), 0.0, 8.0, [0.3, 0.0])
-        .expect("a motion");
-    // it rests at times
-    assert!(motion.modes().len() > 6);
-    let random = &mut Random::new(5);
-    let driven = Driven::new(truth).expect("valid");
-    let mut angles: Vec<f64> = Vec::new();
-    for &t in &clock {
-        let x = motion.at(t.min(motion.last().0)).expect("inside");
-        angles.push(driven.encoder(t, &x) + 0.002 * random.normal());
-    }
+    let mut angles = readings(truth, 5);
     // the encoder drops out
     angles[300..400].fill(f64::NAN);
-    let measurement = Measurement::new(&clock)
-        .expect("times")
-        .output("encoder", &angles)
-        .expect("values");
-    let rough = model(DrivenParams::default());
+    let measurement = of_encoder(&angles);
+    let rough = Driven::new(DrivenParams::default()).expect("valid").with_law(torque());
     // the gain of an encoder is known by itself from the torque
     let fitted = Fit::new(Rk4::new(0.005))
         .run(&[Experiment::new(&rough, &measurement)])
@@ -273,8 +282,42 @@ fn dry_friction_offset_and_gain_are_fitted_to_driven_motion() {
     let separate = separate.run(&[Experiment::new(&rough, &measurement)]).expect("a fit");
     assert!((0.0017..0.0023).contains(&separate.rms("encoder")), "{separate}");
     let residuals = &fitted.residuals[0].values;
-    assert!(residuals.len() == clock.len() && residuals[300..400].iter().all(|residual| residual.is_nan()));
+    assert!(residuals.len() == angles.len() && residuals[300..400].iter().all(|residual| residual.is_nan()));
     assert!((0.0018..0.0022).contains(&fitted.residuals[0].rms()));
+}
+
+#[test]
+fn windows_that_stick_in_vain_are_fitted_from_other_starts() {
+    let truth = DrivenParams {
+        k: 7.0,
+        viscous: 0.08,
+        dry: 0.5,
+        zero: 0.05,
+        gain: 1.0,
+    };
+    let measurement = of_encoder(&readings(truth, 2));
+    let fit = Fit::new(Rk4::new(0.005)).free(["k", "viscous", "dry", "zero"]);
+    let run = |fit: Fit<_>, dry| {
+        let rough = DrivenParams {
+            dry,
+            ..DrivenParams::default()
+        };
+        let rough = Driven::new(rough).expect("valid").with_law(torque());
+        fit.run(&[Experiment::new(&rough, &measurement)]).expect("a fit")
+    };
+    let single = run(fit.clone(), 0.3);
+    // it holds whole windows at rest
+    let separate = run(fit.clone().separate_windows(0.4), 8.0);
+    assert_eq!(separate.status, Status::Converged);
+    assert!((0.0018..0.0022).contains(&separate.rms("encoder")), "{separate}");
+    let joined = run(fit.windows(0.4), 8.0);
+    assert_eq!(joined.status, Status::Converged);
+    for (single, joined) in single.estimates.iter().zip(&joined.estimates) {
+        assert!(
+            (single.value - joined.value).abs() < 0.01 * single.deviation,
+            "{single:?} {joined:?}"
+        );
+    }
 }
 
 mechanism! {
