@@ -10,7 +10,7 @@ use super::random::Random;
 use super::{Arm, ArmFit, ArmParams, Run, STEP, WINDOW, noise};
 
 /// Predicts a run by parameters of another, in windows whose starts are fitted, with its own zeros of the encoders, and
-/// with static friction that the other run does not determine. Then forecasts each window from the end of the one
+/// with static friction, which the other run does not determine. Then forecasts each window from the end of the one
 /// before.
 pub(crate) fn predict(best: &ArmFit, run: &Run) -> Result<ArmFit, Box<dyn Error>> {
     let arm = run.arm(ArmParams::from_array(best.parameters))?;
@@ -107,22 +107,22 @@ const OWN: [(&str, [&str; 2]); 2] = [
 /// [of their own](OWN).
 pub(crate) fn limits(runs: [(&Run, &ArmFit); 2]) -> Result<(), Box<dyn Error>> {
     println!("\nLimits; residuals in mrad");
+    let mrad = |residuals: [f64; 2]| residuals.map(|residual| 1e3 * residual);
     for (number, (run, fitted)) in (1..).zip(runs) {
-        let [upper, lower] = left_by_noise(fitted, run)?.map(|residual| 1e3 * residual);
+        let [upper, lower] = mrad(left_by_noise(fitted, run)?);
         println!("  run {number}: noise of the torques alone leaves {upper:>18.2} {lower:>6.2}");
         for (windows, [upper, lower]) in ["in which the lower link rests", "in which it does not"]
             .into_iter()
-            .zip(by_rest(fitted, run))
+            .zip(by_rest(fitted, run).map(mrad))
             .filter(|(_, residuals)| residuals[0].is_finite())
         {
             println!("  run {number}: windows {windows:<35} {upper:>8.2} {lower:>6.2}");
         }
         for (what, names) in OWN {
             let [residuals, changes] = with_own(names, fitted, run)?;
+            let [upper, lower] = mrad(residuals);
             println!(
-                "  run {number}: {what:<43} {:>8.2} {:>6.2}; changes {:.0} and {:.0} mN m",
-                1e3 * residuals[0],
-                1e3 * residuals[1],
+                "  run {number}: {what:<43} {upper:>8.2} {lower:>6.2}; changes {:.0} and {:.0} mN m",
                 1e3 * changes[0],
                 1e3 * changes[1]
             );
@@ -172,7 +172,7 @@ fn left_by_noise(fitted: &ArmFit, run: &Run) -> Result<[f64; 2], Box<dyn Error>>
     Ok(["q1", "q2"].map(|name| left.rms(name)))
 }
 
-/// Residuals in mrad of the windows in which the lower link rests, and of the others.
+/// Residuals in rad of the windows in which the lower link rests, and of the others.
 fn by_rest(fitted: &ArmFit, run: &Run) -> [[f64; 2]; 2] {
     let mut parts = [Vec::new(), Vec::new()];
     let (times, lower) = (run.angles.times(), run.values("q2"));
@@ -184,14 +184,14 @@ fn by_rest(fitted: &ArmFit, run: &Run) -> [[f64; 2]; 2] {
             let [least, most] = [f64::min, f64::max].map(|of| part.iter().map(|&n| lower[n]).reduce(of));
             most.zip(least).is_some_and(|(most, least)| most - least < RESTS)
         });
-        let residual = |n: usize| [0, 1].map(|column: usize| 1e3 * fitted.residuals[column].values[n]);
+        let residual = |n: usize| [0, 1].map(|column: usize| fitted.residuals[column].values[n]);
         parts[usize::from(!rests)].extend(inside.into_iter().map(residual));
     }
     parts.map(|part| rms(&part))
 }
 
-/// Fits each window alone, with its start and two parameters. Returns the root mean squares of residuals and of changes
-/// of the parameters.
+/// Fits each window alone, with its start and two parameters. Returns the root mean squares of residuals, in rad, and of
+/// changes of the parameters.
 fn with_own(names: [&str; 2], fitted: &ArmFit, run: &Run) -> Result<[[f64; 2]; 2], Box<dyn Error>> {
     let arm = run.arm(ArmParams::from_array(fitted.parameters))?;
     let fit = Fit::new(Rk4::new(STEP)).free(names).separate_windows(WINDOW);
