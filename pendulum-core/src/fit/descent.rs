@@ -339,7 +339,7 @@ mod tests {
     use crate::error::{ParameterError, Reason};
     use crate::fit::Loss;
     use crate::fit::measurement::Measurement;
-    use crate::fit::search::{Search, Tasks};
+    use crate::fit::search::Search;
     use crate::fit::shooting::{Shooting, Shot};
     use crate::fit::windows::Window;
 
@@ -415,7 +415,6 @@ mod tests {
             max_iterations: 100,
             iterations: 0,
             shots: 0,
-            tasks: Tasks::default(),
         };
         let point = search.at(vec![0.05], vec![vec![0.0]]).expect("a point");
         let (point, end) = search.minimise(point, &mut |_| ControlFlow::Continue(()));

@@ -73,7 +73,6 @@ impl Echelon {
         let height = rows.nrows();
         let lengths: Vec<f64> = (0..columns).map(|c| rows.column(c).norm()).collect();
         let mut pivots = vec![None; columns];
-        let mut normal = vec![0.0; height];
         let mut next = 0;
         for (column, pivot) in pivots.iter_mut().enumerate() {
             if next == height {
@@ -89,13 +88,13 @@ impl Echelon {
             }
             // the reflection takes the column to a multiple of the first unit vector
             let target = if part[0] > 0.0 { -length } else { length };
-            let normal = &mut normal[next..];
-            normal.copy_from_slice(part);
-            normal[0] -= target;
-            let square = -target * normal[0];
-            part.fill(0.0);
+            part[0] -= target;
+            let square = -target * part[0];
+            Isa::run_routine(Reflect { height, square }, others, part);
             part[0] = target;
-            Isa::run_routine(Reflect { height, square }, others, normal);
+            // the rows further below are not read again
+            let most_pivots = part.len().min(columns - next);
+            part[1..most_pivots].fill(0.0);
             *pivot = Some(next);
             next += 1;
         }

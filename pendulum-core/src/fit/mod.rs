@@ -85,7 +85,7 @@ use crate::method::Method;
 use crate::system::{IntoState, Parametric, System};
 use descent::{ENOUGH, ENOUGH_WITH_SWITCHES, End};
 use measurement::Column;
-use search::{Joints, Point, Search, Tasks};
+use search::{Joints, Point, Search};
 use shooting::{PART, Trajectories, sources};
 
 /// Weights of the gaps between joined windows, in standard deviations of their starts, one after the other: the last
@@ -305,7 +305,6 @@ impl<X> Fit<X> {
             max_iterations: self.max_iterations,
             iterations: 0,
             shots: 0,
-            tasks: Tasks::default(),
         };
         let parameters = first.model.parameters().to_vec();
         let starts = starts::first(&search, &trajectories, &parameters, &self.division)?;

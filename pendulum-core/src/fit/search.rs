@@ -8,7 +8,7 @@ use super::FitError;
 use super::elimination::{Block, Damping, Echelon, Eliminated};
 use super::loss::Loss;
 use super::measurement::Measurement;
-use super::parallel::Parallel;
+use super::parallel;
 use super::shooting::{PART, Shooting, Shot};
 use super::windows::Window;
 
@@ -63,14 +63,6 @@ pub(super) struct Search<'a> {
     pub(super) max_iterations: usize,
     pub(super) iterations: usize,
     pub(super) shots: usize,
-    pub(super) tasks: Tasks,
-}
-
-/// Tasks for all windows, on all cores.
-#[derive(Debug, Default)]
-pub(super) struct Tasks {
-    shots: Parallel,
-    blocks: Parallel,
 }
 
 /// Weights of the gaps between joined windows.
@@ -152,7 +144,7 @@ impl Search<'_> {
                 reason: Box::new(reason),
             })
         };
-        self.tasks.shots.each(self.windows.len(), shoot).into_iter().collect()
+        parallel::each(self.windows.len(), shoot).into_iter().collect()
     }
 
     /// Calls `each` for each residual of a window: its row, its sample, its column and measured minus computed value.
@@ -264,21 +256,20 @@ impl Search<'_> {
         let (n, p) = (self.n, self.free.len());
         let block = |w: usize| {
             let shot = &point.shots[w];
-            let mut rows = DMatrix::zeros(shot.outputs.len(), n + p + 1);
             // missing values have no weight
             let mut roots = vec![0.0; shot.outputs.len()];
+            let mut residuals = roots.clone();
             self.residuals(w, shot, |row, _, column, residual| {
                 let deviation = self.noise_of(w, column);
-                let root = loss.of(residual / deviation)[1].sqrt() / deviation;
-                roots[row] = root;
-                rows[(row, n + p)] = root * residual;
+                roots[row] = loss.of(residual / deviation)[1].sqrt() / deviation;
+                residuals[row] = roots[row] * residual;
             });
-            let slopes = shot.by.as_slice().chunks_exact(roots.len().max(1)).take(n + p);
-            for (weighted, slopes) in rows.as_mut_slice().chunks_exact_mut(roots.len().max(1)).zip(slopes) {
-                for ((weighted, slope), root) in weighted.iter_mut().zip(slopes).zip(&roots) {
-                    *weighted = root * slope;
-                }
+            let mut rows = Vec::with_capacity(roots.len() * (n + p + 1));
+            for slopes in shot.by.as_slice().chunks_exact(roots.len().max(1)).take(n + p) {
+                rows.extend(slopes.iter().zip(&roots).map(|(slope, root)| root * slope));
             }
+            rows.extend(residuals);
+            let rows = DMatrix::from_vec(roots.len(), n + p + 1, rows);
             let joint = self.joints.as_ref().filter(|_| self.windows[w].joined).map(|joints| {
                 let (before, mut gap) = (&point.shots[w - 1], self.gap(w, point));
                 let mut rows = DMatrix::zeros(n, 2 * n + p + 1);
@@ -297,7 +288,7 @@ impl Search<'_> {
                 joint,
             }
         };
-        self.tasks.blocks.each(point.shots.len(), block)
+        parallel::each(point.shots.len(), block)
     }
 
     /// The problem without starts, for standard deviations: all residuals have the same weight.

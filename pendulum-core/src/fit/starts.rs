@@ -2,8 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use super::parallel::Parallel;
-use super::search::{Point, Search, Tasks};
+use super::parallel;
+use super::search::{Point, Search};
 use super::shooting::{Shot, Source, Trajectories, position_of};
 use super::windows::Window;
 use super::{Division, FitError, guess};
@@ -68,7 +68,7 @@ where
     // the start
     if search.hybrid && *division != Division::Whole {
         let unknown = search.unknown();
-        let fitted = Parallel::default().each(unknown.len(), |n| {
+        let fitted = parallel::each(unknown.len(), |n| {
             let w = unknown[n];
             search.start_alone(&search.windows[w], starts[w].clone(), parameters, &search.given)
         });
@@ -147,7 +147,6 @@ impl Search<'_> {
             max_iterations: ITERATIONS_OF_A_START,
             iterations: 0,
             shots: 0,
-            tasks: Tasks::default(),
             ..*self
         }
     }
@@ -226,7 +225,7 @@ impl Search<'_> {
         // windows to be fitted from other starts take longest
         let mut unknown = self.unknown();
         unknown.sort_by_key(|&w| !from_others[w]);
-        let fitted = Parallel::default().each(unknown.len(), |n| {
+        let fitted = parallel::each(unknown.len(), |n| {
             let w = unknown[n];
             let (window, start) = (&self.windows[w], &point.starts[w]);
             let mut candidates = Vec::new();

@@ -51,7 +51,12 @@ struct Pieces<const M: usize> {
     are_cubic: bool,
     /// For equal divisions of the span, the number of samples before the end of each.
     before: Vec<usize>,
+    /// Number of divisions per unit of time.
+    density: f64,
 }
+
+/// Most times that are searched one after the other.
+const FEW: usize = 8;
 
 impl<const M: usize> TimeTable<M> {
     /// Holds each sample until the next one.
@@ -119,6 +124,7 @@ impl<const M: usize> TimeTable<M> {
                 are_cubic: coefficients.iter().flatten().any(|of_input| of_input[2..] != [0.0; 2]),
                 coefficients,
                 before,
+                density: times.len() as f64 / (last - first),
             }),
         })
     }
@@ -142,12 +148,18 @@ impl<const M: usize> Pieces<M> {
         if t < first || t.is_nan() {
             return 0;
         }
-        let division = ((t - first) / (last - first) * count as f64) as usize;
+        let division = ((t - first) * self.density) as usize;
         let division = division.min(count - 1);
         // rounding may misplace a time by one division
         let from = division.checked_sub(2).map_or(0, |division| self.before[division]);
         let to = self.before[(division + 1).min(count - 1)];
-        from + self.times[from..to].partition_point(|&time| time <= t)
+        let near = &self.times[from..to];
+        let is_past = |time: &&f64| **time <= t;
+        from + if near.len() <= FEW {
+            near.iter().take_while(is_past).count()
+        } else {
+            near.partition_point(|time| is_past(&time))
+        }
     }
 }
 
