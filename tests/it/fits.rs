@@ -704,6 +704,23 @@ fn starts_that_noise_puts_beyond_a_stop_are_put_back() {
 }
 
 #[test]
+fn starts_that_noise_puts_beyond_a_wall_are_put_back() {
+    let bouncing = Bouncing::new(BouncingParams { e: 0.8, g: 9.81 }).expect("valid");
+    let noise = (0.001, &mut Random::new(22));
+    let measurement = measured(&bouncing, [0.0, 3.0], &times(100.0, 2.0), &[("y", 0)], noise);
+    let rough = Bouncing::new(BouncingParams::default()).expect("valid");
+    // some windows start on the other side of an impact than their first guess
+    let fit = Fit::new(method());
+    for fit in [fit.clone(), fit.clone().windows(0.2), fit.separate_windows(0.2)] {
+        let fitted = fit.run(&[Experiment::new(&rough, &measurement)]).expect("a fit");
+        for (estimate, truth) in fitted.estimates.iter().zip([0.8, 9.81]) {
+            let error = (estimate.value - truth).abs();
+            assert!(error < 4.0 * estimate.deviation && error < 0.02 * truth, "{fitted}");
+        }
+    }
+}
+
+#[test]
 fn windows_have_enough_values_and_gaps_are_reported() {
     let truth = RigParams { tip: 0.3, gamma: 0.07 };
     let rig = Rig::new(truth).expect("valid");

@@ -10,6 +10,7 @@ use super::{Experiment, FitError, nearest};
 use crate::dense::Dense;
 use crate::dual::Dual;
 use crate::error::{ParameterError, Reason};
+use crate::hybrid::place_inside;
 use crate::layout::StateLayout;
 use crate::method::Method;
 use crate::real::Real;
@@ -56,7 +57,7 @@ pub(super) trait Shooting: Sync {
         variables: Range<usize>,
     ) -> Result<Shot, Reason>;
 
-    /// Projects a start onto the constraints of the model, and into its stops.
+    /// Projects a start onto the constraints of the model, and into its limits.
     fn project(&self, window: &Window, start: &mut [f64], parameters: &[f64]);
 
     /// Checks the parameters.
@@ -194,17 +195,7 @@ where
         let mut x = padded::<N>(start);
         model.project(window.span[0], &mut x);
         if let Some(hybrid) = model.hybrid() {
-            let (laws, measures) = (hybrid.laws(), hybrid.measures(window.span[0], &x));
-            for (n, constraint) in hybrid.constraints().iter().enumerate() {
-                let &[(rate, sign)] = constraint.rate else { continue };
-                let Some(position) = position_of(model.layout(), rate) else {
-                    continue;
-                };
-                let [value, _] = measures[n];
-                let inside = laws[n].low.map_or(value, |low| value.max(low));
-                let inside = laws[n].high.map_or(inside, |high| inside.min(high));
-                x[position] += f64::from(sign) * (inside - value);
-            }
+            place_inside(hybrid, window.span[0], &mut x);
         }
         if x.iter().all(|x| x.is_finite()) {
             start.copy_from_slice(&x.as_slice()[..start.len()]);

@@ -230,6 +230,11 @@ impl Search<'_> {
             let (window, start) = (&self.windows[w], &point.starts[w]);
             let mut candidates = Vec::new();
             if from_others[w] {
+                // where the window before ends, which may be on the other side of an impact
+                let before = w
+                    .checked_sub(1)
+                    .filter(|&before| self.windows[before].experiment == window.experiment);
+                candidates.extend(before.map(|before| point.shots[before].end.clone()));
                 for (i, side) in (0..self.n).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
                     let mut other = start.clone();
                     other[i] += side * sizes[i];

@@ -127,7 +127,7 @@ pub(crate) use modes::Modes;
 pub(crate) use polynomial::room;
 pub(crate) use project::project;
 #[cfg(feature = "std")]
-pub(crate) use project::{apart, place_coordinates};
+pub(crate) use project::{apart, place_coordinates, place_inside};
 #[cfg(feature = "std")]
 pub(crate) use saltation::{hold_tangents, saltation};
 pub(crate) use settled::Settled;

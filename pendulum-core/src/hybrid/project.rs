@@ -71,6 +71,27 @@ pub(crate) fn place_coordinates<T: Float, const N: usize>(
     }
 }
 
+/// Moves a state that is beyond limits onto them: coordinates by themselves, and gaps along the columns of the response.
+#[cfg(feature = "std")]
+pub(crate) fn place_inside<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &mut SVector<T, N>) {
+    let (laws, constraints, dof) = (system.laws(), system.constraints(), system.dof());
+    // the second pass removes the quadratic error of the first
+    for _ in 0..2 {
+        let measures = system.measures(t, x);
+        let beyond = core::array::from_fn(|n| match measures[n][0] {
+            value if laws[n].low.is_some_and(|low| value < low) => Status::Low,
+            value if laws[n].high.is_some_and(|high| value > high) => Status::High,
+            _ => Status::Free,
+        });
+        place_coordinates(system, &beyond, t, x);
+        let gaps = (0..constraints.len()).filter(|&n| beyond[n].touches() && constraints[n].rate.is_empty());
+        let response = system.response(t, x, &[T::default(); MAX_CONSTRAINTS]);
+        let solved = independent(&response.matrix, set_of(gaps));
+        let surplus = apart(&laws, &beyond, &system.measures(t, x));
+        shift(x, dof, (&response, dof), solved, &surplus);
+    }
+}
+
 /// Removes a surplus of some constraints from the positions or rates that stand `before` components ahead of the rates.
 /// The correction follows the columns of the response, along which it takes the least kinetic energy.
 pub(super) fn shift<T: Float, const N: usize>(
