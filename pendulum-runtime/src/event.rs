@@ -3,7 +3,7 @@
 use std::fmt;
 
 use nalgebra::SVector;
-use pendulum_core::{Direction, Event as CoreEvent, System};
+use pendulum_core::{Direction, Event as CoreEvent, Real, System};
 
 use crate::error::Error;
 use crate::padded::Padded;
@@ -88,17 +88,7 @@ impl<'e> Event<'e> {
             Kind::Declared => {
                 let events = tape.events().iter().map(|(name, _)| *name);
                 is_kink = tape.events()[Error::index_of("event", &self.name, events)?].1;
-                let routines = tape.routines().iter().map(|routine| routine.name());
-                let routine = Error::index_of("event", &self.name, routines)?;
-                CoreEvent::new(move |t, x: &SVector<f64, N>| {
-                    let mut value = [f64::NAN];
-                    let given = pendulum_core::tape::Given {
-                        inputs: model.inputs(),
-                        ..Default::default()
-                    };
-                    model.evaluate(routine, t, x, &given, &mut value);
-                    value[0]
-                })
+                declared(model, &self.name)?
             }
             &Kind::Value(value) => {
                 let components = tape.layout().components();
@@ -130,6 +120,27 @@ impl<'e> Event<'e> {
         let event = if self.terminal { event.terminal() } else { event };
         Ok(if is_kink { event.restart() } else { event })
     }
+}
+
+/// A declared event of a model, or a function of its own name.
+fn declared<'m, T: Real, const N: usize>(model: &'m Padded<T, N>, name: &str) -> Result<CoreEvent<'m, T, N>, Error> {
+    let routines = model.tape().routines().iter().map(|routine| routine.name());
+    let routine = Error::index_of("event", name, routines)?;
+    Ok(CoreEvent::new(move |t, x: &SVector<T, N>| {
+        let mut value = [T::default()];
+        let given = pendulum_core::tape::Given {
+            inputs: model.inputs(),
+            ..Default::default()
+        };
+        model.evaluate(routine, t, x, &given, &mut value);
+        value[0]
+    }))
+}
+
+/// The events of a model at which its motion has a kink: derivatives of trajectories need steps that end there.
+pub(crate) fn kinks<T: Real, const N: usize>(model: &Padded<T, N>) -> Result<Vec<CoreEvent<'_, T, N>>, Error> {
+    let kinks = model.tape().events().iter().filter(|(_, is_kink)| *is_kink);
+    kinks.map(|(name, _)| Ok(declared(model, name)?.restart())).collect()
 }
 
 impl fmt::Debug for Event<'_> {

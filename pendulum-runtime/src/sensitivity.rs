@@ -4,9 +4,10 @@ use nalgebra::{DMatrix, SVector};
 use pendulum_core::dense::Dense;
 use pendulum_core::dual::Dual;
 use pendulum_core::sensitivity::{self, Variable};
-use pendulum_core::{Observer, Reason, Rodas5P, System, Vern9};
+use pendulum_core::{Observer, Rodas5P, System, Vern9};
 
 use crate::error::Error;
+use crate::event::kinks;
 use crate::method::{Kind, Method};
 use crate::padded::{Padded, padded};
 use crate::sampler::check_times;
@@ -107,7 +108,7 @@ struct Part<'m, const N: usize> {
 }
 
 impl<const N: usize> TaskWithDerivatives<N> for Part<'_, N> {
-    type Output = Result<Vec<SVector<Tangent, N>>, Reason>;
+    type Output = Result<Vec<SVector<Tangent, N>>, Error>;
 
     fn by(self, method: impl pendulum_core::Method<Padded<Tangent, N>, Tangent, N>) -> Self::Output {
         let (model, x0) = sensitivity::seeded::<_, N, MOST_PARAMETERS, PART>(self.model, self.x0, self.by);
@@ -121,7 +122,7 @@ impl<const N: usize> TaskWithDerivatives<N> for Part<'_, N> {
         let [t0, t1] = [first, last].map(Dual::constant);
         // as in fits, so that they share the code
         let mut observer: &mut dyn Observer<Tangent, N> = &mut samples;
-        method.follow(&model, t0, t1, x0, &[], &mut observer)?;
+        method.follow(&model, t0, t1, x0, &kinks(&model)?, &mut observer)?;
         Ok(samples.x)
     }
 }

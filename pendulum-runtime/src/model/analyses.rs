@@ -67,7 +67,7 @@ impl Model {
     }
 
     /// Integrates from the first of the times to the last, with the derivatives of the states by components of the
-    /// initial state and by parameters, given by name.
+    /// initial state and by parameters, given by name. Steps end where a `clamp` saturates.
     ///
     /// # Errors
     /// If a name, a setting or the state is invalid, or if the trajectory stops early.
