@@ -215,7 +215,7 @@ pub enum Reason {
         /// Index of the event among those given.
         event: usize,
     },
-    /// A constraint of a [hybrid](crate::hybrid) system starts beyond its limit.
+    /// A constraint of a [hybrid](crate::hybrid) system starts beyond its limit, or an event resets it to there.
     BeyondLimit {
         /// Name of the constraint.
         constraint: Name,
@@ -328,7 +328,8 @@ messages! {
         "event {event} repeats without time advancing, like a bouncing ball that comes to rest; declare a `stop` or a \
          `wall` instead, at which motion can come to rest, or reset to a state further from the event";
     Self::BeyondLimit { constraint, value, limit } =>
-        "`{constraint}` starts at {value:?}, beyond its limit of {limit:?}; start within the limits";
+        "`{constraint}` starts at {value:?}, beyond its limit of {limit:?}; start within the limits, and reset states to within \
+         them";
     Self::ConstraintNotFinite { constraint, t } =>
         "the value, the rate or the force of `{constraint}` is not finite at t = {t}; check its gap, and that the mass \
          it acts on is not zero";

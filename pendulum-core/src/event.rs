@@ -140,7 +140,8 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
     ///
     /// The new state must be finite, and on the constraints of the system: quaternions of unit length and closed loops,
     /// as `assemble` of a generated model returns them. Deviations up to 1e-3 are projected onto the constraints;
-    /// beyond that, the integration stops with [`BadReset`](crate::Reason::BadReset).
+    /// beyond that, the integration stops with [`BadReset`](crate::Reason::BadReset), and with
+    /// [`BeyondLimit`](crate::Reason::BeyondLimit) beyond a stop or a wall.
     ///
     /// Zero crossings due to the reset itself are not events.
     #[must_use]
