@@ -190,8 +190,8 @@ fn by_rest(fitted: &ArmFit, run: &Run) -> [[f64; 2]; 2] {
     parts.map(|part| rms(&part))
 }
 
-/// Fits each window alone, with its start and two parameters. Returns the root mean squares of residuals, in rad, and of
-/// changes of the parameters.
+/// Fits each window alone, with its start and two parameters. Returns the root mean squares of residuals, in rad, and
+/// of changes of the parameters.
 fn with_own(names: [&str; 2], fitted: &ArmFit, run: &Run) -> Result<[[f64; 2]; 2], Box<dyn Error>> {
     let arm = run.arm(ArmParams::from_array(fitted.parameters))?;
     let fit = Fit::new(Rk4::new(STEP)).free(names).separate_windows(WINDOW);

@@ -328,8 +328,8 @@ messages! {
         "event {event} repeats without time advancing, like a bouncing ball that comes to rest; declare a `stop` or a \
          `wall` instead, at which motion can come to rest, or reset to a state further from the event";
     Self::BeyondLimit { constraint, value, limit } =>
-        "`{constraint}` starts at {value:?}, beyond its limit of {limit:?}; start within the limits, and reset states to within \
-         them";
+        "`{constraint}` starts at {value:?}, beyond its limit of {limit:?}; start within the limits, and reset states \
+         to within them";
     Self::ConstraintNotFinite { constraint, t } =>
         "the value, the rate or the force of `{constraint}` is not finite at t = {t}; check its gap, and that the mass \
          it acts on is not zero";

@@ -125,9 +125,11 @@ pub use mode::{Mode, Status};
 pub(crate) use modes::Modes;
 #[cfg(feature = "std")]
 pub(crate) use polynomial::room;
+#[cfg(feature = "fit")]
+pub(crate) use project::place_inside;
 pub(crate) use project::project;
 #[cfg(feature = "std")]
-pub(crate) use project::{apart, place_coordinates, place_inside};
+pub(crate) use project::{apart, place_coordinates};
 #[cfg(feature = "std")]
 pub(crate) use saltation::{hold_tangents, saltation};
 pub(crate) use settled::Settled;

@@ -71,8 +71,9 @@ pub(crate) fn place_coordinates<T: Float, const N: usize>(
     }
 }
 
-/// Moves a state that is beyond limits onto them: coordinates by themselves, and gaps along the columns of the response.
-#[cfg(feature = "std")]
+/// Moves a state that is beyond limits onto them: coordinates by themselves, and gaps along the columns of the
+/// response.
+#[cfg(feature = "fit")]
 pub(crate) fn place_inside<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &mut SVector<T, N>) {
     let (laws, constraints, dof) = (system.laws(), system.constraints(), system.dof());
     // the second pass removes the quadratic error of the first
