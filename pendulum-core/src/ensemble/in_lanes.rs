@@ -65,6 +65,8 @@ where
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
         if const { M::HYBRID && F::IN_MODES && !W::WATCHES && V::LANES > 1 } && self.has_plain_rates() {
             self.in_lanes::<V, AtModes<V, N>>()
+        } else if const { !M::HYBRID && M::WIDE && F::WIDE && V::LANES > 1 } {
+            self.in_lanes::<<V::Double as Lanes>::Double, Never<<V::Double as Lanes>::Double>>()
         } else if const { !M::HYBRID && (M::WIDE || !F::NARROW) } {
             self.in_lanes::<V::Double, Never<V::Double>>()
         } else if const { !M::HYBRID && V::LANES > 1 } {

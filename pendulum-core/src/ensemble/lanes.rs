@@ -23,6 +23,9 @@ pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>,
     /// True if a step keeps so many values that several registers per number gain nothing.
     const NARROW: bool;
 
+    /// True if a step keeps little enough for four registers per number of a model that is [`WIDE`](Cast::WIDE).
+    const WIDE: bool = false;
+
     /// True if lanes also integrate hybrid systems, while no constraint is held.
     const IN_MODES: bool = true;
 
@@ -65,6 +68,7 @@ where
     T: LaneElement,
 {
     const NARROW: bool = N > SHORT;
+    const WIDE: bool = true;
     type Stages<V: Lanes<Scalar = T>> = <Self as OneStep<Expanded<M, V, N>, V, N>>::Scheme;
 
     #[inline(always)]
