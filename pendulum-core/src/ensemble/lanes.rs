@@ -1,5 +1,7 @@
 //! Methods that run in lanes, and the types they need.
 
+use core::cell::Cell;
+
 use nalgebra::{SMatrix, SVector};
 
 use crate::error::Reason;
@@ -104,9 +106,9 @@ where
     }
 }
 
-/// A model in the number type `T`. Bounds on `M` alone imply that it has its [`TaylorSeries`], or its [`Jacobian`], in
-/// all number types.
-pub struct Expanded<M: Cast<N>, T: Real, const N: usize>(M::In<T>);
+/// A model in the number type `T`, and memory for its right-hand side. Bounds on `M` alone imply that it has its
+/// [`TaylorSeries`], or its [`Jacobian`], in all number types.
+pub struct Expanded<M: Cast<N>, T: Real, const N: usize>(M::In<T>, Cell<Vec<T>>);
 
 impl<M: Cast<N>, V: Lanes, const N: usize> Expanded<M, V, N> {
     /// Combines one model per lane.
@@ -115,14 +117,20 @@ impl<M: Cast<N>, V: Lanes, const N: usize> Expanded<M, V, N> {
     where
         M: 'm,
     {
-        Self(M::gather(models))
+        Self(M::gather(models), Cell::default())
     }
 }
 
 impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn rhs_into(&self, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
-        self.0.rhs_into(t, x, rates);
+        if const { !M::WIDE } {
+            return self.0.rhs_into(t, x, rates);
+        }
+        // memory of its own: a lock would wait until everything before it is stored
+        let mut memory = self.1.take();
+        self.0.rhs_with(&mut memory, t, x, rates);
+        self.1.set(memory);
     }
 
     forward! { self => self.0;
