@@ -54,6 +54,15 @@ pub trait System<T: Real, const N: usize> {
         *rates = self.rhs(t, x);
     }
 
+    /// Like [`rhs_into`](Self::rhs_into), with memory that is empty at first, and that the caller keeps for this system
+    /// alone.
+    #[cfg(feature = "std")]
+    #[doc(hidden)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn rhs_with(&self, _memory: &mut Vec<T>, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
+        self.rhs_into(t, x, rates);
+    }
+
     /// True if the right-hand side is [long](Real::apart): methods then leave the call to it.
     #[doc(hidden)]
     #[inline(always)]

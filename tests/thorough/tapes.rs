@@ -57,6 +57,54 @@ mechanism! {
     }
 }
 
+/// Tape that reads numbers at every place of an operation, alone, two at a time and as a result.
+const NUMBERS: &str = "pendulum tape\t2
+name\tNumbers
+slot\tq\tlength\t0 1\t1 2\t
+autonomous
+open_loops\t
+code\tchecked
+registers\t0
+result\t
+code\tconstants
+registers\t0
+result\t
+code\tlaws
+registers\t0
+result\t
+routine\trhs\t\tvector 2
+registers\t5
+read\tstate\t0 1
+number\t2\t0.3
+number\t3\t-1.7
+mul\t4 0 2
+add\t4 4 3
+sub\t4 4 2
+sub\t4 3 4
+mul\t4 2 4
+div\t4 3 4
+mul_add\t4 4 2 0
+mul_add\t4 3 1 4
+mul_neg_add\t4 0 2 4
+mul_sub\t4 4 3 2
+result\t1 4
+routine\tothers\t\tvector 8
+registers\t10
+read\tstate\t0 1
+number\t2\t0.7
+number\t3\t2.5
+number\t4\t0.1
+add\t5 4 1
+mul\t6 2 3
+sub\t7 4 0
+mul_add\t8 2 4 6
+div\t9 8 3
+mul_add\t8 3 4 9
+mul_neg_add\t7 7 3 4
+neg\t6 4
+result\t3 5 6 7 8 9 0 2
+";
+
 /// Text of the tape of a declaration in a source.
 fn text(source: &str, name: &str) -> String {
     let program = pendulum_codegen::program(declaration(source, name).parse().expect("tokens"));
@@ -324,7 +372,13 @@ fn results<T: Real>(model: &HybridModel<T, 5>, routine: usize, value: impl Fn(us
 #[test]
 fn every_routine_has_the_same_bits_in_lanes() {
     let own = include_str!("tapes.rs");
-    for tape in [tape_of_double_pendulum(), tape(own, "Constrained"), tape(own, "Driven")] {
+    let numbers = Arc::new(NUMBERS.parse().expect("a tape"));
+    for tape in [
+        tape_of_double_pendulum(),
+        tape(own, "Constrained"),
+        tape(own, "Driven"),
+        numbers,
+    ] {
         let params: Vec<f64> = tape.parameters().iter().map(|own| own.default.unwrap_or(1.0)).collect();
         let alone: HybridModel<f64, 5> = tape.padded(&params).expect("valid");
         let in_lanes = alone.cast::<F64x4>();

@@ -5,6 +5,15 @@ use nalgebra::SVector;
 use crate::method::NonFinite;
 use crate::real::lanes::Lanes;
 
+/// State at the end of a step.
+pub(super) struct End<'a, V, const N: usize> {
+    pub(super) x: &'a SVector<V, N>,
+    /// Derivative there, if the method computes it, and unless all numbers are finite.
+    pub(super) slope: Option<&'a SVector<V, N>>,
+    /// [Sum](sum) of both.
+    pub(super) sum: V,
+}
+
 /// Sum of all components of the state and of its derivative. It is not finite in lanes with a non-finite component.
 #[inline(always)]
 pub(super) fn sum<V: Lanes, const N: usize>(x: &SVector<V, N>, slope: Option<&SVector<V, N>>) -> V {

@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::check::{End, sum};
 use super::hybrid::AtModes;
 use super::leave::Leave;
 use super::march::{March, Paced, Pacing};
@@ -64,6 +65,8 @@ where
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
         if const { M::HYBRID && F::IN_MODES && !W::WATCHES && V::LANES > 1 } && self.has_plain_rates() {
             self.in_lanes::<V, AtModes<V, N>>()
+        } else if const { !M::HYBRID && M::WIDE && F::WIDE && V::LANES > 1 } {
+            self.in_lanes::<<V::Double as Lanes>::Double, Never<<V::Double as Lanes>::Double>>()
         } else if const { !M::HYBRID && (M::WIDE || !F::NARROW) } {
             self.in_lanes::<V::Double, Never<V::Double>>()
         } else if const { !M::HYBRID && V::LANES > 1 } {
@@ -103,13 +106,13 @@ where
         let mut steps = start;
         let mut leave = L::none();
         let mut members = Members::none();
-        let mut x = SVector::from_element(V::default());
-        let mut x_new = x;
+        // in place, since states in lanes are large: from `x0` to `x1`
+        let mut step = Step::at_rest(V::default(), SVector::from_element(V::default()));
         let work = &mut Statistics::default();
         let mut within = Vec::new();
         loop {
             if members.some_are_free(V::LANES) {
-                let someone_enters = leave.enter(&mut self, &mut members, &mut x, (&mut steps, &start));
+                let someone_enters = leave.enter(&mut self, &mut members, &mut step.x0, (&mut steps, &start));
                 if members.busy(V::LANES).next().is_none() {
                     return Ok(());
                 }
@@ -118,32 +121,39 @@ where
                         system =
                             Expanded::<M, V, N>::gather(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
                     }
-                    self.begin_all(&system, (&mut leave, &mut scheme), &mut members, (&steps, &x));
+                    self.begin_all(&system, (&mut leave, &mut scheme), &mut members, (&steps, &step.x0));
                 }
             }
             let mode = InMode::new(&system, leave.hold());
-            let t = V::from_fn(|lane| members.t[lane]);
+            step.t0 = V::from_fn(|lane| members.t[lane]);
             *work = Statistics::default();
-            let proposed = scheme.prepare(&mode, t, &x, work);
+            let proposed = scheme.prepare(&mode, step.t0, &step.x0, work);
             if const { F::Stages::<V>::ORDERS_DIFFER } {
                 for (lane, _) in members.busy_at_first(V::LANES) {
                     members.set_order(lane, scheme.error_order_in(lane));
                 }
             }
-            self.plan(&mut members, &mut steps, &x, proposed);
-            let t_new = V::from_fn(|lane| members.t_new[lane]);
-            let attempt = scheme.attempt(&mode, (t, &x), (t_new, &mut x_new), work);
+            self.plan(&mut members, &mut steps, &step.x0, proposed);
+            step.t1 = V::from_fn(|lane| members.t_new[lane]);
+            step.h = step.t1 - step.t0;
+            let attempt = scheme.attempt(&mode, (step.t0, &step.x0), (step.t1, &mut step.x1), work);
             if const { W::WATCHES } {
                 self.count_attempt(&mut members, (&scheme, &steps), work);
             }
             *work = Statistics::default();
-            let slope = scheme.arrive(&mode, (t_new, &x_new), work).copied();
-            let slope = slope.as_ref();
+            let slope = scheme.arrive(&mode, (step.t1, &step.x1), work);
+            let sum = sum(&step.x1, slope);
+            // which of them is not finite matters only if one is
+            let slope = if sum.all_finite() { None } else { slope.copied() };
+            let end = End {
+                x: &step.x1,
+                slope: slope.as_ref(),
+                sum,
+            };
             let mut all_are_accepted = false;
             if const { W::WATCHES } {
-                all_are_accepted = self.count(&mut members, (&scheme, &steps), attempt, (&x_new, slope), work);
+                all_are_accepted = self.count(&mut members, (&scheme, &steps), attempt, &end, work);
             }
-            let step = Step::new((t, x), (t_new, x_new));
             if const { L::ASKS }
                 && attempt.is_ok()
                 && let Some(hybrid) = system.hybrid()
@@ -154,7 +164,7 @@ where
             if all_are_accepted {
                 members.accept_all();
             } else {
-                self.judge(&mut members, &steps, &x, attempt, (&x_new, slope));
+                self.judge(&mut members, &steps, &step.x0, attempt, &end);
             }
             let mode = InMode::new(&system, leave.hold());
             let lanes = members.accepted::<V>();
@@ -162,10 +172,10 @@ where
                 self.show(&mut members, &mut scheme, &mode, &step, &mut within);
             }
             scheme.accept(&mode, &step, lanes, work);
-            x = lanes.select(&x_new, &x);
-            self.take_out(&mut members, &x);
+            lanes.replace(&mut step.x0, &step.x1);
+            self.take_out(&mut members, &step.x0);
             if const { F::LEAVES } {
-                self.take_out_stiff(&mut members, &mut scheme, &steps, &x);
+                self.take_out_stiff(&mut members, &mut scheme, &steps, &step.x0);
             }
         }
     }

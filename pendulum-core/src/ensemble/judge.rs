@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::check::{first_not_finite, in_lane, sum};
+use super::check::{End, first_not_finite, in_lane};
 use super::march::{March, Paced, Pacing};
 use super::members::Members;
 use super::watch::Watch;
@@ -62,18 +62,17 @@ where
         steps: &Pacing<T>,
         x: &SVector<V, N>,
         attempt: Result<V, Stalled>,
-        ends: (&SVector<V, N>, Option<&SVector<V, N>>),
+        end: &End<'_, V, N>,
     ) {
         if let Pacing::Controlled(control) = steps {
-            return self.judge_controlled(members, control, x, attempt, ends);
+            return self.judge_controlled(members, control, x, attempt, end);
         }
-        let (x_new, slope) = ends;
-        if attempt.is_ok_and(|error| !stalls(error)) && sum(x_new, slope).all_finite() {
+        if attempt.is_ok_and(|error| !stalls(error)) && end.sum.all_finite() {
             return members.accept_all();
         }
         for (lane, index) in members.busy_at_first(V::LANES) {
             let outcome = attempt.map_err(StepFailure::from);
-            if let Err(failure) = outcome.and_then(|error| outcome_of(ends, error.lane(lane), lane)) {
+            if let Err(failure) = outcome.and_then(|error| outcome_of(end, error.lane(lane), lane)) {
                 let h = members.t_new[lane] - members.t[lane];
                 self.stop(members, (lane, index), in_lane(x, lane), failure.reason(h.to_f64()));
             }
@@ -88,13 +87,13 @@ where
         control: &StepControl<T>,
         x: &SVector<V, N>,
         attempt: Result<V, Stalled>,
-        (x_new, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
+        end: &End<'_, V, N>,
     ) {
-        let sum = sum(x_new, slope);
+        let sum = &end.sum;
         let outcome = |lane| match attempt {
             Err(stalled) => Err(StepFailure::from(stalled)),
             Ok(mean_square) if sum.lane(lane).is_finite() => Ok(mean_square.lane(lane)),
-            Ok(mean_square) => outcome_of((x_new, slope), mean_square.lane(lane), lane),
+            Ok(mean_square) => outcome_of(end, mean_square.lane(lane), lane),
         };
         let mean_squares = match attempt {
             Ok(mean_square) if sum.all_finite() => mean_square,
@@ -132,15 +131,15 @@ pub(super) fn stalls<V: Lanes>(error: V) -> bool {
 /// the end of the step is checked only if the error is within the tolerance.
 #[cold]
 fn outcome_of<V: Lanes, const N: usize>(
-    (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
+    end: &End<'_, V, N>,
     mean_square: V::Scalar,
     lane: usize,
 ) -> Result<V::Scalar, StepFailure> {
     if mean_square < V::Scalar::default() {
         return Err(Stalled.into());
     }
-    let slope = slope.filter(|_| is_within_tolerance(mean_square));
-    match first_not_finite(x, slope, lane) {
+    let slope = end.slope.filter(|_| is_within_tolerance(mean_square));
+    match first_not_finite(end.x, slope, lane) {
         Some(component) => Err(component.into()),
         None => Ok(mean_square),
     }

@@ -1,5 +1,7 @@
 //! Methods that run in lanes, and the types they need.
 
+use core::cell::Cell;
+
 use nalgebra::{SMatrix, SVector};
 
 use crate::error::Reason;
@@ -22,6 +24,9 @@ use crate::taylor::{CastTaylor, HybridSeries, TaylorSeries};
 pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> {
     /// True if a step keeps so many values that several registers per number gain nothing.
     const NARROW: bool;
+
+    /// True if a step keeps little enough for four registers per number of a model that is [`WIDE`](Cast::WIDE).
+    const WIDE: bool = false;
 
     /// True if lanes also integrate hybrid systems, while no constraint is held.
     const IN_MODES: bool = true;
@@ -65,6 +70,7 @@ where
     T: LaneElement,
 {
     const NARROW: bool = N > SHORT;
+    const WIDE: bool = true;
     type Stages<V: Lanes<Scalar = T>> = <Self as OneStep<Expanded<M, V, N>, V, N>>::Scheme;
 
     #[inline(always)]
@@ -100,9 +106,9 @@ where
     }
 }
 
-/// A model in the number type `T`. Bounds on `M` alone imply that it has its [`TaylorSeries`], or its [`Jacobian`], in
-/// all number types.
-pub struct Expanded<M: Cast<N>, T: Real, const N: usize>(M::In<T>);
+/// A model in the number type `T`, and memory for its right-hand side. Bounds on `M` alone imply that it has its
+/// [`TaylorSeries`], or its [`Jacobian`], in all number types.
+pub struct Expanded<M: Cast<N>, T: Real, const N: usize>(M::In<T>, Cell<Vec<T>>);
 
 impl<M: Cast<N>, V: Lanes, const N: usize> Expanded<M, V, N> {
     /// Combines one model per lane.
@@ -111,14 +117,20 @@ impl<M: Cast<N>, V: Lanes, const N: usize> Expanded<M, V, N> {
     where
         M: 'm,
     {
-        Self(M::gather(models))
+        Self(M::gather(models), Cell::default())
     }
 }
 
 impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn rhs_into(&self, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
-        self.0.rhs_into(t, x, rates);
+        if const { !M::WIDE } {
+            return self.0.rhs_into(t, x, rates);
+        }
+        // memory of its own: a lock would wait until everything before it is stored
+        let mut memory = self.1.take();
+        self.0.rhs_with(&mut memory, t, x, rates);
+        self.1.set(memory);
     }
 
     forward! { self => self.0;

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::check::{in_lane, sum};
+use super::check::{End, in_lane};
 use super::judge::stalls;
 use super::march::{March, Paced, Pacing};
 use super::members::Members;
@@ -49,10 +49,10 @@ where
         members: &mut Members<T>,
         (scheme, steps): (&F::Stages<V>, &Pacing<T>),
         attempt: Result<V, Stalled>,
-        (x_new, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
+        end: &End<'_, V, N>,
         at_end: &Statistics,
     ) -> bool {
-        let all_are_finite = sum(x_new, slope).all_finite();
+        let all_are_finite = end.sum.all_finite();
         if matches!(steps, Pacing::Equal(_)) && all_are_finite && attempt.is_ok_and(|error| !stalls(error)) {
             members.count_alike(at_end);
             members.count_alike(&Statistics {
@@ -64,8 +64,8 @@ where
         for (lane, index) in members.busy(V::LANES) {
             let is_finite = |v: &SVector<V, N>| all_are_finite || v.iter().all(|v| v.lane(lane).is_finite());
             let is_within = attempt.is_ok_and(|mean_square| is_within_tolerance(mean_square.lane(lane)));
-            let arrives = is_within && is_finite(x_new);
-            let is_accepted = arrives && slope.is_none_or(is_finite);
+            let arrives = is_within && is_finite(end.x);
+            let is_accepted = arrives && end.slope.is_none_or(is_finite);
             let mut work = Statistics::default();
             if arrives {
                 work = scheme.work_in(lane, at_end);

@@ -2,12 +2,12 @@
 
 use nalgebra::SVector;
 
-use super::check::{in_lane, set_lane};
+use super::check::in_lane;
 use super::leave::Leave;
 use super::march::{March, Paced, Pacing};
 use super::members::Members;
 use super::watch::Watch;
-use super::{Expanded, InLanes, Stopped, model_of};
+use super::{Expanded, InLanes, MOST_LANES, Stopped, model_of};
 use crate::error::Reason;
 use crate::hybrid::{InMode, Modes};
 use crate::method::{Early, Method, NonFinite, Pace, Progress, Scheme, Stepper, jump, place, toggle};
@@ -39,17 +39,25 @@ where
         };
         *steps = *start;
         members.forget_work();
-        let mut someone_enters = false;
-        for lane in 0..V::LANES {
+        let mut entering = [None; MOST_LANES];
+        for (lane, entering) in entering.iter_mut().enumerate().take(V::LANES) {
             if members.index(lane).is_none()
                 && let Some(index) = self.next()
             {
                 members.enter(lane, index, self.span.0, self.pace(index).unwrap_or(pace));
-                set_lane(x, lane, &self.x[index]);
-                someone_enters = true;
+                *entering = Some(index);
             }
         }
-        someone_enters
+        if entering.iter().all(Option::is_none) {
+            return false;
+        }
+        for (k, x) in x.data.0[0].iter_mut().enumerate() {
+            *x = V::from_fn(|lane| match entering[lane] {
+                Some(index) => self.x[index][k],
+                None => x.lane(lane),
+            });
+        }
+        true
     }
 
     /// Returns the next waiting trajectory with a nonempty span. Trajectories that must be integrated alone are

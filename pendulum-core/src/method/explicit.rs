@@ -11,7 +11,9 @@ use crate::hybrid::InMode;
 use crate::linear::square;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
-use crate::method::stages::{Called, MAX_STAGES, SHORT, combination, shifted, weighted_sum};
+use crate::method::stages::{
+    Called, MAX_STAGES, SHORT, combination, is_wide, shift_by_component, shifted, weighted_sum,
+};
 use crate::method::toggle::end_step;
 use crate::method::{Adaptive, Fixed};
 use crate::real::Real;
@@ -230,11 +232,11 @@ where
         }
         // Short right-hand sides of generated models are inlined, long ones are calls. Calls are faster than many
         // copies, as of several derivatives. In lanes a function would not use their instructions.
-        *x_new = if const { N <= SHORT && size_of::<T>() <= 2 * size_of::<f64>() || T::LANES > 1 } {
-            inner_stages::<B, _, _, _, _>(inner, (t, x), t_new, &mut self.stages)
+        if const { N <= SHORT && size_of::<T>() <= 2 * size_of::<f64>() || T::LANES > 1 } {
+            inner_stages::<B, _, _, _, _>(inner, (t, x), (t_new, x_new), &mut self.stages);
         } else {
-            inner_stages::<B, _, _, _, _>(&Called(inner), (t, x), t_new, &mut self.stages)
-        };
+            inner_stages::<B, _, _, _, _>(&Called(inner), (t, x), (t_new, x_new), &mut self.stages);
+        }
         work.evaluations += STAGES - 2;
         end_step(system, (t, x), (t_new, x_new));
         match &self.tolerance {
@@ -242,7 +244,7 @@ where
             Some(tolerance) => {
                 if const { B::TABLEAU.error_uses_last_stage() } {
                     work.evaluations += 1;
-                    self.stages[STAGES - 1] = inner.rhs(t_new, x_new);
+                    inner.rhs_into(t_new, x_new, &mut self.stages[STAGES - 1]);
                 }
                 let weights = const { &B::TABLEAU.error_weights() };
                 let error = weighted_sum((t_new - t).abs(), weights, STAGES, &self.stages);
@@ -338,8 +340,13 @@ where
     #[inline(always)]
     fn accept(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
         if !(T::LANES > 1 && self.goes_on_at_once) {
-            let last = self.stages[STAGES - 1];
-            *self.slope() = lanes.select(&last, self.slope());
+            let (others, last) = self.stages.split_at_mut(STAGES - 1);
+            let slope = if const { T::LANES == 1 } {
+                &mut self.slope
+            } else {
+                &mut others[0]
+            };
+            lanes.replace(slope, &last[0]);
         }
     }
 
@@ -368,8 +375,8 @@ const MAX_EXTRA: usize = 10;
 /// Maximum degree of a dense output, of other methods as well.
 pub(crate) const MAX_DEGREE: usize = 9;
 
-/// Evaluates the stages of a step from `(t, x)` to `t_new`, except the first and the last, and returns the state at the
-/// end.
+/// Evaluates the stages of a step from `(t, x)` to `t_new`, except the first and the last, and sets `x_new` to the
+/// state at the end.
 ///
 /// `stages[0]`, the derivative at the start, is given. The last stage is the derivative at the end: `rhs(t_new,
 /// x_new)`.
@@ -380,10 +387,9 @@ pub(crate) const MAX_DEGREE: usize = 9;
 fn inner_stages<B, S, T, const STAGES: usize, const N: usize>(
     system: &S,
     (t, x): (T, &SVector<T, N>),
-    t_new: T,
+    (t_new, x_new): (T, &mut SVector<T, N>),
     stages: &mut [SVector<T, N>; STAGES],
-) -> SVector<T, N>
-where
+) where
     B: Tableau<STAGES>,
     S: System<T, N> + ?Sized,
     T: Real,
@@ -397,20 +403,34 @@ where
         );
     }
     let h = t_new - t;
+    let active = system.active();
+    if const { is_wide::<T, N>() } {
+        x_new.data.0[0][active..].copy_from_slice(&x.data.0[0][active..]);
+    }
     macro_rules! stages {
         ($($i:literal)*) => { $(
             if $i + 1 < STAGES {
                 let row = const { &Row::of::<B>($i) };
-                let x = shifted(x, &weighted_sum::<T, STAGES, N>(h, &row.a, $i, stages));
                 // not t + h, which may differ in the last bit
                 let time = if row.c == 1.0 { t_new } else { t + h * T::from_f64(row.c) };
-                system.rhs_into(time, &x, &mut stages[$i]);
+                if const { is_wide::<T, N>() } {
+                    // `x_new` has the states of the stages in turn, which saves memory
+                    shift_by_component((x, h), (&row.a, $i), stages, (x_new, active));
+                    system.rhs_into(time, x_new, &mut stages[$i]);
+                } else {
+                    let x = shifted(x, &weighted_sum::<T, STAGES, N>(h, &row.a, $i, stages));
+                    system.rhs_into(time, &x, &mut stages[$i]);
+                }
             }
         )* };
     }
     stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18);
     let weights = const { &B::TABLEAU.b };
-    shifted(x, &weighted_sum::<T, STAGES, N>(h, weights, STAGES - 1, stages))
+    if const { is_wide::<T, N>() } {
+        shift_by_component((x, h), (weights, STAGES - 1), stages, (x_new, active));
+    } else {
+        *x_new = shifted(x, &weighted_sum::<T, STAGES, N>(h, weights, STAGES - 1, stages));
+    }
 }
 
 /// A row of a tableau.

@@ -149,13 +149,24 @@ impl<T: Lanes> Accepted<T> {
     ) -> SMatrix<T, R, C> {
         match self {
             Self::All => *new,
-            Self::Negative(sign) => {
+            Self::Negative(_) => {
                 let mut selected = *old;
-                let entries = selected.data.0.as_flattened_mut().iter_mut();
+                self.replace(&mut selected, new);
+                selected
+            }
+        }
+    }
+
+    /// Replaces `old` by `new` in the lanes that accept.
+    #[inline(always)]
+    pub fn replace<const R: usize, const C: usize>(self, old: &mut SMatrix<T, R, C>, new: &SMatrix<T, R, C>) {
+        match self {
+            Self::All => *old = *new,
+            Self::Negative(sign) => {
+                let entries = old.data.0.as_flattened_mut().iter_mut();
                 for (old, new) in entries.zip(new.data.0.as_flattened()) {
                     *old = sign.select(*new, *old);
                 }
-                selected
             }
         }
     }

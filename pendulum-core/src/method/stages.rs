@@ -126,6 +126,9 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
             sum_by_variable_length(&h, weights, count, stages)
         };
     }
+    if const { is_wide::<T, N>() } {
+        return sum_by_component(h, weights, count, stages);
+    }
     let mut sums = [T::default(); N];
     let mut is_first = true;
     let is_constant = h.is_constant();
@@ -149,7 +152,27 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
     SVector::from(sums)
 }
 
-/// [`weighted_sum`] of dual numbers, with an `h` without derivatives.
+/// True if a number fills so many vector registers that sums over stages go component by component: each stays in
+/// registers, while sums of all components at once are loaded and stored for each stage.
+pub(crate) const fn is_wide<T: Real, const N: usize>() -> bool {
+    let bytes = size_of::<T>();
+    T::LANES > 1 && !T::HAS_SLOPES && (bytes > 128 || bytes == 128 && N > SHORT)
+}
+
+/// Computes `x + sum_(i < count) (h weights_i) stages_i` into the first `active` components of `to`, one by one.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn shift_by_component<T: Real, const STAGES: usize, const N: usize>(
+    (x, h): (&SVector<T, N>, T),
+    (weights, count): (&[f64; STAGES], usize),
+    stages: &[SVector<T, N>; STAGES],
+    (to, active): (&mut SVector<T, N>, usize),
+) {
+    for n in 0..active.min(N) {
+        to.data.0[0][n] = x.data.0[0][n] + component(n, h, weights, count, stages);
+    }
+}
+
+/// [`weighted_sum`] of wide numbers, and of dual numbers with an `h` without derivatives.
 ///
 /// The sum over the stages is unrolled, and its partial sums fit into the registers. The loop over the components is
 /// not: unrolled as well, the sums of a step would not fit into the instruction cache.
@@ -160,27 +183,39 @@ fn sum_by_component<T: Real, const STAGES: usize, const N: usize>(
     count: usize,
     stages: &[SVector<T, N>; STAGES],
 ) -> SVector<T, N> {
-    const { assert!(STAGES <= MAX_STAGES) };
     let mut sums = [T::default(); N];
-    #[allow(clippy::needless_range_loop, reason = "components of the sums and of all stages")]
-    for n in 0..N {
-        let mut sum = None;
-        macro_rules! add {
-            ($($i:literal)*) => { $(
-                if $i < count && weights[$i % STAGES] != 0.0 {
-                    let weight = T::from_f64(weights[$i % STAGES]).scaled(h);
-                    let stage = stages[$i % STAGES].data.0[0][n];
-                    sum = Some(match sum {
-                        None => stage.scaled(weight),
-                        Some(sum) => stage.scaled_onto(weight, sum),
-                    });
-                }
-            )* };
-        }
-        add!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19);
-        sums[n] = sum.unwrap_or_default();
+    for (n, sum) in sums.iter_mut().enumerate() {
+        *sum = component(n, h, weights, count, stages);
     }
     SVector::from(sums)
+}
+
+/// Component `n` of a [`weighted_sum`]. Inlining is not forced without optimisation, where its numbers in lanes would
+/// take much of the stack.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn component<T: Real, const STAGES: usize, const N: usize>(
+    n: usize,
+    h: T,
+    weights: &[f64; STAGES],
+    count: usize,
+    stages: &[SVector<T, N>; STAGES],
+) -> T {
+    const { assert!(STAGES <= MAX_STAGES) };
+    let mut sum = None;
+    macro_rules! add {
+        ($($i:literal)*) => { $(
+            if $i < count && weights[$i % STAGES] != 0.0 {
+                let weight = T::from_f64(weights[$i % STAGES]).scaled(h);
+                let stage = stages[$i % STAGES].data.0[0][n];
+                sum = Some(match sum {
+                    None => stage.scaled(weight),
+                    Some(sum) => stage.scaled_onto(weight, sum),
+                });
+            }
+        )* };
+    }
+    add!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19);
+    sum.unwrap_or_default()
 }
 
 /// [`weighted_sum`] with an `h` that carries derivatives, as in the steps to an event. A reference leaves `h` in

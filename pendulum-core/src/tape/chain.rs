@@ -3,7 +3,7 @@
 //! In lanes, a register of a tape is several vectors in memory, and loads and stores of operands take longer than the
 //! operations. Scalars run [rows](super::code::Row) instead, as the choice of the next operation takes longest there.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::code::{Code, MOST_REGISTERS, Register, Row};
 use crate::real::Real;
@@ -12,11 +12,16 @@ use crate::real::Real;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Link {
     kind: Kind,
-    /// Register of the result, if one keeps it.
-    to: Register,
-    /// Registers of the operands, but for the one that the link before passes.
-    from: [Register; 3],
+    /// Registers of the operands, but for the one that the link before passes and for a number; index of the number at
+    /// `NUMBER`; register of the result at `RESULT`, if one keeps it. All in one word, since each load takes as long as
+    /// one of a vector.
+    places: u64,
 }
+
+/// Place of the index of a number in a link.
+const NUMBER: usize = 2;
+/// Place of the register of the result in a link.
+const RESULT: usize = 3;
 
 /// Straight-line code in chains.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,18 +29,23 @@ pub(super) struct Chain {
     links: Vec<Link>,
     /// Operations outside of chains, one each, in order.
     alone: Vec<Row>,
+    /// Numbers of the code, which most links read from here: a vector of each would take memory.
+    numbers: Vec<f64>,
+    /// Numbers that other links read from registers.
+    pub(super) in_registers: Vec<(Register, f64)>,
     /// Number of registers; all others are below it.
     pub(super) registers: usize,
     pub(super) results: Vec<Register>,
 }
 
 /// Defines the kinds of links: names with a result that is only passed and with one that a register keeps as well, the
-/// operation of a tape, the places among its operands of the passed one `x`, and the result as a function of `x` and
-/// of the other operands.
+/// operation of a tape, the places among its operands of the passed one `x` and of a number `n`, and the result as a
+/// function of `x`, `n` and of the other operands.
 macro_rules! links {
     (
         $T:ident $x:ident:
-        $($passing:ident $keeping:ident $name:literal [$($place:literal)*] = $value:expr, $($operand:ident)*;)*
+        $($passing:ident $keeping:ident $name:literal [$($place:literal)*] $($n:ident [$($of_number:literal)*])? =
+        $value:expr, $($operand:ident)*;)*
     ) => {
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         enum Kind {
@@ -44,11 +54,13 @@ macro_rules! links {
         }
 
         impl Kind {
-            /// Kind of an operation with the passed operand at this place; `None` if there is none.
-            fn new(name: &str, place: Option<usize>, keeps: bool) -> Option<Self> {
+            /// Kind of an operation with the passed operand and a number at these places; `None` if there is none.
+            fn new(name: &str, place: Option<usize>, number: Option<usize>, keeps: bool) -> Option<Self> {
+                let fits = |place: Option<usize>, places: &[usize]| {
+                    place.map_or(places.is_empty(), |place| places.contains(&place))
+                };
                 $(
-                    let places: &[usize] = &[$($place),*];
-                    if name == $name && place.map_or(places.is_empty(), |place| places.contains(&place)) {
+                    if name == $name && fits(place, &[$($place),*]) && fits(number, &[$($($of_number),*)?]) {
                         return Some(if keeps { Self::$keeping } else { Self::$passing });
                     }
                 )*
@@ -64,18 +76,21 @@ macro_rules! links {
                 let mut alone = self.alone.iter();
                 let mut $x = $T::default();
                 for link in &self.links {
+                    let places = link.places;
                     match link.kind {
                         $(
                             Kind::$passing => {
-                                let [$($operand,)* ..] = link.from;
+                                let [$($operand,)* ..] = split(places);
                                 $(let $operand = registers[usize::from($operand)];)*
+                                $(let $n = $T::from_f64(self.numbers[usize::from(split(places)[NUMBER])]);)?
                                 $x = $value;
                             }
                             Kind::$keeping => {
-                                let [$($operand,)* ..] = link.from;
+                                let [$($operand,)* ..] = split(places);
                                 $(let $operand = registers[usize::from($operand)];)*
+                                $(let $n = $T::from_f64(self.numbers[usize::from(split(places)[NUMBER])]);)?
                                 $x = $value;
-                                registers[usize::from(link.to)] = $x;
+                                registers[usize::from(split(places)[RESULT])] = $x;
                             }
                         )*
                         // not by a closure, which would be compiled for the baseline
@@ -91,28 +106,49 @@ macro_rules! links {
     };
 }
 
+/// Registers and indices in a word.
+#[inline(always)]
+fn split(places: u64) -> [Register; 4] {
+    [
+        places as Register,
+        (places >> 16) as Register,
+        (places >> 32) as Register,
+        (places >> 48) as Register,
+    ]
+}
+
 links! { T x:
     Add AddTo "add" [] = a + b, a b;
     AddX AddXTo "add" [0 1] = x + a, a;
+    AddN AddNTo "add" [] n [0 1] = a + n, a;
+    AddXN AddXNTo "add" [0 1] n [0 1] = x + n,;
     Sub SubTo "sub" [] = a - b, a b;
     SubX SubXTo "sub" [0] = x - a, a;
     SubOfX SubOfXTo "sub" [1] = a - x, a;
+    SubXN SubXNTo "sub" [0] n [1] = x - n,;
+    SubOfXN SubOfXNTo "sub" [1] n [0] = n - x,;
     Mul MulTo "mul" [] = a * b, a b;
     MulX MulXTo "mul" [0 1] = x * a, a;
+    MulN MulNTo "mul" [] n [0 1] = a * n, a;
+    MulXN MulXNTo "mul" [0 1] n [0 1] = x * n,;
     Div DivTo "div" [] = a / b, a b;
     DivX DivXTo "div" [0] = x / a, a;
     DivByX DivByXTo "div" [1] = a / x, a;
+    DivByXN DivByXNTo "div" [1] n [0] = n / x,;
     Neg NegTo "neg" [] = -a, a;
     NegX NegXTo "neg" [0] = -x,;
     MulAdd MulAddTo "mul_add" [] = T::mul_add(a, b, c), a b c;
     MulAddX MulAddXTo "mul_add" [0 1] = T::mul_add(x, a, b), a b;
+    MulAddXN MulAddXNTo "mul_add" [0 1] n [0 1] = T::mul_add(x, n, a), a;
     MulAddOnX MulAddOnXTo "mul_add" [2] = T::mul_add(a, b, x), a b;
+    MulAddOnXN MulAddOnXNTo "mul_add" [2] n [0 1] = T::mul_add(a, n, x), a;
     MulSub MulSubTo "mul_sub" [] = T::mul_sub(a, b, c), a b c;
     MulSubX MulSubXTo "mul_sub" [0 1] = T::mul_sub(x, a, b), a b;
     MulSubOnX MulSubOnXTo "mul_sub" [2] = T::mul_sub(a, b, x), a b;
     MulNegAdd MulNegAddTo "mul_neg_add" [] = T::mul_neg_add(a, b, c), a b c;
     MulNegAddX MulNegAddXTo "mul_neg_add" [0 1] = T::mul_neg_add(x, a, b), a b;
     MulNegAddOnX MulNegAddOnXTo "mul_neg_add" [2] = T::mul_neg_add(a, b, x), a b;
+    MulNegAddOnXN MulNegAddOnXNTo "mul_neg_add" [2] n [0 1] = T::mul_neg_add(a, n, x), a;
 }
 
 /// Number of a value: that of the register which holds it at first, or a later one for the result of an operation.
@@ -219,45 +255,76 @@ impl<'a> Flat<'a> {
     fn passed(&self, before: Option<&usize>, n: usize) -> Option<usize> {
         let (before, operation) = (&self.operations[*before?], &self.operations[n]);
         let &[value] = &before.results[..] else { return None };
-        Kind::new(before.name, None, false)?;
+        Kind::new(before.name, None, None, false)?;
         let place = operation.operands.iter().position(|&operand| operand == value)?;
-        Kind::new(operation.name, Some(place), false).and(Some(place))
+        Kind::new(operation.name, Some(place), None, false).and(Some(place))
+    }
+}
+
+/// Operation of a link, before its values have registers.
+struct Planned<'a> {
+    operation: &'a Operation<'a>,
+    /// Places among the operands of the passed one, and of a number that is not in a register.
+    passed: Option<usize>,
+    number: Option<usize>,
+}
+
+impl<'a> Planned<'a> {
+    /// Operations in order.
+    fn all(flat: &'a Flat<'a>, numbers: &BTreeMap<Value, usize>) -> Vec<Self> {
+        let order = flat.order();
+        let planned = order.iter().enumerate().map(|(k, &n)| {
+            let operation = &flat.operations[n];
+            let passed = flat.passed(k.checked_sub(1).map(|k| &order[k]), n);
+            let can_be_number = |&place: &usize| {
+                passed != Some(place)
+                    && numbers.contains_key(&operation.operands[place])
+                    && Kind::new(operation.name, passed, Some(place), false).is_some()
+            };
+            Self {
+                operation,
+                passed,
+                number: (0..operation.operands.len()).find(can_be_number),
+            }
+        });
+        planned.collect()
+    }
+
+    /// Operands that are loaded from registers.
+    fn loaded(&self) -> impl Iterator<Item = Value> {
+        let operands = self.operation.operands.iter().enumerate();
+        let loaded = operands.filter(|&(k, _)| self.passed != Some(k) && self.number != Some(k));
+        loaded.map(|(_, &value)| value)
     }
 }
 
 impl Chain {
-    /// Chains of a code, which keep the registers of all values that it reads; `None` if they take too many registers.
+    /// Chains of a code, which keep the registers of all values that it reads, but for numbers; `None` if they take too
+    /// many registers.
     pub(super) fn new(code: &Code) -> Option<Self> {
         let flat = Flat::new(code);
-        let given = code.given();
+        let numbers = code.numbers.iter().enumerate();
+        let numbers: BTreeMap<Value, usize> = numbers.map(|(k, &(value, _))| (usize::from(value), k)).collect();
+        let planned = Planned::all(&flat, &numbers);
+        let loaded: BTreeSet<Value> = planned
+            .iter()
+            .flat_map(Planned::loaded)
+            .chain(flat.results.clone())
+            .collect();
+        let is_loaded = |register: &Register| loaded.contains(&usize::from(*register));
+        let mut given = code.given();
+        given.retain(|register| is_loaded(register) || !numbers.contains_key(&usize::from(*register)));
         let mut registers = Registers::new(&flat, &given);
-        let mut chain = Self::default();
-        let order = flat.order();
-        for (k, &n) in order.iter().enumerate() {
-            let operation = &flat.operations[n];
-            let place = flat.passed(k.checked_sub(1).map(|k| &order[k]), n);
-            let is_passed = order
-                .get(k + 1)
-                .is_some_and(|&next| flat.passed(Some(&n), next).is_some());
-            let loaded = operation.operands.iter().enumerate();
-            let loaded = loaded.filter(|(k, _)| place != Some(*k));
-            let loaded: Vec<Register> = loaded.map(|(_, &value)| registers.of[value]).collect::<Option<_>>()?;
-            registers.release(&operation.operands);
-            let keeps = operation
-                .results
-                .iter()
-                .any(|&value| flat.uses[value] > usize::from(is_passed));
-            let Some(kind) = Kind::new(operation.name, place, keeps) else {
-                let results = registers.keep(&operation.results)?;
-                chain.alone.push(Row::new(operation.name, &[results, loaded].concat())?);
-                chain.push(Kind::Alone, 0, &[]);
-                continue;
-            };
-            let to = match keeps {
-                true => registers.keep(&operation.results)?[0],
-                false => 0,
-            };
-            chain.push(kind, to, &loaded);
+        let in_registers = code.numbers.iter().copied();
+        let mut chain = Self {
+            numbers: code.numbers.iter().map(|&(_, number)| number).collect(),
+            in_registers: in_registers.filter(|(register, _)| is_loaded(register)).collect(),
+            ..Self::default()
+        };
+        for (k, link) in planned.iter().enumerate() {
+            let is_passed = planned.get(k + 1).is_some_and(|next| next.passed.is_some());
+            let number = link.number.map(|place| numbers[&link.operation.operands[place]]);
+            chain.add(&flat, link, (number, is_passed), &mut registers)?;
         }
         let results = flat.results.iter().map(|&value| registers.of[value]);
         chain.results = results.collect::<Option<_>>()?;
@@ -266,10 +333,46 @@ impl Chain {
         Some(chain)
     }
 
-    fn push(&mut self, kind: Kind, to: Register, loaded: &[Register]) {
-        let mut from = [0; 3];
-        from[..loaded.len()].copy_from_slice(loaded);
-        self.links.push(Link { kind, to, from });
+    /// Adds an operation with this number, which passes its result on or not.
+    fn add(
+        &mut self,
+        flat: &Flat<'_>,
+        link: &Planned<'_>,
+        (number, is_passed): (Option<usize>, bool),
+        registers: &mut Registers<'_>,
+    ) -> Option<()> {
+        let Operation {
+            name,
+            results,
+            operands,
+        } = link.operation;
+        let loaded: Vec<Register> = link.loaded().map(|value| registers.of[value]).collect::<Option<_>>()?;
+        registers.release(operands);
+        let keeps = results.iter().any(|&value| flat.uses[value] > usize::from(is_passed));
+        let mut places = [0; 4];
+        let kind = match Kind::new(name, link.passed, link.number, keeps) {
+            Some(kind) => {
+                places[..loaded.len()].copy_from_slice(&loaded);
+                if let Some(number) = number {
+                    places[NUMBER] = number as Register;
+                }
+                if keeps {
+                    places[RESULT] = registers.keep(results)?[0];
+                }
+                kind
+            }
+            None => {
+                let results = registers.keep(results)?;
+                self.alone.push(Row::new(name, &[results, loaded].concat())?);
+                Kind::Alone
+            }
+        };
+        let places = places
+            .iter()
+            .rev()
+            .fold(0, |word, &place| word << 16 | u64::from(place));
+        self.links.push(Link { kind, places });
+        Some(())
     }
 }
 

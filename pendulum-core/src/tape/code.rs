@@ -392,7 +392,8 @@ impl<'a, T: Real> Run<'a, T> {
     fn run(self, code: &Code) -> &'a [T] {
         let registers = &mut self.registers[..code.places::<T>().0];
         if let Some(constants) = self.constants {
-            for &(register, number) in &code.numbers {
+            let numbers = code.chain::<T>().map_or(&code.numbers, |chain| &chain.in_registers);
+            for &(register, number) in numbers {
                 registers[usize::from(register)] = T::from_f64(number);
             }
             for &(register, index) in &code.constants {

@@ -351,6 +351,19 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         code.run(&self.constants, &lists, results);
     }
 
+    /// Like [`evaluate_into`](Self::evaluate_into), on registers that the caller keeps for this routine.
+    pub(super) fn evaluate_with(
+        &self,
+        registers: &mut Vec<T>,
+        routine: usize,
+        t: T,
+        x: &SVector<T, N>,
+        results: &mut [&mut [T]],
+    ) {
+        let code = &self.tape.routines[routine].code;
+        code.run_again(registers, &self.constants, &lists(&t, x, &self.under(&[])), results);
+    }
+
     /// Like [`evaluate`](Self::evaluate), but passes each result on, with its number.
     pub(super) fn each(
         &self,

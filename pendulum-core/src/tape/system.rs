@@ -157,6 +157,17 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
         padding.fill(T::default());
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn rhs_with(&self, memory: &mut Vec<T>, t: T, x: &SVector<T, N>, rates: &mut SVector<T, N>) {
+        if HYBRID {
+            *rates = self.rhs(t, x);
+            return;
+        }
+        let (rates, padding) = rates.as_mut_slice().split_at_mut(self.active);
+        self.evaluate_with(memory, self.needed(Role::Rhs), t, x, &mut [rates]);
+        padding.fill(T::default());
+    }
+
     #[inline(always)]
     fn active(&self) -> usize {
         self.active
