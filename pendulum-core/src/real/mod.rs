@@ -99,6 +99,13 @@ pub trait Real:
         self.mul_add(factor, sum)
     }
 
+    /// The number without its derivatives.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn without_slopes(self) -> Self {
+        self
+    }
+
     /// The number as a variable of [dual numbers](crate::dual::Dual), with the index `place` among them; unchanged in
     /// other types.
     #[doc(hidden)]
