@@ -7,6 +7,7 @@ use nalgebra::SVector;
 
 use crate::real::lanes::{Lanes, Pack, Register, Routine, single_lane};
 use crate::real::{Float, Real};
+use crate::taylor::DualSums;
 
 /// A value with its derivatives with respect to `N` variables, propagated through every operation by the chain rule.
 ///
@@ -157,6 +158,7 @@ impl<T: Real, const N: usize> Neg for Dual<T, N> {
 impl<T: Real, const N: usize> Real for Dual<T, N> {
     const LANES: usize = T::LANES;
     const HAS_SLOPES: bool = true;
+    const SUMS_PRODUCTS: bool = N > 0 && T::SUMS_DUAL_PRODUCTS;
 
     #[inline(always)]
     fn call<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
@@ -232,6 +234,16 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled_onto(self, factor: Self, sum: Self) -> Self {
         sum + self.scaled(factor)
+    }
+
+    #[inline(always)]
+    fn sum_products<const M: usize>(left: &[[Self; M]], right: &[[Self; M]], sums: &mut [Self; M]) {
+        T::sum_dual_products(DualSums { left, right, sums });
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn without_slopes(self) -> Self {
+        Self::constant(self.value)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

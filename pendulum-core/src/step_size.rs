@@ -17,6 +17,12 @@ pub struct Tolerance<T> {
 }
 
 impl<T: Real> Tolerance<T> {
+    /// True if the errors of derivatives do not count.
+    #[inline(always)]
+    pub(crate) fn is_of_values(&self) -> bool {
+        T::HAS_SLOPES && self.rtol.is_constant()
+    }
+
     /// Mean square of `error / (atol + rtol (|x0| + |x1|) / 2)`; the error is within the tolerance if it is at most 1.
     ///
     /// This is the norm of Hairer, Nørsett, Wanner I, II.4, with the mean of both states in place of the larger one,
@@ -33,11 +39,11 @@ impl<T: Real> Tolerance<T> {
         let half = self.rtol * T::from_f64(0.5);
         let mut sum = T::default();
         for i in 0..active.min(N) {
-            let size = x0.data.0[0][i].abs() + x1.data.0[0][i].abs();
-            let ratio = error.data.0[0][i] / (self.atol + half * size);
+            let size = x0.data.0[0][i].without_slopes().abs() + x1.data.0[0][i].without_slopes().abs();
+            let ratio = error.data.0[0][i].without_slopes() / (self.atol + half * size);
             sum += ratio * ratio;
         }
-        let mean = sum * T::from_f64(1.0 / active as f64);
+        let mean = (sum * T::from_f64(1.0 / active as f64)).without_slopes();
         if const { T::HAS_SLOPES }
             && let Some(ratio) = self.ratio_of_slopes(error, x0, x1)
         {
@@ -57,12 +63,13 @@ impl<T: Real> Tolerance<T> {
     ) -> [T; M] {
         let mut sums = [T::default(); M];
         for i in 0..active.min(N) {
-            let weight = T::from_f64(1.0) / (self.atol + self.rtol * x.data.0[0][i].abs());
+            let size = x.data.0[0][i].without_slopes().abs();
+            let weight = T::from_f64(1.0) / (self.atol + self.rtol * size);
             for (sum, v) in sums.iter_mut().zip(v) {
-                *sum += v.data.0[0][i].abs() * weight;
+                *sum += v.data.0[0][i].without_slopes().abs() * weight;
             }
         }
-        let mut means = sums.map(|sum| sum * T::from_f64(1.0 / active as f64));
+        let mut means = sums.map(|sum| (sum * T::from_f64(1.0 / active as f64)).without_slopes());
         if const { T::HAS_SLOPES } {
             for (mean, v) in means.iter_mut().zip(v) {
                 if let Some(ratio) = self.ratio_of_slopes(v, x, x) {

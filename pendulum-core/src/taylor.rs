@@ -7,6 +7,7 @@
 //! generates the recurrences of a scene whose `generate` contains `taylor`. Those of equations by hand,
 //! [`EquationsSystem`](crate::system::EquationsSystem), follow from their operations, which are recorded.
 
+mod dual_sums;
 #[cfg(feature = "std")]
 mod equations;
 mod products;
@@ -17,6 +18,9 @@ mod recording;
 
 use nalgebra::SVector;
 
+#[doc(hidden)]
+pub use self::dual_sums::DualSums;
+pub(crate) use self::dual_sums::InLanes;
 pub use self::products::{FewProducts, Newest, Products};
 #[cfg(feature = "std")]
 pub use self::recording::Recording;

@@ -12,7 +12,7 @@ use crate::linear::square;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{
-    Called, MAX_STAGES, SHORT, combination, is_wide, shift_by_component, shifted, weighted_sum,
+    Called, MAX_STAGES, SHORT, combination, is_wide, shift_by_component, shifted, sum_of_values, weighted_sum,
 };
 use crate::method::toggle::end_step;
 use crate::method::{Adaptive, Fixed};
@@ -247,7 +247,12 @@ where
                     inner.rhs_into(t_new, x_new, &mut self.stages[STAGES - 1]);
                 }
                 let weights = const { &B::TABLEAU.error_weights() };
-                let error = weighted_sum((t_new - t).abs(), weights, STAGES, &self.stages);
+                let h = (t_new - t).abs();
+                let error = if tolerance.is_of_values() {
+                    sum_of_values(h, weights, &self.stages)
+                } else {
+                    weighted_sum(h, weights, STAGES, &self.stages)
+                };
                 tolerance.mean_square(&error, [x, x_new], system.active())
             }
         }

@@ -121,13 +121,13 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
 ) -> SVector<T, N> {
     if const { T::HAS_SLOPES && T::LANES == 1 } {
         return if h.is_constant() {
-            sum_by_component(h, weights, count, stages)
+            sum_by_component::<false, _, _, _>(h, weights, count, stages)
         } else {
             sum_by_variable_length(&h, weights, count, stages)
         };
     }
     if const { is_wide::<T, N>() } {
-        return sum_by_component(h, weights, count, stages);
+        return sum_by_component::<false, _, _, _>(h, weights, count, stages);
     }
     let mut sums = [T::default(); N];
     let mut is_first = true;
@@ -168,16 +168,27 @@ pub(crate) fn shift_by_component<T: Real, const STAGES: usize, const N: usize>(
     (to, active): (&mut SVector<T, N>, usize),
 ) {
     for n in 0..active.min(N) {
-        to.data.0[0][n] = x.data.0[0][n] + component(n, h, weights, count, stages);
+        to.data.0[0][n] = x.data.0[0][n] + component::<false, _, _, _>(n, h, weights, count, stages);
     }
 }
 
-/// [`weighted_sum`] of wide numbers, and of dual numbers with an `h` without derivatives.
+/// Values of the [`weighted_sum`] of dual numbers.
+#[inline(always)]
+pub(crate) fn sum_of_values<T: Real, const STAGES: usize, const N: usize>(
+    h: T,
+    weights: &[f64; STAGES],
+    stages: &[SVector<T, N>; STAGES],
+) -> SVector<T, N> {
+    sum_by_component::<true, _, _, _>(h.without_slopes(), weights, STAGES, stages)
+}
+
+/// [`weighted_sum`] of wide numbers, and of dual numbers with an `h` without derivatives. With `VALUES` the sum has
+/// none, either.
 ///
 /// The sum over the stages is unrolled, and its partial sums fit into the registers. The loop over the components is
 /// not: unrolled as well, the sums of a step would not fit into the instruction cache.
 #[inline(always)]
-fn sum_by_component<T: Real, const STAGES: usize, const N: usize>(
+fn sum_by_component<const VALUES: bool, T: Real, const STAGES: usize, const N: usize>(
     h: T,
     weights: &[f64; STAGES],
     count: usize,
@@ -185,7 +196,7 @@ fn sum_by_component<T: Real, const STAGES: usize, const N: usize>(
 ) -> SVector<T, N> {
     let mut sums = [T::default(); N];
     for (n, sum) in sums.iter_mut().enumerate() {
-        *sum = component(n, h, weights, count, stages);
+        *sum = component::<VALUES, _, _, _>(n, h, weights, count, stages);
     }
     SVector::from(sums)
 }
@@ -193,7 +204,7 @@ fn sum_by_component<T: Real, const STAGES: usize, const N: usize>(
 /// Component `n` of a [`weighted_sum`]. Inlining is not forced without optimisation, where its numbers in lanes would
 /// take much of the stack.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn component<T: Real, const STAGES: usize, const N: usize>(
+fn component<const VALUES: bool, T: Real, const STAGES: usize, const N: usize>(
     n: usize,
     h: T,
     weights: &[f64; STAGES],
@@ -201,12 +212,13 @@ fn component<T: Real, const STAGES: usize, const N: usize>(
     stages: &[SVector<T, N>; STAGES],
 ) -> T {
     const { assert!(STAGES <= MAX_STAGES) };
+    let of = |number: T| if VALUES { number.without_slopes() } else { number };
     let mut sum = None;
     macro_rules! add {
         ($($i:literal)*) => { $(
             if $i < count && weights[$i % STAGES] != 0.0 {
                 let weight = T::from_f64(weights[$i % STAGES]).scaled(h);
-                let stage = stages[$i % STAGES].data.0[0][n];
+                let stage = of(stages[$i % STAGES].data.0[0][n]);
                 sum = Some(match sum {
                     None => stage.scaled(weight),
                     Some(sum) => stage.scaled_onto(weight, sum),
@@ -215,7 +227,7 @@ fn component<T: Real, const STAGES: usize, const N: usize>(
         )* };
     }
     add!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19);
-    sum.unwrap_or_default()
+    of(sum.unwrap_or_default())
 }
 
 /// [`weighted_sum`] with an `h` that carries derivatives, as in the steps to an event. A reference leaves `h` in
@@ -272,7 +284,7 @@ pub(crate) fn combination<T: Real, const N: usize>(
 mod tests {
     use nalgebra::SVector;
 
-    use super::{sum_by_component, sum_by_variable_length, weighted_sum};
+    use super::{sum_by_component, sum_by_variable_length, sum_of_values, weighted_sum};
     use crate::dual::Dual;
 
     #[test]
@@ -287,11 +299,14 @@ mod tests {
         });
         let (h, values) = (0.13, stages.map(|stage| stage.map(|x| x.value)));
         for count in 0..=6 {
-            let sum = sum_by_component(Dual::constant(h), &weights, count, &stages);
+            let sum = sum_by_component::<false, _, _, _>(Dual::constant(h), &weights, count, &stages);
             let other = sum_by_variable_length(&Dual::constant(h), &weights, count, &stages);
             assert_eq!(sum.map(|x| x.slopes), other.map(|x| x.slopes));
             assert_eq!(sum, other);
             assert_eq!(sum.map(|x| x.value), weighted_sum(h, &weights, count, &values));
         }
+        let alone = sum_of_values(Dual::constant(h), &weights, &stages);
+        assert_eq!(alone.map(|x| x.value), weighted_sum(h, &weights, 6, &values));
+        assert_eq!(alone.map(|x| x.slopes), SVector::from([[0.0; 5]; 3]));
     }
 }

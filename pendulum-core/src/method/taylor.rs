@@ -179,9 +179,15 @@ fn last_terms<R, const N: usize>(x: &[SVector<R, N>]) -> [&SVector<R, N>; TERMS]
 
 /// Error of a step of length `h` along the series `x`. The derivative of the series at its end differs from the `slope`
 /// there by the omitted terms; as these grow with a power of the time, their integral is the difference times
-/// `h / (order + 1)`.
+/// `h / (order + 1)`. With `VALUES` it has no derivatives.
 #[inline(always)]
-fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R, N>) -> SVector<R, N> {
+fn defect<const VALUES: bool, R: Real, const N: usize>(
+    x: &[SVector<R, N>],
+    h: R,
+    slope: &SVector<R, N>,
+) -> SVector<R, N> {
+    let of = |number: R| if VALUES { number.without_slopes() } else { number };
+    let h = of(h);
     let square = h * h;
     let (mut odd, mut even) = ([R::default(); N], [R::default(); N]);
     let mut order = (x.len() - 1) as u32;
@@ -189,22 +195,22 @@ fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R,
     for last in last {
         let factor = R::from_f64(f64::from(order));
         for (odd, &coefficient) in odd.iter_mut().zip(&last.data.0[0]) {
-            *odd = odd.mul_add(square, factor * coefficient);
+            *odd = odd.mul_add(square, of(coefficient).scaled(factor));
         }
         order -= 1;
     }
     for [first, second] in pairs.iter().rev() {
         let factors = [order - 1, order].map(|factor| R::from_f64(f64::from(factor)));
         for i in 0..N {
-            odd[i] = odd[i].mul_add(square, factors[0] * first.data.0[0][i]);
-            even[i] = even[i].mul_add(square, factors[1] * second.data.0[0][i]);
+            odd[i] = odd[i].mul_add(square, of(first.data.0[0][i]).scaled(factors[0]));
+            even[i] = even[i].mul_add(square, of(second.data.0[0][i]).scaled(factors[1]));
         }
         order -= 2;
     }
     let share = h * R::from_f64(1.0 / x.len() as f64);
     let mut error = *slope;
     for (error, (&odd, &even)) in error.data.0[0].iter_mut().zip(odd.iter().zip(&even)) {
-        *error = share * (*error - (odd + h * even));
+        *error = of(share * (*error - (odd + h * even)));
     }
     error
 }
@@ -309,7 +315,12 @@ where
         self.find(other, system, (t_new, x_new), work);
         Ok(match &self.tolerance {
             Some((tolerance, _)) => {
-                let error = defect(self.series(self.current), h, &self.x[other][1]);
+                let (series, slope) = (self.series(self.current), &self.x[other][1]);
+                let error = if tolerance.is_of_values() {
+                    defect::<true, _, _>(series, h, slope)
+                } else {
+                    defect::<false, _, _>(series, h, slope)
+                };
                 tolerance.mean_square(&error, [x, x_new], system.active())
             }
             None => T::default(),

@@ -14,6 +14,8 @@ pub use fused::Fused;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use core::sync::atomic::{Ordering, compiler_fence};
 
+use crate::taylor::DualSums;
+
 /// Number type of generated code: `f64`, `f32`, [`Fused`] or [lanes](lanes::Lanes) of these.
 ///
 /// It has no comparisons, since `a < b` may differ between lanes. `Default` is zero.
@@ -46,6 +48,14 @@ pub trait Real:
     /// True for [dual numbers](crate::dual::Dual), whose derivatives may have errors of their own.
     #[doc(hidden)]
     const HAS_SLOPES: bool = false;
+
+    /// True if [`sum_products`](Self::sum_products) computes sums.
+    #[doc(hidden)]
+    const SUMS_PRODUCTS: bool = false;
+
+    /// True if [`sum_dual_products`](Self::sum_dual_products) computes sums.
+    #[doc(hidden)]
+    const SUMS_DUAL_PRODUCTS: bool = false;
 
     /// Converts `v` to the nearest number of the type.
     fn from_f64(v: f64) -> Self;
@@ -97,6 +107,23 @@ pub trait Real:
     #[inline(always)]
     fn scaled_onto(self, factor: Self, sum: Self) -> Self {
         self.mul_add(factor, sum)
+    }
+
+    /// Computes the interior sums of products of series, given their factors of all lower orders.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sum_products<const M: usize>(_left: &[[Self; M]], _right: &[[Self; M]], _sums: &mut [Self; M]) {}
+
+    /// Computes the sums of products of series of dual numbers of this type.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sum_dual_products<const N: usize, const M: usize>(_sums: DualSums<'_, Self, N, M>) {}
+
+    /// The number without its derivatives.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn without_slopes(self) -> Self {
+        self
     }
 
     /// The number as a variable of [dual numbers](crate::dual::Dual), with the index `place` among them; unchanged in

@@ -1,7 +1,10 @@
 //! `Real` and `Float` for the primitive floating-point types.
 
-use super::lanes::{Lanes, Pack, Pair, Register, Two32, Two64, Wide32, Wide64, single_lane};
+use core::marker::PhantomData;
+
+use super::lanes::{Isa, Lanes, Pack, Pair, Register, Two32, Two64, Wide32, Wide64, Widest32, Widest64, single_lane};
 use super::{Float, Real, sincos};
+use crate::taylor::{DualSums, InLanes};
 
 /// Implements a method by a function.
 macro_rules! forward {
@@ -15,10 +18,12 @@ macro_rules! forward {
 
 macro_rules! scalar {
     (
-        $float:ident, in $narrow:ident, $wide:ident,
+        $float:ident, in $narrow:ident, $wide:ident, $widest:ident,
         by libm $tan:ident $exp:ident $ln:ident $tanh:ident $atan2:ident $powf:ident $sqrt:ident
     ) => {
         impl Real for $float {
+            const SUMS_DUAL_PRODUCTS: bool = true;
+
             #[inline]
             #[allow(
                 clippy::cast_possible_truncation,
@@ -59,6 +64,12 @@ macro_rules! scalar {
             fn scale_each<const N: usize>(a: [Self; N], factor: Self) -> [Self; N] {
                 let (narrow, wide) = (<$narrow as Register>::splat(factor), <$wide as Register>::splat(factor));
                 each::<$narrow, $wide, N>(a, a, |a, _| wide * a, |a, _| narrow * a, |a, _| factor * a)
+            }
+
+            #[inline(always)]
+            fn sum_dual_products<const N: usize, const M: usize>(sums: DualSums<'_, Self, N, M>) {
+                let narrow = PhantomData::<Pack<$narrow>>;
+                Isa::run_wide::<Pack<$widest>, Pack<$wide>, _>(InLanes { sums, narrow });
             }
 
             #[inline]
@@ -132,8 +143,8 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f64, in Two64, Wide64, by libm tan exp log tanh atan2 pow sqrt);
-scalar!(f32, in Two32, Wide32, by libm tanf expf logf tanhf atan2f powf sqrtf);
+scalar!(f64, in Two64, Wide64, Widest64, by libm tan exp log tanh atan2 pow sqrt);
+scalar!(f32, in Two32, Wide32, Widest32, by libm tanf expf logf tanhf atan2f powf sqrtf);
 
 /// Applies an operation to each pair of numbers: in wide registers, then in narrow ones, and the last ones as scalars.
 #[inline(always)]

@@ -815,29 +815,29 @@ k11 = -m*c*d/(inertia + m*c^2)
             for k in 1..x.len() - 1 {
                 let order = T::from_f64(k as f64);
                 let over_order = over_next;
-                over_next = T::from_f64(1.0) / T::from_f64((k + 1) as f64);
+                over_next = T::from_f64(1.0 / (k + 1) as f64);
                 let [s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11] = newest
                     .add(work.sums(k));
                 let [x0, x1, x2, x3] = x[k].data.0[0];
-                let t0 = -x0.mul_add(h2, over_order * s10);
-                let t1 = -x1.mul_add(h4, over_order * s11);
-                let t2 = x0.mul_add(h3, over_order * s0);
+                let t0 = -x0.mul_add(h2, s10.scaled(over_order));
+                let t1 = -x1.mul_add(h4, s11.scaled(over_order));
+                let t2 = x0.mul_add(h3, s0.scaled(over_order));
                 let t3 = x0 - x1;
-                let t4 = t3.mul_add(h6, over_order * s1);
+                let t4 = t3.mul_add(h6, s1.scaled(over_order));
                 let t5 = x3.mul_add(h15, h8.mul_add(t4, k3 * s2));
                 let t6 = k5.mul_add(t2, k6 * x2) + h1.mul_add(t5, x3.mul_add(h10, s3));
                 let t7 = x2.mul_add(h15, h9.mul_add(t4, k3 * s7));
-                let t8 = t3.mul_add(h7, over_order * s4);
+                let t8 = t3.mul_add(h7, s4.scaled(over_order));
                 let t9 = t6 + h16.mul_neg_add(t8, k3 * s5);
-                let t10 = order * t3;
-                let t11 = x1.mul_add(h5, over_order * s6);
+                let t10 = t3.scaled(order);
+                let t11 = x1.mul_add(h5, s6.scaled(over_order));
                 let t12 = k4.mul_add(t11, k0 * x3) - h0.mul_add(t7, x2.mul_add(h11, s8));
                 let t13 = t12 + h17.mul_neg_add(t8, k3 * s9);
                 let t14 = -t8;
                 let t15 = h13.mul_neg_add(t13, h12 * t9);
                 let t16 = h13.mul_neg_add(t9, h14 * t13);
-                let t17 = order * x0;
-                let t18 = order * x1;
+                let t17 = x0.scaled(order);
+                let t18 = x1.scaled(order);
                 let (left, right) = (
                     [t17, t10, t4, x3, t10, t14, t18, t4, x2, t14, t17, t18],
                     [t0, t14, x3, t5, t4, t16, t1, x2, t7, t15, t2, t11],
@@ -845,10 +845,10 @@ k11 = -m*c*d/(inertia + m*c^2)
                 newest.push(k, left, right);
                 work.set(k, left, right);
                 x[k + 1] = ::pendulum_core::nalgebra::SVector::from([
-                    x2 * over_next,
-                    x3 * over_next,
-                    t15 * over_next,
-                    t16 * over_next,
+                    x2.scaled(over_next),
+                    x3.scaled(over_next),
+                    t15.scaled(over_next),
+                    t16.scaled(over_next),
                 ]);
             }
         }

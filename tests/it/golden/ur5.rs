@@ -3871,7 +3871,7 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             for k in 1..x.len() - 1 {
                 let order = T::from_f64(k as f64);
                 let over_order = over_next;
-                over_next = T::from_f64(1.0) / T::from_f64((k + 1) as f64);
+                over_next = T::from_f64(1.0 / (k + 1) as f64);
                 let [s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14,
                 s15, s16, s17, s18, s19, s20, s21, s22, s23, s24, s25, s26, s27, s28,
                 s29, s30, s31, s32, s33, s34, s35, s36, s37, s38, s39, s40, s41, s42,
@@ -3893,22 +3893,22 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t6 = t1 + t5;
                 let t7 = x1 + x2;
                 let t8 = x3 + t7;
-                let t9 = t8.mul_add(h41, over_order * s0);
+                let t9 = t8.mul_add(h41, s0.scaled(over_order));
                 let t10 = h48
                     .mul_add(t6, h104.mul_add(t9, T::from_f64(0.017784735) * s3));
                 let t11 = t2 * h31;
                 let t12 = t11 + (s5 + t11);
                 let t13 = t2.mul_add(h0, x6.mul_add(h31, s16));
                 let t14 = t1 + t12;
-                let t15 = t7.mul_add(h12, over_order * s4);
+                let t15 = t7.mul_add(h12, s4.scaled(over_order));
                 let t16 = t10
                     - h27
                         .mul_add(
                             t14,
                             h105.mul_neg_add(t15, T::from_f64(1.598759275) * s6),
                         );
-                let t17 = x1.mul_add(h10, over_order * s7);
-                let t18 = x1.mul_add(h11, over_order * s10);
+                let t17 = x1.mul_add(h10, s7.scaled(over_order));
+                let t18 = x1.mul_add(h11, s10.scaled(over_order));
                 let t19 = h26
                     .mul_add(
                         t18,
@@ -3924,8 +3924,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t24 = t22 + t13;
                 let t25 = t22 - t13;
                 let t26 = x9.mul_add(h0, x6.mul_add(h3, s24)) + t22;
-                let t27 = t7.mul_add(h13, over_order * s13);
-                let t28 = order * t7;
+                let t27 = t7.mul_add(h13, s13.scaled(over_order));
+                let t28 = t7.scaled(order);
                 let t29 = h30
                     .mul_add(
                         t27,
@@ -3943,8 +3943,8 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 let t33 = t3.mul_add(h0, x6.mul_add(h68, s25));
                 let t34 = t26 + t33;
                 let t35 = t26 - t33;
-                let t36 = t8.mul_add(h44, over_order * s22);
-                let t37 = order * t8;
+                let t36 = t8.mul_add(h44, s22.scaled(over_order));
+                let t37 = t8.scaled(order);
                 let t38 = h42
                     .mul_add(
                         t9,
@@ -3959,15 +3959,15 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                     .mul_add(t24, h84.mul_add(t27, T::from_f64(1.598759275) * s20))
                     + t40;
                 let t42 = x6.mul_add(h44, h0.mul_add(t9, s33));
-                let t43 = x4.mul_add(h18, over_order * s32);
-                let t44 = x4.mul_add(h19, over_order * s27);
+                let t43 = x4.mul_add(h18, s32.scaled(over_order));
+                let t44 = x4.mul_add(h19, s27.scaled(over_order));
                 let t45 = h19.mul_add(t42, h57.mul_neg_add(t43, s34))
                     + t3.mul_add(h18, h68.mul_add(t44, s35));
                 let t46 = t3.mul_add(h19, h68.mul_neg_add(t43, s46))
                     - h18.mul_add(t42, h57.mul_add(t44, s47));
-                let t47 = x5.mul_add(h20, over_order * s28);
+                let t47 = x5.mul_add(h20, s28.scaled(over_order));
                 let t48 = x10 - x6.mul_add(h41, h0.mul_neg_add(t36, s29));
-                let t49 = x5.mul_add(h21, over_order * s31);
+                let t49 = x5.mul_add(h21, s31.scaled(over_order));
                 let t50 = h21.mul_add(t45, h86.mul_neg_add(t47, s37))
                     - h20.mul_add(t48, h56.mul_add(t49, s38));
                 let t51 = h21.mul_add(t48, h56.mul_neg_add(t47, s30))
@@ -4278,9 +4278,9 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                                     ),
                             ),
                     );
-                let t173 = order * x1;
-                let t174 = order * x4;
-                let t175 = order * x5;
+                let t173 = x1.scaled(order);
+                let t174 = x4.scaled(order);
+                let t175 = x5.scaled(order);
                 let (left, right) = (
                     [
                         t37,
@@ -4574,18 +4574,18 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
                 newest.push(k, left, right);
                 work.set(k, left, right);
                 x[k + 1] = ::pendulum_core::nalgebra::SVector::from([
-                    x6 * over_next,
-                    x7 * over_next,
-                    x8 * over_next,
-                    x9 * over_next,
-                    x10 * over_next,
-                    x11 * over_next,
-                    t167 * over_next,
-                    t168 * over_next,
-                    t169 * over_next,
-                    t170 * over_next,
-                    t171 * over_next,
-                    t172 * over_next,
+                    x6.scaled(over_next),
+                    x7.scaled(over_next),
+                    x8.scaled(over_next),
+                    x9.scaled(over_next),
+                    x10.scaled(over_next),
+                    x11.scaled(over_next),
+                    t167.scaled(over_next),
+                    t168.scaled(over_next),
+                    t169.scaled(over_next),
+                    t170.scaled(over_next),
+                    t171.scaled(over_next),
+                    t172.scaled(over_next),
                 ]);
             }
         }

@@ -127,6 +127,14 @@ pub(super) fn number(value: f64) -> TokenStream {
     }
 }
 
+/// True for the order of a coefficient of a series and its reciprocal.
+fn is_order(term: &Term) -> bool {
+    matches!(
+        term,
+        Term::Read(Variable::Series(Coefficient::Order | Coefficient::OverOrder))
+    )
+}
+
 struct Writer<'p> {
     names: Names<'p>,
     block: &'p Block,
@@ -327,6 +335,11 @@ impl Writer<'_> {
             Term::Unary(op, a) => {
                 let (a, function) = (self.within(a, Atom), format_ident!("{}", op.spelling()));
                 (quote!(#a.#function()), Atom)
+            }
+            Term::Binary(Binary::Mul, order, a) | Term::Binary(Binary::Mul, a, order) if is_order(order) => {
+                // numbers with derivatives then multiply none of the order
+                let (a, order) = (self.within(a, Atom), self.term(order));
+                (quote!(#a.scaled(#order)), Atom)
             }
             Term::Binary(op, a, b) => {
                 let (left, right, own) = match op {

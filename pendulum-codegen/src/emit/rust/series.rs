@@ -162,12 +162,12 @@ impl Items<'_> {
         let code = self.names().code(&series.order, |values| {
             let (rates, sides) = values.split_at(length);
             let (left, right) = sides.split_at(series.products);
-            let rates = rates.iter().map(|rate| rate.within(Precedence::Product));
+            let rates = rates.iter().map(|rate| rate.within(Precedence::Atom));
             quote! {
                 let (left, right) = ([#(#left),*], [#(#right),*]);
                 #push
                 work.set(k, left, right);
-                x[k + 1] = ::pendulum_core::nalgebra::SVector::from([#(#rates * over_next),*]);
+                x[k + 1] = ::pendulum_core::nalgebra::SVector::from([#(#rates.scaled(over_next)),*]);
                 #pin
             }
         });
@@ -175,7 +175,7 @@ impl Items<'_> {
         let of_order = quote! {
             let #order = T::from_f64(k as f64);
             let #over_order = over_next;
-            over_next = T::from_f64(1.0) / T::from_f64((k + 1) as f64);
+            over_next = T::from_f64(1.0 / (k + 1) as f64);
             #time
             let [#(#sums),*] = #interior;
             let [#(#state),*] = x[k].data.0[0];

@@ -157,6 +157,27 @@ impl Isa {
         baseline(routine, changed, read)
     }
 
+    /// Runs a kernel in a function of its own: with AVX2 on lanes `In` where [routines](Self::run_routine) run with it,
+    /// else on lanes `Out`.
+    #[inline(always)]
+    pub(crate) fn run_wide<In: Lanes, Out: Lanes<Scalar = In::Scalar>, K: Kernel<In::Scalar>>(kernel: K) -> K::Output {
+        #[inline(never)]
+        fn baseline<V: Lanes, K: Kernel<V::Scalar>>(kernel: K) -> K::Output {
+            kernel.run::<V>()
+        }
+        #[cfg(all(
+            target_arch = "x86_64",
+            target_feature = "sse2",
+            feature = "std",
+            not(debug_assertions),
+            not(all(target_feature = "avx2", target_feature = "fma"))
+        ))]
+        if super::x86::Avx2::available().is_some() {
+            return super::x86::avx2::<K, In>(kernel);
+        }
+        baseline::<Out, K>(kernel)
+    }
+
     /// Runs a kernel whose lanes fill one register.
     #[inline]
     pub fn run<T: LaneElement, K: Kernel<T>>(self, kernel: K) -> K::Output {

@@ -49,7 +49,7 @@ pub use isa::{Isa, Kernel, LaneElement};
 pub use isa::{Routine, Second};
 pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};
 pub(crate) use register::{Fuse, Pair, Precision, Register};
-pub(super) use target::{Two32, Two64, Wide32, Wide64};
+pub(super) use target::{Two32, Two64, Wide32, Wide64, Widest32, Widest64};
 
 use super::{Float, Real};
 

@@ -3,9 +3,10 @@
 //! Its soundness rests on two facts, and each block names the one it uses.
 //!
 //! 1. If a value of a register type exists, the machine has its instructions. Every supported x86-64 machine has `xmm`
-//!    registers. The types of `ymm` and `zmm` registers are private to [`lanes`](super): other code receives them only
-//!    as the type argument of [`Kernel::run`](super::Kernel::run). Only [`enter`] calls it with them, after checking
-//!    that the machine has the instructions. A value of `routine::Avx2` exists only after the same check.
+//!    registers. The types of `zmm` registers are private to [`lanes`](super), those of `ymm` registers to
+//!    [`real`](crate::real), which computes with them only if the compilation enables AVX2: other code receives them as
+//!    the type argument of [`Kernel::run`](super::Kernel::run). Only [`enter`] calls it with them, after checking that
+//!    the machine has the instructions. A value of `routine::Avx2` exists only after the same check.
 //! 2. A vector has the memory layout of the array of its lanes, and every bit pattern is a valid number.
 #![allow(
     unsafe_code,
