@@ -5,6 +5,10 @@ mod names;
 
 use core::ops::Range;
 
+use nalgebra::SVector;
+
+use crate::real::Real;
+
 #[cfg(feature = "std")]
 pub use names::WrongLength;
 
@@ -93,6 +97,16 @@ impl<'a> StateLayout<'a> {
     pub fn quaternions(self) -> impl Iterator<Item = Range<usize>> {
         let slots = self.slots.iter().filter(|slot| slot.kind == SlotKind::Quaternion);
         slots.map(|slot| slot.positions.clone())
+    }
+
+    /// Scales the quaternions of a state to unit length.
+    pub(crate) fn normalise<T: Real, const N: usize>(self, x: &mut SVector<T, N>) {
+        for places in self.quaternions() {
+            let mut squares = places.clone().map(|place| x[place] * x[place]);
+            let first = squares.next().unwrap_or_default();
+            let norm = squares.fold(first, |sum, square| sum + square).sqrt();
+            places.for_each(|place| x[place] /= norm);
+        }
     }
 
     /// Components of the state that are angles with the period 2 pi, as defined by [`Slot::periodic`].

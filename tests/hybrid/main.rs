@@ -4,6 +4,7 @@
 
 mod controlled;
 mod corner;
+mod floating;
 mod hybrid_stability;
 mod impacts;
 mod invariants;

@@ -271,7 +271,11 @@ where
     D: System<Dual, N> + Hybrid<Dual, N>,
 {
     let lift = |forces: &[f64; MAX_CONSTRAINTS]| forces.map(Dual::from_f64);
-    for (t, x, forces) in places(count) {
+    for (t, x, forces) in places::<N>(count) {
+        // quaternions have unit length
+        let mut x: SVector<Dual, N> = x.map(Dual::from_f64);
+        dual.project(Dual::from_f64(t), &mut x);
+        let x = x.map(|x| x.value);
         let response = model.response(t, &x, &forces);
         assert_all_near(&response.rates, &model.eval(t, &x, &forces), "rates");
         let measures = model.measures(t, &x);
@@ -908,7 +912,8 @@ where
     S: Jacobian<f64, N>,
     D: System<Dual, N> + Hybrid<Dual, N>,
 {
-    for (n, (t, x, mut forces)) in places::<N>(count).enumerate() {
+    for (n, (t, mut x, mut forces)) in places::<N>(count).enumerate() {
+        model.project(t, &mut x);
         let held = n as u8 & ((1 << count) - 1);
         (0..count).filter(|n| held & 1 << n != 0).for_each(|n| forces[n] = 0.0);
         let hold = Hold {

@@ -40,6 +40,7 @@ pub mod slider_crank;
 pub mod spring_suspended;
 pub mod squeezer;
 pub mod stick_slip;
+pub mod thrown_die;
 pub mod triple;
 pub mod tumbling_body;
 pub mod two_bodies;
@@ -98,6 +99,7 @@ pub const SYSTEMS: &[System] = systems![
     stick_slip,
     bouncing_ball,
     rocking_block,
+    thrown_die,
     rods_and_wall,
 ];
 

@@ -249,6 +249,7 @@ fn every_system_has_the_bits_of_its_tape() {
         spring_suspended::SpringSuspended (jacobian energy) [] shapes,
         squeezer::Squeezer (jacobian energy) [] shapes,
         stick_slip::StickSlip (energy) [drive_forces] shapes,
+        thrown_die::ThrownDie (energy) [] shapes,
         triple::Triple (energy) [] shapes,
         tumbling_body::TumblingBody (jacobian energy) [] shapes,
         two_bodies::TwoBodies (energy) [] shapes,

@@ -4,12 +4,11 @@
 use rustc_hash::FxHashMap;
 
 use super::routines::stacked;
-use super::solved::Way;
-use super::written::Solutions;
-use super::{Basis, Candidate, Chosen, Forms, Products, expanded};
+use super::solved::{Way, of_coordinates};
+use super::{Basis, Candidate, Chosen, Form, Forms, expanded};
 use crate::dynamics::{Entries, Inverse, derived};
 use crate::expr::{Derivative, Expr, Normalizer};
-use crate::model::{CoordinateId, Model};
+use crate::model::{Coordinate, CoordinateId, Floating, Model, changes};
 
 /// Coefficients of the constraints' second derivatives `J qdd + h`, where the rates are `J qd + w`.
 #[derive(Clone, Debug)]
@@ -29,10 +28,10 @@ impl<'g> Rows<'g> {
         };
         let gradients: Vec<Vec<Expr<'g>>> = (0..model.dof()).map(along).collect();
         let rates = model.constraint_rates();
-        let directions = model.all_coordinates().enumerate().flat_map(|(k, c)| {
-            let still = model.driven_acceleration(CoordinateId::new(k));
-            [(c.position, c.rate), (c.rate, still)]
-        });
+        let still = |(k, c): (usize, &Coordinate<'g>)| (c.rate, model.driven_acceleration(CoordinateId::new(k)));
+        let directions = changes(model.all_coordinates())
+            .into_iter()
+            .chain(model.all_coordinates().enumerate().map(still));
         let mut along = Derivative::along(directions.chain([(model.time, model.graph.one())]));
         let drifts: Vec<Expr<'g>> = rates.into_iter().map(|rate| along.of(rate)).collect();
         let gradient = |n: usize| gradients.iter().map(|column| column[n]).collect::<Vec<_>>();
@@ -40,6 +39,18 @@ impl<'g> Rows<'g> {
             gradients: (0..values.len()).map(|n| model.with_drives(&gradient(n))).collect(),
             drifts: model.with_drives(&drifts),
         }
+    }
+
+    /// Copies in the form of each basis of the dynamics; the first one is as it was built.
+    fn on_each_basis(self, forms: &mut Forms<'g>) -> Vec<(Basis, Self)> {
+        let written = forms.forms.iter().chain(&forms.oriented);
+        let mut all = vec![(Basis::Shared, self)];
+        for basis in written.map(|written| written.form.basis) {
+            if matches!(basis, Basis::Closed(_)) && all.iter().all(|(known, _)| *known != basis) {
+                all.push((basis, all[0].1.on(&mut forms.normalizer, basis)));
+            }
+        }
+        all
     }
 
     /// Copy in the form of a basis.
@@ -62,14 +73,26 @@ impl<'g> Rows<'g> {
 
     /// Right-hand side and second derivatives of the constraints at given accelerations, then the change of each for a
     /// unit of every constraint force. The changes of the second derivatives are an upper triangle.
-    fn response(&self, model: &Model<'g>, inverse: &dyn Inverse<'g>, accelerations: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        let still = vec![model.graph.zero(); model.dof()];
+    fn response(
+        &self,
+        model: &Model<'g>,
+        floating: &[Floating<'g>],
+        inverse: &dyn Inverse<'g>,
+        accelerations: &[Expr<'g>],
+    ) -> Vec<Expr<'g>> {
+        let positions = model.kinematics();
+        let still = vec![model.graph.zero(); positions.len()];
         let column = |gradient: &Vec<Expr<'g>>| {
-            let against: Vec<Expr<'g>> = gradient.iter().map(|&x| -x).collect();
-            inverse.solve_negated(&against)
+            let mut against: Vec<Expr<'g>> = gradient.iter().map(|&x| -x).collect();
+            floating.iter().for_each(|joint| joint.turn_forces(&mut against));
+            let mut column = inverse.solve_negated(&against);
+            floating
+                .iter()
+                .for_each(|joint| joint.differentiate(&mut column, &still));
+            column
         };
         let columns: Vec<Vec<Expr<'g>>> = self.gradients.iter().map(column).collect();
-        let mut roots = [&model.kinematics(), accelerations, &model.state_rates()].concat();
+        let mut roots = [&positions, accelerations, &model.state_rates()].concat();
         roots.extend(self.accelerations(accelerations));
         let of_states = vec![model.graph.zero(); model.states.len()];
         roots.extend(
@@ -87,6 +110,12 @@ impl<'g> Rows<'g> {
 fn dot<'g>(a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
     let products = a.iter().zip(b).map(|(&a, &b)| a * b);
     a[0].graph().sum(products.collect::<Vec<_>>())
+}
+
+/// Rows on the basis of a form.
+fn rows_on<'a, 'g>(bases: &'a [(Basis, Rows<'g>)], form: Form) -> &'a Rows<'g> {
+    let own = bases.iter().find(|(basis, _)| *basis == form.basis);
+    &own.unwrap_or(&bases[0]).1
 }
 
 /// Values of the constraints, followed by their rates.
@@ -109,16 +138,14 @@ pub(crate) fn measure_derivatives<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
 
 /// Response to constraint forces.
 pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    let rows = Rows::new(model);
+    let bases = Rows::new(model).on_each_basis(forms);
     let mut candidates: Vec<Candidate<'g>> = Vec::new();
-    for written in &forms.forms {
-        let rows = rows.on(&mut forms.normalizer, written.form.basis);
-        for Solutions { factored, solved } in written.solutions(&forms.solved) {
-            let response =
-                |(form, accelerations): Candidate<'g>| (form, rows.response(model, &factored, &accelerations));
-            candidates.extend(solved.into_iter().map(response));
-        }
-    }
+    forms.each_system(|system| {
+        let accelerations = of_coordinates(&forms.floating, system.solved);
+        let rows = rows_on(&bases, system.form);
+        let roots = rows.response(model, &forms.floating, system.inverse, &accelerations);
+        candidates.push((system.form, roots));
+    });
     forms.choose(candidates)
 }
 
@@ -126,18 +153,14 @@ pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
 /// second derivative with respect to the state, and of both with respect to time.
 pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let (graph, state) = (model.graph, model.state());
-    let rows = Rows::new(model);
-    let bases = [Basis::Shared].into_iter().chain(Products::ALL.map(Basis::Closed));
-    let bases: Vec<(Basis, Rows<'g>)> = bases
-        .map(|basis| (basis, rows.on(&mut forms.normalizer, basis)))
-        .collect();
+    let bases = Rows::new(model).on_each_basis(forms);
+    let (floating, rows) = (forms.floating.clone(), &bases[0].1);
     let symbols: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
     let all = [&rows.gradients.concat()[..], &rows.drifts].concat();
     let has_time = forms.has_time(model) || graph.reachable(&all).contains(&model.time.id());
     let variables = [&state[..], &[model.time][..usize::from(has_time)]].concat();
     forms.solutions(model, &variables, |way: &Way<'_, 'g>| {
-        let own = bases.iter().find(|(basis, _)| *basis == way.form.basis);
-        let (_, rows) = own.unwrap_or(&bases[0]);
+        let rows = rows_on(&bases, way.form);
         let of_states = derived(&model.state_rates(), &variables).concat();
         let rates = stacked(
             model,
@@ -161,7 +184,7 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
             .pop()
             .map_or_else(still, |of_rows| [by_time, &of_rows].concat());
         let gradients = (0..rows.drifts.len()).flat_map(|row| changes.iter().map(move |column| column[row]));
-        let mut roots = rows.response(model, way.inverse, &way.accelerations);
+        let mut roots = rows.response(model, &floating, way.inverse, &way.accelerations);
         roots.extend(by_state.iter().copied().chain(gradients).chain(by_time));
         roots
     })

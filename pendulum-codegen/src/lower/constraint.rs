@@ -36,15 +36,9 @@ pub(super) fn constraints_of(items: &ast::Items) -> Vec<TokenStream> {
 }
 
 impl<'g> Lower<'g> {
-    /// Rejects more constraints than the core supports, and any constraint in a scene with orientations.
-    pub(super) fn check_conditions(&mut self, items: &ast::Items, has_orientations: bool) {
+    /// Rejects more constraints than the core supports.
+    pub(super) fn check_conditions(&mut self, items: &ast::Items) {
         let constraints = constraints_of(items);
-        if let (Some(first), true) = (constraints.first(), has_orientations) {
-            let fact = "dry friction, stops and walls are not supported in a scene with ball or free joints";
-            let help = "use smooth laws: viscous friction, and a `potential` instead of a stop or a wall";
-            let help = self.left_out(first, help);
-            self.errors.on(Code::NoConstraint, first, fact, help);
-        }
         if let Some(ninth) = constraints.get(MAX_CONSTRAINTS) {
             let fact = format_args!(
                 "{} constraints are declared, but at most {MAX_CONSTRAINTS} are supported: a wall is one, and so is \

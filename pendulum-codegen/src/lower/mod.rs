@@ -260,7 +260,7 @@ impl<'g> Lower<'g> {
         };
         let all: Vec<Coordinate<'g>> = tree.all_coordinates().cloned().collect();
         tree.bodies = self.bodies(&items.bodies, order, &all, &shapes);
-        self.check_conditions(items, tree.has_orientations());
+        self.check_conditions(items);
         (tree, lets)
     }
 

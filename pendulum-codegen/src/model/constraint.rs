@@ -61,13 +61,14 @@ impl<'g> Constraint<'g> {
         let rate = self.motion.without(own);
         let own_factor = self.motion.factor(own);
         let terms = rate.terms().chain([(own, &own_factor)]);
+        let first_rate = model.positions().len();
         let component = |(k, factor): (CoordinateId, &Rational)| {
             let sign = factor
                 .is_integer()
                 .then(|| factor.to_i8())
                 .flatten()
                 .filter(|sign| sign.abs() == 1)?;
-            model.is_free(k).then_some((model.dof() + usize::from(k), sign))
+            model.is_free(k).then_some((first_rate + usize::from(k), sign))
         };
         terms.map(component).collect::<Option<_>>().unwrap_or_default()
     }

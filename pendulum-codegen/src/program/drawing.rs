@@ -6,7 +6,7 @@ use super::block::{Block, Variable};
 use super::build::{NotFinite, block};
 use crate::expr::{Derivative, Expr, ExprId, Level};
 use crate::form::{self, Chosen, Forms};
-use crate::model::{Action, Body, BodyId, Constraint, FigureKind, Model, Poses};
+use crate::model::{Action, Body, BodyId, Constraint, Coordinate, FigureKind, Model, Poses};
 use crate::screw::Vec3;
 
 /// Outlines of a scene, and code for their positions.
@@ -244,7 +244,8 @@ impl<'g> Shown<'_, 'g> {
             .map(|point| (point, Vec3(point.position.0.map(by))));
         let mut touching = slopes.filter(|(_, slope)| !slope.is_zero());
         let (point, normal) = touching.next()?;
-        let is_alone = touching.next().is_none() && self.model.coordinates.iter().all(|own| by(own.position).is_zero());
+        let mut coordinates = self.model.coordinates.iter();
+        let is_alone = touching.next().is_none() && coordinates.all(|own| own.derivative().of(wall.declared).is_zero());
         let position = self.poses.point(point.place.body, point.place.at);
         (is_alone && is_fixed(normal)).then_some((position, normal))
     }
@@ -253,7 +254,7 @@ impl<'g> Shown<'_, 'g> {
     /// sphere about it that is nearest to the wall; and the derivative of the gap by its position.
     fn touching_body(&self, wall: &Constraint<'g>) -> Option<(Vec3<'g>, Vec3<'g>)> {
         let graph = self.model.graph;
-        let coordinates = || self.model.coordinates.iter().map(|own| Derivative::by(own.position));
+        let coordinates = || self.model.coordinates.iter().map(Coordinate::derivative);
         let slopes: Vec<Expr<'g>> = coordinates().map(|mut by| by.of(wall.value)).collect();
         let normal = |(n, body): (BodyId, &Body<'g>)| {
             let origin = self.poses.point(Some(n), Vec3::zero(graph));

@@ -10,7 +10,7 @@ use super::members::Members;
 use super::watch::Watch;
 use super::{InLanes, Stopped, model_of};
 use crate::dense::Step;
-use crate::hybrid::{Hold, Hybrid, Law, MAX_CONSTRAINTS, Modes, Status, room};
+use crate::hybrid::{Hold, Hybrid, Kinematics, Law, MAX_CONSTRAINTS, Modes, Status, room};
 use crate::method::{Adaptive, Estimates, Method, OneStep, Progress, StepControl, Stepper};
 use crate::real::lanes::{LaneElement, Lanes};
 use crate::system::{Cast, Plant, System};
@@ -105,8 +105,6 @@ pub(super) struct AtModes<V: Lanes, const N: usize> {
     ready: Vec<(usize, Progress<V::Scalar, N>)>,
     hold: Hold<V>,
     laws: [Law<V>; MAX_CONSTRAINTS],
-    /// Number of degrees of freedom.
-    dof: usize,
 }
 
 impl<F, M, V, W, const N: usize> Leave<Adaptive<F>, M, V, W, N> for AtModes<V, N>
@@ -125,7 +123,6 @@ where
             ready: Vec::new(),
             hold: Hold::default(),
             laws: [Law::default(); MAX_CONSTRAINTS],
-            dof: N / 2,
         }
     }
 
@@ -155,7 +152,7 @@ where
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn begin<S: System<V, N>>(&mut self, system: &S) {
         if let Some(hybrid) = system.hybrid() {
-            (self.laws, self.dof) = (hybrid.laws(), hybrid.dof());
+            self.laws = hybrid.laws();
         }
         for (n, force) in self.hold.forces.iter_mut().enumerate() {
             let zero = V::Scalar::default();
@@ -180,7 +177,7 @@ where
         let Pacing::Controlled(control) = steps else { return };
         let zero = V::Scalar::default();
         let (constraints, measures) = (hybrid.constraints(), hybrid.measures(step.t0, &step.x0));
-        let room = room((constraints, &self.laws, self.dof), &measures, terms);
+        let room = room((constraints, &self.laws, Kinematics::of(hybrid)), &measures, terms);
         for (lane, own) in self.modes.iter_mut().enumerate() {
             let (Some(index), Some(own)) = (members.index(lane), own) else {
                 continue;

@@ -10,6 +10,7 @@
 use nalgebra::SVector;
 
 use super::complementarity::{groups, impulses, solve_negated};
+use super::kinematics::Kinematics;
 use super::mode::{Status, bits, set_of};
 use super::resolution::{AT_LIMIT, CONSISTENT, ORDER_MATTERS};
 use super::series::Series;
@@ -195,11 +196,13 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             least = Some(least.map_or(outcome, |least: SVector<T, N>| least.zip_map(&outcome, T::min)));
             most = Some(most.map_or(outcome, |most: SVector<T, N>| most.zip_map(&outcome, T::max)));
         }
-        let (least, most, dof) = (least?, most?, self.system.dof());
-        let sizes = [self.x, least, most].map(|x| self.gains.of_kind(dof, &x));
+        let (least, most, kinematics) = (least?, most?, Kinematics::of(self.system));
+        let sizes = [self.x, least, most].map(|x| self.gains.of_kind(kinematics, &x));
         let size = |k: usize| sizes.iter().fold(T::default(), |size, sizes| size.max(sizes[k]));
         let differences = most - least;
-        let matters = (dof..2 * dof).any(|k| differences[k] > ulps(ORDER_MATTERS, size(k)));
+        let matters = kinematics
+            .rates()
+            .any(|k| differences[k] > ulps(ORDER_MATTERS, size(k)));
         matters.then_some(differences)
     }
 

@@ -90,6 +90,7 @@ mod complementarity;
 mod held;
 mod impact;
 mod in_mode;
+mod kinematics;
 mod mode;
 mod modes;
 mod next_mode;
@@ -119,6 +120,7 @@ pub use held::HeldSeries;
 pub(crate) use held::{forces, rhs, rhs_and_jacobian};
 pub use impact::Impact;
 pub use in_mode::{InMode, ModeSwitch};
+pub(crate) use kinematics::Kinematics;
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;
 pub use mode::{Mode, Status};

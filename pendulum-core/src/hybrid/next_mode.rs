@@ -1,6 +1,7 @@
 //! Choice of the next mode by trying combinations of held and moving constraints, beginning with the most held ones.
 
 use super::complementarity::{depends, independent, solve_negated, subsets};
+use super::kinematics::Kinematics;
 use super::mode::{Mode, Status, bits, set_of};
 use super::resolution::CONSISTENT;
 use super::settling::Settling;
@@ -79,8 +80,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// Sizes of the terms that sum up to the accelerations of the constraints.
     pub(super) fn sizes_of_accelerations(&self, response: &Response<T, N>) -> [T; MAX_CONSTRAINTS] {
         let mut of_accelerations = self.x;
-        let dof = self.system.dof();
-        for k in dof..2 * dof {
+        for k in Kinematics::of(self.system).rates() {
             of_accelerations[k] = response.rates[k];
         }
         self.gains.sizes(self.system, self.t, &of_accelerations).rates

@@ -5,6 +5,7 @@ use core::convert::identity;
 use nalgebra::SVector;
 
 use super::Constraint;
+use super::kinematics::Kinematics;
 use super::witness::Witness;
 #[cfg(feature = "std")]
 use super::{Law, MAX_CONSTRAINTS};
@@ -23,8 +24,8 @@ const FEW: usize = MAX_DEGREE + 1;
 /// Number of terms of a polynomial of any scheme.
 const MANY: usize = MAX_ORDER + 1;
 
-/// A witness of a constraint, and the number of degrees of freedom.
-pub(super) type Watched<'a> = (&'a Constraint<'a>, Witness, usize);
+/// A witness of a constraint, and the places of the positions and rates.
+pub(super) type Watched<'a> = (&'a Constraint<'a>, Witness, Kinematics<'a>);
 
 /// Lower bounds, over a step in lanes, of the rate of each constraint in its direction and of its distance from its
 /// limits, where nothing is held. The mode of a lane does not end if both are positive. All rates are sums of
@@ -32,7 +33,7 @@ pub(super) type Watched<'a> = (&'a Constraint<'a>, Witness, usize);
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(crate) fn room<V: Lanes, const N: usize>(
-    (constraints, laws, dof): (&[Constraint], &[Law<V>; MAX_CONSTRAINTS], usize),
+    (constraints, laws, kinematics): (&[Constraint], &[Law<V>; MAX_CONSTRAINTS], Kinematics<'_>),
     measures: &[[V; 2]; MAX_CONSTRAINTS],
     terms: &[SVector<V, N>],
 ) -> [[V; 2]; MAX_CONSTRAINTS] {
@@ -42,14 +43,18 @@ pub(crate) fn room<V: Lanes, const N: usize>(
         let [value, rate] = measures[n];
         // no closures: they might not be inlined
         let low = match laws[n].low {
-            Some(low) => least((value - low, one), (constraint, Witness::Low, dof), terms),
+            Some(low) => least((value - low, one), (constraint, Witness::Low, kinematics), terms),
             None => one,
         };
         let high = match laws[n].high {
-            Some(high) => least((high - value, -one), (constraint, Witness::High, dof), terms),
+            Some(high) => least((high - value, -one), (constraint, Witness::High, kinematics), terms),
             None => one,
         };
-        let rate = least((rate.abs(), rate.signum()), (constraint, Witness::Slip, dof), terms);
+        let rate = least(
+            (rate.abs(), rate.signum()),
+            (constraint, Witness::Slip, kinematics),
+            terms,
+        );
         room[n] = [rate, (low - high).select(low, high)];
     }
     room
@@ -133,20 +138,25 @@ impl<V: Lanes, const TERMS: usize> Polynomial<V, TERMS> {
     #[inline(always)]
     fn new<T: Lanes, const N: usize>(
         (value, sign): (V, V),
-        (constraint, witness, dof): Watched<'_>,
+        (constraint, witness, kinematics): Watched<'_>,
         terms: &[SVector<T, N>],
         number: impl Fn(T) -> V,
     ) -> Self {
-        let back = if witness.is_gap() { dof } else { 0 };
-        let mut coefficients = [V::default(); TERMS];
-        coefficients[0] = value;
-        for (coefficient, term) in coefficients[1..].iter_mut().zip(terms) {
-            for &(component, its) in constraint.rate {
-                *coefficient += number(term[component - back]) * V::from_f64(f64::from(its));
+        let (mut coefficients, degree) = ([V::default(); TERMS], terms.len());
+        for &(rate, its) in constraint.rate {
+            let component = if witness.is_gap() {
+                kinematics.position(rate)
+            } else {
+                rate
+            };
+            for (coefficient, term) in coefficients[1..].iter_mut().zip(terms) {
+                *coefficient += number(term[component]) * V::from_f64(f64::from(its));
             }
-            *coefficient *= sign;
         }
-        let degree = terms.len();
+        coefficients[1..=degree]
+            .iter_mut()
+            .for_each(|coefficient| *coefficient *= sign);
+        coefficients[0] = value;
         Self { coefficients, degree }
     }
 
@@ -283,7 +293,7 @@ impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
 mod tests {
     use nalgebra::SVector;
 
-    use super::{Constraint, Witness, rate_of, stays_positive};
+    use super::{Constraint, Kinematics, Witness, rate_of, stays_positive};
     use crate::dual::Dual;
 
     /// A rate `1 - a theta + b theta^2`, with derivatives that change sign.
@@ -300,7 +310,11 @@ mod tests {
         // backward
         let (start, terms) = (state([1.5, 0.5]), [state([-a, 0.0]), state([0.0, -b])]);
         let start = -rate_of(&constraint, &start);
-        stays_positive((start, -1.0), (&constraint, Witness::Slip, 0), &terms)
+        stays_positive(
+            (start, -1.0),
+            (&constraint, Witness::Slip, Kinematics::default()),
+            &terms,
+        )
     }
 
     #[test]

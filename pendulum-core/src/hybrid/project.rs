@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::complementarity::{independent, solve_negated};
 use super::held::pin;
+use super::kinematics::Kinematics;
 use super::mode::{Status, bits, set_of};
 use super::{Hold, Hybrid, Law, MAX_CONSTRAINTS, Response};
 use crate::real::Float;
@@ -22,7 +23,7 @@ pub(crate) fn project<T: Float, const N: usize>(
     if bits(hold.held).all(|n| !constraints[n].rate.is_empty()) {
         return;
     }
-    let (laws, dof) = (system.laws(), system.dof());
+    let (laws, kinematics) = (system.laws(), Kinematics::of(system));
     let response = system.response(t, x, &hold.forces);
     let touched = set_of((0..MAX_CONSTRAINTS).filter(|&n| touching[n].touches()));
     let placed = if touched & !hold.held == 0 {
@@ -33,9 +34,9 @@ pub(crate) fn project<T: Float, const N: usize>(
     // the second pass removes the quadratic error of the first
     for _ in 0..2 {
         let measures = system.measures(t, x);
-        shift(x, dof, (&response, dof), placed, &apart(&laws, touching, &measures));
+        shift_positions(x, kinematics, (&response, placed), &apart(&laws, touching, &measures));
         let rates = system.measures(t, x).map(|[_, rate]| rate);
-        shift(x, 0, (&response, dof), hold.solved, &rates);
+        shift_rates(x, kinematics, (&response, hold.solved), &rates);
     }
     pin(system, hold.held, x);
 }
@@ -64,9 +65,10 @@ pub(crate) fn place_coordinates<T: Float, const N: usize>(
     x: &mut SVector<T, N>,
 ) {
     let apart = apart(&system.laws(), touching, &system.measures(t, x));
+    let kinematics = Kinematics::of(system);
     for (n, constraint) in system.constraints().iter().enumerate() {
         if let Some(&(component, sign)) = constraint.rate.last() {
-            x[component - system.dof()] -= T::from_f64(f64::from(sign)) * apart[n];
+            x[kinematics.position(component)] -= T::from_f64(f64::from(sign)) * apart[n];
         }
     }
 }
@@ -75,7 +77,7 @@ pub(crate) fn place_coordinates<T: Float, const N: usize>(
 /// response.
 #[cfg(feature = "fit")]
 pub(crate) fn place_inside<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &mut SVector<T, N>) {
-    let (laws, constraints, dof) = (system.laws(), system.constraints(), system.dof());
+    let (laws, constraints, kinematics) = (system.laws(), system.constraints(), Kinematics::of(system));
     // the second pass removes the quadratic error of the first
     for _ in 0..2 {
         let measures = system.measures(t, x);
@@ -89,23 +91,35 @@ pub(crate) fn place_inside<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, 
         let response = system.response(t, x, &[T::default(); MAX_CONSTRAINTS]);
         let solved = independent(&response.matrix, set_of(gaps));
         let surplus = apart(&laws, &beyond, &system.measures(t, x));
-        shift(x, dof, (&response, dof), solved, &surplus);
+        shift_positions(x, kinematics, (&response, solved), &surplus);
     }
 }
 
-/// Removes a surplus of some constraints from the positions or rates that stand `before` components ahead of the rates.
-/// The correction follows the columns of the response, along which it takes the least kinetic energy.
-pub(super) fn shift<T: Float, const N: usize>(
+/// Removes a surplus of the values of some constraints from the positions. The correction follows the columns of the
+/// response, along which it takes the least kinetic energy.
+pub(super) fn shift_positions<T: Float, const N: usize>(
     x: &mut SVector<T, N>,
-    before: usize,
-    (response, dof): (&Response<T, N>, usize),
-    solved: u8,
+    kinematics: Kinematics<'_>,
+    (response, solved): (&Response<T, N>, u8),
     surplus: &[T; MAX_CONSTRAINTS],
 ) {
     let moves = solve_negated(&response.matrix, solved, surplus);
     for n in bits(solved) {
-        for component in dof..2 * dof {
-            x[component - before] += response.columns[n][component] * moves[n];
+        kinematics.displace(x, |component| response.columns[n][component] * moves[n]);
+    }
+}
+
+/// Like [`shift_positions`], but removes a surplus of rates.
+pub(super) fn shift_rates<T: Float, const N: usize>(
+    x: &mut SVector<T, N>,
+    kinematics: Kinematics<'_>,
+    (response, solved): (&Response<T, N>, u8),
+    surplus: &[T; MAX_CONSTRAINTS],
+) {
+    let moves = solve_negated(&response.matrix, solved, surplus);
+    for n in bits(solved) {
+        for component in kinematics.rates() {
+            x[component] += response.columns[n][component] * moves[n];
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::MAX_CONSTRAINTS;
 use super::complementarity::{independent, solve_negated};
 use super::held::rhs;
+use super::kinematics::Kinematics;
 use super::mode::{Status, bits, set_of};
 use super::next_mode::Next;
 use super::resolution::{CONSISTENT, LOWEST_REBOUND, SHORTEST_REBOUND};
@@ -219,8 +220,7 @@ impl<'a, T: Float, const N: usize> Flight<'a, T, N> {
         rebounds.for_each(|rebound| self.heights[rebound.of] += rebound.rise(time));
         let now = &mut self.now;
         let rates = rhs(now.system, &self.next.hold, now.t, &now.x);
-        let dof = now.system.dof();
-        for k in dof..2 * dof {
+        for k in Kinematics::of(now.system).rates() {
             now.x[k] += time * rates[k];
         }
         for n in bits(self.flying) {

@@ -4,8 +4,9 @@ use nalgebra::SVector;
 
 use super::complementarity::{depends, independent};
 use super::held::pin;
+use super::kinematics::Kinematics;
 use super::mode::{Status, bits, set_of};
-use super::project::{apart, place_coordinates, shift};
+use super::project::{apart, place_coordinates, shift_positions, shift_rates};
 use super::resolution::AT_LIMIT;
 use super::series::Series;
 use super::settled::Settled;
@@ -151,8 +152,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             let response = self.system.response(self.t, &self.x, &[T::default(); MAX_CONSTRAINTS]);
             let solved = independent(&response.matrix, self.touched() | self.resting);
             let apart = apart(&self.laws, &self.touching, &self.system.measures(self.t, &self.x));
-            let dof = self.system.dof();
-            shift(&mut self.x, dof, (&response, dof), solved, &apart);
+            shift_positions(&mut self.x, Kinematics::of(self.system), (&response, solved), &apart);
         }
         place_coordinates(self.system, &self.touching, self.t, &mut self.x);
     }
@@ -169,7 +169,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         let response = self.system.response(self.t, &self.x, &[T::default(); MAX_CONSTRAINTS]);
         let solved = independent(&response.matrix, self.resting);
         let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
-        shift(&mut self.x, 0, (&response, self.system.dof()), solved, &rates);
+        shift_rates(&mut self.x, Kinematics::of(self.system), (&response, solved), &rates);
         // constraints held by the others rest too
         for (n, [_, rate]) in self.system.measures(self.t, &self.x).into_iter().enumerate() {
             let rests = n < constraints.len() && rate.abs() <= ulps(AT_LIMIT, sizes.rates[n]);

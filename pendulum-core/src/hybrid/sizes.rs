@@ -1,7 +1,10 @@
 //! Sizes relative to which rounding errors of constraints are measured.
 
+use core::ops::Range;
+
 use nalgebra::SVector;
 
+use super::kinematics::Kinematics;
 use super::{Hybrid, MAX_CONSTRAINTS};
 use crate::layout::{SlotKind, StateLayout};
 use crate::real::Float;
@@ -12,7 +15,7 @@ use crate::real::Float;
 pub(crate) struct Gains<T, const N: usize> {
     by_lengths: [T; MAX_CONSTRAINTS],
     by_angles: [T; MAX_CONSTRAINTS],
-    /// True for positions that are angles.
+    /// True for positions and rates of angles and orientations.
     is_angle: [bool; N],
 }
 
@@ -40,18 +43,15 @@ impl<T: Float, const N: usize> Gains<T, N> {
         t: T,
         x: &SVector<T, N>,
     ) -> Self {
+        let kinematics = Kinematics::of(system);
         let mut gains = Self {
-            is_angle: core::array::from_fn(|k| is_angle(layout, k)),
+            is_angle: angles(layout, kinematics),
             ..Self::none()
         };
         gains.note(system, t, x);
         // the gap between a hanging pendulum and the floor has a zero derivative there
         let mut turned = *x;
-        for k in 0..system.dof() {
-            if gains.is_angle[k] {
-                turned[k] += T::from_f64(1.0);
-            }
-        }
+        kinematics.displace(&mut turned, |k| T::from_f64(f64::from(u8::from(gains.is_angle[k]))));
         if turned != *x && system.constraints().iter().any(|constraint| constraint.rate.is_empty()) {
             gains.note(system, t, &turned);
         }
@@ -61,14 +61,14 @@ impl<T: Float, const N: usize> Gains<T, N> {
     /// Updates the derivatives by those at a state, where a rate is linear in the rates of the coordinates.
     fn note(&mut self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) {
         let by_itself = rates_at_rest(system, t, x);
-        let dof = system.dof();
-        for k in dof..2 * dof {
+        let rates = Kinematics::of(system).rates();
+        for k in rates.clone() {
             let mut moving = *x;
-            for (other, rate) in moving.iter_mut().enumerate().take(2 * dof).skip(dof) {
-                *rate = T::from_f64(if other == k { 1.0 } else { 0.0 });
+            for other in rates.clone() {
+                moving[other] = T::from_f64(if other == k { 1.0 } else { 0.0 });
             }
             let measures = system.measures(t, &moving);
-            let gains = if self.is_angle[k - dof] {
+            let gains = if self.is_angle[k] {
                 &mut self.by_angles
             } else {
                 &mut self.by_lengths
@@ -83,9 +83,9 @@ impl<T: Float, const N: usize> Gains<T, N> {
     /// Sizes at a state. An angle counts as at least 1 rad, which is the size of the factor of its sine and cosine. A
     /// driven position is as accurate as the time.
     pub(super) fn sizes(&self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Sizes<T> {
-        let dof = system.dof();
-        let [length, angle] = self.largest(x.iter().take(dof));
-        let [speed, turning] = self.largest(x.iter().take(2 * dof).skip(dof));
+        let kinematics = Kinematics::of(system);
+        let [length, angle] = self.largest(x, kinematics.positions());
+        let [speed, turning] = self.largest(x, kinematics.rates());
         let angle = angle.max(T::from_f64(1.0));
         let by_itself = rates_at_rest(system, t, x).map(|rate| rate.abs());
         let all = |length: T, angle: T, n: usize| (self.by_lengths[n] * length).max(self.by_angles[n] * angle);
@@ -96,32 +96,37 @@ impl<T: Float, const N: usize> Gains<T, N> {
     }
 
     /// For each component, the largest rate of its kind: of lengths, or of angles.
-    pub(super) fn of_kind(&self, dof: usize, x: &SVector<T, N>) -> SVector<T, N> {
-        let [speed, turning] = self.largest(x.iter().take(2 * dof).skip(dof));
-        SVector::from_fn(|k, _| if self.is_angle[k % dof] { turning } else { speed })
+    pub(super) fn of_kind(&self, kinematics: Kinematics<'_>, x: &SVector<T, N>) -> SVector<T, N> {
+        let [speed, turning] = self.largest(x, kinematics.rates());
+        SVector::from_fn(|k, _| if self.is_angle[k] { turning } else { speed })
     }
 
-    /// Largest of the lengths and largest of the angles, among positions or rates.
-    fn largest<'a>(&self, of: impl Iterator<Item = &'a T>) -> [T; 2]
-    where
-        T: 'a,
-    {
+    /// Largest of the lengths and largest of the angles, among positions or rates. Components of quaternions count as
+    /// angles.
+    fn largest(&self, x: &SVector<T, N>, among: Range<usize>) -> [T; 2] {
         let [mut lengths, mut angles] = [T::default(); 2];
-        for (value, is_angle) in of.zip(self.is_angle) {
-            let largest = if is_angle { &mut angles } else { &mut lengths };
-            *largest = largest.max(value.abs());
+        for k in among {
+            let largest = if self.is_angle[k] { &mut angles } else { &mut lengths };
+            *largest = largest.max(x[k].abs());
         }
         [lengths, angles]
     }
 }
 
-/// True if a position is an angle. Without a layout all positions are lengths.
-fn is_angle(layout: Option<StateLayout<'_>>, position: usize) -> bool {
+/// Marks the positions and rates of angles and orientations. Without a layout all other positions are lengths.
+fn angles<const N: usize>(layout: Option<StateLayout<'_>>, kinematics: Kinematics<'_>) -> [bool; N] {
     let slots = layout.map_or(&[][..], |layout| layout.slots);
-    // each slot has at least one position, so its index is at most the index of the position
-    let mut before = slots.iter().take(position + 1).rev();
-    let slot = before.find(|slot| slot.positions.start <= position);
-    slot.is_some_and(|slot| slot.kind == SlotKind::Angle && slot.positions.start == position)
+    let angles = slots.iter().filter(|slot| slot.kind == SlotKind::Angle);
+    let angles = angles.flat_map(|slot| [slot.positions.clone(), slot.rates.clone()]);
+    let mut marks = [false; N];
+    for places in angles.chain(kinematics.orientations().flatten()) {
+        marks
+            .get_mut(places)
+            .into_iter()
+            .flatten()
+            .for_each(|mark| *mark = true);
+    }
+    marks
 }
 
 /// Rate of each constraint where all coordinates rest: nonzero only for driven constraints.
@@ -137,12 +142,8 @@ pub(super) fn rates_at_rest<T: Float, const N: usize>(
     {
         return [T::default(); MAX_CONSTRAINTS];
     }
-    let (mut at_rest, dof) = (*x, system.dof());
-    at_rest
-        .iter_mut()
-        .take(2 * dof)
-        .skip(dof)
-        .for_each(|rate| *rate = T::default());
+    let mut at_rest = *x;
+    Kinematics::of(system).rates().for_each(|k| at_rest[k] = T::default());
     system.measures(t, &at_rest).map(|[_, rate]| rate)
 }
 

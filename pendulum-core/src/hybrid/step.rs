@@ -5,6 +5,7 @@ use core::cell::Cell;
 use nalgebra::SVector;
 
 use super::held::forces;
+use super::kinematics::Kinematics;
 use super::mode::{Mode, Status};
 use super::polynomial::{Course, course, stays_positive};
 use super::resolution::{SHORTEST_MODE, SIMULTANEOUS};
@@ -51,8 +52,7 @@ pub(super) struct StepInMode<'a, T, const N: usize> {
     pub(super) mode: &'a Mode,
     pub(super) hold: &'a Hold<T>,
     pub(super) laws: [Law<T>; MAX_CONSTRAINTS],
-    /// Number of degrees of freedom.
-    dof: usize,
+    kinematics: Kinematics<'a>,
     pub(super) dense: &'a Dense<'a, T, N>,
     /// Number of evaluations of the equations of motion.
     pub(super) evaluations: Cell<usize>,
@@ -68,7 +68,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
             mode,
             hold,
             laws: system.laws(),
-            dof: system.dof(),
+            kinematics: Kinematics::of(system),
             dense,
             evaluations: Cell::new(0),
         }
@@ -276,7 +276,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
         self.sign((n, witness)).is_some_and(|sign| {
             let (start, constraint) = (self.value(start, (n, witness)), &self.system.constraints()[n]);
             let start = (start.to_f64(), sign);
-            stays_positive(start, (constraint, witness, self.dof), self.dense.terms())
+            stays_positive(start, (constraint, witness, self.kinematics), self.dense.terms())
         })
     }
 
@@ -286,7 +286,7 @@ impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
             let (start, constraint) = (self.value(start, (n, witness)), &self.system.constraints()[n]);
             course(
                 (start, T::from_f64(sign)),
-                (constraint, witness, self.dof),
+                (constraint, witness, self.kinematics),
                 self.dense.terms(),
                 known,
             )

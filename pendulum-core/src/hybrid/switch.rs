@@ -5,8 +5,9 @@ use nalgebra::SVector;
 #[cfg(feature = "std")]
 use super::in_mode::InMode;
 use super::in_mode::ModeSwitch;
+use super::kinematics::Kinematics;
 use super::mode::{Mode, Status, bits, set_of};
-use super::project::shift;
+use super::project::shift_rates;
 use super::resolution::{AT_LIMIT, CONSISTENT};
 use super::settled::Settled;
 use super::settling::Settling;
@@ -57,9 +58,9 @@ pub(crate) fn start<T: Float, const N: usize>(
     // impulse that changes other rates
     if settled.x == *x && !x.iter().all(Real::is_constant) {
         settled.x = *x;
-        let (response, dof) = (system.response(t, x, &zero), system.dof());
+        let solved = (&system.response(t, x, &zero), settled.hold.solved);
         let rates = measures.map(|[_, rate]| rate);
-        shift(&mut settled.x, 0, (&response, dof), settled.hold.solved, &rates);
+        shift_rates(&mut settled.x, Kinematics::of(system), solved, &rates);
         project(system, &settled.hold, &settled.mode.0, t, &mut settled.x);
     }
     match settled.contradiction() {

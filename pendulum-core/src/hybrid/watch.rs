@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 #[cfg(feature = "std")]
 use super::Law;
+use super::kinematics::Kinematics;
 use super::mode::Mode;
 use super::polynomial::{Course, rate_of, stays_positive};
 use super::resolution::NOISE;
@@ -87,7 +88,7 @@ impl<T: Float, const N: usize> ModeWatch<T, N> {
             let (constraint, sign) = (&constraints[n], mode.0[n].slip());
             witness == Witness::Slip && !constraint.rate.is_empty() && {
                 let start = (sign * rate_of(constraint, x0), sign);
-                stays_positive(start, (constraint, witness, 0), terms)
+                stays_positive(start, (constraint, witness, Kinematics::default()), terms)
             }
         };
         self.is_settled() && self.watched.pairs().all(goes_on)

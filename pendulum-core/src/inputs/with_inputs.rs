@@ -196,6 +196,7 @@ where
 
     forward! { self => self.system;
         dof() -> usize;
+        orientations() -> &[[usize; 2]];
         constraints() -> &[Constraint<'_>];
         laws() -> [Law<T>; MAX_CONSTRAINTS];
         measures(t: T, x: &SVector<T, N>) -> [[T; 2]; MAX_CONSTRAINTS];

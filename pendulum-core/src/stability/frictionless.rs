@@ -3,8 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::hybrid::{
-    self, Hold, HybridJacobian, MAX_CONSTRAINTS, Mode, Status, apart, forces, independent, place_coordinates, project,
-    set_of,
+    self, Hold, HybridJacobian, Kinematics, MAX_CONSTRAINTS, Mode, Status, apart, forces, independent,
+    place_coordinates, project, set_of,
 };
 use crate::layout::StateLayout;
 use crate::system::{Jacobian, System};
@@ -44,8 +44,7 @@ impl<'a, const N: usize> Frictionless<'a, N> {
 
     /// Projects to an exact state of rest: zero rates, exactly on the limits.
     pub(super) fn place(&self, mut x: SVector<f64, N>) -> SVector<f64, N> {
-        let dof = self.system.dof();
-        (dof..2 * dof).for_each(|n| x[n] = 0.0);
+        Kinematics::of(self.system).rates().for_each(|n| x[n] = 0.0);
         project(self.system, &self.hold, &self.mode.0, 0.0, &mut x);
         place_coordinates(self.system, &self.mode.0, 0.0, &mut x);
         x
@@ -112,6 +111,12 @@ impl<const N: usize> System<f64, N> for Frictionless<'_, N> {
 
     fn layout(&self) -> Option<StateLayout<'_>> {
         self.layout
+    }
+
+    fn project(&self, _t: f64, x: &mut SVector<f64, N>) {
+        if let Some(layout) = self.layout {
+            layout.normalise(x);
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use super::StabilityError;
 use super::equilibrium::{ITERATIONS, brake, come_to_rest, require_autonomous, resolution};
 use super::frictionless::Frictionless;
 use crate::error::Reason;
-use crate::hybrid::{Hybrid, InMode, MAX_CONSTRAINTS, Mode, Settled, Status, forces, rate, start};
+use crate::hybrid::{Hybrid, InMode, Kinematics, MAX_CONSTRAINTS, Mode, Settled, Status, forces, rate, start};
 use crate::method::require;
 use crate::system::{IntoState, Jacobian};
 
@@ -45,8 +45,7 @@ where
         rule,
     })?;
     let mut x = seed.into_state();
-    let dof = hybrid.dof();
-    (dof..2 * dof).for_each(|n| x[n] = 0.0);
+    Kinematics::of(hybrid).rates().for_each(|n| x[n] = 0.0);
     if let Some(resting) = Resting::at(system, x)? {
         return Ok(resting);
     }
@@ -111,8 +110,10 @@ impl<const N: usize> Resting<N> {
         S: Jacobian<f64, N> + ?Sized,
     {
         let rule = "it must be the index of a coordinate in the state, where coordinates come before rates";
-        let dof = system.hybrid().map_or(N / 2, |hybrid| hybrid.dof());
-        require(coordinate < dof, "coordinate", coordinate as f64, rule)?;
+        let is_coordinate = system
+            .hybrid()
+            .is_some_and(|hybrid| Kinematics::of(hybrid).is_coordinate(coordinate));
+        require(is_coordinate, "coordinate", coordinate as f64, rule)?;
         let rule = "the search distance must be finite and positive";
         require(reach.is_finite() && reach > 0.0, "reach", reach, rule)?;
         let mut ends = [f64::NEG_INFINITY, f64::INFINITY];

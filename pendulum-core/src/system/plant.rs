@@ -27,11 +27,20 @@ pub trait Plant<T: Real, const N: usize> {
     /// Time derivative of the state.
     fn eval(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> SVector<T, N>;
 
-    /// Number of degrees of freedom: of positions, and of the rates that follow them in the state. All other components
-    /// are first-order states. By default there are none.
+    /// Number of degrees of freedom: of the rates, which follow the positions in the state. There are as many
+    /// positions, and one more for each [orientation](Self::orientations). All other components are first-order states.
+    /// By default there are none of these.
     #[inline(always)]
     fn dof(&self) -> usize {
         N / 2
+    }
+
+    /// For each orientation of a model with constraints, in the order of the state: the first component of its unit
+    /// quaternion, and that of its angular velocity `w` along the axes of the body, where `dq/dt = q (0, w) / 2`. By
+    /// default there are none.
+    #[inline(always)]
+    fn orientations(&self) -> &[[usize; 2]] {
+        &[]
     }
 
     /// Constraints of the motion, at most [`MAX_CONSTRAINTS`]; none by default.

@@ -76,6 +76,8 @@ pub struct Tape {
     parameters: Vec<Quantity>,
     inputs: Vec<Quantity>,
     slots: Vec<Slot<'static>>,
+    /// First components of the quaternion and of the angular velocity of each orientation.
+    orientations: Vec<[usize; 2]>,
     states: Vec<StateVariable<'static>>,
     autonomous: bool,
     /// Bodies that close each loop.

@@ -24,6 +24,11 @@ impl<T: Real, const N: usize, const HYBRID: bool> Plant<T, N> for Model<T, N, HY
     }
 
     #[inline]
+    fn orientations(&self) -> &[[usize; 2]] {
+        &self.tape.orientations
+    }
+
+    #[inline]
     fn constraints(&self) -> &[Constraint<'_>] {
         &self.tape.constraints
     }

@@ -9,6 +9,7 @@ use std::str::{FromStr, Lines};
 use super::error::TapeError;
 use super::source::Source;
 use super::{Tape, intern};
+use crate::layout::SlotKind;
 use declared::State;
 use program::lengths;
 
@@ -172,10 +173,13 @@ impl Reader<'_> {
         let series = self.series(&given, length, constraints.len())?;
         let outlines = self.all("outline", Self::outline)?;
         let drawing = self.drawing(&given, &outlines)?;
+        let oriented = slots.iter().filter(|slot| slot.kind == SlotKind::Quaternion);
+        let orientations = oriented.map(|slot| [slot.positions.start, slot.rates.start]);
         Ok(Tape {
             name,
             parameters,
             inputs,
+            orientations: orientations.collect(),
             slots,
             states,
             autonomous,

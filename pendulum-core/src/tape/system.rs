@@ -179,12 +179,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
 
     #[inline]
     fn project(&self, t: T, x: &mut SVector<T, N>) {
-        for places in self.tape.layout().quaternions() {
-            let mut squares = places.clone().map(|place| x[place] * x[place]);
-            let first = squares.next().unwrap_or_default();
-            let norm = squares.fold(first, |sum, square| sum + square).sqrt();
-            places.for_each(|place| x[place] /= norm);
-        }
+        self.tape.layout().normalise(x);
         let Some(routine) = self.place(Role::LoopCorrections) else {
             return;
         };

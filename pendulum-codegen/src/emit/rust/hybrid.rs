@@ -7,7 +7,7 @@ use super::block::Piece;
 use super::lanes::inlined_into_lanes;
 use super::routines::value;
 use super::{Items, count};
-use crate::program::{Constraint, LAW, Role, Routine, Shape};
+use crate::program::{Constraint, LAW, Role, Routine, Shape, SlotKind};
 
 impl Items<'_> {
     /// Implementations of `Plant` and `PlantJacobian`: the motion under given inputs and constraint forces.
@@ -18,22 +18,12 @@ impl Items<'_> {
             .program
             .with_role(Role::Response)
             .and_then(|response| self.modes(response));
-        let layout = &self.program.layout;
-        let dof = count(layout.dof());
-        // the default is half of the state
-        let dof = (!layout.states.is_empty()).then(|| {
-            quote! {
-                #[inline(always)]
-                fn dof(&self) -> usize {
-                    #dof
-                }
-            }
-        });
+        let freedom = self.freedom(modes.is_some());
         let functions = quote! {
             type Given = #given;
             #inline
             #eval
-            #dof
+            #freedom
             #modes
         };
         let plant = self.implement(Some(self.named("Plant")), &functions);
@@ -48,6 +38,38 @@ impl Items<'_> {
             self.implement(Some(self.named("PlantJacobian")), &functions)
         });
         Some(quote!(#plant #jacobian))
+    }
+
+    /// Methods of `Plant` for the number of rates and the places of orientations, unless the defaults fit.
+    fn freedom(&self, has_modes: bool) -> TokenStream {
+        let layout = &self.program.layout;
+        let oriented = layout.slots.iter().filter(|slot| slot.kind == SlotKind::Quaternion);
+        let oriented: Vec<TokenStream> = oriented
+            .filter(|_| has_modes)
+            .map(|slot| {
+                let [quaternion, turn] = [&slot.positions, &slot.rates].map(|places| count(places.start));
+                quote!([#quaternion, #turn])
+            })
+            .collect();
+        let is_half = layout.states.is_empty() && oriented.is_empty();
+        let dof = (!is_half).then(|| {
+            let dof = count(layout.dof());
+            quote! {
+                #[inline(always)]
+                fn dof(&self) -> usize {
+                    #dof
+                }
+            }
+        });
+        let orientations = (!oriented.is_empty()).then(|| {
+            quote! {
+                #[inline(always)]
+                fn orientations(&self) -> &[[usize; 2]] {
+                    &[#(#oriented),*]
+                }
+            }
+        });
+        quote!(#dof #orientations)
     }
 
     /// Implementations of `System` and `Jacobian` for a model with constraints and no inputs: friction follows the sign

@@ -52,15 +52,6 @@ mechanism! {
 }
 
 mechanism! {
-    pub Hybrid {
-        body bob on ground { mass: 1, com: [0, -1, 0], inertia: [1, 1, 1], joint: ball, orientation: o }
-        body arm on bob {
-            mass: 1, com: [0, -1, 0], inertia: [1, 1, 1], joint: revolute(z), coordinate: theta, stop: [-1, 1],
-        }
-    }
-}
-
-mechanism! {
     pub Rod {
         body rod on ground { mass: 1, inertia: [0, 0, 0], joint: ball, orientation: o }
     }

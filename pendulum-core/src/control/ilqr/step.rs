@@ -210,7 +210,11 @@ mod tests {
         }
 
         fn dof(&self) -> usize {
-            4
+            3
+        }
+
+        fn orientations(&self) -> &[[usize; 2]] {
+            &[[0, 4]]
         }
     }
 

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::Stepper;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, ABOUT_THE_END, Ambiguity, Hybrid, Modes, Settled, Witnesses};
+use crate::hybrid::{self, ABOUT_THE_END, Ambiguity, Hybrid, Kinematics, Modes, Settled, Witnesses};
 use crate::method::scheme::Scheme;
 use crate::method::smooth::Steps;
 use crate::real::{Float, ulps};
@@ -258,7 +258,7 @@ where
         (set, differences): (u8, SVector<T, N>),
         x: &SVector<T, N>,
     ) -> Option<Ambiguity<T>> {
-        let dof = self.system.hybrid().map_or(N / 2, |hybrid| hybrid.dof());
+        let kinematics = Kinematics::of(self.system.hybrid()?);
         let matters = |difference: T, x: T| match &self.smooth.steps {
             Steps::Equal(_) => true,
             Steps::Controlled { control, .. } => {
@@ -266,9 +266,9 @@ where
                 difference > T::from_f64(LEAST_AMBIGUITY) * (atol + rtol * x.abs())
             }
         };
-        let rates = || differences.iter().zip(x.iter()).take(2 * dof).skip(dof);
-        let difference = rates().fold(T::default(), |most, (&difference, _)| most.max(difference));
-        let matters = rates().any(|(&difference, &x)| matters(difference, x));
+        let mut rates = kinematics.rates();
+        let difference = rates.clone().fold(T::default(), |most, k| most.max(differences[k]));
+        let matters = rates.any(|k| matters(differences[k], x[k]));
         matters.then_some(Ambiguity { t, difference, set })
     }
 }
