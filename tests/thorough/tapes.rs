@@ -194,7 +194,8 @@ fn padding_changes_no_bit() {
     let longer = |start: [f64; 4]| SVector::<f64, 9>::from_fn(|n, _| start.get(n).copied().unwrap_or(0.0));
     let start = [1.5, 0.4, 0.8, 1.0];
     macro_rules! same {
-        ($($method:expr),*) => {$({
+        // in closures, whose numbers leave the stack
+        ($($method:expr),*) => {$((|| {
             let of_exact = $method.solve(&exact, 0.0, 3.0, start).expect("regular");
             let of_padded = $method.solve(&padded, 0.0, 3.0, longer(start)).expect("regular");
             assert!(!of_exact.impacts().is_empty());
@@ -207,7 +208,7 @@ fn padding_changes_no_bit() {
             let of_exact = $method.ensemble(std::slice::from_ref(&exact), 0.0, 2.0, &starts).expect("regular");
             let of_padded = $method.ensemble(std::slice::from_ref(&padded), 0.0, 2.0, &longer).expect("regular");
             assert_eq!(of_exact, of_padded.into_iter().map(first).collect::<Vec<_>>());
-        })*};
+        })();)*};
     }
     same!(
         Rk4::new(0.01),

@@ -1,11 +1,11 @@
 //! Operations in chains, for lanes: each passes its result on to the next one in vector registers.
 //!
 //! In lanes, a register of a tape is several vectors in memory, and loads and stores of operands take longer than the
-//! operations. Scalars run [rows](super::code::Row) instead, as the choice of the next operation takes longest there.
+//! operations. Scalars run [rows](Row) instead, as the choice of the next operation takes longest there.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::code::{Code, MOST_REGISTERS, Register, Row};
+use super::row::{MOST_REGISTERS, Register, Row};
 use crate::real::Real;
 
 /// Operation in a chain.
@@ -22,6 +22,18 @@ struct Link {
 const NUMBER: usize = 2;
 /// Place of the register of the result in a link.
 const RESULT: usize = 3;
+
+/// Operations in order, on registers that are set before.
+pub(super) struct Operations<'a> {
+    /// Number of registers; all others are below it.
+    pub(super) registers: usize,
+    pub(super) rows: &'a [Row],
+    /// Numbers and their registers.
+    pub(super) numbers: &'a [(Register, f64)],
+    pub(super) results: &'a [Register],
+    /// Registers of numbers, constants and variables.
+    pub(super) given: BTreeSet<Register>,
+}
 
 /// Straight-line code in chains.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -172,7 +184,7 @@ struct Flat<'a> {
 }
 
 impl<'a> Flat<'a> {
-    fn new(code: &'a Code) -> Self {
+    fn new(code: &Operations<'a>) -> Self {
         let mut flat = Self {
             operations: Vec::new(),
             results: Vec::new(),
@@ -180,7 +192,7 @@ impl<'a> Flat<'a> {
             uses: Vec::new(),
         };
         let mut held: Vec<Value> = (0..code.registers).collect();
-        for row in &code.rows {
+        for row in code.rows {
             for (results, operands) in row.registers() {
                 let operands = operands.iter().map(|&operand| held[usize::from(operand)]).collect();
                 let values = flat.split(row.name(), operands, results.len());
@@ -301,7 +313,7 @@ impl<'a> Planned<'a> {
 impl Chain {
     /// Chains of a code, which keep the registers of all values that it reads, but for numbers; `None` if they take too
     /// many registers.
-    pub(super) fn new(code: &Code) -> Option<Self> {
+    pub(super) fn new(code: &Operations<'_>) -> Option<Self> {
         let flat = Flat::new(code);
         let numbers = code.numbers.iter().enumerate();
         let numbers: BTreeMap<Value, usize> = numbers.map(|(k, &(value, _))| (usize::from(value), k)).collect();
@@ -312,7 +324,7 @@ impl Chain {
             .chain(flat.results.clone())
             .collect();
         let is_loaded = |register: &Register| loaded.contains(&usize::from(*register));
-        let mut given = code.given();
+        let mut given = code.given.clone();
         given.retain(|register| is_loaded(register) || !numbers.contains_key(&usize::from(*register)));
         let mut registers = Registers::new(&flat, &given);
         let in_registers = code.numbers.iter().copied();

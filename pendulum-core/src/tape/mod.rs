@@ -53,6 +53,7 @@ mod intern;
 mod model;
 mod plant;
 mod read;
+mod row;
 mod series;
 mod source;
 mod system;

@@ -6,8 +6,8 @@ use super::Reader;
 use crate::constraint::{Constraint, MAX_CONSTRAINTS};
 use crate::layout::{Slot, SlotKind, StateVariable};
 use crate::shapes::{Outline, ShapeKind};
-use crate::tape::code::MOST_REGISTERS;
 use crate::tape::error::TapeError;
+use crate::tape::row::MOST_REGISTERS;
 use crate::tape::{Condition, Quantity, Rule, intern};
 
 /// Coordinates and first-order states.

@@ -2,8 +2,9 @@
 
 use super::Reader;
 use crate::shapes::Outline;
-use crate::tape::code::{Code, MOST_REGISTERS, Register, Row};
+use crate::tape::code::Code;
 use crate::tape::error::TapeError;
+use crate::tape::row::{MOST_REGISTERS, Register, Row};
 use crate::tape::source::Source;
 use crate::tape::{Routine, Series, Shape};
 
