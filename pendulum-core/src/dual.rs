@@ -158,7 +158,7 @@ impl<T: Real, const N: usize> Neg for Dual<T, N> {
 impl<T: Real, const N: usize> Real for Dual<T, N> {
     const LANES: usize = T::LANES;
     const HAS_SLOPES: bool = true;
-    const SUMS_PRODUCTS: bool = N > 0 && T::SUMS_DUAL_PRODUCTS;
+    const SUMS_PRODUCTS: bool = N > 0 && T::RUNS_WIDE;
 
     #[inline(always)]
     fn call<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
@@ -238,7 +238,7 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
 
     #[inline(always)]
     fn sum_products<const M: usize>(left: &[[Self; M]], right: &[[Self; M]], sums: &mut [Self; M]) {
-        T::sum_dual_products(DualSums { left, right, sums });
+        T::run_wide(DualSums { left, right, sums });
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -19,8 +19,7 @@ mod recording;
 use nalgebra::SVector;
 
 #[doc(hidden)]
-pub use self::dual_sums::DualSums;
-pub(crate) use self::dual_sums::InLanes;
+pub(crate) use self::dual_sums::DualSums;
 pub use self::products::{FewProducts, Newest, Products};
 #[cfg(feature = "std")]
 pub use self::recording::Recording;

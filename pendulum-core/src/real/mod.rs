@@ -14,8 +14,6 @@ pub use fused::Fused;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use core::sync::atomic::{Ordering, compiler_fence};
 
-use crate::taylor::DualSums;
-
 /// Number type of generated code: `f64`, `f32`, [`Fused`] or [lanes](lanes::Lanes) of these.
 ///
 /// It has no comparisons, since `a < b` may differ between lanes. `Default` is zero.
@@ -53,9 +51,9 @@ pub trait Real:
     #[doc(hidden)]
     const SUMS_PRODUCTS: bool = false;
 
-    /// True if [`sum_dual_products`](Self::sum_dual_products) computes sums.
+    /// True if [`run_wide`](Self::run_wide) runs kernels.
     #[doc(hidden)]
-    const SUMS_DUAL_PRODUCTS: bool = false;
+    const RUNS_WIDE: bool = false;
 
     /// Converts `v` to the nearest number of the type.
     fn from_f64(v: f64) -> Self;
@@ -114,10 +112,10 @@ pub trait Real:
     #[inline(always)]
     fn sum_products<const M: usize>(_left: &[[Self; M]], _right: &[[Self; M]], _sums: &mut [Self; M]) {}
 
-    /// Computes the sums of products of series of dual numbers of this type.
+    /// Runs a kernel in the widest lanes of the machine, if numbers of this type fill lanes.
     #[doc(hidden)]
     #[inline(always)]
-    fn sum_dual_products<const N: usize, const M: usize>(_sums: DualSums<'_, Self, N, M>) {}
+    fn run_wide<K: lanes::WideKernel<Self>>(_kernel: K) {}
 
     /// The number without its derivatives.
     #[doc(hidden)]

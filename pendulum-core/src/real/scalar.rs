@@ -1,10 +1,10 @@
 //! `Real` and `Float` for the primitive floating-point types.
 
-use core::marker::PhantomData;
-
-use super::lanes::{Isa, Lanes, Pack, Pair, Register, Two32, Two64, Wide32, Wide64, Widest32, Widest64, single_lane};
+use super::lanes::{
+    InLanes, Isa, Lanes, Pack, Pair, Register, Two32, Two64, Wide32, Wide64, WideKernel, Widest32, Widest64,
+    single_lane,
+};
 use super::{Float, Real, sincos};
-use crate::taylor::{DualSums, InLanes};
 
 /// Implements a method by a function.
 macro_rules! forward {
@@ -22,7 +22,7 @@ macro_rules! scalar {
         by libm $tan:ident $exp:ident $ln:ident $tanh:ident $atan2:ident $powf:ident $sqrt:ident
     ) => {
         impl Real for $float {
-            const SUMS_DUAL_PRODUCTS: bool = true;
+            const RUNS_WIDE: bool = true;
 
             #[inline]
             #[allow(
@@ -67,9 +67,8 @@ macro_rules! scalar {
             }
 
             #[inline(always)]
-            fn sum_dual_products<const N: usize, const M: usize>(sums: DualSums<'_, Self, N, M>) {
-                let narrow = PhantomData::<Pack<$narrow>>;
-                Isa::run_wide::<Pack<$widest>, Pack<$wide>, _>(InLanes { sums, narrow });
+            fn run_wide<K: WideKernel<Self>>(kernel: K) {
+                Isa::run_wide::<Pack<$widest>, Pack<$wide>, _>(InLanes::<_, Pack<$narrow>>::new(kernel));
             }
 
             #[inline]

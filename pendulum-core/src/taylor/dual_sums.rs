@@ -2,16 +2,14 @@
 //!
 //! All derivatives of two products are summed before those of the next two, since these sums fill the vector registers.
 
-use core::marker::PhantomData;
-
 use crate::dual::Dual;
-use crate::real::lanes::{Kernel, Lanes};
+use crate::real::lanes::{Lanes, WideKernel};
 
 /// Number of products summed side by side.
 const BLOCK: usize = 2;
 
 /// The interior sums of `M` products of series, from the coefficients of order 1 to those of the order before.
-pub struct DualSums<'a, T, const N: usize, const M: usize> {
+pub(crate) struct DualSums<'a, T, const N: usize, const M: usize> {
     pub(crate) left: &'a [[Dual<T, N>; M]],
     pub(crate) right: &'a [[Dual<T, N>; M]],
     pub(crate) sums: &'a mut [Dual<T, N>; M],
@@ -46,25 +44,21 @@ impl<T: Lanes<Scalar = T>, const N: usize, const M: usize> DualSums<'_, T, N, M>
     }
 }
 
-/// The sums in the lanes of a kernel, and in narrower ones.
-pub(crate) struct InLanes<'a, Narrow: Lanes, const N: usize, const M: usize> {
-    pub(crate) sums: DualSums<'a, Narrow::Scalar, N, M>,
-    pub(crate) narrow: PhantomData<Narrow>,
-}
-
-impl<Narrow: Lanes, const N: usize, const M: usize> Kernel<Narrow::Scalar> for InLanes<'_, Narrow, N, M> {
-    type Output = ();
-
+impl<T, const N: usize, const M: usize> WideKernel<T> for DualSums<'_, T, N, M> {
     #[inline(always)]
-    fn run<V: Lanes<Scalar = Narrow::Scalar>>(self) {
-        let Self { mut sums, .. } = self;
+    fn run<V, Narrow>(mut self)
+    where
+        T: Lanes<Scalar = T>,
+        V: Lanes<Scalar = T>,
+        Narrow: Lanes<Scalar = T>,
+    {
         let mut at = 0;
         while at + BLOCK <= M {
-            sums.block::<V, Narrow, BLOCK>(at);
+            self.block::<V, Narrow, BLOCK>(at);
             at += BLOCK;
         }
         while at < M {
-            sums.block::<V, Narrow, 1>(at);
+            self.block::<V, Narrow, 1>(at);
             at += 1;
         }
     }

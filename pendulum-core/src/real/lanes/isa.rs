@@ -1,6 +1,7 @@
 //! Instruction sets: detection, and dispatch of code to their registers.
 
 use core::fmt;
+use core::marker::PhantomData;
 
 use super::target::{Least32, Least64};
 use super::{Lanes, Pack};
@@ -30,6 +31,48 @@ pub trait Kernel<T> {
     /// Runs the code. It must be `#[inline(always)]`, as must all time-critical functions it calls: a function that is
     /// not inlined is compiled for the baseline target, without newer instructions.
     fn run<V: Lanes<Scalar = T>>(self) -> Self::Output;
+}
+
+/// Code that runs on lanes of `T` of two widths: the narrow ones are for what the others leave.
+///
+/// The trait is public because it bounds a public method.
+pub trait WideKernel<T> {
+    /// Runs the code, as in a [`Kernel`].
+    fn run<V, Narrow>(self)
+    where
+        T: Lanes<Scalar = T>,
+        V: Lanes<Scalar = T>,
+        Narrow: Lanes<Scalar = T>;
+}
+
+/// A kernel with its narrow lanes.
+pub(in crate::real) struct InLanes<K, Narrow> {
+    kernel: K,
+    narrow: PhantomData<Narrow>,
+}
+
+impl<K, Narrow> InLanes<K, Narrow> {
+    #[inline(always)]
+    pub(in crate::real) fn new(kernel: K) -> Self {
+        Self {
+            kernel,
+            narrow: PhantomData,
+        }
+    }
+}
+
+impl<T, K, Narrow> Kernel<T> for InLanes<K, Narrow>
+where
+    T: Lanes<Scalar = T>,
+    K: WideKernel<T>,
+    Narrow: Lanes<Scalar = T>,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Lanes<Scalar = T>>(self) {
+        self.kernel.run::<V, Narrow>();
+    }
 }
 
 /// Code that is compiled apart from its callers: see [`Real::call`](crate::Real::call).

@@ -44,9 +44,10 @@ mod wasm;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 mod x86;
 
+pub(super) use isa::InLanes;
 pub use isa::{Isa, Kernel, LaneElement};
 #[doc(hidden)]
-pub use isa::{Routine, Second};
+pub use isa::{Routine, Second, WideKernel};
 pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};
 pub(crate) use register::{Fuse, Pair, Precision, Register};
 pub(super) use target::{Two32, Two64, Wide32, Wide64, Widest32, Widest64};
