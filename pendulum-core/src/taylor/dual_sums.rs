@@ -35,7 +35,7 @@ impl<T: Lanes<Scalar = T>, const N: usize, const M: usize> DualSums<'_, T, N, M>
                     *slope = part.slopes.lane(lane);
                 }
                 if start == 0 {
-                    sum.value = part.value;
+                    sum.value = part.value.lane(0);
                 }
             }
             start += V::LANES;
@@ -64,10 +64,11 @@ impl<T, const N: usize, const M: usize> WideKernel<T> for DualSums<'_, T, N, M> 
     }
 }
 
-/// Value and some derivatives of a sum.
+/// Value and some derivatives of a sum. The value is in all lanes, as the factors of derivatives are: a scalar of its own
+/// would have to be taken out of these.
 #[derive(Clone, Copy)]
 struct Part<V: Lanes> {
-    value: V::Scalar,
+    value: V,
     slopes: V,
 }
 
@@ -76,8 +77,9 @@ impl<V: Lanes> Part<V> {
     #[inline(always)]
     fn add<const N: usize>(&mut self, left: &Dual<V::Scalar, N>, right: &Dual<V::Scalar, N>, start: usize) {
         let [of_left, of_right] = [left, right].map(|number| V::from_fn(|lane| number.slopes[start + lane]));
-        self.value += left.value * right.value;
-        self.slopes += of_left * V::splat(right.value) + of_right * V::splat(left.value);
+        let [left, right] = [left, right].map(|number| V::splat(number.value));
+        self.value += left * right;
+        self.slopes += of_left * right + of_right * left;
     }
 }
 
@@ -90,7 +92,7 @@ fn sum<V: Lanes, const B: usize, const N: usize, const M: usize>(
     (at, start): (usize, usize),
 ) -> [Part<V>; B] {
     let zero = Part {
-        value: V::Scalar::default(),
+        value: V::default(),
         slopes: V::default(),
     };
     let (mut even, mut odd, mut newest) = ([zero; B], [zero; B], [zero; B]);
