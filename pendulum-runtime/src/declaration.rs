@@ -107,7 +107,7 @@ impl Declaration {
     }
 
     /// Adds words to the list `generate` of the declaration, except those that the mechanism cannot have, such as
-    /// `canonical` with a ball joint.
+    /// `canonical` with a ball joint. A word that no declaration can have is an error of the declaration.
     #[must_use]
     pub fn also<'w>(mut self, words: impl IntoIterator<Item = &'w str>) -> Self {
         self.also.extend(words.into_iter().map(str::to_owned));

@@ -175,7 +175,7 @@ impl<'g> Lower<'g> {
             coordinates: !items.bodies.is_empty(),
             states: !states.is_empty(),
         };
-        tree.generate = self.generate(items, has);
+        tree.generate = self.generate(scene, has);
         tree.points = self.points(&items.points);
         tree.states = self.state_rates(&items.states, states);
         if tree.generate.contains("shapes") {

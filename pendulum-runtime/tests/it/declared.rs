@@ -18,13 +18,16 @@ fn names(model: &Model) -> Vec<&str> {
 
 #[test]
 fn words_are_added_where_the_mechanism_can_have_them() {
-    let declaration = Declaration::new(BALL).also(["energy", "canonical", "rhs", "no_word"]);
+    let declaration = Declaration::new(BALL).also(["energy", "canonical", "rhs"]);
     let model = Model::declared(&declaration, &[]).expect("valid");
     // a ball joint has no canonical equations
     assert_eq!(names(&model), ["rhs", "kinetic", "potential"]);
     assert_eq!(names(&Model::parse(BALL).expect("valid")), ["rhs"]);
     let refused = BALL.replace("[rhs]", "[rhs, canonical]");
     assert!(matches!(Model::parse(&refused), Err(Error::Declaration(_))));
+    let misspelt = Declaration::new(BALL).also(["enrgy"]);
+    let error = Model::declared(&misspelt, &[]).expect_err("no word").to_string();
+    assert!(error.contains("did you mean `energy`?"), "{error}");
 }
 
 #[test]
