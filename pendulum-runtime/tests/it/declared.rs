@@ -66,7 +66,9 @@ fn code_is_that_of_the_macro() {
         declaration.rust().expect("valid"),
         pendulum_codegen::expand(tokens).to_string()
     );
-    assert!(declaration.c().expect("valid").contains("ball_rhs"));
+    let c = declaration.c().expect("valid");
+    assert!(c.header.contains("ball_rhs") && !c.header.contains("#include \"ball.h\""));
+    assert!(c.source.contains("#include \"ball.h\""));
     let error = Declaration::new("pub Ball { gravty: [0, 0, 0] }")
         .rust()
         .expect_err("a wrong word");
