@@ -13,7 +13,7 @@ use crate::urdf::Files;
 use crate::{check, lower, parse, urdf};
 
 /// Request for a declaration: what is generated, in words of its list `generate`. Words that the scene cannot have are
-/// left out.
+/// left out; unknown ones are errors at the name of the scene.
 #[derive(Clone, Copy, Debug)]
 pub enum Wanted<'a> {
     /// The words that the declaration lists, these, and the equations as text.

@@ -6,7 +6,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use pendulum_codegen::program::Program;
-use pendulum_codegen::{Unreadable, Wanted};
+use pendulum_codegen::{Sources, Unreadable, Wanted};
 use proc_macro2::{Span, TokenStream, TokenTree};
 
 use crate::worker;
@@ -107,7 +107,7 @@ impl Declaration {
     }
 
     /// Adds words to the list `generate` of the declaration, except those that the mechanism cannot have, such as
-    /// `canonical` with a ball joint.
+    /// `canonical` with a ball joint. A word that no declaration can have is an error of the declaration.
     #[must_use]
     pub fn also<'w>(mut self, words: impl IntoIterator<Item = &'w str>) -> Self {
         self.also.extend(words.into_iter().map(str::to_owned));
@@ -122,13 +122,12 @@ impl Declaration {
         self
     }
 
-    /// Generated code in C99: the header, then the source.
+    /// Generated code in C99: the texts of `<name>.h` and `<name>.c`.
     ///
     /// # Errors
     /// If the declaration is wrong, as `mechanism!` reports.
-    pub fn c(&self) -> Result<String, DeclarationError> {
-        let sources = pendulum_codegen::c(&self.program()?);
-        Ok(sources.header + &sources.source)
+    pub fn c(&self) -> Result<Sources, DeclarationError> {
+        Ok(pendulum_codegen::c(&self.program()?))
     }
 
     /// Items that `mechanism!` generates, without the words that were [added](Self::also). prettyplease formats them

@@ -4,7 +4,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::SVector;
 use pendulum_core::dense::Dense;
-use pendulum_core::tape::ModelError;
 use pendulum_core::{EnsembleError, Need, ObservedEnsemble, Observer, Reason};
 use rayon::prelude::*;
 
@@ -191,8 +190,11 @@ pub(crate) fn ensemble<const N: usize>(
         None => vec![model.clone()],
         Some(all) => {
             Error::check_length("the list of parameters", all.len(), count * params)?;
-            let own = (0..count).map(|n| model.with_params(&all[n * params..(n + 1) * params]));
-            own.collect::<Result<_, ModelError>>()?
+            let own = (0..count).map(|n| {
+                let with = model.with_params(&all[n * params..(n + 1) * params]);
+                with.map_err(|error| Error::setting(&format!("the parameters of trajectory {n}"), error.to_string()))
+            });
+            own.collect::<Result<_, Error>>()?
         }
     };
     // as many as fill the lanes, but something to do for each thread

@@ -112,6 +112,12 @@ impl Error {
             .ok_or(Self::Length { what, given, needed })
     }
 
+    /// An invalid setting.
+    pub(crate) fn setting(what: &str, rule: impl Into<String>) -> Self {
+        let (what, rule) = (what.to_owned(), rule.into());
+        Self::Setting { what, rule }
+    }
+
     /// The message in one line.
     #[cfg(feature = "full")]
     pub(crate) fn in_one_line(&self) -> String {

@@ -33,9 +33,11 @@ pub struct Fit {
     pub bounds: Vec<(String, [f64; 2])>,
     /// Loss of the residuals.
     pub loss: Loss,
-    /// Length of windows that are joined in the end, in s.
+    /// Length of windows that are joined in the end, in s: for long or chaotic motions that the model follows. Excludes
+    /// [`separate_windows`](Self::separate_windows).
     pub windows: Option<f64>,
-    /// Length of windows with starts of their own, in s.
+    /// Length of windows with starts of their own, in s: for motions with disturbances that the model does not have.
+    /// Excludes [`windows`](Self::windows).
     pub separate_windows: Option<f64>,
     /// Maximum number of steps of the search.
     pub max_iterations: usize,
@@ -159,6 +161,13 @@ pub(crate) fn fit<const N: usize>(
     experiments: &[Experiment],
 ) -> Result<Fitted, Error> {
     check_parameters(model)?;
+    if fit.windows.is_some() && fit.separate_windows.is_some() {
+        let (what, rule) = (
+            "`windows` and `separate_windows`",
+            "only one of them can be set: windows are joined in the end, or stay separate",
+        );
+        return Err(Error::setting(what, rule));
+    }
     let known = model.tape().parameters().iter().map(|parameter| parameter.name);
     let bounded = fit.bounds.iter().map(|(name, _)| name);
     for name in fit.free.iter().flatten().chain(bounded) {

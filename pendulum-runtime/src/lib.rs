@@ -75,6 +75,7 @@ pub use tune::Choice;
 pub use worker::while_waiting;
 
 pub use nalgebra;
+pub use pendulum_codegen::Sources;
 #[cfg(feature = "full")]
 pub use pendulum_core::fit::{Estimate, Loss, Measurement};
 pub use pendulum_core::shapes::{Shape, ShapeKind};

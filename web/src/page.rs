@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pendulum_runtime::{
     Declaration, Error, Event, Function as OwnFunction, Method, Model, Options, Quantity as OwnQuantity, ShapeKind,
-    Stopped,
+    Sources, Stopped,
 };
 
 use crate::crowd::Crowd;
@@ -177,7 +177,10 @@ impl Page {
 
     fn code(&self, language: &str) -> Result<Answer, Error> {
         let text = match language {
-            "c" => self.declaration.c()?,
+            "c" => {
+                let Sources { name, header, source } = self.declaration.c()?;
+                format!("/* {name}.h */\n\n{header}\n/* {name}.c */\n\n{source}")
+            }
             "rust" => formatted(self.declaration.rust()?),
             _ => {
                 let (what, rule) = (

@@ -325,8 +325,10 @@ fn code_is_printed() {
         "{rust}"
     );
     let c = ask(&mut page, &json!({ "do": "code", "language": "c" })).0;
+    let text = c["text"].as_str().expect("a text");
+    let (header, source) = text.split_once("/* double.c */").expect("two files");
     assert!(
-        c["text"].as_str().is_some_and(|text| text.contains("double_rhs")),
+        header.starts_with("/* double.h */") && source.contains("#include \"double.h\""),
         "{c}"
     );
 }

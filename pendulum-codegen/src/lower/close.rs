@@ -51,6 +51,8 @@ impl<'g> Lower<'g> {
         let loops = self.put_in(tree, closed);
         if loops.dependents.iter().any(|dependent| dependent.in_state) {
             self.refuse_in_state(items);
+            // an added word that the scene cannot have is left out
+            tree.generate.remove("canonical");
         }
         loops
     }

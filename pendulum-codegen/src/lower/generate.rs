@@ -2,8 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use proc_macro2::Span;
+
 use super::Lower;
-use crate::ast::Items;
+use crate::ast::{Items, Scene};
 use crate::error::Code;
 use crate::program;
 use crate::words;
@@ -23,15 +25,29 @@ pub(super) struct Has {
 
 impl Lower<'_> {
     /// Routines to generate: those listed, or the default ones if the list is omitted, and those added to it that the
-    /// scene can have; or `rhs` and the added ones only.
-    pub(super) fn generate(&mut self, items: &Items, has: Has) -> BTreeSet<&'static str> {
+    /// scene can have; or `rhs` and the added ones only. Errors in the added ones are at the name of the scene.
+    pub(super) fn generate(&mut self, scene: &Scene, has: Has) -> BTreeSet<&'static str> {
+        let items = &scene.items;
         let mut words = self.listed(items, has);
         if items.only {
             words = ["rhs"].into();
         }
-        let is_added = |word: &&str| items.also.iter().any(|also| also == *word) && hindrance(word, has).is_none();
-        words.extend(program::words().into_iter().filter(is_added));
+        let also = items.also.iter();
+        let known = also.filter_map(|name| self.routine(name, scene.head.name.span()));
+        words.extend(known.filter(|word| hindrance(word, has).is_none()));
         words
+    }
+
+    /// Word of `generate` of this name; reports a name that is none.
+    fn routine(&mut self, name: &str, span: Span) -> Option<&'static str> {
+        let words = program::words();
+        let word = words.iter().copied().find(|word| *word == name);
+        if word.is_none() {
+            let fact = format_args!("`{name}` cannot be generated");
+            let help = words::advice(name, words, words::ROUTINES).help;
+            self.errors.at(Code::UnknownWord, span, fact, help);
+        }
+        word
     }
 
     fn listed(&mut self, items: &Items, has: Has) -> BTreeSet<&'static str> {
@@ -45,14 +61,10 @@ impl Lower<'_> {
             self.errors
                 .at(Code::NotGenerated, word.span(), "nothing is generated", help);
         }
-        let words = program::words();
         let mut outputs = BTreeSet::new();
         for ident in list {
             let name = ident.to_string();
-            let Some(&word) = words.iter().find(|word| **word == name) else {
-                let fact = format_args!("`{name}` cannot be generated");
-                self.errors
-                    .unknown(Code::UnknownWord, ident, fact, words.iter().copied(), words::ROUTINES);
+            let Some(word) = self.routine(&name, ident.span()) else {
                 continue;
             };
             if !outputs.insert(word) {

@@ -39,7 +39,7 @@ use proc_macro2::Span;
 
 use crate::ast::{Items, MOST_BODIES, MOST_MOTIONS, Read, Scene, Vector};
 use crate::error::{Code, Errors, Reported};
-use crate::expr::{Definition, Derivative, Expr, Graph, SymbolKind};
+use crate::expr::{Definition, Derivative, Expr, Graph, Level, SymbolKind};
 use crate::model::{BodyId, Coordinate, Figure, Model, Poses, Rule, Tree, along_motion};
 use crate::screw::Vec3;
 use components::Components;
@@ -175,7 +175,7 @@ impl<'g> Lower<'g> {
             coordinates: !items.bodies.is_empty(),
             states: !states.is_empty(),
         };
-        tree.generate = self.generate(items, has);
+        tree.generate = self.generate(scene, has);
         tree.points = self.points(&items.points);
         tree.states = self.state_rates(&items.states, states);
         if tree.generate.contains("shapes") {
@@ -293,11 +293,17 @@ impl<'g> Lower<'g> {
             return;
         }
         let name = &scene.head.name;
-        let is_driven = scene.items.bodies.iter().any(|body| body.fields.motion.is_some());
-        let (code, fact, help) = if is_driven {
+        let has_motions = scene.items.bodies.iter().any(|body| body.fields.motion.is_some());
+        let is_driven = tree.drives.iter().any(|drive| drive.law[0].level() == Level::State);
+        let (code, fact, help) = if has_motions {
+            let which = if is_driven {
+                "only driven joints move"
+            } else {
+                "nothing moves"
+            };
             (
                 Code::NothingMoves,
-                format!("only driven joints move in `{name}`, so it has no state"),
+                format!("{which} in `{name}`, so it has no state"),
                 "give one joint a coordinate instead of a motion",
             )
         } else if !scene.items.closures.is_empty() {

@@ -9,8 +9,8 @@ use super::scope::Kind;
 use crate::ast::{self, ExprKind, Measured, Operator};
 use crate::error::{Code, Reported};
 use crate::expr::{Binary, Expr, Level, SymbolKind, Unary};
-use crate::units::{self, Dimension, Power};
-use crate::words;
+use crate::units::{self, Dimension, Power, Unit};
+use crate::words::{self, Advice};
 
 const UNARY: [(&str, Unary); 7] = [
     ("sin", Unary::Sin),
@@ -103,9 +103,13 @@ impl<'g> Lower<'g> {
             _ => &["pi"],
         };
         let known = self.names.known(|value| value.level() <= place.most, more);
-        Err(self
-            .errors
-            .unknown(Code::UnknownName, name, fact, known, words::SYMBOLS))
+        let Advice { help, .. } = words::advice(&text, known, words::SYMBOLS);
+        let unit = match self.has_units && Unit::is_name(&text) {
+            true => format!("; as a unit, `{text}` follows a number: `1 {text}` or `x/(1 {text})`"),
+            false => String::new(),
+        };
+        let help = format_args!("{help}{unit}");
+        Err(self.errors.at(Code::UnknownName, name.span(), fact, help))
     }
 
     /// Reports an unknown name that seems to continue the unit of the number before it, as in `2 N*m` and `9.81 m/s2`.

@@ -14,6 +14,7 @@ mod places;
 mod robots;
 mod solids;
 mod units;
+mod wanted;
 
 use crate::ast::{self, ExprKind, Operator};
 use crate::dynamics::Dynamics;

@@ -3,7 +3,7 @@
 use roxmltree::Node;
 
 use super::number::{ZERO, is_in_range, is_number, number};
-use super::read::{ONE, Reader};
+use super::read::{EXPAND, ONE, Reader};
 use crate::error::Code;
 
 impl Reader {
@@ -58,6 +58,7 @@ impl Reader {
         let (what, help) = match read(text.trim()) {
             Some(read) if read == ZERO || is_in_range(text) => return read,
             _ if is_number(text) => ("out of range", "write a number between 1e-300 and 1e300, or 0"),
+            _ if is_unexpanded(text) => ("an expression of xacro", EXPAND),
             _ => ("not a number", "write a decimal number such as 0.25 or 1e-3"),
         };
         self.wrong(
@@ -82,9 +83,18 @@ impl Reader {
         let Ok(parts) = <[&str; 3]>::try_from(parts) else {
             let element = node.tag_name().name();
             let fact = format!("`{attribute}` in `{element}` of {owner} is `{text}`, not three numbers");
-            self.wrong(Code::FileNumber, fact, "write three numbers separated by spaces");
+            let help = match is_unexpanded(text) {
+                true => EXPAND,
+                false => "write three numbers separated by spaces",
+            };
+            self.wrong(Code::FileNumber, fact, help);
             return None;
         };
         Some(parts.map(|part| self.parsed(part, attribute, owner, read)))
     }
+}
+
+/// True if a text contains an expression of xacro.
+fn is_unexpanded(text: &str) -> bool {
+    text.contains("${")
 }

@@ -68,6 +68,11 @@ const AMONG_OTHERS: [(&str, &[&str]); 2] = [
 
 const ROBOT: &str = "a URDF file is `<robot name=\"..\"> .. </robot>`";
 
+const XACRO: &str = "this is a xacro file, not a URDF file";
+
+/// Help for a file that is yet to be expanded.
+pub(super) const EXPAND: &str = "expand it first: `xacro robot.urdf.xacro > robot.urdf`";
+
 /// Default multiplier, also used for unreadable numbers, since it causes no further errors.
 pub(super) const ONE: &str = "1.0";
 
@@ -93,6 +98,7 @@ pub(super) fn read(text: &str, strict: bool) -> (Robot, Vec<Wrong>) {
             "unclosed element at the end of the file".to_owned(),
             "end it with `</robot>`",
         ),
+        Err(Error::UnknownNamespace(prefix, _)) if prefix == "xacro" => (XACRO.to_owned(), EXPAND),
         Err(error) => (format!("invalid XML: {error}"), "correct it at this line and column"),
     };
     reader.wrong(Code::NotUrdf, fact, help);
@@ -126,11 +132,7 @@ impl Reader {
     fn robot(&mut self, root: Node<'_, '_>) {
         let is_xacro = |node: &Node<'_, '_>| node.tag_name().namespace().is_some_and(|space| space.contains("xacro"));
         if root.descendants().any(|node| is_xacro(&node)) {
-            return self.wrong(
-                Code::NotUrdf,
-                "this is a xacro file, not a URDF file",
-                "expand it first: `xacro robot.urdf.xacro > robot.urdf`",
-            );
+            return self.wrong(Code::NotUrdf, XACRO, EXPAND);
         }
         if !root.has_tag_name("robot") {
             let fact = format!("the root element is `{}`, not `robot`", root.tag_name().name());

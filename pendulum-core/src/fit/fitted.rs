@@ -240,11 +240,13 @@ impl<const N: usize, const P: usize> fmt::Display for Fitted<N, P> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names = self.estimates.iter().map(|estimate| estimate.name.chars().count());
         let width = names.max().unwrap_or(0).max("parameter".len());
-        writeln!(
-            f,
-            "{:width$}  {:>12}  {:>9}  interval of 95 %",
-            "parameter", "estimate", "deviation"
-        )?;
+        if !self.estimates.is_empty() {
+            writeln!(
+                f,
+                "{:width$}  {:>12}  {:>9}  interval of 95 %",
+                "parameter", "estimate", "deviation"
+            )?;
+        }
         for estimate in &self.estimates {
             let [value, low, high] = [estimate.value, estimate.interval[0], estimate.interval[1]]
                 .map(|number| rounded(number, estimate.deviation));

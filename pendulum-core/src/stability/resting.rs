@@ -30,8 +30,8 @@ pub struct Resting<const N: usize> {
 ///
 /// # Errors
 /// [`StabilityError::TimeDependent`] if the right-hand side may depend on time according to the layout.
-/// [`StabilityError::Integration`] if the seed is beyond a limit, or if the system is not hybrid or has no
-/// [`HybridJacobian`](crate::hybrid::HybridJacobian). [`StabilityError::NoConvergence`] if no state of rest is found.
+/// [`StabilityError::Integration`] if the seed is not finite or beyond a limit, or if the system is not hybrid or has
+/// no [`HybridJacobian`](crate::hybrid::HybridJacobian). [`StabilityError::NoConvergence`] if no state of rest is found.
 pub fn resting<S, const N: usize>(system: &S, seed: impl IntoState<f64, N>) -> Result<Resting<N>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,
@@ -46,6 +46,9 @@ where
     })?;
     let mut x = seed.into_state();
     Kinematics::of(hybrid).rates().for_each(|n| x[n] = 0.0);
+    if let Some(&value) = x.iter().find(|x| !x.is_finite()) {
+        require(false, "seed", value, "its components must be finite")?;
+    }
     if let Some(resting) = Resting::at(system, x)? {
         return Ok(resting);
     }

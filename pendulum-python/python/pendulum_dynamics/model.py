@@ -709,7 +709,8 @@ class Model:
             ``"squares"``, or ``("huber", threshold)``, ``("soft_l1", threshold)``, ``("cauchy", threshold)`` against
             outliers, with the threshold in standard deviations of the noise.
         windows, separate_windows
-            Splits the motion into windows of this length in s, joined in the end (multiple shooting) or not.
+            Splits the motion into windows of this length in s: ``windows`` are joined in the end (multiple shooting),
+            for long or chaotic motions; ``separate_windows`` are not, for motions with disturbances. Either or neither.
         method
             ``Vern9``, or ``Rodas5P`` for stiff systems.
         """

@@ -300,8 +300,9 @@ class Simpler:
         Changes of the declaration, one or two.
     declaration
         The simpler declaration. The values of the model's parameters are its defaults; inputs stay inputs. A parameter
-        that fixes a joint is where the joint is at the first start. A linear model has states such as ``theta_rate``
-        and outputs such as ``end_x``, and neither inputs, dry friction, stops nor walls.
+        that fixes a joint is where the joint is at the first start. A linear model has states such as ``theta_rate``,
+        outputs such as ``end_x`` and the inputs that act to first order, about the values of the model's; it has
+        neither dry friction, stops nor walls.
     predicted
         Errors by output that are predicted before the model runs, to first order in the change; infinite if they could
         not be computed.

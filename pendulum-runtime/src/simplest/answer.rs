@@ -10,8 +10,8 @@ pub struct Simpler {
     pub changes: Vec<String>,
     /// The simpler declaration. Values of parameters in the question are its defaults; inputs stay inputs. The default
     /// of a parameter that fixes a joint is where the joint is at the first start; motions from other starts have other
-    /// values. A linear model has states such as `theta_rate` and outputs such as `end_x`, and neither inputs, dry
-    /// friction, stops nor walls.
+    /// values. A linear model has states such as `theta_rate`, outputs such as `end_x` and the inputs that act to first
+    /// order, about their values in the question; it has neither dry friction, stops nor walls.
     pub declaration: String,
     /// Errors that are predicted before the model runs, to first order in the change, in the order of
     /// [`Answer::outputs`]: the largest at 200 times, relative to the largest size of the output. Infinite if they

@@ -232,7 +232,7 @@ impl<'q> Origin<'q> {
     /// Models that are linear about the equilibria of another one, or why there are none.
     fn linear(&self, of: &Candidate) -> Result<Vec<Candidate>, String> {
         let starts: Vec<Vec<f64>> = self.question.starts.iter().map(|start| of.part_of(start)).collect();
-        // inputs may depend on time, and parameters do not
+        // for an equilibrium: inputs may depend on time, and parameters do not
         let as_parameter = |input: &Part| {
             let value = self.question.inputs.iter().find(|(name, _)| name == input.name());
             let value = value.map_or(0.0, |(_, value)| *value);
@@ -250,13 +250,13 @@ impl<'q> Origin<'q> {
         for x in linear::equilibria(&model, &starts)? {
             let is_declared = |n: &&usize| !self.is_added(model.outputs()[**n]);
             let declared: Vec<usize> = of.compared.iter().filter(is_declared).copied().collect();
-            let measured = linear::declaration(&model, &x, &of.compared).map_err(|error| error.in_one_line())?;
+            let measured = linear::declaration(&of.model, &x, &of.compared).map_err(|error| error.in_one_line())?;
             let outline = Outline::new(measured)?;
-            let own = Model::declared(&Declaration::new(&outline.text).also(["jacobian"]), &[]);
+            let own = self.question.model(Declaration::new(&outline.text), Some(&outline));
             let about = format!("linear about {}", linear::name(&model, &x));
             all.push(Candidate {
                 changes: std::iter::once(about).chain(of.changes.iter().cloned()).collect(),
-                text: linear::declaration(&model, &x, &declared).map_err(|error| error.in_one_line())?,
+                text: linear::declaration(&of.model, &x, &declared).map_err(|error| error.in_one_line())?,
                 measured: outline,
                 compared: (0..of.compared.len()).collect(),
                 part: of.part.clone(),

@@ -31,6 +31,19 @@ fn equilibria_hang_and_stand() {
 }
 
 #[test]
+fn a_search_for_rest_needs_a_finite_seed() {
+    let held = DAMPED.replace("friction: gamma", "friction: gamma, stop: [-1, 2]");
+    let model = Model::parse(&held).expect("valid");
+    let error = model.resting(&[f64::NAN, 0.0]).expect_err("no number").to_string();
+    assert!(
+        error.contains("`seed` is NaN: its components must be finite"),
+        "{error}"
+    );
+    // rates are ignored
+    assert!(model.resting(&[0.0, f64::NAN]).is_ok());
+}
+
+#[test]
 fn exponents_are_those_of_the_linearisation() {
     let model = Model::parse(DAMPED).expect("valid");
     let settings = Lyapunov {
@@ -171,6 +184,20 @@ fn a_fit_finds_the_parameters_of_a_motion() {
         known: None,
     };
     let guess = Model::parse(DAMPED).expect("valid");
+    let both = Fit {
+        windows: Some(1.0),
+        separate_windows: Some(1.0),
+        ..Fit::new(method())
+    };
+    let error = guess.fit(&both, std::slice::from_ref(&experiment));
+    let error = error.expect_err("they exclude each other").to_string();
+    assert!(error.contains("only one of them can be set"), "{error}");
+    let nothing = Fit {
+        free: Some(Vec::new()),
+        ..Fit::new(method())
+    };
+    let fitted = truth.fit(&nothing, std::slice::from_ref(&experiment)).expect("a start");
+    assert!(fitted.summary.starts_with("residuals of `theta`"), "{}", fitted.summary);
     let fitted = guess.fit(&Fit::new(method()), &[experiment]).expect("valid");
     assert!(fitted.converged, "{}", fitted.summary);
     assert!(

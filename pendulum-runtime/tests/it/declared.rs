@@ -18,13 +18,16 @@ fn names(model: &Model) -> Vec<&str> {
 
 #[test]
 fn words_are_added_where_the_mechanism_can_have_them() {
-    let declaration = Declaration::new(BALL).also(["energy", "canonical", "rhs", "no_word"]);
+    let declaration = Declaration::new(BALL).also(["energy", "canonical", "rhs"]);
     let model = Model::declared(&declaration, &[]).expect("valid");
     // a ball joint has no canonical equations
     assert_eq!(names(&model), ["rhs", "kinetic", "potential"]);
     assert_eq!(names(&Model::parse(BALL).expect("valid")), ["rhs"]);
     let refused = BALL.replace("[rhs]", "[rhs, canonical]");
     assert!(matches!(Model::parse(&refused), Err(Error::Declaration(_))));
+    let misspelt = Declaration::new(BALL).also(["enrgy"]);
+    let error = Model::declared(&misspelt, &[]).expect_err("no word").to_string();
+    assert!(error.contains("did you mean `energy`?"), "{error}");
 }
 
 #[test]
@@ -63,7 +66,9 @@ fn code_is_that_of_the_macro() {
         declaration.rust().expect("valid"),
         pendulum_codegen::expand(tokens).to_string()
     );
-    assert!(declaration.c().expect("valid").contains("ball_rhs"));
+    let c = declaration.c().expect("valid");
+    assert!(c.header.contains("ball_rhs") && !c.header.contains("#include \"ball.h\""));
+    assert!(c.source.contains("#include \"ball.h\""));
     let error = Declaration::new("pub Ball { gravty: [0, 0, 0] }")
         .rust()
         .expect_err("a wrong word");

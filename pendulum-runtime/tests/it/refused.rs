@@ -126,6 +126,15 @@ fn lists_settings_and_numbers_are_checked() {
         cancel: None,
     };
     says(model.ensemble(&method, [0.0, 1.0], &members), "5 entries");
+    let members = Members {
+        starts: &[0.1; 6],
+        parameters: Some(&[0.5, 1.0, 0.5, -1.0, 0.5, 1.0]),
+        ..members
+    };
+    says(
+        model.ensemble(&method, [0.0, 1.0], &members),
+        "the parameters of trajectory 1: parameter `mass` is -1: the mass of `bob` must be positive",
+    );
     let without = TEXT.replace(" = 0.5", "");
     says(Model::parse(&without), "give values of `length`");
     assert!(Model::parse_with(&without, &[("length", 0.5)]).is_ok());

@@ -110,6 +110,46 @@ fn the_linear_pendulum_lags_by_a_sixteenth_of_the_square() {
 }
 
 #[test]
+fn linear_models_keep_inputs() {
+    let text = "pub Arm {
+        gravity: [0, -9.81, 0],
+        input th_rate: N m, input v: N m,
+        body a on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: th, torque: th_rate + v*th }
+    }";
+    let (x, u) = (0.5_f64, 9.81 * 0.5_f64.sin());
+    let question = Question {
+        starts: vec![vec![x + 0.01, 0.0]],
+        horizon: 1.0,
+        inputs: vec![("th_rate".to_owned(), u)],
+        ..Question::default()
+    };
+    let answer = simplest(&Declaration::new(text), &question).expect("valid");
+    let linear = of(&answer, &["linear about th = 0.5"]);
+    assert!(linear.largest() < 1e-2, "{answer}");
+    let model = Model::parse(&linear.declaration).expect("valid");
+    let inputs: Vec<&str> = model.inputs().iter().map(|own| own.name.as_str()).collect();
+    assert_eq!(inputs, ["th_rate", "v"]);
+    let full = Model::parse(text).expect("valid");
+    let rate = |model: &Model, th: f64, inputs: [f64; 2]| {
+        let model = model.with_inputs(&[("th_rate", inputs[0]), ("v", inputs[1])]);
+        model.expect("known").rhs(0.0, &[th, 0.0]).expect("two components")[1]
+    };
+    for (th, inputs) in [(x, [u, 0.0]), (x + 1e-4, [u, 0.0]), (x, [u + 2.0, 0.0]), (x, [u, 3.0])] {
+        let [own, full] = [&model, &full].map(|model| rate(model, th, inputs));
+        assert!((own - full).abs() < 1e-7, "{th} {inputs:?}: {own} is not {full}");
+    }
+    // at the equilibrium `th = 0` the second one acts to second order
+    let hanging = Question {
+        starts: vec![vec![0.01, 0.0]],
+        inputs: Vec::new(),
+        ..question
+    };
+    let answer = simplest(&Declaration::new(text), &hanging).expect("valid");
+    let linear = of(&answer, &["linear about th = 0"]);
+    assert!(!linear.declaration.contains("input v"), "{}", linear.declaration);
+}
+
+#[test]
 fn dry_friction_is_left_out_where_it_does_little() {
     let text = "pub Slider {
         params { mu: N = 0.002, k: N/m = 1 }

@@ -26,8 +26,8 @@ pub(crate) enum Extent {
 /// Equations of motion of a scene: `A qdd + b = Q`.
 ///
 /// `{}` prints them in the shortest form found, with the names of the declaration; `{:#}` prints every `let` and every
-/// torque in full. The language of declarations parses both, line by line; a line that starts with spaces continues the
-/// one before.
+/// torque in full. Numbers are those of SI units; only torques that the short form prints as written name theirs. The
+/// language of declarations parses both, line by line; a line that starts with spaces continues the one before.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Equations {
     /// Names of the coordinates.

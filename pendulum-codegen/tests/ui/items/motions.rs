@@ -21,6 +21,12 @@ mechanism! {
     }
 }
 mechanism! {
+    pub Held {
+        params { theta: rad = 0.3 }
+        body arm on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: theta }
+    }
+}
+mechanism! {
     pub Still {
         generate: [rhs, drive_forces],
         body arm on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta }

@@ -10,3 +10,9 @@ mechanism! {
         output power: l*i^2/tau,
     }
 }
+mechanism! {
+    pub Filter {
+        state x { unit: 1, rate: -x/s }
+        output y: x*m,
+    }
+}
