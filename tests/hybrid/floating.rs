@@ -1,12 +1,11 @@
 //! Dry friction and walls in scenes with ball and free joints.
 
 use nalgebra::{Quaternion, SVector, UnitQuaternion, Vector3};
-use pendulum_core::ensemble::Ensemble;
-use pendulum_core::method::Method;
+use pendulum_core::hybrid::Impact;
 use pendulum_core::prelude::*;
 use pendulum_core::sensitivity::{self, Variable};
 use pendulum_core::stability::{resting, transition};
-use pendulum_core::{Cast, Solution};
+use pendulum_core::{Cast, Parametric, Plant};
 use testbed::dual::Dual;
 use testbed::random::Random;
 
@@ -26,13 +25,26 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same pendulum on a ball joint.
+    /// That pendulum on a ball joint.
     pub Spatial {
+        params { push: N = 0 }
         gravity: [0, -9.81, 0],
         generate: [rhs, jacobian, energy, taylor],
         point tip on bob at [0, -1, 0],
         wall side { gap: 0.4 - tip.x, restitution: 0.6 }
-        body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, dry_friction: 3 }
+        body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, dry_friction: 3, torque: push }
+        body bob on cart { mass: 1, com: [0, -0.6, 0], inertia: [0.1, 0.05, 0.08], joint: ball, orientation: o }
+    }
+}
+
+mechanism! {
+    /// The push as an input.
+    pub Pushed {
+        gravity: [0, -9.81, 0],
+        input push: N,
+        point tip on bob at [0, -1, 0],
+        wall side { gap: 0.4 - tip.x, restitution: 0.6 }
+        body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, dry_friction: 3, torque: push }
         body bob on cart { mass: 1, com: [0, -0.6, 0], inertia: [0.1, 0.05, 0.08], joint: ball, orientation: o }
     }
 }
@@ -66,7 +78,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A satellite with an arm whose hinge is dry.
+    /// A satellite with an arm whose hinge is dry and has stops.
     pub Satellite {
         params { mu: N m = 0.5 }
         generate: [rhs, jacobian, energy, momentum, taylor],
@@ -76,6 +88,7 @@ mechanism! {
         body arm on hull {
             mass: 1, com: [0, 0.5, 0], inertia: [0.09, 0.01, 0.09],
             joint: revolute(x) at [0.2, 0.3, 0], coordinate: a, dry_friction: mu, static_friction: 1.2*mu,
+            stop: [-1, 1] restitution(0.5),
         }
     }
 }
@@ -86,7 +99,7 @@ fn method() -> Vern9 {
 }
 
 fn spatial() -> Spatial {
-    Spatial::new(SpatialParams {}).expect("physical")
+    Spatial::new(SpatialParams::default()).expect("physical")
 }
 
 fn die(e: f64, [n1, n2, n3]: [f64; 3]) -> Die {
@@ -142,6 +155,37 @@ fn a_ball_joint_in_a_plane_is_a_hinge() {
     let ours = [x[0], angle, x[Spatial::DOT_S], x[Spatial::DOT_O + 2]];
     assert!((SVector::from(ours) - known).amax() < 1e-9, "{ours:?} {known}");
     assert!(off_unit_length(&solution, Spatial::O) < 1e-15);
+}
+
+/// A start of the pendulum out of any plane.
+fn swinging() -> [f64; 9] {
+    let (sin, cos) = (-0.45_f64).sin_cos();
+    [0.0, cos * 0.96, cos * 0.28, 0.0, sin, 1.5, 0.1, 0.2, 0.5]
+}
+
+#[test]
+fn methods_and_laws_give_the_same_motion() {
+    fn near<S: System<f64, 9>>(system: &S, method: &impl Method<S, f64, 9>, known: &SVector<f64, 9>, what: &str) {
+        let end = method.solve(system, 0.0, 2.0, swinging()).expect(what).end();
+        let error = (end - known).amax();
+        assert!(error < 1e-7, "{what}: {error:e}");
+    }
+    let model = spatial();
+    let solution = method().solve(&model, 0.0, 2.0, swinging()).expect("regular");
+    assert!(!solution.impacts().is_empty() && solution.modes().iter().any(|(_, mode)| mode.is_held(0)));
+    let known = solution.end();
+    near(&model, &Tsit5::new().rtol(1e-11).atol(1e-11), &known, "Tsit5");
+    near(&model, &Rodas5P::new().rtol(1e-11).atol(1e-11), &known, "Rodas5P");
+    near(&model, &Radau5::new().rtol(1e-11).atol(1e-11), &known, "Radau5");
+    near(&model, &Taylor::new().rtol(1e-11).atol(1e-11), &known, "Taylor");
+    // pressed against the wall
+    let pressed = Spatial::new(SpatialParams { push: 8.0 }).expect("physical");
+    let solution = method().solve(&pressed, 0.0, 2.0, swinging()).expect("regular");
+    assert!(solution.modes().iter().any(|(_, mode)| mode.is_held(1)));
+    let pushed = Pushed::new(PushedParams {}).expect("physical");
+    let closed = pushed.with_inputs(|_t, _x| PushedInputs { push: 8.0 });
+    near(&closed, &method(), &solution.end(), "a law");
+    assert_eq!(Plant::<f64, 9>::orientations(&closed), [[Spatial::O, Spatial::DOT_O]]);
 }
 
 /// Die whose lowest face is `above` the table, with this orientation, velocity and rates.
@@ -289,8 +333,10 @@ fn a_satellite_with_a_dry_hinge_keeps_its_momentum() {
         let angular = orientation(x, Satellite::O) * turning + vector(x, Satellite::P_X).cross(&linear);
         (linear, angular)
     };
-    let start = spinning([0.4, 0.3, -0.2], 2.0);
+    let start = spinning([0.4, 0.3, -0.2], 4.0);
     let solution = method().solve(&model, 0.0, 5.0, start).expect("regular");
+    let at_stop = |impact: &Impact<f64, 15>| impact.after[Satellite::A] == 1.0;
+    assert!(!solution.impacts().is_empty() && solution.impacts().iter().all(at_stop));
     let (linear, angular) = momentum(&start);
     for (t, x) in solution.points() {
         let (now, about) = momentum(x);
@@ -328,7 +374,7 @@ fn lanes_have_the_bits_of_trajectories_alone() {
             .map(|_| {
                 let mut number = |size: f64| random.between(-size, size);
                 let rates = [(); 3].map(|()| number(1.0));
-                (satellite(0.5 + number(0.3)), spinning(rates, number(2.0)))
+                (satellite(0.5 + number(0.3)), spinning(rates, number(4.0)))
             })
             .unzip();
         let ends = method.ensemble(&models, 0.0, 3.0, &starts).expect("regular");
@@ -344,26 +390,27 @@ fn lanes_have_the_bits_of_trajectories_alone() {
 /// Tangents and sensitivities through impacts and the ends of slips, against neighbouring motions.
 #[test]
 fn derivatives_are_those_of_neighbours() {
-    let (sin, cos) = (-0.45_f64).sin_cos();
-    let start = [0.0, cos * 0.96, cos * 0.28, 0.0, sin, 1.5, 0.1, 0.2, 0.5];
-    let impacts = check_neighbours(&spatial(), start, Spatial::O, 1.6);
-    assert!(impacts > 0);
-    let model = die(0.5, [0.0, 0.0, 1.0]);
+    let solution = check_neighbours(&spatial(), swinging(), Spatial::O, 1.6);
+    assert!(!solution.impacts().is_empty());
     let start = thrown(
         0.3,
         UnitQuaternion::from_euler_angles(0.4, 0.3, -0.8),
         [1.0, 0.4, 0.0],
         [3.0, -5.0, 2.0],
     );
-    let impacts = check_neighbours(&model, start.into(), Die::O, 0.35);
-    assert!(impacts > 0);
+    let solution = check_neighbours(&die(0.5, [0.0, 0.0, 1.0]), start.into(), Die::O, 0.35);
+    assert!(!solution.impacts().is_empty());
+    // without a rebound, the die turns on about its corner
+    let solution = check_neighbours(&die(0.0, [0.0, 0.0, 1.0]), start.into(), Die::O, 0.27);
+    let (_, last) = *solution.modes().last().expect("a mode");
+    assert!(!solution.impacts().is_empty() && (0..8).any(|n| last.is_held(n)));
 }
 
 /// Checks the derivatives by all initial values, in directions in which the quaternion keeps its length. Returns the
-/// number of impacts.
-fn check_neighbours<S, const N: usize, const P: usize>(model: &S, start: [f64; N], o: usize, t: f64) -> usize
+/// motion.
+fn check_neighbours<S, const N: usize, const P: usize>(model: &S, start: [f64; N], o: usize, t: f64) -> Solution<f64, N>
 where
-    S: Jacobian<f64, N> + pendulum_core::Parametric<N, P> + Cast<N>,
+    S: Jacobian<f64, N> + Parametric<N, P> + Cast<N>,
 {
     let start = SVector::from(start);
     let end = |x: SVector<f64, N>| method().solve(model, 0.0, t, x).expect("regular").end();
@@ -390,7 +437,7 @@ where
             assert!(error < 1e-6, "{what}: {error:e} in {component}");
         }
     }
-    method().solve(model, 0.0, t, start).expect("regular").impacts().len()
+    method().solve(model, 0.0, t, start).expect("regular")
 }
 
 /// Friction of the cart holds it where the pendulum hangs.
