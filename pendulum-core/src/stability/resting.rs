@@ -31,7 +31,8 @@ pub struct Resting<const N: usize> {
 /// # Errors
 /// [`StabilityError::TimeDependent`] if the right-hand side may depend on time according to the layout.
 /// [`StabilityError::Integration`] if the seed is not finite or beyond a limit, or if the system is not hybrid or has
-/// no [`HybridJacobian`](crate::hybrid::HybridJacobian). [`StabilityError::NoConvergence`] if no state of rest is found.
+/// no [`HybridJacobian`](crate::hybrid::HybridJacobian). [`StabilityError::NoConvergence`] if no state of rest is
+/// found.
 pub fn resting<S, const N: usize>(system: &S, seed: impl IntoState<f64, N>) -> Result<Resting<N>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,

@@ -64,8 +64,8 @@ impl<T, const N: usize, const M: usize> WideKernel<T> for DualSums<'_, T, N, M> 
     }
 }
 
-/// Value and some derivatives of a sum. The value is in all lanes, as the factors of derivatives are: a scalar of its own
-/// would have to be taken out of these.
+/// Value and some derivatives of a sum. The value is in all lanes, as the factors of derivatives are: a scalar of its
+/// own would have to be taken out of these.
 #[derive(Clone, Copy)]
 struct Part<V: Lanes> {
     value: V,
