@@ -66,7 +66,7 @@ pub(crate) fn sin_cos<R: Register>(x: R) -> (R, R) {
     if x.any_beyond(R::Scalar::LIMIT) {
         return one_by_one(x);
     }
-    x.sin_cos_near()
+    near(x)
 }
 
 /// Sines and cosines of two angles in a register of at least two lanes, bit-identical to separate calls.
@@ -78,7 +78,7 @@ pub(crate) fn sin_cos_pair<R: Register>(angles: [R::Scalar; 2]) -> [(R::Scalar, 
 
 /// Sine and cosine of angles up to the limit of the kernel.
 #[inline(always)]
-pub(super) fn near<R: Register>(x: R) -> (R, R) {
+fn near<R: Register>(x: R) -> (R, R) {
     let shift = R::splat(R::Scalar::SHIFT);
     let shifted = x.mul_add(constant::<R>(core::f64::consts::FRAC_2_PI), shift);
     let n = shifted - shift;

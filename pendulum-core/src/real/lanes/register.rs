@@ -3,7 +3,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::Routine;
-use crate::real::{Float, Real, sincos};
+use crate::real::{Float, Real};
 
 /// One or more numbers on which operations act at once.
 ///
@@ -24,8 +24,6 @@ pub trait Register:
     type Scalar: Precision;
     /// Number of lanes.
     const LANES: usize;
-    /// Number of vector registers of the machine.
-    const REGISTERS: usize = 1;
 
     /// Sets all lanes to the same number.
     fn splat(v: Self::Scalar) -> Self;
@@ -68,12 +66,6 @@ pub trait Register:
             routine.run(changed, read)
         }
         alone(routine, changed, read)
-    }
-    /// Sine and cosine of angles up to the limit of the kernel, of at most two registers at a time: those of more, and
-    /// the numbers that they take, would not fit into registers.
-    #[inline(always)]
-    fn sin_cos_near(self) -> (Self, Self) {
-        sincos::near(self)
     }
     /// Square root.
     fn sqrt(self) -> Self;
@@ -153,7 +145,6 @@ macro_rules! one_lane {
         impl Register for $float {
             type Scalar = Self;
             const LANES: usize = 1;
-            const REGISTERS: usize = 0;
 
             #[inline(always)]
             fn splat(v: Self) -> Self {
@@ -284,16 +275,6 @@ macro_rules! both {
 impl<R: Register> Register for Pair<R> {
     type Scalar = R::Scalar;
     const LANES: usize = 2 * R::LANES;
-    const REGISTERS: usize = 2 * R::REGISTERS;
-
-    #[inline(always)]
-    fn sin_cos_near(self) -> (Self, Self) {
-        if const { Self::REGISTERS > 2 } {
-            let [(sin, cos), (other_sin, other_cos)] = [self.0.sin_cos_near(), self.1.sin_cos_near()];
-            return (Self(sin, other_sin), Self(cos, other_cos));
-        }
-        sincos::near(self)
-    }
 
     #[inline(always)]
     fn call<A: ?Sized, B: ?Sized, C: Routine<A, B>>(routine: C, changed: &mut A, read: &B) -> C::Output {
