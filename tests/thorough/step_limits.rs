@@ -95,7 +95,10 @@ fn a_power_series_takes_what_its_orders_take() {
         let start = of_order(1);
         for order in [2, 3, 4, 5, 24] {
             let (counted, most) = (of_order(order), start.and(cost["taylor"].series(order, N)));
-            assert_eq!(row(counted), row(most), "{order}");
+            let mut expected = row(most);
+            // the reciprocal of each order is one of f64, whose operations are not counted here
+            expected[2] -= order - 1;
+            assert_eq!(row(counted), expected, "{order}");
         }
     }
     let model = DoublePendulum::new(DoublePendulumParams::default()).expect("physical");
