@@ -54,7 +54,7 @@
 //! every method work in this mode, [iterative LQR](control::Ilqr), and [sampled controllers](control::Sampled);
 //! trajectories and lists do not. The feature adds [`Method::solve`], [`solution`], [`event`], [`ensemble`],
 //! [`sensitivity`], the design of linear [`control`], [`stability`], [`accuracy`], [`shapes`], and the detection of
-//! instruction sets at run time.
+//! instruction sets at run time. The default feature `macros` re-exports [`mechanism!`].
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(

@@ -18,7 +18,6 @@ mod recording;
 
 use nalgebra::SVector;
 
-#[doc(hidden)]
 pub(crate) use self::dual_sums::DualSums;
 pub use self::products::{FewProducts, Newest, Products};
 #[cfg(feature = "std")]

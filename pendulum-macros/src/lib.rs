@@ -5,7 +5,7 @@ use proc_macro::TokenStream;
 
 /// Expands the declaration of a mechanism into its flat equations of motion.
 ///
-/// The grammar, the generated items and the theory are documented in `pendulum_core`, which re-exports this macro.
+/// The grammar, the generated items and the theory are documented in `pendulum_core`, which re-exports it by default.
 #[proc_macro]
 pub fn mechanism(input: TokenStream) -> TokenStream {
     pendulum_codegen::expand(input.into()).into()

@@ -122,7 +122,7 @@ impl<'e> Event<'e> {
     }
 }
 
-/// A declared event of a model, or a function of its own name.
+/// The event of this name among those that the model declares.
 fn declared<'m, T: Real, const N: usize>(model: &'m Padded<T, N>, name: &str) -> Result<CoreEvent<'m, T, N>, Error> {
     let routines = model.tape().routines().iter().map(|routine| routine.name());
     let routine = Error::index_of("event", name, routines)?;

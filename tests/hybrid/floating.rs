@@ -1,4 +1,4 @@
-//! Dry friction and walls in scenes with ball and free joints.
+//! Dry friction, stops and walls in scenes with ball and free joints.
 
 use nalgebra::{Quaternion, SVector, UnitQuaternion, Vector3};
 use pendulum_core::hybrid::Impact;
@@ -360,10 +360,7 @@ fn a_satellite_with_a_dry_hinge_keeps_its_momentum() {
         .solve(&model, 0.0, 1.0, spinning([0.4, 0.3, 4.0], 0.0))
         .expect("regular");
     let modes = fast.modes();
-    assert!(
-        modes[0].1.is_held(0) || modes.iter().any(|(_, mode)| !mode.is_held(0)),
-        "{modes:?}"
-    );
+    assert!(modes.iter().any(|(_, mode)| !mode.is_held(0)), "{modes:?}");
 }
 
 #[test]

@@ -96,7 +96,7 @@ fn a_power_series_takes_what_its_orders_take() {
         for order in [2, 3, 4, 5, 24] {
             let (counted, most) = (of_order(order), start.and(cost["taylor"].series(order, N)));
             let mut expected = row(most);
-            // the reciprocal of each order is one of f64, whose operations are not counted here
+            // the reciprocal of each order is taken in f64, where operations are not counted
             expected[2] -= order - 1;
             assert_eq!(row(counted), expected, "{order}");
         }

@@ -195,7 +195,8 @@ fn padding_changes_no_bit() {
     let start = [1.5, 0.4, 0.8, 1.0];
     macro_rules! same {
         // in closures, whose numbers leave the stack
-        ($($method:expr),*) => {$((|| {
+        ($($method:expr),*) => {$({
+            let check = || {
             let of_exact = $method.solve(&exact, 0.0, 3.0, start).expect("regular");
             let of_padded = $method.solve(&padded, 0.0, 3.0, longer(start)).expect("regular");
             assert!(!of_exact.impacts().is_empty());
@@ -208,7 +209,9 @@ fn padding_changes_no_bit() {
             let of_exact = $method.ensemble(std::slice::from_ref(&exact), 0.0, 2.0, &starts).expect("regular");
             let of_padded = $method.ensemble(std::slice::from_ref(&padded), 0.0, 2.0, &longer).expect("regular");
             assert_eq!(of_exact, of_padded.into_iter().map(first).collect::<Vec<_>>());
-        })();)*};
+            };
+            check();
+        })*};
     }
     same!(
         Rk4::new(0.01),

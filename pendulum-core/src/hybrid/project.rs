@@ -81,11 +81,14 @@ pub(crate) fn place_inside<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, 
     // the second pass removes the quadratic error of the first
     for _ in 0..2 {
         let measures = system.measures(t, x);
-        let beyond = core::array::from_fn(|n| match measures[n][0] {
+        let beyond: [Status; MAX_CONSTRAINTS] = core::array::from_fn(|n| match measures[n][0] {
             value if laws[n].low.is_some_and(|low| value < low) => Status::Low,
             value if laws[n].high.is_some_and(|high| value > high) => Status::High,
             _ => Status::Free,
         });
+        if !beyond.iter().any(|status| status.touches()) {
+            return;
+        }
         place_coordinates(system, &beyond, t, x);
         let gaps = (0..constraints.len()).filter(|&n| beyond[n].touches() && constraints[n].rate.is_empty());
         let response = system.response(t, x, &[T::default(); MAX_CONSTRAINTS]);

@@ -112,7 +112,7 @@ pub trait Real:
     #[inline(always)]
     fn sum_products<const M: usize>(_left: &[[Self; M]], _right: &[[Self; M]], _sums: &mut [Self; M]) {}
 
-    /// Runs a kernel in the widest lanes of the machine, if numbers of this type fill lanes.
+    /// Runs a kernel in registers of up to 256 bits, if numbers of this type fill lanes.
     #[doc(hidden)]
     #[inline(always)]
     fn run_wide<K: lanes::WideKernel<Self>>(_kernel: K) {}

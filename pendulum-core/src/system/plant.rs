@@ -27,7 +27,7 @@ pub trait Plant<T: Real, const N: usize> {
     /// Time derivative of the state.
     fn eval(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> SVector<T, N>;
 
-    /// Number of degrees of freedom: of the rates, which follow the positions in the state. There are as many
+    /// Number of degrees of freedom, and of rates, which follow the positions in the state. There are as many
     /// positions, and one more for each [orientation](Self::orientations). All other components are first-order states.
     /// By default there are none of these.
     #[inline(always)]

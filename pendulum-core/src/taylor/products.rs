@@ -41,7 +41,7 @@ impl<T: Real, const M: usize> Products<T, M> {
     }
 
     /// Computes the interior sums of order `k`, `sum_(j = 1 .. k - 1) left_j right_(k - j)`, of each product. For
-    /// scalars, terms with coefficients of order `k - 1` are missing: [`Newest::add`] adds them.
+    /// `f64` and `f32`, terms with coefficients of order `k - 1` are missing: [`Newest::add`] adds them.
     ///
     /// # Panics
     /// If `k` is not below [`MAX_ORDER`].
@@ -111,8 +111,9 @@ fn block<T: Real, const M: usize, const B: usize>(left: &[[T; M]], right: &[[T; 
 
 /// The newest coefficients of [`Products`], by value.
 ///
-/// Coefficients stored one by one cannot be loaded as vectors right away. For scalars, the terms with the newest
-/// coefficients are therefore summed last, from these values, and the loop over all other terms need not wait for them.
+/// Coefficients stored one by one cannot be loaded as vectors right away. For `f64` and `f32`, the terms with the
+/// newest coefficients are therefore summed last, from these values, and the loop over all other terms need not wait
+/// for them.
 #[derive(Clone, Copy, Debug)]
 pub struct Newest<T, const M: usize> {
     /// Left and right coefficients of order 1. The right ones are set from order 3 on, since the sum of order 2 has one

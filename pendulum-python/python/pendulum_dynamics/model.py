@@ -710,7 +710,7 @@ class Model:
             outliers, with the threshold in standard deviations of the noise.
         windows, separate_windows
             Splits the motion into windows of this length in s: ``windows`` are joined in the end (multiple shooting),
-            for long or chaotic motions; ``separate_windows`` are not, for motions with disturbances. Either or neither.
+            for long or chaotic motions; ``separate_windows`` are not, for motions with disturbances. One at most.
         method
             ``Vern9``, or ``Rodas5P`` for stiff systems.
         """
