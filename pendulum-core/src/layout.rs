@@ -5,8 +5,10 @@ mod names;
 
 use core::ops::Range;
 
+#[cfg(feature = "std")]
 use nalgebra::SVector;
 
+#[cfg(feature = "std")]
 use crate::real::Real;
 
 #[cfg(feature = "std")]
@@ -100,6 +102,7 @@ impl<'a> StateLayout<'a> {
     }
 
     /// Scales the quaternions of a state to unit length.
+    #[cfg(feature = "std")]
     pub(crate) fn normalise<T: Real, const N: usize>(self, x: &mut SVector<T, N>) {
         for places in self.quaternions() {
             let mut squares = places.clone().map(|place| x[place] * x[place]);
