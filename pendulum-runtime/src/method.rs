@@ -195,10 +195,7 @@ impl Method {
     /// Checks that the settings are those of the method.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let name = self.name();
-        let error = |what: &str, rule: String| {
-            let what = what.to_owned();
-            Err(Error::Setting { what, rule })
-        };
+        let error = |what: &str, rule: String| Err(Error::setting(what, rule));
         if self.is_fixed() && self.h.is_none() {
             return error("h", format!("`{name}` takes fixed steps: give their length in s"));
         }

@@ -127,11 +127,7 @@ impl Model {
             let names = self.about.inputs.iter().map(|own| own.name.as_str());
             inputs[Error::index_of("input", name, names)?] = value;
             if !value.is_finite() {
-                let rule = format!("an input must be finite, not {value}");
-                return Err(Error::Setting {
-                    what: name.to_owned(),
-                    rule,
-                });
+                return Err(Error::setting(name, format!("an input must be finite, not {value}")));
             }
         }
         self.changed(self.values(), &inputs)

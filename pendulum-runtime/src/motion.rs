@@ -90,10 +90,8 @@ impl Motion {
     /// # Errors
     /// If the time lies outside of the motion, or if only the states at given times were kept.
     pub fn at(&self, t: f64) -> Result<Vec<f64>, Error> {
-        let only = || Error::Setting {
-            what: "times".to_owned(),
-            rule: "only the states at these times were kept; solve without them for states at any time".to_owned(),
-        };
+        let rule = "only the states at these times were kept; solve without them for states at any time";
+        let only = || Error::setting("times", rule);
         self.between.as_ref().ok_or_else(only)?.at(t, self.length)
     }
 

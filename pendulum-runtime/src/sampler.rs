@@ -8,11 +8,7 @@ use crate::error::Error;
 /// Checks that times are finite and ascend, or descend if the integration is backward, within the span.
 pub(crate) fn check_times(times: &[f64], [t0, t1]: [f64; 2]) -> Result<(), Error> {
     let direction = if t1 < t0 { -1.0 } else { 1.0 };
-    let wrong = |rule: &str| {
-        let what = "times".to_owned();
-        let rule = rule.to_owned();
-        Err(Error::Setting { what, rule })
-    };
+    let wrong = |rule: &str| Err(Error::setting("times", rule));
     if times.iter().any(|t| !t.is_finite()) {
         return wrong("they must be finite");
     }

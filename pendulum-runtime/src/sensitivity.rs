@@ -59,14 +59,10 @@ impl Method {
         match self.kind {
             Kind::Vern9 => Ok(task.by(self.set(Vern9::new()))),
             Kind::Rodas5P => Ok(task.by(self.set(Rodas5P::new()))),
-            _ => Err(Error::Setting {
-                what: "method".to_owned(),
-                rule: format!(
-                    "derivatives of trajectories are computed by `Vern9` or, for stiff systems, by `Rodas5P`, not by \
-                     `{}`",
-                    self.name()
-                ),
-            }),
+            _ => {
+                let rule = "derivatives of trajectories are computed by `Vern9` or, for stiff systems, by `Rodas5P`";
+                Err(Error::setting("method", format!("{rule}, not by `{}`", self.name())))
+            }
         }
     }
 }
@@ -136,10 +132,7 @@ pub(crate) fn sensitivity<const N: usize>(
 ) -> Result<Sensitivity, Error> {
     check_parameters(model)?;
     let length = x0.len();
-    let wrong = |what: &str, rule: &str| {
-        let (what, rule) = (what.to_owned(), rule.to_owned());
-        Err(Error::Setting { what, rule })
-    };
+    let wrong = |what: &str, rule: &str| Err(Error::setting(what, rule));
     let (first, last) = match times {
         [first, .., last] if first != last => (first, last),
         _ => return wrong("times", "give the start and at least one other time"),

@@ -84,11 +84,8 @@ pub(crate) fn equilibria<const N: usize>(
 
 pub(crate) fn resting<const N: usize>(model: &Padded<f64, N>, seed: &[f64]) -> Result<Resting, Error> {
     if model.tape().constraints().is_empty() {
-        return Err(Error::Setting {
-            what: "resting".to_owned(),
-            rule: "only a mechanism with dry friction, stops or walls can be held at rest by them; use `equilibria`"
-                .to_owned(),
-        });
+        let rule = "only a mechanism with dry friction, stops or walls can be held at rest by them; use `equilibria`";
+        return Err(Error::setting("resting", rule));
     }
     let found = stability::resting::<_, N>(model, padded::<N>(seed))?;
     Ok(Resting {
@@ -123,10 +120,8 @@ pub(crate) fn lyapunov<const N: usize>(
         3 => of::<3, N>(&method, model, x0, cancel)?,
         4 => of::<4, N>(&method, model, x0, cancel)?,
         count => {
-            return Err(Error::Setting {
-                what: "count".to_owned(),
-                rule: format!("1 to 4 exponents can be computed, not {count}"),
-            });
+            let rule = format!("1 to 4 exponents can be computed, not {count}");
+            return Err(Error::setting("count", rule));
         }
     };
     Ok(Exponents { values, uncertainty })

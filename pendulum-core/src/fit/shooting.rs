@@ -11,7 +11,6 @@ use crate::dense::Dense;
 use crate::dual::Dual;
 use crate::error::{ParameterError, Reason};
 use crate::hybrid::place_inside;
-use crate::layout::StateLayout;
 use crate::method::Method;
 use crate::real::Real;
 use crate::solution::{Need, Observer};
@@ -221,13 +220,6 @@ where
 /// State with these components, and zero in those that are padding.
 pub(super) fn padded<const N: usize>(x: &[f64]) -> SVector<f64, N> {
     SVector::from_fn(|n, _| x.get(n).copied().unwrap_or_default())
-}
-
-/// Component of the position whose rate is the component `rate`, if it is a single one.
-pub(super) fn position_of(layout: Option<StateLayout<'_>>, rate: usize) -> Option<usize> {
-    let mut slots = layout?.slots.iter();
-    let slot = slots.find(|slot| slot.rates == (rate..rate + 1) && slot.positions.len() == 1)?;
-    Some(slot.positions.start)
 }
 
 /// Evaluates the measured outputs at the times of the samples.

@@ -4,9 +4,10 @@ use std::ops::ControlFlow;
 
 use super::parallel;
 use super::search::{Point, Search};
-use super::shooting::{Shot, Source, Trajectories, position_of};
+use super::shooting::{Shot, Source, Trajectories};
 use super::windows::Window;
 use super::{Division, FitError, guess};
+use crate::layout::StateLayout;
 use crate::system::{Parametric, System};
 
 /// Number of samples that give a first guess of a start, for each component of the state.
@@ -123,6 +124,13 @@ where
         }
         measured.iter().all(|&measured| measured)
     }
+}
+
+/// Component of the position whose rate is the component `rate`, if it is a single one.
+fn position_of(layout: Option<StateLayout<'_>>, rate: usize) -> Option<usize> {
+    let mut slots = layout?.slots.iter();
+    let slot = slots.find(|slot| slot.rates == (rate..rate + 1) && slot.positions.len() == 1)?;
+    Some(slot.positions.start)
 }
 
 impl Search<'_> {

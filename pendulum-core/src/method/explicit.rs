@@ -408,7 +408,7 @@ fn inner_stages<B, S, T, const STAGES: usize, const N: usize>(
         );
     }
     let h = t_new - t;
-    let active = system.active();
+    let active = system.active().min(N);
     if const { is_wide::<T, N>() } {
         x_new.data.0[0][active..].copy_from_slice(&x.data.0[0][active..]);
     }

@@ -167,7 +167,7 @@ pub(crate) fn shift_by_component<T: Real, const STAGES: usize, const N: usize>(
     stages: &[SVector<T, N>; STAGES],
     (to, active): (&mut SVector<T, N>, usize),
 ) {
-    for n in 0..active.min(N) {
+    for n in 0..active {
         to.data.0[0][n] = x.data.0[0][n] + component::<false, _, _, _>(n, h, weights, count, stages);
     }
 }

@@ -19,8 +19,7 @@ impl Model {
     pub fn equilibria(&self, seeds: &[Vec<f64>]) -> Result<(Vec<Equilibrium>, Vec<String>), Error> {
         seeds.iter().try_for_each(|seed| self.check_state(seed))?;
         if !seeds.iter().flatten().all(|x| x.is_finite()) {
-            let (what, rule) = ("seed".to_owned(), "its components must be finite".to_owned());
-            return Err(Error::Setting { what, rule });
+            return Err(Error::setting("seed", "its components must be finite"));
         }
         self.needs("the search for equilibria", "jacobian", "jacobian")?;
         self.run(|| self.engine.equilibria(seeds))
@@ -59,9 +58,8 @@ impl Model {
         self.needs("the computation of exponents", "jacobian", "jacobian")?;
         if settings.count > self.components().len() {
             let (count, length) = (settings.count, self.components().len());
-            let what = "count".to_owned();
             let rule = format!("there are {count}, and a state of this length has at most {length} exponents");
-            return Err(Error::Setting { what, rule });
+            return Err(Error::setting("count", rule));
         }
         self.run(|| self.engine.lyapunov(x0, settings, cancel))
     }

@@ -53,10 +53,7 @@ impl<'q> Origin<'q> {
         plain: &Model,
         names: &[String],
     ) -> Result<Self, Error> {
-        let own = |reason| Error::Setting {
-            what: "the declaration".to_owned(),
-            rule: reason,
-        };
+        let own = |reason: String| Error::setting("the declaration", reason);
         let written = Self::written(declaration, question).map_err(own)?;
         let output = |(n, name): (usize, &String)| match plain.outputs().contains(&name.as_str()) {
             true => name.clone(),

@@ -52,10 +52,9 @@ impl Full {
             is_stiff: false,
         };
         for start in &question.starts {
-            let motion = full.solve(model, start, cancel).map_err(|stopped| Error::Setting {
-                what: "the motion of the full model by `Auto`".to_owned(),
-                rule: stopped.to_string(),
-            })?;
+            let motion = full
+                .solve(model, start, cancel)
+                .map_err(|stopped| Error::setting("the motion of the full model by `Auto`", stopped.to_string()))?;
             full.cost.add(model, &motion, question.starts.len());
             full.is_stiff |= motion.statistics().jacobians > 0;
             let samples = Samples::new(model, &motion, compared)?;

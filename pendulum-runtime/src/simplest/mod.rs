@@ -170,10 +170,7 @@ pub fn simplest_unless(
 
 impl Question {
     fn check(&self) -> Result<(), Error> {
-        let wrong = |what: &str, rule: String| {
-            let what = what.to_owned();
-            Err(Error::Setting { what, rule })
-        };
+        let wrong = |what: &str, rule: String| Err(Error::setting(what, rule));
         if self.starts.is_empty() {
             return wrong(
                 "starts",

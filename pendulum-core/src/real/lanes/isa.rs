@@ -23,6 +23,20 @@ macro_rules! has {
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 pub(super) use has;
 
+/// Code of builds that check for AVX2 when they run: optimised ones, for a target without it.
+macro_rules! where_checked {
+    ($($code:tt)*) => {
+        #[cfg(all(
+            target_arch = "x86_64",
+            target_feature = "sse2",
+            feature = "std",
+            not(debug_assertions),
+            not(all(target_feature = "avx2", target_feature = "fma"))
+        ))]
+        $($code)*
+    };
+}
+
 /// Code that runs on any number of lanes of `T`.
 pub trait Kernel<T> {
     /// Result type.
@@ -162,16 +176,11 @@ impl Isa {
         Self::available().next().unwrap_or(Self(Set::Portable))
     }
 
-    /// True if AVX2 and fused operations are available.
-    #[cfg(all(
-        target_arch = "x86_64",
-        target_feature = "sse2",
-        feature = "std",
-        not(debug_assertions),
-        not(all(target_feature = "avx2", target_feature = "fma"))
-    ))]
-    pub(super) fn has_avx2() -> bool {
-        Self::available().any(|isa| isa.0 == Set::Avx2)
+    where_checked! {
+        /// True if AVX2 and fused operations are available.
+        pub(super) fn has_avx2() -> bool {
+            Self::available().any(|isa| isa.0 == Set::Avx2)
+        }
     }
 
     /// Runs a routine with AVX2 if the machine has it: the same operations, in instructions with a separate
@@ -187,15 +196,10 @@ impl Isa {
         fn baseline<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
             routine.run(changed, read)
         }
-        #[cfg(all(
-            target_arch = "x86_64",
-            target_feature = "sse2",
-            feature = "std",
-            not(debug_assertions),
-            not(all(target_feature = "avx2", target_feature = "fma"))
-        ))]
-        if let Some(avx2) = super::x86::Avx2::available() {
-            return avx2.run(routine, changed, read);
+        where_checked! {
+            if let Some(avx2) = super::x86::Avx2::available() {
+                return avx2.run(routine, changed, read);
+            }
         }
         baseline(routine, changed, read)
     }
@@ -208,15 +212,10 @@ impl Isa {
         fn baseline<V: Lanes, K: Kernel<V::Scalar>>(kernel: K) -> K::Output {
             kernel.run::<V>()
         }
-        #[cfg(all(
-            target_arch = "x86_64",
-            target_feature = "sse2",
-            feature = "std",
-            not(debug_assertions),
-            not(all(target_feature = "avx2", target_feature = "fma"))
-        ))]
-        if super::x86::Avx2::available().is_some() {
-            return super::x86::avx2::<K, In>(kernel);
+        where_checked! {
+            if super::x86::Avx2::available().is_some() {
+                return super::x86::avx2::<K, In>(kernel);
+            }
         }
         baseline::<Out, K>(kernel)
     }
