@@ -112,24 +112,59 @@ impl<T: Float> Tolerance<T> {
     where
         S: System<T, N> + ?Sized,
     {
-        let size = |v| self.mean_square(v, [x0, x0], system.active()).sqrt();
-        let [d0, d1] = [x0, f0].map(|v| size(v).to_f64());
-        let trial = if d0 < 1e-5 || d1 < 1e-5 { 1e-6 } else { 0.01 * d0 / d1 };
-        let trial = T::from_f64(trial).min(h_max);
-        let signed = trial * direction;
+        let trial = self.trial((x0, f0), system.active(), h_max);
+        let signed = trial.length * direction;
         let f1 = system.rhs(t0 + signed, &(x0 + f0 * signed));
-        let d2 = (size(&(f1 - f0)) / trial).to_f64();
-        let trial = trial.to_f64();
-        let steepest = d1.max(d2);
-        let h = if !d2.is_finite() {
-            trial * 1e-3
+        self.first_after(trial, (x0, f0, &f1), system.active(), (order, h_max))
+    }
+
+    /// Chooses the trial step of [`first_step`](Self::first_step), from the initial state and its derivative.
+    pub(crate) fn trial<const N: usize>(
+        &self,
+        (x0, f0): (&SVector<T, N>, &SVector<T, N>),
+        active: usize,
+        h_max: T,
+    ) -> Trial<T> {
+        let [size, rate] = [x0, f0].map(|v| self.mean_square(v, [x0, x0], active).sqrt().to_f64());
+        let length = if size < 1e-5 || rate < 1e-5 {
+            1e-6
+        } else {
+            0.01 * size / rate
+        };
+        Trial {
+            length: T::from_f64(length).min(h_max),
+            rate,
+        }
+    }
+
+    /// Chooses the [first step](Self::first_step) by the derivative `f1` after the trial step.
+    pub(crate) fn first_after<const N: usize>(
+        &self,
+        trial: Trial<T>,
+        (x0, f0, f1): (&SVector<T, N>, &SVector<T, N>, &SVector<T, N>),
+        active: usize,
+        (order, h_max): (usize, T),
+    ) -> T {
+        let change = self.mean_square(&(f1 - f0), [x0, x0], active).sqrt();
+        let (curvature, length) = ((change / trial.length).to_f64(), trial.length.to_f64());
+        let steepest = trial.rate.max(curvature);
+        let h = if !curvature.is_finite() {
+            length * 1e-3
         } else if steepest <= 1e-15 {
-            (trial * 1e-3).max(1e-6)
+            (length * 1e-3).max(1e-6)
         } else {
             libm::pow(0.01 / steepest, 1.0 / (order as f64 + 1.0))
         };
-        T::from_f64(h.min(100.0 * trial)).min(h_max)
+        T::from_f64(h.min(100.0 * length)).min(h_max)
     }
+}
+
+/// Trial step from an initial point.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Trial<T> {
+    pub(crate) length: T,
+    /// Size of the derivative at the point, in units of the tolerance.
+    rate: f64,
 }
 
 /// A kind of method that estimates the error of each step, so that it can keep a tolerance; also a tableau of one.

@@ -408,6 +408,31 @@ fn assert_burst<A: Ensemble<Burst, f64, 1> + Method<Burst, f64, 1>>(method: A) {
 }
 
 #[test]
+fn trajectories_that_stop_at_once_make_way_for_the_others() {
+    let models: Vec<Burst> = (0..90)
+        .map(|n| Burst(if n < 80 { f64::NAN } else { 0.01 * f64::from(n) }))
+        .collect();
+    let starts = vec![SVector::from([0.3]); models.len()];
+    let method = Rk45::new();
+    for isa in Isa::available() {
+        let error = method.ensemble_on(isa, &models, 0.0, 2.0, &starts);
+        let EnsembleError::Stopped { stopped, x } = error.expect_err("no number") else {
+            panic!("valid input");
+        };
+        let mut indices: Vec<usize> = stopped.iter().map(|stopped| stopped.index).collect();
+        indices.sort_unstable();
+        assert_eq!(indices, (0..80).collect::<Vec<_>>(), "{isa:?}");
+        for index in 80..90 {
+            let end = method
+                .solve(&models[index], 0.0, 2.0, starts[index])
+                .expect("regular")
+                .end();
+            assert_eq!(x[index], end, "{isa:?}: {index}");
+        }
+    }
+}
+
+#[test]
 fn steps_are_counted_for_each_trajectory() {
     let model = DoublePendulum::new(DoublePendulumParams::default()).expect("physical");
     let starts: Vec<_> = (0..40)

@@ -51,7 +51,21 @@ pub(crate) fn in_lane<V: Lanes, const N: usize>(vector: &SVector<V, N>, lane: us
 
 /// Replaces the state of a lane.
 pub(crate) fn set_lane<V: Lanes, const N: usize>(x: &mut SVector<V, N>, lane: usize, state: &SVector<V::Scalar, N>) {
-    for (x, state) in x.iter_mut().zip(state.iter()) {
-        *x = V::from_fn(|other| if other == lane { *state } else { x.lane(other) });
+    set_lanes(x, |other| if other == lane { Some(state) } else { None });
+}
+
+/// Replaces the states of those lanes for which there is one.
+#[inline(always)]
+pub(super) fn set_lanes<'x, V: Lanes, const N: usize>(
+    x: &mut SVector<V, N>,
+    states: impl Fn(usize) -> Option<&'x SVector<V::Scalar, N>>,
+) where
+    V::Scalar: 'x,
+{
+    for (k, x) in x.data.0[0].iter_mut().enumerate() {
+        *x = V::from_fn(|lane| match states(lane) {
+            Some(state) => state[k],
+            None => x.lane(lane),
+        });
     }
 }

@@ -7,6 +7,7 @@ use super::hybrid::AtModes;
 use super::leave::Leave;
 use super::march::{March, Paced, Pacing};
 use super::members::Members;
+use super::ready::{Enter, Entrance, Ready};
 use super::watch::Watch;
 use super::{Expanded, InLanes, model_of};
 use crate::dense::Step;
@@ -106,13 +107,30 @@ where
         let mut steps = start;
         let mut leave = L::none();
         let mut members = Members::none();
+        let mut ready = Ready::none();
         // in place, since states in lanes are large: from `x0` to `x1`
         let mut step = Step::at_rest(V::default(), SVector::from_element(V::default()));
         let work = &mut Statistics::default();
         let mut within = Vec::new();
         loop {
             if members.some_are_free(V::LANES) {
-                let someone_enters = leave.enter(&mut self, &mut members, &mut step.x0, (&mut steps, &start));
+                let mut begins = true;
+                let someone_enters = match (&start, scheme.slope_at_start()) {
+                    (Pacing::Controlled(control), Some(slope)) if const { !L::ASKS } => {
+                        begins = false;
+                        let mut entrance = Entrance {
+                            march: &mut self,
+                            ready: &mut ready,
+                            members: &mut members,
+                            x: step.x0,
+                            slope: *slope,
+                        };
+                        let someone_enters = V::call(Enter, &mut entrance, control);
+                        (step.x0, *slope) = (entrance.x, entrance.slope);
+                        someone_enters
+                    }
+                    _ => leave.enter(&mut self, &mut members, &mut step.x0, (&mut steps, &start)),
+                };
                 if members.busy(V::LANES).next().is_none() {
                     return Ok(());
                 }
@@ -121,7 +139,9 @@ where
                         system =
                             Expanded::<M, V, N>::gather(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
                     }
-                    self.begin_all(&system, (&mut leave, &mut scheme), &mut members, (&steps, &step.x0));
+                    if begins {
+                        self.begin_all(&system, (&mut leave, &mut scheme), &mut members, (&steps, &step.x0));
+                    }
                 }
             }
             let mode = InMode::new(&system, leave.hold());

@@ -11,6 +11,7 @@ mod march;
 mod members;
 mod observe;
 mod on_grid;
+mod ready;
 mod together;
 mod turnover;
 mod watch;

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::check::in_lane;
+use super::check::{in_lane, set_lanes};
 use super::leave::Leave;
 use super::march::{March, Paced, Pacing};
 use super::members::Members;
@@ -13,6 +13,7 @@ use crate::hybrid::{InMode, Modes};
 use crate::method::{Early, Method, NonFinite, Pace, Progress, Scheme, Stepper, jump, place, toggle};
 use crate::real::lanes::{LaneElement, Lanes};
 use crate::statistics::Statistics;
+use crate::step_size::Tolerance;
 use crate::system::Cast;
 
 impl<A, F, M, T, W, const N: usize> March<'_, A, M, T, W, N>
@@ -51,12 +52,7 @@ where
         if entering.iter().all(Option::is_none) {
             return false;
         }
-        for (k, x) in x.data.0[0].iter_mut().enumerate() {
-            *x = V::from_fn(|lane| match entering[lane] {
-                Some(index) => self.x[index][k],
-                None => x.lane(lane),
-            });
-        }
+        set_lanes(x, |lane| entering[lane].map(|index| &self.x[index]));
         true
     }
 
@@ -119,7 +115,7 @@ where
         }
     }
 
-    /// Checks the derivative at the start, and finds a first step if the method proposes none.
+    /// Finds a first step if the method proposes none, and starts a trajectory.
     fn begin(
         &mut self,
         steps: &Pacing<T>,
@@ -128,13 +124,7 @@ where
         slope: &SVector<T, N>,
         mut work: Statistics,
     ) {
-        let x = self.x[index];
-        if let Err(component) = NonFinite::check(slope) {
-            let t = members.t[lane];
-            let reason = component.at_start();
-            self.stopped.push(Stopped { index, t, reason });
-            return members.leave(lane);
-        }
+        let (t, x) = (members.t[lane], self.x[index]);
         let control = match steps {
             Pacing::Controlled(control) => Some(control),
             Pacing::Equal(_) => None,
@@ -144,19 +134,36 @@ where
             && const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES }
         {
             let model = model_of(self.models, index).cast::<T>();
-            if let Some(h) = control.first_step(&model, (members.t[lane], &x, slope), self.span.1) {
+            if let Some(h) = control.first_step(&model, (t, &x, slope), self.span.1) {
                 members.h[lane] = h;
                 work.evaluations += 1;
             }
         }
-        if let Err(reason) = self.watch.start(
-            index,
-            (members.t[lane], &x),
-            control.map(|control| control.tolerance),
-            &work,
-        ) {
-            self.stop(members, (lane, index), x, reason);
+        if !self.starts(index, (t, x, slope), control.map(|control| control.tolerance), &work) {
+            members.leave(lane);
         }
+    }
+
+    /// Starts a trajectory at a point with this derivative, after this work. Returns false if it stops there.
+    pub(super) fn starts(
+        &mut self,
+        index: usize,
+        (t, x, slope): (T, SVector<T, N>, &SVector<T, N>),
+        tolerance: Option<Tolerance<T>>,
+        work: &Statistics,
+    ) -> bool {
+        if let Err(component) = NonFinite::check(slope) {
+            let reason = component.at_start();
+            self.stopped.push(Stopped { index, t, reason });
+            return false;
+        }
+        let started = self.watch.start(index, (t, &x), tolerance, work);
+        if let Err(reason) = started {
+            self.stop_at(index, (t, x), reason);
+            self.watch.finish(index);
+            return false;
+        }
+        true
     }
 
     /// Removes trajectories that have reached the end of the span.
@@ -232,10 +239,14 @@ where
         x: SVector<T, N>,
         reason: Reason,
     ) {
-        let t = members.t[lane];
+        self.stop_at(index, (members.t[lane], x), reason);
+        self.leave(members, (lane, index), x);
+    }
+
+    /// Reports a trajectory that stops at a point.
+    fn stop_at(&mut self, index: usize, (t, x): (T, SVector<T, N>), reason: Reason) {
         let model = model_of(self.models, index).cast::<T>();
         let reason = jump::behind(toggle::behind(reason, &model, t, &x), &model, t, &x);
         self.stopped.push(Stopped { index, t, reason });
-        self.leave(members, (lane, index), x);
     }
 }

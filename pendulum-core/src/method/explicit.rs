@@ -322,6 +322,11 @@ where
     }
 
     #[inline(always)]
+    fn slope_at_start(&mut self) -> Option<&mut SVector<T, N>> {
+        Some(self.slope())
+    }
+
+    #[inline(always)]
     fn attempt(
         &mut self,
         system: &InMode<'_, S, T>,

@@ -62,6 +62,13 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
     /// Starts from an initial point, or from one after a jump, and returns the derivative there.
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N>;
 
+    /// Derivative at the start of the next step, if nothing else is kept from the step before: to change it in a lane
+    /// is to [begin](Self::begin) there. Else `None`.
+    #[inline(always)]
+    fn slope_at_start(&mut self) -> Option<&mut SVector<T, N>> {
+        None
+    }
+
     /// Prepares a step from `(t, x)`. Returns its length from methods that determine it before an attempt, else `None`.
     #[inline(always)]
     fn prepare(&mut self, _system: &InMode<'_, S, T>, _t: T, _x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {

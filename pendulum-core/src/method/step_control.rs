@@ -92,13 +92,15 @@ impl<T: Float> StepControl<T> {
     where
         S: System<T, N> + ?Sized,
     {
-        if self.h0.is_some() {
-            return None;
-        }
-        let span = t1 - start.0;
-        let direction = T::from_f64(if span < T::default() { -1.0 } else { 1.0 });
-        let bounds = (self.error_order, self.h_max.min(span.abs()), direction);
+        let (h_max, direction) = self.bounds_of_first(t1 - start.0)?;
+        let bounds = (self.error_order, h_max, direction);
         Some(self.tolerance.first_step(&Called(system), start, bounds))
+    }
+
+    /// Bound and direction of a first step, unless it is given.
+    pub(crate) fn bounds_of_first(&self, span: T) -> Option<(T, T)> {
+        let direction = T::from_f64(if span < T::default() { -1.0 } else { 1.0 });
+        self.h0.is_none().then(|| (self.h_max.min(span.abs()), direction))
     }
 
     /// Plans the step from `t` towards `t1`, after this many `steps`, and returns the time at its end. `h` is the
