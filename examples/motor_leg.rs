@@ -17,7 +17,7 @@ mechanism! {
     Leg {
         params {
             /// Resistance and inductance of the armature: a time constant of 1 ms.
-            res: ohm = 1, ind: V s/A = 0.001,
+            res: ohm = 1, ind: H = 0.001,
             /// Torque of the motor per ampere.
             k: N m/A = 0.03,
             /// Brake of the crank from 2 s on, and its increase from 4 to 5 s.

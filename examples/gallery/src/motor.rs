@@ -12,7 +12,7 @@ mechanism! {
     /// A rotor with a rod, and the current that turns it.
     pub Motor {
         params {
-            v: V = 6, r: ohm = 1.2, ind: V s/A = 0.05, k: N m/A = 0.11, gamma: N m s = 0.01,
+            v: V = 6, r: ohm = 1.2, ind: H = 0.05, k: N m/A = 0.11, gamma: N m s = 0.01,
             m: kg = 0.2, l: m = 0.4,
         }
         gravity: [0, -9.81, 0],

@@ -66,6 +66,7 @@ fn numbers_with_units_are_exact() {
         ("1e-3 kN m", 1.0),
         ("5 W/mA", 5000.0),
         ("7 ohm/V", 7.0),
+        ("2 mH/uF", 2000.0),
         ("2 kg/m*4", 8.0),
     ];
     for (number, expected) in numbers {

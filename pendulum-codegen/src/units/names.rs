@@ -4,7 +4,7 @@ use super::{Dimension, Scale, Unit};
 use crate::words::advice;
 
 /// Units of the language, with their powers of m, kg, s, A and K.
-const NAMES: [(&str, [i32; 5]); 13] = [
+const NAMES: [(&str, [i32; 5]); 15] = [
     ("m", [1, 0, 0, 0, 0]),
     ("kg", [0, 1, 0, 0, 0]),
     ("s", [0, 0, 1, 0, 0]),
@@ -18,6 +18,8 @@ const NAMES: [(&str, [i32; 5]); 13] = [
     ("Hz", [0, 0, -1, 0, 0]),
     ("V", [2, 1, -3, -1, 0]),
     ("ohm", [2, 1, -3, -2, 0]),
+    ("H", [2, 1, -2, -2, 0]),
+    ("F", [-2, -1, 4, 2, 0]),
 ];
 
 /// Other units: their names, the unit of the language in their place, and the factor to it, as numerator, denominator
@@ -56,6 +58,10 @@ const OTHERS: &[(&[&str], &str, [i64; 3])] = &[
     (&["mA"], "A", [1, 1000, 0]),
     (&["volt", "volts"], "V", [1, 1, 0]),
     (&["ohms"], "ohm", [1, 1, 0]),
+    (&["mH"], "H", [1, 1000, 0]),
+    (&["uF"], "F", [1, 1_000_000, 0]),
+    (&["henry", "henrys", "henries"], "H", [1, 1, 0]),
+    (&["farad", "farads"], "F", [1, 1, 0]),
     (&["meter", "meters", "metre", "metres"], "m", [1, 1, 0]),
     (&["kilogram", "kilograms", "kilo", "kgs"], "kg", [1, 1, 0]),
     (&["sec", "secs", "second", "seconds"], "s", [1, 1, 0]),
