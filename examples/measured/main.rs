@@ -2,12 +2,13 @@
 //!
 //! `cargo run --release --example measured` fits four scenes to run 1, from viscous friction alone to an arm with dry
 //! friction, misaligned encoders and the rotor of a motor, shows which measurement determines which parameter, and
-//! predicts run 2.
+//! predicts run 2. Bristles in place of dry friction predict it better.
 //!
 //! The data are of the robotics laboratory DFKI RIC, <https://github.com/dfki-ric-underactuated-lab/double_pendulum>,
 //! under the license beside them: angles of two driven links, the first from hanging, the second relative to the first,
 //! and the torques of both motors. The makers published the parameters of [`ArmParams::default`].
 
+mod bristles;
 mod figures;
 mod prediction;
 mod random;
@@ -145,6 +146,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     which_parameters(best, &runs[0])?;
     let predicted = prediction::predict(best, &runs[1])?;
     prediction::limits([(&runs[0], best), (&runs[1], &predicted)])?;
+    bristles::compare(best, [&runs[0], &runs[1]])?;
 
     println!();
     let stem = |name: &str| Path::new("out/measured").join(name);
