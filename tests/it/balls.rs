@@ -7,7 +7,7 @@ use pendulum_core::real::Real;
 use pendulum_core::real::lanes::Isa;
 use pendulum_core::stability::{Complex, Lyapunov, Shooting, Stability, StabilityError, equilibria, equilibrium};
 use pendulum_core::tableau::Steinebach5;
-use pendulum_core::{Cast, Reason, SlotKind};
+use pendulum_core::{Cast, Plant, Reason, SlotKind};
 use testbed::dual::Dual;
 use testbed::motions::{Top, motion};
 use testbed::random::Random;
@@ -506,6 +506,27 @@ mechanism! {
             friction: 0.02,
         }
     }
+}
+
+mechanism! {
+    /// Two of them, one on the other.
+    pub PushedTwice {
+        input push: N,
+        generate: [rhs],
+        point tip on foot at [0, 0, -0.6],
+        force on tip: [push, 0, 0],
+        body bob on ground { mass: 1, com: [0, 0, -0.6], inertia: [0.04, 0.07, 0.05], joint: ball, orientation: o }
+        body foot on bob {
+            mass: 1, com: [0, 0, -0.6], inertia: [0.04, 0.07, 0.05], joint: ball at [0, 0, -1], orientation: p,
+        }
+    }
+}
+
+#[test]
+fn a_quaternion_adds_no_degree_of_freedom() {
+    let dof = |plant: &dyn Plant<f64, 14, Given = PushedTwiceInputs>| plant.dof();
+    let twice = PushedTwice::new(PushedTwiceParams {}).expect("physical");
+    assert_eq!((dof(&twice), PushedTwice::<f64>::DOF), (6, 6));
 }
 
 #[test]

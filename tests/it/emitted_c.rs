@@ -6,9 +6,10 @@ use nalgebra::{SMatrix, SVector};
 use pendulum_codegen::Sources;
 use pendulum_codegen::program::Program;
 use pendulum_core::ParameterError;
-use pendulum_core::hybrid::{Hold, MAX_CONSTRAINTS, Response};
+use pendulum_core::hybrid::{Hold, HybridJacobian, MAX_CONSTRAINTS, Response};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Fused;
+use pendulum_core::taylor::HybridSeries;
 use pendulum_core::{Canonical, Controlled, TaylorSeries};
 use testbed::mechanisms::{Furuta, FurutaParams};
 use testbed::random::Random;
@@ -437,55 +438,113 @@ fn coupled_loops_are_the_same() {
 fn constraints_are_the_same() {
     let model = Constrained::new(ConstrainedParams::default()).expect("physical");
     same(OWN, "Constrained", 0.0, |t, x, forces| {
-        let x = SVector::<f64, 4>::from_column_slice(x);
-        let forces: [f64; MAX_CONSTRAINTS] = from_fn(|n| forces.get(n).copied().unwrap_or(0.0));
-        let mut all = model.eval(t, &x, &forces).as_slice().to_vec();
-        let measures = model.measures(t, &x);
-        all.extend(
-            [0, 1]
-                .map(|which| [measures[0][which], measures[1][which]])
-                .as_flattened(),
-        );
-        let add = |all: &mut Vec<f64>, response: &Response<f64, 4>| {
-            all.extend(&response.rates);
-            all.extend(&response.accelerations[..2]);
-            all.extend(response.columns[..2].iter().flatten());
-            all.extend(response.matrix[..2].iter().flat_map(|row| &row[..2]));
-        };
-        add(&mut all, &model.response(t, &x, &forces));
-        let (rates, jacobian) = model.eval_with_jacobian(t, &x, &forces);
-        all.extend(rates.iter().chain(&jacobian));
-        let derivative = model.response_derivative(t, &x, &forces);
-        add(&mut all, &derivative.response);
-        all.extend(&derivative.rates);
-        all.extend(derivative.accelerations[..2].iter().flatten());
-        all.extend(&derivative.rates_by_time);
-        all.extend(&derivative.accelerations_by_time[..2]);
-        let measures = model.measure_derivatives(t, &x);
-        let each = |which: usize| {
-            measures.by_state[..2]
-                .iter()
-                .flat_map(move |row| row[which].iter().copied())
-        };
-        all.extend(each(0).chain(each(1)));
-        all.extend(
-            [0, 1]
-                .iter()
-                .flat_map(|&which| measures.by_time[..2].iter().map(move |row| row[which])),
-        );
-        all.extend([model.kinetic(t, &x), model.potential(t, &x)]);
+        let (x, forces) = (SVector::<f64, 4>::from_column_slice(x), all_forces(forces, 2));
+        let mut all = with_forces(&model, t, &x, &forces);
         let (variables, rates) = model.eval_canonical(t, &x, &forces);
         let (of_variables, of_rates) = model.eval_canonical_jacobian(t, &x, &forces);
         all.extend(variables.iter().chain(&rates).chain(&of_variables).chain(&of_rates));
-        let constant = Hold {
-            forces,
-            ..Hold::default()
-        };
-        let mut series = [x; ORDER + 1];
-        model.eval_series(&constant, t, &mut series, &mut model.workspace());
-        all.extend(series[1..].iter().flatten());
+        all.extend(series_with_forces(&model, t, &x, forces));
         all
     });
+}
+
+mechanism! {
+    /// A floating body whose dry hinge has stops, a leg on a ball joint, and a moving floor.
+    pub Landing {
+        gravity: [0, 0, -9.81],
+        generate: [rhs, jacobian, energy, taylor],
+        point foot on leg at [0, 0, -0.5],
+        wall floor { gap: foot.z - 0.125 m/s^2*t^2, restitution: 0.5 }
+        body hull on ground {
+            mass: 3, com: [0.1, 0.1, -0.1], inertia: [0.3, 0.25, 0.2], joint: free, orientation: o, position: p,
+        }
+        body flap on hull {
+            mass: 0.1, com: [0.2, 0, 0], joint: revolute(y) at [0.1, 0, 0], coordinate: a,
+            dry_friction: 0.3, stop: [-1, 1] restitution(0.4),
+        }
+        body leg on hull { mass: 0.7, com: [0, 0, -0.3], inertia: [0.01, 0.02, 0.015], joint: ball, orientation: leg }
+    }
+}
+
+#[test]
+#[cfg_attr(
+    not(feature = "thorough"),
+    ignore = "takes long: it runs with the feature `thorough`"
+)]
+fn constraints_of_floating_bodies_are_the_same() {
+    let model = Landing::new(LandingParams {}).expect("physical");
+    same(OWN, "Landing", 0.0, |t, x, forces| {
+        let (x, forces) = (SVector::<f64, 22>::from_column_slice(x), all_forces(forces, 2));
+        let mut placed = x;
+        model.project(t, &mut placed);
+        let mut all = with_forces(&model, t, &x, &forces);
+        all.extend(series_with_forces(&model, t, &x, forces));
+        all.extend(&placed);
+        all
+    });
+}
+
+/// Forces along the first `count` constraints.
+fn all_forces(forces: &[f64], count: usize) -> [f64; MAX_CONSTRAINTS] {
+    from_fn(|n| if n < count { forces[n] } else { 0.0 })
+}
+
+/// Motion, measures and response under forces along the constraints, with their derivatives, and the energies.
+fn with_forces<S, const N: usize>(model: &S, t: f64, x: &SVector<f64, N>, forces: &[f64; MAX_CONSTRAINTS]) -> Vec<f64>
+where
+    S: HybridJacobian<f64, N> + Energy<f64, N>,
+{
+    let count = model.constraints().len();
+    let mut all = model.eval(t, x, forces).as_slice().to_vec();
+    let measures = model.measures(t, x);
+    all.extend(
+        [0, 1]
+            .iter()
+            .flat_map(|&which| measures[..count].iter().map(move |measure| measure[which])),
+    );
+    let add = |all: &mut Vec<f64>, response: &Response<f64, N>| {
+        all.extend(&response.rates);
+        all.extend(&response.accelerations[..count]);
+        all.extend(response.columns[..count].iter().flatten());
+        all.extend(response.matrix[..count].iter().flat_map(|row| &row[..count]));
+    };
+    add(&mut all, &model.response(t, x, forces));
+    let (rates, jacobian) = model.eval_with_jacobian(t, x, forces);
+    all.extend(rates.iter().chain(&jacobian));
+    let derivative = model.response_derivative(t, x, forces);
+    add(&mut all, &derivative.response);
+    all.extend(&derivative.rates);
+    all.extend(derivative.accelerations[..count].iter().flatten());
+    all.extend(&derivative.rates_by_time);
+    all.extend(&derivative.accelerations_by_time[..count]);
+    let measures = model.measure_derivatives(t, x);
+    for which in [0, 1] {
+        all.extend(measures.by_state[..count].iter().flat_map(|row| &row[which]));
+    }
+    for which in [0, 1] {
+        all.extend(measures.by_time[..count].iter().map(|row| row[which]));
+    }
+    all.extend([model.kinetic(t, x), model.potential(t, x)]);
+    all
+}
+
+/// Coefficients of the motion under constant forces along the constraints.
+fn series_with_forces<S, const N: usize>(
+    model: &S,
+    t: f64,
+    x: &SVector<f64, N>,
+    forces: [f64; MAX_CONSTRAINTS],
+) -> Vec<f64>
+where
+    S: TaylorSeries<f64, N> + HybridSeries<f64, N, Workspace = <S as TaylorSeries<f64, N>>::Workspace>,
+{
+    let constant = Hold {
+        forces,
+        ..Hold::default()
+    };
+    let mut series = [*x; ORDER + 1];
+    model.eval_series(&constant, t, &mut series, &mut model.workspace());
+    series[1..].iter().flatten().copied().collect()
 }
 
 /// Results of `motion`, with the time derivative inserted before the energies.

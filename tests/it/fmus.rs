@@ -204,6 +204,12 @@ fn models_without_an_fmu_are_refused() {
     assert_eq!(error, NoFmu::SwitchesModes(vec!["floor".to_owned()]));
     assert!(error.to_string().contains("a stiff spring"), "{error}");
     assert_eq!(refused("generate: [energy],", ""), Err(NoFmu::NoRightHandSide));
+    let floating = declaration(emitted_c::OWN, "Landing").parse().expect("tokens");
+    let floating = pendulum_codegen::program(floating).expect("no errors");
+    assert_eq!(
+        fmu(&floating),
+        Err(NoFmu::SwitchesModes(vec!["a".to_owned(), "floor".to_owned()]))
+    );
 }
 
 #[test]

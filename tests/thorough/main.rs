@@ -7,6 +7,7 @@
 mod agreement;
 mod alone;
 mod exponents;
+mod floating;
 mod lanes;
 mod long;
 mod rough;

@@ -83,7 +83,7 @@ const MOST_STEPS: usize = 40_000;
 
 /// Results of one motion or of many.
 #[derive(Clone, Copy, Debug, Default)]
-struct Seen {
+pub(crate) struct Seen {
     /// Maximum penetration at the ends of steps, relative to the size of positions.
     deepest: f64,
     /// Maximum penetration within steps.
@@ -192,7 +192,7 @@ fn check_mode<S: Hybrid<f64, N>, const N: usize>(model: &S, mode: &Mode, t: f64,
 }
 
 /// Follows a motion and checks all of it.
-fn follow<S, M, const N: usize>(
+pub(crate) fn follow<S, M, const N: usize>(
     (model, method): (&S, &M),
     energy: EnergyOf<'_, N>,
     start: SVector<f64, N>,

@@ -484,6 +484,26 @@ fn what_is_wrong_is_said() {
         let error = text.parse::<Tape>().expect_err(fact).to_string();
         assert!(error.ends_with(fact), "{error}");
     }
+    // a register of a variable, that of another number, and more numbers than registers
+    let first = "number\t2\t0.3\n";
+    let also = |register| NUMBERS.replacen(first, &format!("{first}number\t{register}\t0.5\n"), 1);
+    let many = (0..1 << 16).map(|n| format!("number\t{}\t0.3\n", 2 + n % 65_534));
+    let many = NUMBERS.replacen("registers\t5", "registers\t65536", 1).replacen(
+        "number\t2\t0.3\nnumber\t3\t-1.7\n",
+        &many.collect::<String>(),
+        1,
+    );
+    let cases = [(also(1), 19, 1), (also(2), 19, 2), (many, 18 + 65_534, 2)];
+    for (text, line, register) in cases {
+        let error = text.parse::<Tape>().expect_err("a register is set twice").to_string();
+        assert_eq!(
+            error,
+            format!(
+                "line {line} of the tape: register {register} has a value already: each number has one of its own, \
+                 out of 65536 at most"
+            )
+        );
+    }
     let tape: Arc<Tape> = Arc::new(text.parse().expect("a tape"));
     let message = |error: ModelError| error.to_string();
     let wrong_length = tape.model::<6, false>(&[1.0; 7]).map(|_| ()).map_err(message);
@@ -503,7 +523,7 @@ fn what_is_wrong_is_said() {
 }
 
 /// Lines of a tape are dropped, doubled, swapped and changed at random: the text is refused, or evaluates without a
-/// panic.
+/// panic, in lanes to the bits of scalars.
 #[test]
 fn damaged_tapes_do_not_panic() {
     let texts = [
@@ -539,14 +559,21 @@ fn damaged_tapes_do_not_panic() {
             continue;
         };
         let (x, forces) = (SVector::from([0.1, 0.2, 0.3, 0.4]), [0.1; MAX_CONSTRAINTS]);
-        let in_lanes = model.cast::<F64x4>();
-        std::hint::black_box(in_lanes.rhs(F64x4::splat(0.0), &x.map(F64x4::splat)));
+        let in_lanes = model.cast::<F64x4>().rhs(F64x4::splat(0.0), &x.map(F64x4::splat));
+        let alone = model.rhs(0.0, &x);
+        let is_same =
+            |(ours, theirs): (f64, f64)| ours.to_bits() == theirs.to_bits() || (ours.is_nan() && theirs.is_nan());
+        let ours = in_lanes.map(|x| x.lane(3));
+        assert!(
+            ours.iter().copied().zip(alone.iter().copied()).all(is_same),
+            "{ours} {alone}, {n}"
+        );
         let mut projected = x;
         model.project(0.0, &mut projected);
         model.margins(0.0, &x, &mut |_, _| {});
         model.gaps(0.0, &x, &mut |_, _| {});
         model.each_output(0.0, &x, &mut |_, _| {});
-        std::hint::black_box((model.rhs(0.0, &x), model.response(0.0, &x, &forces), model.laws()));
+        std::hint::black_box((model.response(0.0, &x, &forces), model.laws()));
         let motion = Rk4::new(0.1).solve(&model, 0.0, 0.3, x);
         std::hint::black_box((model.measures(0.0, &x), motion.is_ok()));
     }

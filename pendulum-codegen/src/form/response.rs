@@ -77,7 +77,7 @@ impl<'g> Rows<'g> {
         &self,
         model: &Model<'g>,
         floating: &[Floating<'g>],
-        inverse: &dyn Inverse<'g>,
+        mobility: &dyn Inverse<'g>,
         accelerations: &[Expr<'g>],
     ) -> Vec<Expr<'g>> {
         let positions = model.kinematics();
@@ -85,7 +85,7 @@ impl<'g> Rows<'g> {
         let column = |gradient: &Vec<Expr<'g>>| {
             let mut against: Vec<Expr<'g>> = gradient.iter().map(|&x| -x).collect();
             floating.iter().for_each(|joint| joint.turn_forces(&mut against));
-            let mut column = inverse.solve_negated(&against);
+            let mut column = mobility.solve_negated(&against);
             floating
                 .iter()
                 .for_each(|joint| joint.differentiate(&mut column, &still));
@@ -143,7 +143,7 @@ pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
     forms.each_system(|system| {
         let accelerations = of_coordinates(&forms.floating, system.solved);
         let rows = rows_on(&bases, system.form);
-        let roots = rows.response(model, &forms.floating, system.inverse, &accelerations);
+        let roots = rows.response(model, &forms.floating, system.mobility, &accelerations);
         candidates.push((system.form, roots));
     });
     forms.choose(candidates)
@@ -184,7 +184,7 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
             .pop()
             .map_or_else(still, |of_rows| [by_time, &of_rows].concat());
         let gradients = (0..rows.drifts.len()).flat_map(|row| changes.iter().map(move |column| column[row]));
-        let mut roots = rows.response(model, &floating, way.inverse, &way.accelerations);
+        let mut roots = rows.response(model, &floating, way.mobility, &way.accelerations);
         roots.extend(by_state.iter().copied().chain(gradients).chain(by_time));
         roots
     })

@@ -37,7 +37,10 @@ pub(super) struct ByLinks<'g> {
 /// Linear system for the accelerations in one form, with a factored matrix.
 pub(super) struct System<'a, 'g> {
     pub(super) form: Form,
+    /// Inverse of the matrix of the rows.
     pub(super) inverse: &'a dyn Inverse<'g>,
+    /// Inverse of the mass matrix. The rows may be divided by it.
+    pub(super) mobility: &'a dyn Inverse<'g>,
     /// Equations of motion, zero for the solution, whose unknowns are the acceleration symbols.
     pub(super) rows: &'a [Expr<'g>],
     /// Solution.
@@ -47,7 +50,8 @@ pub(super) struct System<'a, 'g> {
 /// One way to solve for the accelerations and their derivatives.
 pub(super) struct Way<'a, 'g> {
     pub(super) form: Form,
-    pub(super) inverse: &'a dyn Inverse<'g>,
+    /// Inverse of the mass matrix.
+    pub(super) mobility: &'a dyn Inverse<'g>,
     pub(super) accelerations: Vec<Expr<'g>>,
     /// Derivatives of the accelerations, column by column.
     pub(super) columns: Vec<Expr<'g>>,
@@ -72,6 +76,7 @@ impl<'g> Forms<'g> {
             f(System {
                 form: by_links.form,
                 inverse: &by_links.articulation,
+                mobility: &by_links.articulation,
                 rows: &by_links.balance.rows,
                 solved: by_links.accelerations.clone(),
             });
@@ -82,6 +87,7 @@ impl<'g> Forms<'g> {
                     f(System {
                         form,
                         inverse: &factored,
+                        mobility: written.divided_by.as_ref().unwrap_or(&factored),
                         rows: &written.balance.rows,
                         solved,
                     });
@@ -221,7 +227,8 @@ impl<'g> Forms<'g> {
             for Solutions { factored, solved } in written.solutions(&self.solved) {
                 for (derivatives, columns) in &columns {
                     let solved_columns = factored.solve_each_negated(columns);
-                    let ways = derived_from.ways(&factored, &solved, *derivatives, solved_columns);
+                    let mobility = written.divided_by.as_ref().unwrap_or(&factored);
+                    let ways = derived_from.ways(mobility, &solved, *derivatives, solved_columns);
                     candidates.extend(ways.map(candidate));
                     unsolved.extend(solved.iter().map(|(form, accelerations)| {
                         Some(Unsolved {
@@ -306,10 +313,10 @@ impl<'a, 'g> Derived<'a, 'g> {
         self.model.graph.substitute(derivatives, known.collect())
     }
 
-    /// Solves for the columns of derivatives with one inverse, for each candidate form of the unknowns.
+    /// Ways by solved columns of derivatives, for each candidate form of the unknowns.
     fn ways<'w>(
         &'w self,
-        inverse: &'w dyn Inverse<'g>,
+        mobility: &'w dyn Inverse<'g>,
         solved: &'w [Candidate<'g>],
         derivatives: Derivatives,
         solved_columns: Vec<Vec<Expr<'g>>>,
@@ -325,7 +332,7 @@ impl<'a, 'g> Derived<'a, 'g> {
         let columns = self.model.with_drives(&of_coordinate.collect::<Vec<_>>());
         solved.iter().map(move |(form, solved)| Way {
             form: form.derived_by(derivatives),
-            inverse,
+            mobility,
             columns: self.known(&columns, solved),
             accelerations: of_coordinates(self.floating, solved.clone()),
         })

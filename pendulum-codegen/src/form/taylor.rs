@@ -43,7 +43,7 @@ impl<'g> Forms<'g> {
     /// Returns the shortest code for the coefficients of the motion.
     pub(crate) fn taylor(&self, model: &Model<'g>) -> Taylor<'g> {
         let mut symbols = Symbols::new(model);
-        let rows = constraint_accelerations(model);
+        let rows = model.is_hybrid().then(|| Rows::new(model));
         let unknowns: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
         let in_flight = model.written_out(&of_coordinates(&self.floating, unknowns.clone()));
         let forms = self.forms.iter().map(|written| (written, &unknowns));
@@ -53,8 +53,11 @@ impl<'g> Forms<'g> {
             let unknown = Unknown {
                 written: written.written_out(model),
                 accelerations: accelerations.clone(),
+                of_constraints: rows
+                    .as_ref()
+                    .map_or_else(Vec::new, |rows| model.written_out(&rows.accelerations(accelerations))),
             };
-            let slots = slots(model, &mut symbols, &unknown, &rows);
+            let slots = slots(model, &mut symbols, &unknown);
             candidates.push((unknown, slots));
         }
         let fewest = candidates.iter().map(|(_, slots)| *slots).min().unwrap_or(0);
@@ -68,7 +71,7 @@ impl<'g> Forms<'g> {
             }
             for unknown in ways {
                 for (factored, form) in unknown.written.factorings() {
-                    counted.push(code(model, symbols.clone(), form, (&unknown, &factored), &rows));
+                    counted.push(code(model, symbols.clone(), form, (&unknown, &factored)));
                 }
             }
         }
@@ -92,6 +95,8 @@ impl<'g> Forms<'g> {
 struct Unknown<'g> {
     written: Written<'g>,
     accelerations: Vec<Expr<'g>>,
+    /// Second derivatives of the constraints, in terms of the unknowns as well.
+    of_constraints: Vec<Expr<'g>>,
 }
 
 impl<'g> Unknown<'g> {
@@ -109,22 +114,16 @@ impl<'g> Unknown<'g> {
     }
 }
 
-/// Second derivatives of the constraints, with the accelerations as symbols.
-fn constraint_accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
-    let accelerations: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
-    if model.is_hybrid() {
-        model.written_out(&Rows::new(model).accelerations(&accelerations))
-    } else {
-        Vec::new()
-    }
-}
-
 /// Number of products of series in the dynamics.
-fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, unknown: &Unknown<'g>, rows: &[Expr<'g>]) -> usize {
+fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, unknown: &Unknown<'g>) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
     of_order(model, &mut recurrences, &unknown.written.balance);
     let known = model.written_out(&[model.kinematics(), model.state_rates()].concat());
-    for &row in known.iter().chain(&unknown.accelerations).chain(rows) {
+    for &row in known
+        .iter()
+        .chain(&unknown.accelerations)
+        .chain(&unknown.of_constraints)
+    {
         recurrences.coefficient(row);
     }
     recurrences.sides();
@@ -155,10 +154,13 @@ fn code<'g>(
     mut symbols: Symbols<'g>,
     form: Form,
     (unknown, factored): (&Unknown<'g>, &Factored<'g>),
-    rows: &[Expr<'g>],
 ) -> Taylor<'g> {
     let g = model.graph;
-    let Unknown { written, accelerations } = unknown;
+    let Unknown {
+        written,
+        accelerations,
+        of_constraints,
+    } = unknown;
     let mut recurrences = Recurrences::new(model, &mut symbols);
     let balance = of_order(model, &mut recurrences, &written.balance);
     let unknowns: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
@@ -167,7 +169,7 @@ fn code<'g>(
     }
     let of_order = |&acceleration: &Expr<'g>| recurrences.coefficient(acceleration);
     let mut order: Vec<Expr<'g>> = accelerations.iter().map(of_order).collect();
-    let rows: Vec<Expr<'g>> = rows.iter().map(|&row| recurrences.coefficient(row)).collect();
+    let rows: Vec<Expr<'g>> = of_constraints.iter().map(|&row| recurrences.coefficient(row)).collect();
     let kinematics = model.written_out(&model.kinematics());
     let kinematics: Vec<Expr<'g>> = kinematics.iter().map(|&rate| recurrences.coefficient(rate)).collect();
     order.splice(0..0, kinematics);

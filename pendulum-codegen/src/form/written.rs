@@ -14,6 +14,8 @@ pub(super) struct Written<'g> {
     pub(super) balance: Balance<'g>,
     /// Determinant of the mass matrix, if a better form than its expansion is available.
     pub(super) determinant: Option<Expr<'g>>,
+    /// Factored mass matrix by which the balance is divided, so that its own one is the unit matrix.
+    pub(super) divided_by: Option<Factored<'g>>,
 }
 
 impl<'g> Written<'g> {
@@ -22,6 +24,7 @@ impl<'g> Written<'g> {
             form,
             balance,
             determinant: None,
+            divided_by: None,
         }
     }
 
@@ -32,6 +35,7 @@ impl<'g> Written<'g> {
             form: self.form,
             balance: self.balance.clone().with_entries(entries),
             determinant: self.determinant.map(|determinant| model.written_out(&[determinant])[0]),
+            divided_by: self.divided_by.clone(),
         }
     }
 
@@ -83,9 +87,10 @@ pub(super) fn along_bodies<'g>(
     let g = model.graph;
     let form = |basis| Form::of(basis).with_wrenches(pushed);
     let balance = Dynamics::along_bodies(model, pushed, floating);
-    let divided = divided(model, &balance);
+    let divided = divided(model, &balance).map(|(balance, matrix)| (balance, Some(matrix)));
     let mut all = Vec::new();
-    for balance in [balance].into_iter().chain(divided) {
+    for (balance, divided_by) in [(balance, None)].into_iter().chain(divided) {
+        let first = all.len();
         if let Ok(closed) = ClosedBalance::new(normalizer, &balance) {
             all.extend(Products::ALL.map(|products| {
                 let balance = closed.factored(g, &model.coordinates, products);
@@ -93,6 +98,9 @@ pub(super) fn along_bodies<'g>(
             }));
         }
         all.push(Written::new(form(Basis::Recursive), folded(g, balance)));
+        for written in &mut all[first..] {
+            written.divided_by.clone_from(&divided_by);
+        }
     }
     all
 }
@@ -103,16 +111,18 @@ pub(super) fn folded<'g, T: Entries<'g>>(g: &'g Graph, of: T) -> T {
     of.with_entries(entries)
 }
 
-/// Balance premultiplied by the inverse of its mass matrix, if the matrix does not depend on the state.
-fn divided<'g>(model: &Model<'g>, balance: &Balance<'g>) -> Option<Balance<'g>> {
+/// Balance premultiplied by the inverse of its mass matrix, and that matrix, if it does not depend on the state.
+fn divided<'g>(model: &Model<'g>, balance: &Balance<'g>) -> Option<(Balance<'g>, Factored<'g>)> {
     let mut entries = balance.mass_matrix.iter().flatten();
     if entries.any(|entry| entry.level() >= Level::State) {
         return None;
     }
     let g = model.graph;
-    let solved = Factored::new(Solver::Ldl, &balance.mass_matrix, None).solve_negated(&balance.residual);
+    let factored = Factored::new(Solver::Ldl, &balance.mass_matrix, None);
+    let solved = factored.solve_negated(&balance.residual);
     let residual: Vec<Expr<'g>> = solved.into_iter().map(|x| -x).collect();
     let n = residual.len();
     let unit = |i: usize| (0..n).map(|j| g.integer(i64::from(i == j))).collect();
-    Some(Balance::new(&model.coordinates, (0..n).map(unit).collect(), residual))
+    let balance = Balance::new(&model.coordinates, (0..n).map(unit).collect(), residual);
+    Some((balance, factored))
 }

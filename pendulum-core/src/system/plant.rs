@@ -28,8 +28,8 @@ pub trait Plant<T: Real, const N: usize> {
     fn eval(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> SVector<T, N>;
 
     /// Number of degrees of freedom, and of rates, which follow the positions in the state. There are as many
-    /// positions, and one more for each [orientation](Self::orientations). All other components are first-order states.
-    /// By default there are none of these.
+    /// positions, one more for each orientation, and one more for each dependent coordinate in the state. First-order
+    /// states follow the rates. The default is for states that have none of these.
     #[inline(always)]
     fn dof(&self) -> usize {
         N / 2

@@ -245,15 +245,16 @@ impl<'q> Origin<'q> {
         };
         let mut all = Vec::new();
         for x in linear::equilibria(&model, &starts)? {
-            let is_declared = |n: &&usize| !self.is_added(model.outputs()[**n]);
-            let declared: Vec<usize> = of.compared.iter().filter(is_declared).copied().collect();
             let measured = linear::declaration(&of.model, &x, &of.compared).map_err(|error| error.in_one_line())?;
             let outline = Outline::new(measured)?;
+            let outputs = outline.of("output").zip(&of.compared);
+            let added = outputs.filter(|(_, n)| self.is_added(model.outputs()[**n]));
+            let text = outline.with(added.map(|(output, _)| outline.without(output)).collect());
             let own = self.question.model(Declaration::new(&outline.text), Some(&outline));
             let about = format!("linear about {}", linear::name(&model, &x));
             all.push(Candidate {
                 changes: std::iter::once(about).chain(of.changes.iter().cloned()).collect(),
-                text: linear::declaration(&of.model, &x, &declared).map_err(|error| error.in_one_line())?,
+                text,
                 measured: outline,
                 compared: (0..of.compared.len()).collect(),
                 part: of.part.clone(),

@@ -51,8 +51,7 @@ impl Items<'_> {
                 quote!([#quaternion, #turn])
             })
             .collect();
-        let is_half = layout.states.is_empty() && oriented.is_empty();
-        let dof = (!is_half).then(|| {
+        let dof = (layout.dof() != layout.len() / 2).then(|| {
             let dof = count(layout.dof());
             quote! {
                 #[inline(always)]

@@ -171,9 +171,14 @@ impl Reader<'_> {
                 }
             }
         }
+        let mut given = code.given();
         code.numbers = self.all("number", |reader, [place, value]| {
             match reader.registers(place, registers)?[..] {
-                [place] => Ok((place, reader.number(value)?)),
+                [place] if given.insert(place) => Ok((place, reader.number(value)?)),
+                [place] => reader.error(format!(
+                    "register {place} has a value already: each number has one of its own, out of {MOST_REGISTERS} at \
+                     most"
+                )),
                 _ => reader.error("a number has one register"),
             }
         })?;
