@@ -7,9 +7,10 @@ use pendulum_core::sensitivity::{self, Variable};
 use pendulum_core::stability::{resting, transition};
 use pendulum_core::{Cast, Parametric, Plant};
 use testbed::dual::Dual;
+use testbed::power_series::Series;
 use testbed::random::Random;
 
-use super::scenes::{check_derivatives, check_response};
+use super::scenes::{check_derivatives, check_response, check_series};
 
 mechanism! {
     /// A pendulum on a cart with dry friction, beside a wall.
@@ -93,6 +94,19 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A stone that is pushed by a wall beside its centre of mass.
+    pub Stone {
+        gravity: [1, 0, -9.81],
+        generate: [rhs, jacobian, energy, taylor],
+        point corner on stone at [0.2, -0.1, -0.3],
+        wall floor { gap: 0.8*corner.z + 0.6*corner.x, restitution: 0.4 }
+        body stone on ground {
+            mass: 0.5, com: [0.1, 0.2, 0.3], inertia: [0.03, 0.04, 0.05], joint: free, orientation: o, position: p,
+        }
+    }
+}
+
 /// Method of the tests, close to rounding errors.
 fn method() -> Vern9 {
     Vern9::new().rtol(1e-12).atol(1e-12)
@@ -130,10 +144,21 @@ fn responses_and_their_derivatives_hold_in_every_mode() {
     check_derivatives::<_, _, 9>(&spatial(), &spatial().cast::<Dual>(), 2);
     check_response(&satellite(0.5), &satellite(0.5).cast::<Dual>(), 1);
     check_derivatives::<_, _, 15>(&satellite(0.5), &satellite(0.5).cast::<Dual>(), 1);
+    let stone = Stone::new(StoneParams {}).expect("physical");
+    check_response(&stone, &stone.cast::<Dual>(), 1);
+    check_derivatives::<_, _, 13>(&stone, &stone.cast::<Dual>(), 1);
     // more than three of its corners depend on one another
     let die = die(0.5, [0.36, 0.48, 0.8]);
     check_response(&die, &die.cast::<Dual>(), 8);
     check_derivatives::<_, _, 13>(&die, &die.cast::<Dual>(), 3);
+}
+
+#[test]
+fn power_series_hold_in_every_mode() {
+    let stone = Stone::new(StoneParams {}).expect("physical");
+    check_series::<_, _, 13>(&stone, &stone.cast::<Series>(), 1);
+    check_series::<_, _, 9>(&spatial(), &spatial().cast::<Series>(), 2);
+    check_series::<_, _, 15>(&satellite(0.5), &satellite(0.5).cast::<Series>(), 1);
 }
 
 /// In a plane, a ball joint is a hinge: the same impacts, and the same end of the slip.
