@@ -7,7 +7,7 @@ use nalgebra::SVector;
 
 use crate::real::lanes::{Lanes, Pack, Register, Routine, single_lane};
 use crate::real::{Float, Real};
-use crate::taylor::DualSums;
+use crate::taylor::{DualKernel, DualSums};
 
 /// A value with its derivatives with respect to `N` variables, propagated through every operation by the chain rule.
 ///
@@ -158,7 +158,8 @@ impl<T: Real, const N: usize> Neg for Dual<T, N> {
 impl<T: Real, const N: usize> Real for Dual<T, N> {
     const LANES: usize = T::LANES;
     const HAS_SLOPES: bool = true;
-    const SUMS_PRODUCTS: bool = N > 0 && T::RUNS_WIDE;
+    const SUMS_PRODUCTS: bool = Self::TAKEN_APART && T::LANES == 1;
+    const TAKEN_APART: bool = N > 0 && T::IS_PLAIN;
 
     #[inline(always)]
     fn call<A: ?Sized, B: ?Sized, R: Routine<A, B>>(routine: R, changed: &mut A, read: &B) -> R::Output {
@@ -239,6 +240,13 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     #[inline(always)]
     fn sum_products<const M: usize>(left: &[[Self; M]], right: &[[Self; M]], sums: &mut [Self; M]) {
         T::run_wide(DualSums { left, right, sums });
+    }
+
+    #[inline(always)]
+    fn take_apart<K: DualKernel<Self>>(kernel: K) {
+        if const { Self::TAKEN_APART } {
+            kernel.run(|number| number, |number| number);
+        }
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

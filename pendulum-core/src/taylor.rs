@@ -15,6 +15,7 @@ mod products;
 mod recorded;
 #[cfg(feature = "std")]
 mod recording;
+mod tangents;
 
 use nalgebra::SVector;
 
@@ -22,6 +23,7 @@ pub(crate) use self::dual_sums::DualSums;
 pub use self::products::{FewProducts, Newest, Products};
 #[cfg(feature = "std")]
 pub use self::recording::Recording;
+pub use self::tangents::{DualKernel, Linearized, series_by_tangents};
 use crate::constraint::Hold;
 use crate::forward::forward;
 use crate::real::Real;

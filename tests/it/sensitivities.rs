@@ -5,8 +5,12 @@ use pendulum_core::dual::Dual;
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
 use pendulum_core::sensitivity::{self, Seeded, Sensitivity, Variable};
-use pendulum_core::{InputLaw, Parametric, Reason, stability};
+use pendulum_core::taylor::MAX_ORDER;
+use pendulum_core::{CastTaylor, InputLaw, Parametric, Reason, TaylorSeries, stability};
+use testbed::problems::{HenonHeiles, HenonHeilesParams};
+use testbed::random::Random;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
+use testbed::series::{Elbow, ElbowParams, Slides, SlidesParams};
 
 use crate::states::{
     Linkage, LinkageParams, Lorenz, LorenzParams, Mixed, MixedParams, Motor, MotorParams, Robertson, RobertsonParams,
@@ -581,6 +585,71 @@ fn lanes_have_the_bits_of_single_trajectories_through_mode_switches() {
     same_in_lanes(&Vern7::new(), &[servo], 1.5, &starts, variables);
     let model = Motor::new(MotorParams::default()).expect("physical").with_law(Damping);
     same_in_lanes(&Vern7::new(), &[model], 1.5, &starts, variables);
+}
+
+/// Compares the power series of a model in dual numbers, whose derivatives come from the linearized equations, with
+/// that in nested ones, whose derivatives pass through the recurrences of the motion.
+fn assert_series_of_derivatives<M, const N: usize, const P: usize>(name: &str, model: &M)
+where
+    M: Parametric<N, P> + CastTaylor<N>,
+{
+    /// Number of derivatives: two registers, half of one, and a scalar.
+    const K: usize = 11;
+    type Nested = Dual<Dual<f64, 0>, K>;
+    let mut random = Random::new(5);
+    let mut dual = |value: f64| Dual::<f64, K> {
+        value,
+        slopes: std::array::from_fn(|_| random.between(-1.0, 1.0)),
+    };
+    let parameters = model.parameters().map(&mut dual);
+    let start = SVector::<_, N>::from_fn(|n, _| dual((1.0 + 0.7 * n as f64).sin()));
+    let nested = |number: Dual<f64, K>| Nested {
+        value: Dual::constant(number.value),
+        slopes: number.slopes.map(Dual::constant),
+    };
+    let (by_equations, by_recurrences) = (
+        model.with_parameters(parameters),
+        model.with_parameters(parameters.map(nested)),
+    );
+    let (by_equations, by_recurrences) = (
+        M::with_series::<Dual<f64, K>>(&by_equations),
+        M::with_series::<Nested>(&by_recurrences),
+    );
+    for length in [2, 3, 4, MAX_ORDER + 1] {
+        let (mut x, mut expected) = (vec![start; length], vec![start.map(nested); length]);
+        by_equations.series(Dual::constant(0.0), &mut x, &mut by_equations.workspace());
+        by_recurrences.series(Nested::default(), &mut expected, &mut by_recurrences.workspace());
+        for (order, (x, expected)) in x.iter().zip(&expected).enumerate() {
+            let size = expected
+                .iter()
+                .flat_map(|x| x.slopes)
+                .map(|slope| slope.value.abs())
+                .fold(0.0, f64::max);
+            for (x, expected) in x.iter().zip(expected) {
+                assert_eq!(
+                    x.value.to_bits(),
+                    expected.value.value.to_bits(),
+                    "{name}, order {order}"
+                );
+                for (slope, expected) in x.slopes.iter().zip(&expected.slopes) {
+                    let error = (slope - expected.value).abs() / size;
+                    assert!(error < 1e-13, "{name}, order {order} of {length}: {error:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn linearized_equations_have_the_series_of_recurrences() {
+    with_deep_stack(|| {
+        let pendulum = DoublePendulum::new(DoublePendulumParams::default()).expect("physical");
+        assert_series_of_derivatives("DoublePendulum", &pendulum);
+        assert_series_of_derivatives("Elbow", &Elbow::new(ElbowParams {}).expect("physical"));
+        assert_series_of_derivatives("Slides", &Slides::new(SlidesParams::default()).expect("physical"));
+        let stars = HenonHeiles::new(HenonHeilesParams::default()).expect("physical");
+        assert_series_of_derivatives("HenonHeiles", &stars);
+    });
 }
 
 #[test]

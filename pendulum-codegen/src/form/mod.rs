@@ -12,6 +12,7 @@ mod response;
 mod routines;
 mod series;
 mod solved;
+mod tangents;
 mod taylor;
 mod written;
 
@@ -26,6 +27,7 @@ pub(crate) use output::{as_declared, rates, values, values_and_jacobian, values_
 pub(crate) use response::{measure_derivatives, measures, response, response_derivative};
 pub(crate) use routines::*;
 use solved::{ByLinks, of_coordinates};
+pub(crate) use tangents::Tangents;
 pub(crate) use taylor::Taylor;
 use written::{Written, along_bodies, folded};
 

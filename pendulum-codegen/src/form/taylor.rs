@@ -5,6 +5,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::response::Rows;
 use super::series::{Recurrences, Symbols};
 use super::solved::of_coordinates;
+use super::tangents::Tangents;
 use super::written::Written;
 use super::{Form, Forms};
 use crate::dynamics::{Balance, Factored, Inverse};
@@ -33,6 +34,8 @@ pub(crate) struct Taylor<'g> {
     pub form: Form,
     /// Best candidate on each other basis: its products, and its operations at each order.
     pub others: Vec<(Form, usize, Operations)>,
+    /// Series of derivatives of the motion, if they are shorter than those of dual numbers.
+    pub tangents: Option<Box<Tangents<'g>>>,
 }
 
 /// Maximum ratio, as a fraction, of products to the fewest products; forms beyond it skip the search for common
@@ -61,7 +64,7 @@ impl<'g> Forms<'g> {
             candidates.push((unknown, slots));
         }
         let fewest = candidates.iter().map(|(_, slots)| *slots).min().unwrap_or(0);
-        let mut counted: Vec<Taylor<'g>> = Vec::new();
+        let mut counted: Vec<(Taylor<'g>, Balance<'g>, Factored<'g>)> = Vec::new();
         for (unknown, slots_before) in candidates {
             let mut ways = vec![unknown];
             if HOPELESS[1] * slots_before <= HOPELESS[0] * fewest {
@@ -71,20 +74,23 @@ impl<'g> Forms<'g> {
             }
             for unknown in ways {
                 for (factored, form) in unknown.written.factorings() {
-                    counted.push(code(model, symbols.clone(), form, (&unknown, &factored)));
+                    let taylor = code(model, symbols.clone(), form, (&unknown, &factored));
+                    counted.push((taylor, unknown.written.balance.clone(), factored));
                 }
             }
         }
-        counted.sort_by_key(|taylor| (taylor.slots, taylor.operations.weight()));
+        counted.sort_by_key(|(taylor, ..)| (taylor.slots, taylor.operations.weight()));
         let mut counted = counted.into_iter();
-        let mut best = counted.next().expect("there is a form of every scene");
-        for taylor in counted {
+        let (mut best, balance, factored) = counted.next().expect("there is a form of every scene");
+        for (taylor, ..) in counted {
             let known = best.others.iter().map(|(form, ..)| form.basis).chain([best.form.basis]);
             if !known.into_iter().any(|basis| basis == taylor.form.basis) {
                 best.others.push((taylor.form, taylor.slots, taylor.operations));
             }
         }
         best.shorten(model.graph);
+        let balance = (&balance.mass_matrix[..], &balance.residual[..]);
+        best.tangents = Tangents::new(model, &best, balance, &factored).map(Box::new);
         best.with_kinematics(model)
     }
 }
@@ -203,11 +209,12 @@ fn code<'g>(
         order,
         form,
         others: Vec::new(),
+        tangents: None,
     }
 }
 
 /// Largest subexpressions of the roots that depend on the state but on no quantity of order `k`.
-fn kept<'g>(g: &'g Graph, roots: &[Expr<'g>], mut changing: FxHashSet<Expr<'g>>) -> Vec<Expr<'g>> {
+pub(super) fn kept<'g>(g: &'g Graph, roots: &[Expr<'g>], mut changing: FxHashSet<Expr<'g>>) -> Vec<Expr<'g>> {
     let reachable: Vec<Expr<'g>> = g.reachable(roots).into_iter().map(|id| g.expr(id)).collect();
     let mut read: FxHashSet<Expr<'g>> = roots.iter().copied().collect();
     for &x in &reachable {
@@ -220,19 +227,23 @@ fn kept<'g>(g: &'g Graph, roots: &[Expr<'g>], mut changing: FxHashSet<Expr<'g>>)
     reachable.into_iter().filter(is_kept).collect()
 }
 
+/// The roots with common subexpressions shared, if this makes them shorter.
+pub(super) fn shorter<'g>(g: &'g Graph, original: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
+    let mut roots = original.clone();
+    for factor in [false, true] {
+        let shared = share(g, &original, factor);
+        if Operations::of(g, &shared).weight() < Operations::of(g, &roots).weight() {
+            roots = shared;
+        }
+    }
+    roots
+}
+
 impl<'g> Taylor<'g> {
     /// Shares common subexpressions within the roots of order 0 and within those of order `k`.
     fn shorten(&mut self, g: &'g Graph) {
-        self.start = trig::lower(g, &self.start);
-        for roots in [&mut self.start, &mut self.order] {
-            let original = roots.clone();
-            for factor in [false, true] {
-                let shared = share(g, &original, factor);
-                if Operations::of(g, &shared).weight() < Operations::of(g, roots).weight() {
-                    *roots = shared;
-                }
-            }
-        }
+        self.start = shorter(g, trig::lower(g, &self.start));
+        self.order = shorter(g, self.order.clone());
         self.operations = Operations::of(g, &self.order);
     }
 

@@ -27,7 +27,7 @@ pub use layout::{Slot, SlotKind, StateLayout, StateVariable};
 pub use output::Event;
 pub(crate) use output::{functions_of_event, functions_of_output, is_function, saturation};
 pub use routine::{Argument, Cost, Role, Routine, Shape};
-pub use series::Series;
+pub use series::{Series, Tangents};
 pub(crate) use table::words;
 
 pub use crate::expr::{Binary, Definition, Formula, Summand, Unary};
@@ -186,7 +186,10 @@ impl Program {
             .generate
             .contains("shapes")
             .then(|| Sketch::new(&mut forms, model));
-        let of_series = series.iter().flat_map(|series| [&series.start, &series.order]);
+        let of_series = series.iter().flat_map(|series| {
+            let of_tangents = series.tangents.iter().map(|tangents| &tangents.constants);
+            [&series.start, &series.order].into_iter().chain(of_tangents)
+        });
         let of_sketch = sketch.iter().map(|sketch| &sketch.chosen.roots);
         let laws: Vec<Expr<'g>> = model.constraints.iter().flat_map(|c| c.law.numbers()).collect();
         let lists = chosen.iter().flat_map(|(_, chosen)| {

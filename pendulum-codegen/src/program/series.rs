@@ -5,8 +5,8 @@ use rustc_hash::FxHashMap;
 use super::block::{Block, Coefficient, Variable};
 use super::build::{NotFinite, block};
 use super::routine::Cost;
-use crate::expr::ExprId;
-use crate::form::Taylor;
+use crate::expr::{Expr, ExprId};
+use crate::form;
 use crate::model::Model;
 
 /// Code for the coefficients of a motion in powers of time: order 0 from the state, then each order from lower ones.
@@ -25,13 +25,97 @@ pub struct Series {
     pub order: Block,
     /// Cost of one order `k`, without the sums of the products.
     pub cost: Cost,
+    /// Code for the derivatives of the motion, if it is shorter than that of the motion in dual numbers.
+    pub tangents: Option<Tangents>,
+}
+
+/// Code for the coefficients of tangents: derivatives of a motion by initial conditions and parameters.
+///
+/// Entries are derivatives of the equations of motion. Those multiplied by tangents of the state and of the
+/// accelerations come first, as [`Variable::Factor`], then those by tangents of constants. Tangents are
+/// [`Variable::Direction`] for the state, then the accelerations; [`Variable::Weight`] for the constants.
+#[derive(Clone, Debug)]
+pub struct Tangents {
+    /// Number of products of series.
+    pub products: usize,
+    /// Number of entries of each kind.
+    pub entries: [usize; 2],
+    /// Number of values of order 0 read by the other orders.
+    pub kept: usize,
+    /// Order 0, given the accelerations: all entries, then the kept values.
+    pub start: Block,
+    /// Order `k`, given the accelerations of this order: all entries, then the left factors of all products, then their
+    /// right factors.
+    pub order: Block,
+    /// Products of entries and tangents, for each equation of motion.
+    pub terms: Block,
+    /// Tangents of the accelerations at order `k`, given the sums of these products, as [`Coefficient::Sum`].
+    pub step: Block,
+}
+
+impl Tangents {
+    fn new<'g>(
+        model: &Model<'g>,
+        tangents: &form::Tangents<'g>,
+        known: &FxHashMap<ExprId, Variable>,
+    ) -> Result<Self, NotFinite> {
+        let (g, symbols) = (model.graph, &tangents.symbols);
+        let numbered = |list: &[Expr<'g>], kind: fn(usize) -> Variable| -> Vec<(ExprId, Variable)> {
+            list.iter().enumerate().map(|(n, x)| (x.id(), kind(n))).collect()
+        };
+        let constants = tangents.constants.iter().map(|constant| known[&constant.id()]);
+        let values = tangents.values.iter().map(|value| value.id()).zip(constants.clone());
+        let [of_state, of_accelerations, of_constants] = &tangents.tangents;
+        let slopes = constants.map(|constant| match constant {
+            Variable::Constant(n) => Variable::Weight(n),
+            other => other,
+        });
+        let slopes = of_constants.iter().map(|slope| slope.id()).zip(slopes);
+        let [entries, by_constants] = &tangents.entries;
+        let variables = |lists: Vec<Vec<(ExprId, Variable)>>| -> FxHashMap<ExprId, Variable> {
+            let of_lists = lists.into_iter().flatten();
+            known
+                .iter()
+                .map(|(&id, &variable)| (id, variable))
+                .chain(values.clone())
+                .chain(of_lists)
+                .collect()
+        };
+        let kept = numbered(&symbols.kept, |n| Variable::Series(Coefficient::Kept(n)));
+        let of_order = variables(vec![
+            numbered(&symbols.state, |n| Variable::Series(Coefficient::State(n))),
+            numbered(&symbols.sums, |n| Variable::Series(Coefficient::Sum(n))),
+            numbered(&tangents.accelerations, Variable::Acceleration),
+            vec![
+                (symbols.order.id(), Variable::Series(Coefficient::Order)),
+                (symbols.over_order.id(), Variable::Series(Coefficient::OverOrder)),
+            ],
+            kept.clone(),
+        ]);
+        let of_tangents = variables(vec![
+            numbered(&[&entries[..], by_constants].concat(), Variable::Factor),
+            numbered(&[&of_state[..], of_accelerations].concat(), Variable::Direction),
+            numbered(&tangents.rows, |n| Variable::Series(Coefficient::Sum(n))),
+            slopes.collect(),
+            kept,
+        ]);
+        Ok(Self {
+            products: tangents.slots,
+            entries: [entries.len(), by_constants.len()],
+            kept: symbols.kept.len(),
+            start: block(g, &tangents.start, &variables(Vec::new()))?,
+            order: block(g, &tangents.order, &of_order)?,
+            terms: block(g, &tangents.terms, &of_tangents)?,
+            step: block(g, &tangents.step, &of_tangents)?,
+        })
+    }
 }
 
 impl Series {
     /// Series in the chosen form. `known` maps expressions to the variables that routines may read.
     pub(super) fn new<'g>(
         model: &Model<'g>,
-        taylor: Taylor<'g>,
+        taylor: form::Taylor<'g>,
         known: &FxHashMap<ExprId, Variable>,
     ) -> Result<Self, NotFinite> {
         let (g, symbols) = (model.graph, &taylor.symbols);
@@ -70,7 +154,11 @@ impl Series {
         } else {
             [Block::default(), order]
         };
+        let tangents = taylor.tangents.as_deref();
         Ok(Self {
+            tangents: tangents
+                .map(|tangents| Tangents::new(model, tangents, known))
+                .transpose()?,
             products: taylor.slots,
             kept: symbols.kept.len(),
             start: block(g, &taylor.start, known)?,

@@ -14,6 +14,8 @@ pub use fused::Fused;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use core::sync::atomic::{Ordering, compiler_fence};
 
+use crate::taylor::DualKernel;
+
 /// Number type of generated code: `f64`, `f32`, [`Fused`] or [lanes](lanes::Lanes) of these.
 ///
 /// It has no comparisons, since `a < b` may differ between lanes. `Default` is zero.
@@ -51,9 +53,13 @@ pub trait Real:
     #[doc(hidden)]
     const SUMS_PRODUCTS: bool = false;
 
-    /// True if [`run_wide`](Self::run_wide) runs kernels.
+    /// True for `f64`, `f32` and lanes of these.
     #[doc(hidden)]
-    const RUNS_WIDE: bool = false;
+    const IS_PLAIN: bool = false;
+
+    /// True if [`take_apart`](Self::take_apart) runs kernels.
+    #[doc(hidden)]
+    const TAKEN_APART: bool = false;
 
     /// Converts `v` to the nearest number of the type.
     fn from_f64(v: f64) -> Self;
@@ -112,10 +118,15 @@ pub trait Real:
     #[inline(always)]
     fn sum_products<const M: usize>(_left: &[[Self; M]], _right: &[[Self; M]], _sums: &mut [Self; M]) {}
 
-    /// Runs a kernel in registers of up to 256 bits, if numbers of this type fill lanes.
+    /// Runs a kernel in registers of up to 256 bits, for `f64` and `f32`.
     #[doc(hidden)]
     #[inline(always)]
     fn run_wide<K: lanes::WideKernel<Self>>(_kernel: K) {}
+
+    /// Runs a kernel on numbers that are dual.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn take_apart<K: DualKernel<Self>>(_kernel: K) {}
 
     /// The number without its derivatives.
     #[doc(hidden)]

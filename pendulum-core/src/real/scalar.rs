@@ -22,7 +22,7 @@ macro_rules! scalar {
         by libm $tan:ident $exp:ident $ln:ident $tanh:ident $atan2:ident $powf:ident $sqrt:ident
     ) => {
         impl Real for $float {
-            const RUNS_WIDE: bool = true;
+            const IS_PLAIN: bool = true;
 
             #[inline]
             #[allow(

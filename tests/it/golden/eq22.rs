@@ -95,22 +95,23 @@ k3 = m*c*d
 k4 = m*c*g
 k5 = m*c*g + m*d*g
 k6 = gamma1 + gamma2
-k7 = 2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2
-k8 = 0.5*(inertia + m*c^2 + m*d^2)
-k9 = 0.5*(inertia + m*c^2)
-k10 = -1/(inertia + m*c^2)
-k11 = -m*c*d/(inertia + m*c^2)
+k7 = (m*c*d)^2
+k8 = 2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2
+k9 = 0.5*(inertia + m*c^2 + m*d^2)
+k10 = 0.5*(inertia + m*c^2)
+k11 = -1/(inertia + m*c^2)
+k12 = -m*c*d/(inertia + m*c^2)
 ```
 */
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct DoublePendulum<T = f64> {
         params: DoublePendulumParams,
-        constants: [T; 12],
+        constants: [T; 13],
     }
     /// Constants of the model, from its parameters.
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     #[inline]
-    fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 12] {
+    fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 13] {
         let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
         let t0 = p_gamma1 + p_gamma2;
         let t1 = p_c * p_c;
@@ -130,9 +131,10 @@ k11 = -m*c*d/(inertia + m*c^2)
         let t11 = p_m * p_c;
         let t12 = p_d * t11;
         let t13 = t12 * t5;
-        let t14 = p_g * t11;
-        let t15 = p_g.mul_add(p_m * p_d, t14);
-        [p_gamma2, t3, t7, t12, t14, t15, t0, t9, t10, t4, t5, t13]
+        let t14 = t12 * t12;
+        let t15 = p_g * t11;
+        let t16 = p_g.mul_add(p_m * p_d, t15);
+        [p_gamma2, t3, t7, t12, t15, t16, t0, t14, t9, t10, t4, t5, t13]
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl DoublePendulum {
@@ -205,7 +207,7 @@ k11 = -m*c*d/(inertia + m*c^2)
                 );
             }
             let constants = constants(given);
-            let names: [&'static str; 12] = [
+            let names: [&'static str; 13] = [
                 "gamma2",
                 "inertia + m*c^2",
                 "inertia + m*c^2 + m*d^2",
@@ -213,6 +215,7 @@ k11 = -m*c*d/(inertia + m*c^2)
                 "m*c*g",
                 "m*c*g + m*d*g",
                 "gamma1 + gamma2",
+                "(m*c*d)^2",
                 "2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2",
                 "0.5*(inertia + m*c^2 + m*d^2)",
                 "0.5*(inertia + m*c^2)",
@@ -458,9 +461,9 @@ k11 = -m*c*d/(inertia + m*c^2)
             let k4 = self.constants[4];
             let k5 = self.constants[5];
             let k6 = self.constants[6];
-            let k7 = self.constants[7];
-            let k10 = self.constants[10];
+            let k8 = self.constants[8];
             let k11 = self.constants[11];
+            let k12 = self.constants[12];
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
                 .sin_cos_pair(q_theta2);
             let t0 = k3 * cos_theta1.mul_neg_add(sin_theta2, sin_theta1 * cos_theta2);
@@ -469,7 +472,7 @@ k11 = -m*c*d/(inertia + m*c^2)
                     qd_theta1.mul_add(t0, k0),
                     k0.mul_add(qd_theta2, k4 * sin_theta2),
                 );
-            let t2 = k11 * sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
+            let t2 = k12 * sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);
             let t3 = t1
                 .mul_add(
                     t2,
@@ -479,12 +482,12 @@ k11 = -m*c*d/(inertia + m*c^2)
                             k6.mul_add(qd_theta1, k5 * sin_theta1),
                         ),
                 );
-            let t4 = k1 / t0.mul_add(t0, k7) * t3;
+            let t4 = k1 / t0.mul_add(t0, k8) * t3;
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta1,
                 qd_theta2,
                 -t4,
-                t2.mul_neg_add(t4, k10 * t1),
+                t2.mul_neg_add(t4, k11 * t1),
             ])
         }
         #[inline]
@@ -521,7 +524,7 @@ k11 = -m*c*d/(inertia + m*c^2)
             let k4 = self.constants[4];
             let k5 = self.constants[5];
             let k6 = self.constants[6];
-            let k7 = self.constants[7];
+            let k8 = self.constants[8];
             let t0 = k3 * qd_theta2;
             let t1 = k3 * qd_theta1;
             let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
@@ -532,7 +535,7 @@ k11 = -m*c*d/(inertia + m*c^2)
             let t5 = k3 * t2;
             let t6 = t2.mul_add(t1, k0);
             let t7 = qd_theta2.mul_add(t5, t3);
-            let t8 = T::from_f64(-1.0) / t5.mul_add(t5, k7);
+            let t8 = T::from_f64(-1.0) / t5.mul_add(t5, k8);
             let t9 = k1 * t8;
             let t10 = qd_theta1.mul_neg_add(t6, k0.mul_add(qd_theta2, k4 * sin_theta2));
             let t11 = qd_theta1.mul_add(t5, t6);
@@ -684,13 +687,13 @@ k11 = -m*c*d/(inertia + m*c^2)
         fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
             let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
             let k3 = self.constants[3];
-            let k8 = self.constants[8];
             let k9 = self.constants[9];
+            let k10 = self.constants[10];
             let (_, cos0) = (q_theta1 - q_theta2).sin_cos();
             qd_theta1
                 .mul_add(
-                    qd_theta1.mul_add(k8, cos0 * (qd_theta2 * k3)),
-                    qd_theta2 * (qd_theta2 * k9),
+                    qd_theta1.mul_add(k9, cos0 * (qd_theta2 * k3)),
+                    qd_theta2 * (qd_theta2 * k10),
                 )
         }
         #[cfg_attr(debug_assertions, inline)]
@@ -701,6 +704,334 @@ k11 = -m*c*d/(inertia + m*c^2)
             let k5 = self.constants[5];
             let [(_, cos_theta1), (_, cos_theta2)] = q_theta1.sin_cos_pair(q_theta2);
             -cos_theta2.mul_add(k4, cos_theta1 * k5)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::taylor::Linearized<4, 2, 13, 7, 9, 23, 20> for DoublePendulum {
+        type Parameters = DoublePendulumParams;
+        #[inline]
+        fn with_constants<T: ::pendulum_core::real::Real>(
+            params: &DoublePendulumParams,
+            constants: [T; 13],
+        ) -> impl ::pendulum_core::taylor::TaylorSeries<T, 4> {
+            DoublePendulum {
+                params: *params,
+                constants,
+            }
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn start<T: ::pendulum_core::real::Real>(
+            constants: &[T; 13],
+            state: &::pendulum_core::nalgebra::SVector<T, 4>,
+            accelerations: &[T; 2],
+        ) -> ([T; 7], [T; 9], [T; 23]) {
+            let q_theta1 = state[0];
+            let q_theta2 = state[1];
+            let qd_theta1 = state[2];
+            let qd_theta2 = state[3];
+            let qdd_theta1 = accelerations[0];
+            let qdd_theta2 = accelerations[1];
+            let k0 = constants[0];
+            let k1 = constants[1];
+            let k2 = constants[2];
+            let k3 = constants[3];
+            let k4 = constants[4];
+            let k5 = constants[5];
+            let k7 = constants[7];
+            let k8 = constants[8];
+            let t0 = -qd_theta2;
+            let t1 = qd_theta2 - qd_theta1;
+            let t2 = k3 * qdd_theta2;
+            let t3 = k3 * qdd_theta1;
+            let t4 = k3 * qd_theta2;
+            let t5 = k3 * qd_theta1;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+                .sin_cos_pair(q_theta2);
+            let t6 = sin_theta1.mul_add(sin_theta2, cos_theta1 * cos_theta2);
+            let t7 = t6 * t4;
+            let t8 = qd_theta2 * t7;
+            let t9 = cos_theta1.mul_neg_add(sin_theta2, cos_theta2 * sin_theta1);
+            let t10 = k3 * t9;
+            let t11 = qd_theta2.mul_add(t10, t4 * t9) - k0;
+            let t12 = -t10.mul_add(qd_theta1, t9.mul_add(t5, k0));
+            let t13 = t6 * t5;
+            let t14 = t10.mul_add(qdd_theta1, qd_theta1 * t13);
+            let t15 = qdd_theta2 * t10;
+            let t16 = k5.mul_add(cos_theta1, t8 - t15);
+            let t17 = k4.mul_add(cos_theta2, t14);
+            let t18 = t15 - t8;
+            let t19 = -t14;
+            let t20 = k3 * t6;
+            let t21 = qd_theta2 * t9;
+            let t22 = t6.mul_add(qdd_theta2, qd_theta2 * t21);
+            let t23 = t9 * qd_theta1;
+            let t24 = qd_theta1.mul_neg_add(t23, t6 * qdd_theta1);
+            let t25 = T::from_f64(-1.0) / (k7 * t9).mul_add(t9, k8);
+            let t26 = t20 * t25;
+            let t27 = k1 * t25;
+            let t28 = k2 * t25;
+            (
+                [t16, t18, t11, t20, t19, t17, t12],
+                [
+                    t0,
+                    qdd_theta1,
+                    t22,
+                    sin_theta1,
+                    qd_theta1,
+                    t1,
+                    qdd_theta2,
+                    t24,
+                    sin_theta2,
+                ],
+                [
+                    qd_theta1,
+                    qd_theta2,
+                    qdd_theta1,
+                    qdd_theta2,
+                    sin_theta1,
+                    cos_theta1,
+                    sin_theta2,
+                    cos_theta2,
+                    t6,
+                    t9,
+                    t20,
+                    t4,
+                    t5,
+                    t27,
+                    t26,
+                    t28,
+                    t7,
+                    t10,
+                    t21,
+                    t13,
+                    t23,
+                    t2,
+                    t3,
+                ],
+            )
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn order<T: ::pendulum_core::real::Real>(
+            constants: &[T; 13],
+            kept: &[T; 23],
+            orders: [T; 2],
+            sums: &[T; 20],
+            coefficients: &::pendulum_core::nalgebra::SVector<T, 4>,
+            accelerations: &[T; 2],
+        ) -> ([T; 7], [T; 9], [[T; 20]; 2]) {
+            let qdd_theta1 = accelerations[0];
+            let qdd_theta2 = accelerations[1];
+            let k3 = constants[3];
+            let k4 = constants[4];
+            let k5 = constants[5];
+            let order = orders[0];
+            let over_order = orders[1];
+            let x0 = coefficients[0];
+            let x1 = coefficients[1];
+            let x2 = coefficients[2];
+            let x3 = coefficients[3];
+            let s0 = sums[0];
+            let s1 = sums[1];
+            let s2 = sums[2];
+            let s3 = sums[3];
+            let s4 = sums[4];
+            let s5 = sums[5];
+            let s6 = sums[6];
+            let s7 = sums[7];
+            let s8 = sums[8];
+            let s9 = sums[9];
+            let s10 = sums[10];
+            let s11 = sums[11];
+            let s12 = sums[12];
+            let s13 = sums[13];
+            let s14 = sums[14];
+            let s15 = sums[15];
+            let s16 = sums[16];
+            let s17 = sums[17];
+            let s18 = sums[18];
+            let s19 = sums[19];
+            let h0 = kept[0];
+            let h1 = kept[1];
+            let h2 = kept[2];
+            let h3 = kept[3];
+            let h4 = kept[4];
+            let h5 = kept[5];
+            let h6 = kept[6];
+            let h7 = kept[7];
+            let h8 = kept[8];
+            let h9 = kept[9];
+            let h10 = kept[10];
+            let h11 = kept[11];
+            let h12 = kept[12];
+            let h16 = kept[16];
+            let h17 = kept[17];
+            let h18 = kept[18];
+            let h19 = kept[19];
+            let h20 = kept[20];
+            let h21 = kept[21];
+            let h22 = kept[22];
+            let t0 = -x3;
+            let t1 = x3 - x2;
+            let t2 = x0 - x1;
+            let t3 = t2.mul_add(h9, s1.scaled(over_order));
+            let t4 = -k3 * t3;
+            let t5 = h11.mul_neg_add(t3, k3.mul_add(s2, x3 * h10));
+            let t6 = x3.mul_add(h16, h1.mul_add(t5, s3));
+            let t7 = t2.mul_add(h8, s4.scaled(over_order));
+            let t8 = t2.scaled(order);
+            let t9 = qdd_theta2.mul_add(h17, k3.mul_add(s5, h21 * t7));
+            let t10 = t9 - t6;
+            let t11 = x0.mul_add(h4, s0.scaled(over_order));
+            let t12 = k5.mul_neg_add(t11, t6 - t9);
+            let t13 = -t11;
+            let t14 = h11.mul_add(t7, x3 * h17);
+            let t15 = k3.mul_add(s6 + s7, t14) + t14;
+            let t16 = t3.mul_neg_add(h12, k3.mul_add(s8, h10 * x2));
+            let t17 = x2.mul_add(h19, h0.mul_add(t16, s9))
+                + h17.mul_add(qdd_theta1, k3.mul_add(s10, t7 * h22));
+            let t18 = -t17;
+            let t19 = x1.mul_add(h6, s11.scaled(over_order));
+            let t20 = k4.mul_neg_add(t19, t17);
+            let t21 = -t19;
+            let t22 = t7.mul_add(h12, h17 * x2);
+            let t23 = -(k3.mul_add(s12 + s13, t22) + t22);
+            let t24 = x3.mul_add(h9, h1.mul_add(t7, s7));
+            let t25 = t3
+                .mul_neg_add(
+                    h3,
+                    h8.mul_add(qdd_theta2, x3.mul_add(h18, h1.mul_add(t24, s14)) + s15),
+                );
+            let t26 = h9.mul_add(x2, t7.mul_add(h0, s13));
+            let t27 = x2
+                .mul_neg_add(
+                    h20,
+                    h0.mul_neg_add(t26, t3.mul_neg_add(h2, h8.mul_add(qdd_theta1, s17)))
+                        - s18,
+                );
+            let t28 = -t3;
+            let t29 = x0.mul_add(h5, s16.scaled(over_order));
+            let t30 = x1.mul_add(h7, s19.scaled(over_order));
+            let t31 = x0.scaled(order);
+            let t32 = x1.scaled(order);
+            (
+                [t12, t10, t15, t4, t18, t20, t23],
+                [t0, qdd_theta1, t25, t29, x2, t1, qdd_theta2, t27, t30],
+                [
+                    [
+                        t31,
+                        t8,
+                        t28,
+                        x3,
+                        t8,
+                        qdd_theta2,
+                        t7,
+                        x3,
+                        t28,
+                        x2,
+                        qdd_theta1,
+                        t32,
+                        t7,
+                        x2,
+                        x3,
+                        qdd_theta2,
+                        t31,
+                        qdd_theta1,
+                        x2,
+                        t32,
+                    ],
+                    [
+                        t29,
+                        t7,
+                        x3,
+                        t5,
+                        t28,
+                        t7,
+                        x3,
+                        t7,
+                        x2,
+                        t16,
+                        t7,
+                        t30,
+                        x2,
+                        t7,
+                        t24,
+                        t28,
+                        t13,
+                        t28,
+                        t26,
+                        t21,
+                    ],
+                ],
+            )
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn terms<T: ::pendulum_core::real::Real>(
+            factors: &[T; 7],
+            of_state: &[T; 4],
+            of_accelerations: &[T; 2],
+        ) -> [T; 2] {
+            let d0 = of_state[0];
+            let d1 = of_state[1];
+            let d2 = of_state[2];
+            let d3 = of_state[3];
+            let d4 = of_accelerations[0];
+            let d5 = of_accelerations[1];
+            let l0 = factors[0];
+            let l1 = factors[1];
+            let l2 = factors[2];
+            let l3 = factors[3];
+            let l4 = factors[4];
+            let l5 = factors[5];
+            let l6 = factors[6];
+            [
+                d5.mul_add(l3, d3.mul_add(l2, d1.mul_add(l1, d0 * l0))),
+                d4.mul_add(l3, d2.mul_add(l6, d1.mul_add(l5, d0 * l4))),
+            ]
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn step<T: ::pendulum_core::real::Real>(
+            constants: &[T; 13],
+            kept: &[T; 23],
+            by_constants: &[T; 9],
+            sums: &[T; 2],
+            of_state: &[T; 4],
+            of_constants: &[T; 13],
+        ) -> [T; 2] {
+            let w0 = of_constants[0];
+            let w1 = of_constants[1];
+            let w2 = of_constants[2];
+            let w3 = of_constants[3];
+            let w4 = of_constants[4];
+            let w5 = of_constants[5];
+            let w6 = of_constants[6];
+            let d2 = of_state[2];
+            let d3 = of_state[3];
+            let k0 = constants[0];
+            let k6 = constants[6];
+            let s0 = sums[0];
+            let s1 = sums[1];
+            let h13 = kept[13];
+            let h14 = kept[14];
+            let h15 = kept[15];
+            let l7 = by_constants[0];
+            let l8 = by_constants[1];
+            let l9 = by_constants[2];
+            let l10 = by_constants[3];
+            let l11 = by_constants[4];
+            let l12 = by_constants[5];
+            let l13 = by_constants[6];
+            let l14 = by_constants[7];
+            let l15 = by_constants[8];
+            let t0 = w3.mul_add(l9, w2.mul_add(l8, w0.mul_add(l7, k6.mul_add(d2, s0))));
+            let t1 = w6.mul_add(l11, w5.mul_add(l10, t0));
+            let t2 = w3
+                .mul_add(l14, w1.mul_add(l13, w0.mul_add(l12, k0.mul_add(d3, s1))));
+            let t3 = w4.mul_add(l15, t2);
+            [t3.mul_neg_add(h14, t1 * h13), t1.mul_neg_add(h14, t3 * h15)]
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -720,6 +1051,20 @@ k11 = -m*c*d/(inertia + m*c^2)
             work: &mut Self::Workspace,
         ) {
             if x.len() < 2 {
+                return;
+            }
+            if const { T::TAKEN_APART } {
+                ::pendulum_core::taylor::series_by_tangents::<
+                    DoublePendulum,
+                    T,
+                    4,
+                    2,
+                    13,
+                    7,
+                    9,
+                    23,
+                    20,
+                >(&self.params, &self.constants, t, x);
                 return;
             }
             let (
@@ -756,7 +1101,7 @@ k11 = -m*c*d/(inertia + m*c^2)
                     let k4 = self.constants[4];
                     let k5 = self.constants[5];
                     let k6 = self.constants[6];
-                    let k7 = self.constants[7];
+                    let k8 = self.constants[8];
                     let t0 = k3 * qd_theta2;
                     let t1 = k3 * qd_theta1;
                     let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
@@ -767,7 +1112,7 @@ k11 = -m*c*d/(inertia + m*c^2)
                         .mul_add(t3, k6.mul_add(qd_theta1, k5 * sin_theta1));
                     let t5 = t2.mul_add(t1, k0);
                     let t6 = k3 * t2;
-                    let t7 = T::from_f64(-1.0) / t6.mul_add(t6, k7);
+                    let t7 = T::from_f64(-1.0) / t6.mul_add(t6, k8);
                     let t8 = qd_theta1
                         .mul_neg_add(t5, k0.mul_add(qd_theta2, k4 * sin_theta2));
                     let t9 = sin_theta1.mul_add(sin_theta2, cos_theta2 * cos_theta1);

@@ -15,6 +15,7 @@ mod lanes;
 mod loops;
 mod routines;
 mod series;
+mod tangents;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote, quote_spanned};

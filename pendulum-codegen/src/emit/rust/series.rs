@@ -22,10 +22,13 @@ impl Items<'_> {
         let vector = quote!(::pendulum_core::nalgebra::SVector<T, #length>);
         let (start, orders) = (self.start(series), self.orders(series));
         let given = quote!(t: T, x: &mut [#vector], work: &mut Self::Workspace);
+        let tangents = self.tangents();
+        let by_tangents = tangents.map(|tangents| self.by_tangents(tangents));
         let body = quote! {
             if x.len() < 2 {
                 return;
             }
+            #by_tangents
             #start
             #orders
         };
@@ -73,7 +76,9 @@ impl Items<'_> {
         };
         let of_series = self.implement(Some(quote!(#core::TaylorSeries<T, #length>)), &of_series);
         let of_casts = self.cast_series(&workspace);
+        let linearized = tangents.map(|tangents| self.linearized(tangents));
         Some(quote! {
+            #linearized
             #of_series
             #of_modes
             #of_casts
@@ -124,7 +129,7 @@ impl Items<'_> {
     }
 
     /// True if the code of each order is written out, rather than a loop over the orders.
-    fn is_written_out(&self) -> bool {
+    pub(super) fn is_written_out(&self) -> bool {
         let series = self.program.series.as_ref();
         self.program.constraints.is_empty() && series.is_some_and(|series| series.products <= FEW)
     }

@@ -87,6 +87,7 @@ macro_rules! by_lanes {
 
 impl<R: Register> Real for Pack<R> {
     const LANES: usize = R::LANES;
+    const IS_PLAIN: bool = R::Scalar::IS_PLAIN;
 
     #[inline(always)]
     fn call<A: ?Sized, B: ?Sized, C: Routine<A, B>>(routine: C, changed: &mut A, read: &B) -> C::Output {

@@ -1,0 +1,161 @@
+//! Power series of the derivatives of a motion.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::block::Piece;
+use super::lanes::inlined_into_lanes;
+use super::{Items, allowed, count};
+use crate::program::{Block, Coefficient, Tangents, Variable};
+
+impl Items<'_> {
+    /// Tangents for which code is printed. Recurrences that are written out order by order are as fast in dual numbers.
+    pub(super) fn tangents(&self) -> Option<&Tangents> {
+        let series = self.program.series.as_ref().filter(|_| !self.is_written_out())?;
+        series.tangents.as_ref()
+    }
+
+    /// Numbers of the state, the equations of motion, the constants, the entries of both kinds, the kept values and the
+    /// products.
+    fn sizes(&self, tangents: &Tangents) -> [Literal; 7] {
+        let ([_, rates], [entries, by_constants]) = (self.program.layout.components(), tangents.entries);
+        let constants = self.program.constants_text.len();
+        let own = [entries, by_constants, tangents.kept, tangents.products];
+        let [entries, by_constants, kept, products] = own.map(count);
+        [
+            self.length(),
+            count(rates.len()),
+            count(constants),
+            entries,
+            by_constants,
+            kept,
+            products,
+        ]
+    }
+
+    /// Statements at the start of the series of a motion, which leave them to those of its tangents.
+    pub(super) fn by_tangents(&self, tangents: &Tangents) -> TokenStream {
+        let (name, sizes) = (&self.head.name, self.sizes(tangents));
+        quote! {
+            if const { T::TAKEN_APART } {
+                ::pendulum_core::taylor::series_by_tangents::<#name, T, #(#sizes),*>(
+                    &self.params, &self.constants, t, x,
+                );
+                return;
+            }
+        }
+    }
+
+    /// `impl Linearized` for the model.
+    pub(super) fn linearized(&self, tangents: &Tangents) -> TokenStream {
+        let (head, inline, allowed, parameters) =
+            (&self.head.name, inlined_into_lanes(), allowed(), self.parameters_name());
+        let all = self.sizes(tangents);
+        let [state, rates, constants, entries, by_constants, kept, products] = &all;
+        let (real, core) = (quote!(::pendulum_core::real::Real), quote!(::pendulum_core::taylor));
+        let [of_motion, _] = tangents.entries;
+        let both = tangents.entries.iter().sum();
+        let start = self.read(&tangents.start, |values| {
+            let (entries, kept) = values.split_at(both);
+            let (entries, by_constants) = entries.split_at(of_motion);
+            quote!(([#(#entries),*], [#(#by_constants),*], [#(#kept),*]))
+        });
+        let order = self.read(&tangents.order, |values| {
+            let (entries, sides) = values.split_at(both);
+            let (entries, by_constants) = entries.split_at(of_motion);
+            let (left, right) = sides.split_at(tangents.products);
+            quote!(([#(#entries),*], [#(#by_constants),*], [[#(#left),*], [#(#right),*]]))
+        });
+        let row = |values: &[Piece]| quote!([#(#values),*]);
+        let (terms, step) = (self.read(&tangents.terms, row), self.read(&tangents.step, row));
+        let vector = quote!(::pendulum_core::nalgebra::SVector<T, #state>);
+        quote! {
+            #allowed
+            impl #core::Linearized<#(#all),*> for #head {
+                type Parameters = #parameters;
+
+                #[inline]
+                fn with_constants<T: #real>(
+                    params: &#parameters,
+                    constants: [T; #constants],
+                ) -> impl #core::TaylorSeries<T, #state> {
+                    #head { params: *params, constants }
+                }
+
+                #inline
+                fn start<T: #real>(
+                    constants: &[T; #constants],
+                    state: &#vector,
+                    accelerations: &[T; #rates],
+                ) -> ([T; #entries], [T; #by_constants], [T; #kept]) {
+                    #start
+                }
+
+                #inline
+                fn order<T: #real>(
+                    constants: &[T; #constants],
+                    kept: &[T; #kept],
+                    orders: [T; 2],
+                    sums: &[T; #products],
+                    coefficients: &#vector,
+                    accelerations: &[T; #rates],
+                ) -> ([T; #entries], [T; #by_constants], [[T; #products]; 2]) {
+                    #order
+                }
+
+                #inline
+                fn terms<T: #real>(
+                    factors: &[T; #entries],
+                    of_state: &[T; #state],
+                    of_accelerations: &[T; #rates],
+                ) -> [T; #rates] {
+                    #terms
+                }
+
+                #inline
+                fn step<T: #real>(
+                    constants: &[T; #constants],
+                    kept: &[T; #kept],
+                    by_constants: &[T; #by_constants],
+                    sums: &[T; #rates],
+                    of_state: &[T; #state],
+                    of_constants: &[T; #constants],
+                ) -> [T; #rates] {
+                    #step
+                }
+            }
+        }
+    }
+
+    /// Code of a block whose variables are in arrays.
+    fn read(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
+        let tangents = self.program.series.iter().find_map(|series| series.tangents.as_ref());
+        let (length, of_motion) = (
+            self.program.layout.len(),
+            tangents.map_or(0, |tangents| tangents.entries[0]),
+        );
+        let place = |array: &str, n: usize| -> (Ident, Literal) { (format_ident!("{array}"), count(n)) };
+        let reads = block.reads().into_iter().filter_map(|variable| {
+            let (array, n) = match variable {
+                Variable::Constant(n) => place("constants", n),
+                Variable::State(n) => place("state", n),
+                Variable::Acceleration(n) => place("accelerations", n),
+                Variable::Weight(n) => place("of_constants", n),
+                Variable::Direction(n) if n < length => place("of_state", n),
+                Variable::Direction(n) => place("of_accelerations", n - length),
+                Variable::Factor(n) if n < of_motion => place("factors", n),
+                Variable::Factor(n) => place("by_constants", n - of_motion),
+                Variable::Series(Coefficient::Order) => place("orders", 0),
+                Variable::Series(Coefficient::OverOrder) => place("orders", 1),
+                Variable::Series(Coefficient::State(n)) => place("coefficients", n),
+                Variable::Series(Coefficient::Sum(n)) => place("sums", n),
+                Variable::Series(Coefficient::Kept(n)) => place("kept", n),
+                _ => return None,
+            };
+            let name = self.names().variable(variable);
+            Some(quote!(let #name = #array[#n];))
+        });
+        let (reads, code) = (reads.collect::<TokenStream>(), self.names().code(block, result));
+        quote!(#reads #code)
+    }
+}
