@@ -92,10 +92,13 @@ fn print_residuals(run: &str, fitted: &Fitted<6, 20>) {
 /// window keeps them within reach.
 fn measured(run: &Run, noise: [f64; 2]) -> Result<Measurement, Box<dyn Error>> {
     let times = run.angles.times();
-    let mut next = times[0];
+    let [first, last] = [times[0], times[times.len() - 1]];
+    // windows of equal length, as those of the fit
+    let length = (last - first) / ((last - first) / WINDOW).ceil();
+    let mut next = first;
     let starts = times.iter().map(|&t| {
         let begins = t >= next;
-        next += if begins { WINDOW } else { 0.0 };
+        next += if begins { length } else { 0.0 };
         if begins { 0.0 } else { f64::NAN }
     });
     let starts: Vec<f64> = starts.collect();
@@ -111,8 +114,8 @@ fn driven(run: &Run, params: BristledParams) -> Result<Driven, Box<dyn Error>> {
     Ok(Bristled::new(params)?.with_law(run.torques.clone()))
 }
 
-/// First guess: the estimates of dry friction, with bristles that bend over a thousandth of a rad. Others up to four
-/// times as large, with a static friction of up to 0.2 N m, lead to about the same parameters.
+/// First guess: the estimates of dry friction, with bristles that bend over a thousandth or two of a rad. Eleven of
+/// twelve guesses, up to four times as large or ten times as small, lead to about the same parameters.
 fn guess(dry: &ArmFit) -> BristledParams {
     let dry = ArmParams::from_array(dry.parameters);
     BristledParams {
@@ -130,10 +133,10 @@ fn guess(dry: &ArmFit) -> BristledParams {
         dry2: dry.dry2,
         zero1: dry.zero1,
         zero2: dry.zero2,
-        slide1: 1e-3,
+        slide1: 2e-3,
         slide2: 1e-3,
-        rise1: 0.0,
-        rise2: 0.05,
+        rise1: 0.05,
+        rise2: 0.1,
         slow: 0.2,
         bend: STEP,
     }

@@ -10,7 +10,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Quaternion, SMatrix, SVector, UnitQuaternion, Vector3};
-use pendulum_core::hybrid::{Hybrid, Impact};
+use pendulum_core::hybrid::Impact;
 use pendulum_core::prelude::*;
 use pendulum_core::sensitivity::{self, Variable};
 use pendulum_core::stability::transition;
@@ -695,7 +695,8 @@ fn all(name: &str, tried: impl Fn(u64) -> Seen + Sync) -> Seen {
 #[test]
 fn floating_scenes_balance_and_are_those_with_hinges() {
     let seen = all("moved", moved);
-    assert!(seen.impacts > 0 && seen.modes > 0, "{seen:?}");
+    // some were compared, which leaves rounding errors
+    assert!(seen.impacts > 0 && seen.modes > 0 && seen.hinges > 0.0, "{seen:?}");
 }
 
 #[test]
@@ -711,5 +712,6 @@ fn floating_scenes_in_lanes_have_the_bits_of_trajectories_alone() {
 
 #[test]
 fn derivatives_of_floating_scenes_are_those_of_neighbours() {
-    all("differentiated", differentiated);
+    let seen = all("differentiated", differentiated);
+    assert!(seen.derivatives > 0.0, "{seen:?}");
 }
