@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::march::March;
+use super::march::{Checked, March};
 use super::together::Marches;
 use super::watch::{Unwatched, Watch, Watched};
 use super::{Ensemble, EnsembleError, ObservedEnsemble, Stopped, check_models, check_observers, conclude};
@@ -86,6 +86,7 @@ where
     let march = March {
         method,
         models,
+        checked: Checked::none(),
         span,
         waiting: 0..x.len(),
         x: &mut x,
@@ -116,6 +117,7 @@ where
     let march = March {
         method,
         models,
+        checked: Checked::none(),
         span,
         waiting: 0..x.len(),
         x,

@@ -7,10 +7,10 @@ use super::members::Members;
 use crate::dense::Step;
 use crate::hybrid::{Hold, Hybrid};
 use crate::real::lanes::Lanes;
-use crate::system::System;
+use crate::system::{Cast, System};
 
 /// Strategy for trajectories to leave their lanes early and continue alone for a while.
-pub(super) trait Leave<A, M, V: Lanes, W, const N: usize> {
+pub(super) trait Leave<A, M: Cast<N>, V: Lanes, W, const N: usize> {
     /// True if trajectories may leave early.
     const ASKS: bool;
 

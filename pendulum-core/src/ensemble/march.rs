@@ -11,13 +11,15 @@ use super::{Stopped, alone};
 use crate::error::Reason;
 use crate::method::{Adaptive, Estimates, Fixed, Grid, Method, Pace, StepControl};
 use crate::real::Float;
+use crate::real::Real;
 use crate::step_size::Tolerance;
 use crate::system::Cast;
 
 /// Integration of trajectories from the states `x` by the method `A`. Their final states replace `x`.
-pub struct March<'a, A, M, T, W, const N: usize> {
+pub struct March<'a, A, M: Cast<N>, T: Real, W, const N: usize> {
     pub(super) method: &'a A,
     pub(super) models: &'a [M],
+    pub(super) checked: Checked<M, T, N>,
     pub(super) span: (T, T),
     pub(super) x: &'a mut [SVector<T, N>],
     /// Trajectories that have not started.
@@ -31,7 +33,7 @@ pub struct March<'a, A, M, T, W, const N: usize> {
     pub(super) goes_on: bool,
 }
 
-impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
+impl<A, M: Cast<N>, T: Real, W, const N: usize> March<'_, A, M, T, W, N> {
     /// Returns the same march with another method.
     pub(super) fn by<'b, B>(self, method: &'b B) -> March<'b, B, M, T, W, N>
     where
@@ -40,6 +42,7 @@ impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
         March {
             method,
             models: self.models,
+            checked: self.checked,
             span: self.span,
             x: self.x,
             waiting: self.waiting,
@@ -80,6 +83,23 @@ impl<A, M, T, W, const N: usize> March<'_, A, M, T, W, N> {
     {
         let states = (&mut *self.x, &mut self.watch);
         alone(self.method, self.models, self.span, which, states, self.stopped);
+    }
+}
+
+/// Model by which the start of a trajectory was checked last. All may have the same, and to convert it takes longer than
+/// the check.
+pub(super) struct Checked<M: Cast<N>, T: Real, const N: usize>(Option<(usize, M::In<T>)>);
+
+impl<M: Cast<N>, T: Real, const N: usize> Checked<M, T, N> {
+    pub(super) fn none() -> Self {
+        Self(None)
+    }
+
+    /// Model of a trajectory.
+    pub(super) fn by(&mut self, models: &[M], index: usize) -> &M::In<T> {
+        let number = if models.len() == 1 { 0 } else { index };
+        self.0.take_if(|last| last.0 != number);
+        &self.0.get_or_insert_with(|| (number, models[number].cast())).1
     }
 }
 

@@ -51,7 +51,7 @@ impl<T: Copy, const N: usize> Ready<T, N> {
 }
 
 /// Lanes, and trajectories that enter them.
-pub(super) struct Entrance<'e, 'm, A, M, V: Lanes, W, const N: usize> {
+pub(super) struct Entrance<'e, 'm, A, M: Cast<N>, V: Lanes, W, const N: usize> {
     pub(super) march: &'e mut March<'m, A, M, V::Scalar, W, N>,
     pub(super) ready: &'e mut Ready<V::Scalar, N>,
     pub(super) members: &'e mut Members<V::Scalar>,

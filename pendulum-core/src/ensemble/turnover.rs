@@ -69,8 +69,7 @@ where
             if self.goes_on && t0 != t1 {
                 return Some(index);
             }
-            let model = model_of(self.models, index).cast::<T>();
-            match place(&model, t0, &self.x[index]) {
+            match place(self.checked.by(self.models, index), t0, &self.x[index]) {
                 Ok(x) => {
                     self.x[index] = x;
                     if t0 != t1 {

@@ -91,17 +91,19 @@ fn worst<T: Float, const N: usize>(
     x: &SVector<T, N>,
     gaps: impl FnOnce(&mut Tell<'_, T>),
 ) -> Option<LoopGap> {
-    let mut largest = 0.0;
-    let angles = layout.into_iter().flat_map(|layout| layout.slots);
-    for slot in angles.filter(|slot| slot.kind == SlotKind::Angle) {
-        slot.positions
-            .clone()
-            .for_each(|n| largest = f64::max(largest, x[n].abs().to_f64()));
-    }
-    let rounding = T::EPSILON.to_f64() * (CLOSED + TURNED * largest);
+    let rounding = || {
+        let slots = layout.into_iter().flat_map(|layout| layout.slots);
+        let angles = slots.filter(|slot| slot.kind == SlotKind::Angle);
+        let sizes = angles
+            .flat_map(|slot| slot.positions.clone())
+            .map(|n| x[n].abs().to_f64());
+        T::EPSILON.to_f64() * (CLOSED + TURNED * sizes.fold(0.0, f64::max))
+    };
     let (mut found, mut most) = (None, 1.0);
+    // most mechanisms have no loops
     gaps(&mut |bodies, gap| {
         let [distance, angle, size] = gap.map(T::to_f64);
+        let rounding = rounding();
         // prefer the distance, which is easier to interpret than the angle
         let measures = [(distance, rounding * size, "m"), (angle, rounding, "rad")];
         let open = measures.into_iter().find(|(by, allowed, _)| by > allowed);

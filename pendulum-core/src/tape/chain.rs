@@ -10,18 +10,69 @@ use crate::real::Real;
 
 /// Operation in a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Link {
+struct Link<W> {
     kind: Kind,
     /// Registers of the operands, but for the one that the link before passes and for a number; index of the number at
-    /// `NUMBER`; register of the result at `RESULT`, if one keeps it. All in one word, since each load takes as long as
-    /// one of a vector.
-    places: u64,
+    /// `NUMBER`; register of the result at `RESULT`, if one keeps it.
+    places: W,
 }
 
 /// Place of the index of a number in a link.
 const NUMBER: usize = 2;
 /// Place of the register of the result in a link.
 const RESULT: usize = 3;
+
+/// Four places in one word, since each load takes as long as one of a vector.
+trait Word: Copy {
+    fn new(places: [Register; 4]) -> Self;
+
+    fn split(self) -> [usize; 4];
+}
+
+impl Word for u32 {
+    fn new(places: [Register; 4]) -> Self {
+        Self::from_le_bytes(places.map(|place| place as u8))
+    }
+
+    #[inline(always)]
+    fn split(self) -> [usize; 4] {
+        self.to_le_bytes().map(usize::from)
+    }
+}
+
+impl Word for u64 {
+    fn new(places: [Register; 4]) -> Self {
+        places
+            .iter()
+            .rev()
+            .fold(0, |word, &place| word << 16 | Self::from(place))
+    }
+
+    #[inline(always)]
+    fn split(self) -> [usize; 4] {
+        [0, 16, 32, 48].map(|bits| usize::from((self >> bits) as Register))
+    }
+}
+
+/// Links, in short words if all places are below [`MANY`].
+#[derive(Clone, Debug, PartialEq)]
+enum Links {
+    Short(Vec<Link<u32>>),
+    Long(Vec<Link<u64>>),
+}
+
+/// Numbers of registers, and of numbers, with which no place in a link need be compared. The lower one is for small
+/// codes, since registers take time even if unused.
+const FEW: usize = 32;
+const MANY: usize = 256;
+
+fn in_words<W: Word>(links: &[(Kind, [Register; 4])]) -> Vec<Link<W>> {
+    let places = |&(kind, places)| Link {
+        kind,
+        places: W::new(places),
+    };
+    links.iter().map(places).collect()
+}
 
 /// Operations in order, on registers that are set before.
 pub(super) struct Operations<'a> {
@@ -36,9 +87,9 @@ pub(super) struct Operations<'a> {
 }
 
 /// Straight-line code in chains.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Chain {
-    links: Vec<Link>,
+    links: Links,
     /// Operations outside of chains, one each, in order.
     alone: Vec<Row>,
     /// Numbers of the code, which most links read from here: a vector of each would take memory.
@@ -81,28 +132,31 @@ macro_rules! links {
         }
 
         impl Chain {
-            /// Runs the operations on registers. Inlining is not forced without optimisation, where it would take much
-            /// of the stack.
+            /// Runs links on registers, of which there are at least `R` if they name only these. Inlining is not forced
+            /// without optimisation, where it would take much of the stack.
             #[cfg_attr(not(debug_assertions), inline(always))]
-            pub(super) fn run<$T: Real>(&self, registers: &mut [$T]) {
+            fn run_on<$T: Real, W: Word, const R: usize>(&self, links: &[Link<W>], registers: &mut [$T]) {
+                assert!(registers.len() >= R && self.numbers.len() >= R);
+                // as the compiler sees, below `R`
+                let within = |place: usize| if R > 0 { place % R } else { place };
                 let mut alone = self.alone.iter();
                 let mut $x = $T::default();
-                for link in &self.links {
-                    let places = link.places;
+                for link in links {
+                    let places = link.places.split();
                     match link.kind {
                         $(
                             Kind::$passing => {
-                                let [$($operand,)* ..] = split(places);
-                                $(let $operand = registers[usize::from($operand)];)*
-                                $(let $n = $T::from_f64(self.numbers[usize::from(split(places)[NUMBER])]);)?
+                                let [$($operand,)* ..] = places;
+                                $(let $operand = registers[within($operand)];)*
+                                $(let $n = $T::from_f64(self.numbers[within(places[NUMBER])]);)?
                                 $x = $value;
                             }
                             Kind::$keeping => {
-                                let [$($operand,)* ..] = split(places);
-                                $(let $operand = registers[usize::from($operand)];)*
-                                $(let $n = $T::from_f64(self.numbers[usize::from(split(places)[NUMBER])]);)?
+                                let [$($operand,)* ..] = places;
+                                $(let $operand = registers[within($operand)];)*
+                                $(let $n = $T::from_f64(self.numbers[within(places[NUMBER])]);)?
                                 $x = $value;
-                                registers[usize::from(split(places)[RESULT])] = $x;
+                                registers[within(places[RESULT])] = $x;
                             }
                         )*
                         // not by a closure, which would be compiled for the baseline
@@ -116,17 +170,6 @@ macro_rules! links {
             }
         }
     };
-}
-
-/// Registers and indices in a word.
-#[inline(always)]
-fn split(places: u64) -> [Register; 4] {
-    [
-        places as Register,
-        (places >> 16) as Register,
-        (places >> 32) as Register,
-        (places >> 48) as Register,
-    ]
 }
 
 links! { T x:
@@ -328,63 +371,53 @@ impl Chain {
         given.retain(|register| is_loaded(register) || !numbers.contains_key(&usize::from(*register)));
         let mut registers = Registers::new(&flat, &given);
         let in_registers = code.numbers.iter().copied();
-        let mut chain = Self {
-            numbers: code.numbers.iter().map(|&(_, number)| number).collect(),
-            in_registers: in_registers.filter(|(register, _)| is_loaded(register)).collect(),
-            ..Self::default()
-        };
+        let mut alone = Vec::new();
+        let mut links = Vec::new();
         for (k, link) in planned.iter().enumerate() {
             let is_passed = planned.get(k + 1).is_some_and(|next| next.passed.is_some());
             let number = link.number.map(|place| numbers[&link.operation.operands[place]]);
-            chain.add(&flat, link, (number, is_passed), &mut registers)?;
+            links.push(registers.link(&flat, link, (number, is_passed), &mut alone)?);
         }
         let results = flat.results.iter().map(|&value| registers.of[value]);
-        chain.results = results.collect::<Option<_>>()?;
+        let results = results.collect::<Option<_>>()?;
         let last_given = given.last().map_or(0, |&register| usize::from(register) + 1);
-        chain.registers = registers.count.max(last_given);
+        let count = registers.count.max(last_given);
+        let mut chain = Self {
+            links: match count.max(numbers.len()) {
+                ..=MANY => Links::Short(in_words(&links)),
+                _ => Links::Long(in_words(&links)),
+            },
+            alone,
+            numbers: code.numbers.iter().map(|&(_, number)| number).collect(),
+            in_registers: in_registers.filter(|(register, _)| is_loaded(register)).collect(),
+            registers: count,
+            results,
+        };
+        if let room @ (FEW | MANY) = chain.room() {
+            chain.numbers.resize(room, 0.0);
+        }
         Some(chain)
     }
 
-    /// Adds an operation with this number, which passes its result on or not.
-    fn add(
-        &mut self,
-        flat: &Flat<'_>,
-        link: &Planned<'_>,
-        (number, is_passed): (Option<usize>, bool),
-        registers: &mut Registers<'_>,
-    ) -> Option<()> {
-        let Operation {
-            name,
-            results,
-            operands,
-        } = link.operation;
-        let loaded: Vec<Register> = link.loaded().map(|value| registers.of[value]).collect::<Option<_>>()?;
-        registers.release(operands);
-        let keeps = results.iter().any(|&value| flat.uses[value] > usize::from(is_passed));
-        let mut places = [0; 4];
-        let kind = match Kind::new(name, link.passed, link.number, keeps) {
-            Some(kind) => {
-                places[..loaded.len()].copy_from_slice(&loaded);
-                if let Some(number) = number {
-                    places[NUMBER] = number as Register;
-                }
-                if keeps {
-                    places[RESULT] = registers.keep(results)?[0];
-                }
-                kind
-            }
-            None => {
-                let results = registers.keep(results)?;
-                self.alone.push(Row::new(name, &[results, loaded].concat())?);
-                Kind::Alone
-            }
-        };
-        let places = places
-            .iter()
-            .rev()
-            .fold(0, |word, &place| word << 16 | u64::from(place));
-        self.links.push(Link { kind, places });
-        Some(())
+    /// Number of registers on which it runs fastest.
+    pub(super) fn room(&self) -> usize {
+        match self.registers.max(self.numbers.len()) {
+            ..=FEW => FEW,
+            ..=MANY => MANY,
+            _ => self.registers,
+        }
+    }
+
+    /// Runs the operations on registers.
+    #[inline(always)]
+    pub(super) fn run<T: Real>(&self, registers: &mut [T]) {
+        let room = (registers.len() == self.numbers.len()).then_some(registers.len());
+        match (&self.links, room) {
+            (Links::Short(links), Some(FEW)) => self.run_on::<T, _, FEW>(links, registers),
+            (Links::Short(links), Some(MANY)) => self.run_on::<T, _, MANY>(links, registers),
+            (Links::Short(links), _) => self.run_on::<T, _, 0>(links, registers),
+            (Links::Long(links), _) => self.run_on::<T, _, 0>(links, registers),
+        }
     }
 }
 
@@ -414,6 +447,39 @@ impl<'a> Registers<'a> {
             registers.uses[usize::from(register)] += 1;
         }
         registers
+    }
+
+    /// Link of an operation with this number, which passes its result on or not; adds those outside of chains to
+    /// `alone`.
+    fn link(
+        &mut self,
+        flat: &Flat<'_>,
+        link: &Planned<'_>,
+        (number, is_passed): (Option<usize>, bool),
+        alone: &mut Vec<Row>,
+    ) -> Option<(Kind, [Register; 4])> {
+        let Operation {
+            name,
+            results,
+            operands,
+        } = link.operation;
+        let loaded: Vec<Register> = link.loaded().map(|value| self.of[value]).collect::<Option<_>>()?;
+        self.release(operands);
+        let keeps = results.iter().any(|&value| flat.uses[value] > usize::from(is_passed));
+        let mut places = [0; 4];
+        let Some(kind) = Kind::new(name, link.passed, link.number, keeps) else {
+            let results = self.keep(results)?;
+            alone.push(Row::new(name, &[results, loaded].concat())?);
+            return Some((Kind::Alone, places));
+        };
+        places[..loaded.len()].copy_from_slice(&loaded);
+        if let Some(number) = number {
+            places[NUMBER] = number as Register;
+        }
+        if keeps {
+            places[RESULT] = self.keep(results)?[0];
+        }
+        Some((kind, places))
     }
 
     fn release(&mut self, values: &[Value]) {

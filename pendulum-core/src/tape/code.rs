@@ -6,7 +6,7 @@ use std::sync::Mutex;
 
 use super::chain::{Chain, Operations};
 use super::row::{Register, Row};
-use super::source::{Lists, Source};
+use super::source::{Lists, Source, values};
 use crate::real::Real;
 use crate::real::lanes::Routine;
 
@@ -127,13 +127,16 @@ impl Code {
         }
     }
 
-    /// Number of registers on which numbers run the code, and registers of the results.
+    /// Least number of registers on which numbers run the code.
     #[inline(always)]
-    fn places<T: Real>(&self) -> (usize, &[Register]) {
-        match self.chain::<T>() {
-            Some(chain) => (chain.registers, &chain.results),
-            None => (self.registers, &self.results),
-        }
+    fn fewest<T: Real>(&self) -> usize {
+        self.chain::<T>().map_or(self.registers, |chain| chain.registers)
+    }
+
+    /// Registers of the results.
+    #[inline(always)]
+    fn places<T: Real>(&self) -> &[Register] {
+        self.chain::<T>().map_or(&self.results, |chain| &chain.results)
     }
 
     /// Runs the code on the constants of the model and the values of variables, and fills one slice after the other
@@ -154,7 +157,7 @@ impl Code {
     ) {
         let mut unset = None;
         if registers.is_empty() {
-            registers.resize(self.places::<T>().0, T::default());
+            registers.resize(self.chain::<T>().map_or(self.registers, Chain::room), T::default());
             unset = Some(constants);
         }
         let run = Run {
@@ -177,7 +180,7 @@ impl Code {
     where
         for<'r> Run<'r, T>: Routine<A, Self>,
     {
-        let (registers, _) = self.places::<T>();
+        let registers = self.fewest::<T>();
         if registers > 1024 || registers * size_of::<T>() > MOST_ON_STACK {
             let registers = &mut vec![T::default(); registers];
             return self.interpret(registers, constants, lists, into);
@@ -205,7 +208,7 @@ impl Code {
         for<'r> Run<'r, T>: Routine<A, Self>,
     {
         let run = Run {
-            registers,
+            registers: &mut registers[..self.fewest::<T>()],
             constants: Some(constants),
             lists,
         };
@@ -260,7 +263,7 @@ impl<'s, T: Real> Routine<[&'s mut [T]], Code> for Run<'_, T> {
     #[inline(always)]
     fn run(self, results: &mut [&'s mut [T]], code: &Code) {
         let registers = self.run(code);
-        let mut places = code.places::<T>().1.iter();
+        let mut places = code.places::<T>().iter();
         for results in results {
             for (result, &place) in results.iter_mut().zip(&mut places) {
                 *result = registers[usize::from(place)];
@@ -275,7 +278,7 @@ impl<'p, T: Real> Routine<dyn FnMut(usize, T) + 'p, Code> for Run<'_, T> {
     #[inline(always)]
     fn run(self, pass: &mut (dyn FnMut(usize, T) + 'p), code: &Code) {
         let registers = self.run(code);
-        for (n, &place) in code.places::<T>().1.iter().enumerate() {
+        for (n, &place) in code.places::<T>().iter().enumerate() {
             pass(n, registers[usize::from(place)]);
         }
     }
@@ -285,7 +288,7 @@ impl<'a, T: Real> Run<'a, T> {
     /// Sets the registers, runs the operations on them, and returns them.
     #[inline(always)]
     fn run(self, code: &Code) -> &'a [T] {
-        let registers = &mut self.registers[..code.places::<T>().0];
+        let registers = self.registers;
         if let Some(constants) = self.constants {
             let numbers = code.chain::<T>().map_or(&code.numbers, |chain| &chain.in_registers);
             for &(register, number) in numbers {
@@ -297,7 +300,8 @@ impl<'a, T: Real> Run<'a, T> {
         }
         for read in &code.reads {
             let to = &mut registers[read.registers.clone()];
-            to.copy_from_slice(&self.lists.of(read.source)[read.first..][..to.len()]);
+            let from = &values(self.lists, read.source)[read.first..][..to.len()];
+            to.copy_from_slice(from);
         }
         match code.chain::<T>() {
             Some(chain) => chain.run(registers),

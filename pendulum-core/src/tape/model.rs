@@ -271,9 +271,8 @@ impl Tape {
 
 /// Results of code that reads parameters only.
 fn compute<T: Real>(code: &Code, params: &[T]) -> Vec<T> {
-    let lists = Lists::new().with(Source::Parameter, params);
     let mut results = vec![T::default(); code.results.len()];
-    code.run(&[], &lists, &mut [&mut results]);
+    code.run(&[], &[(Source::Parameter, params)], &mut [&mut results]);
     results
 }
 
@@ -352,6 +351,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     }
 
     /// Like [`evaluate_into`](Self::evaluate_into), on registers that the caller keeps for this routine.
+    #[inline(never)]
     pub(super) fn evaluate_with(
         &self,
         registers: &mut Vec<T>,
@@ -361,7 +361,13 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         results: &mut [&mut [T]],
     ) {
         let code = &self.tape.routines[routine].code;
-        code.run_again(registers, &self.constants, &lists(&t, x, &self.under(&[])), results);
+        // fewer than of all arguments, since to write them down takes time
+        let lists = [
+            (Source::State, x.as_slice()),
+            (Source::Time, core::slice::from_ref(&t)),
+            (Source::Input, self.inputs()),
+        ];
+        code.run_again(registers, &self.constants, &lists, results);
     }
 
     /// Like [`evaluate`](Self::evaluate), but passes each result on, with its number.
@@ -422,15 +428,20 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
 
 /// Lists that a routine reads.
 #[inline(always)]
-pub(super) fn lists<'a, T, const N: usize>(t: &'a T, x: &'a SVector<T, N>, given: &Given<'a, T>) -> Lists<'a, T> {
-    Lists::new()
-        .with(Source::Time, core::slice::from_ref(t))
-        .with(Source::State, x.as_slice())
-        .with(Source::Input, given.inputs)
-        .with(Source::Force, given.forces)
-        .with(Source::Acceleration, given.accelerations)
-        .with(Source::Weight, given.weights)
-        .with(Source::Direction, given.direction)
+pub(super) fn lists<'a, T, const N: usize>(
+    t: &'a T,
+    x: &'a SVector<T, N>,
+    given: &Given<'a, T>,
+) -> [(Source, &'a [T]); 7] {
+    [
+        (Source::State, x.as_slice()),
+        (Source::Time, core::slice::from_ref(t)),
+        (Source::Input, given.inputs),
+        (Source::Force, given.forces),
+        (Source::Acceleration, given.accelerations),
+        (Source::Weight, given.weights),
+        (Source::Direction, given.direction),
+    ]
 }
 
 impl<const N: usize, const HYBRID: bool> Model<f64, N, HYBRID> {

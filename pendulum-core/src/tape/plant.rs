@@ -4,7 +4,6 @@ use nalgebra::{SMatrix, SVector};
 
 use super::Model;
 use super::model::Role;
-use super::source::Lists;
 use crate::constraint::{Constraint, Law, MAX_CONSTRAINTS, MeasureDerivatives, Response, ResponseDerivative};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
@@ -46,7 +45,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Plant<T, N> for Model<T, N, HY
             ];
             always.into_iter().chain(&mut law.low).chain(&mut law.high)
         });
-        self.write(&self.tape.laws, &Lists::new(), numbers);
+        self.write(&self.tape.laws, &[], numbers);
         laws
     }
 

@@ -45,24 +45,11 @@ impl Source {
     ];
 }
 
-/// Values of all lists; those not given are empty.
-#[derive(Clone, Copy)]
-pub(super) struct Lists<'a, T>([&'a [T]; Source::ALL.len()]);
+/// Lists with their values, those that most code reads first; others are empty.
+pub(super) type Lists<'a, T> = [(Source, &'a [T])];
 
-impl<'a, T> Lists<'a, T> {
-    #[inline(always)]
-    pub(super) fn new() -> Self {
-        Self([&[]; Source::ALL.len()])
-    }
-
-    #[inline(always)]
-    pub(super) fn with(mut self, source: Source, values: &'a [T]) -> Self {
-        self.0[source as usize] = values;
-        self
-    }
-
-    #[inline(always)]
-    pub(super) fn of(&self, source: Source) -> &'a [T] {
-        self.0[source as usize]
-    }
+/// Values of a list.
+#[inline(always)]
+pub(super) fn values<'a, T>(lists: &Lists<'a, T>, source: Source) -> &'a [T] {
+    lists.iter().find(|list| list.0 == source).map_or(&[], |list| list.1)
 }
