@@ -4,6 +4,9 @@ use nalgebra::SVector;
 
 use crate::real::{Float, Real};
 
+/// Distance from the end of a step, in fractions of it, within which its polynomial is as accurate as the end itself.
+pub(crate) const ABOUT_THE_END: f64 = 1e-3;
+
 /// An accepted step from `(t0, x0)` to `(t1, x1)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<T, const N: usize> {
@@ -58,6 +61,9 @@ pub struct Dense<'a, T, const N: usize> {
     coefficients: &'a [SVector<T, N>],
     /// Fraction at which the step was cut off.
     cut: T,
+    /// True for a step that was retaken up to an event.
+    #[cfg(feature = "std")]
+    is_retaken: bool,
 }
 
 impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
@@ -73,6 +79,8 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
             step,
             coefficients,
             cut,
+            #[cfg(feature = "std")]
+            is_retaken: false,
         }
     }
 
@@ -119,10 +127,35 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         x
     }
 
+    /// Dense output of a step that may have been retaken up to an event: [about its end](Self::about_end) it is then as
+    /// accurate as the end.
+    #[cfg(feature = "std")]
+    pub(crate) fn retaken(mut self, is_retaken: bool) -> Self {
+        self.is_retaken = is_retaken;
+        self
+    }
+
+    /// State at a fraction of the step where an event may be.
+    #[cfg(feature = "std")]
+    pub(crate) fn located(&self, theta: T) -> SVector<T, N> {
+        let by = theta - T::from_f64(1.0);
+        let is_end = !theta.is_constant() && by == T::default();
+        if self.is_retaken && by.abs() <= T::from_f64(ABOUT_THE_END) || is_end {
+            self.about_end(by)
+        } else {
+            self.at_fraction(theta)
+        }
+    }
+
     /// Time at a fraction of the step.
     pub(crate) fn time(&self, theta: T) -> T {
-        if theta == T::from_f64(1.0) {
-            return self.step.t1;
+        let one = T::from_f64(1.0);
+        if theta == one {
+            return if theta.is_constant() {
+                self.step.t1
+            } else {
+                self.step.t1 + (theta - one) * self.step.h
+            };
         }
         self.step.t0 + theta * self.step.h
     }

@@ -11,10 +11,13 @@ use crate::real::Float;
 ///
 /// An event occurs where `g` reaches zero or changes its sign: once, whether within a step, at the end of one, or at
 /// the start of the integration. It is located on the dense output of the method, with the accuracy of that output, to
-/// the last bits of the time. Two zeros in one step are found even if the sign is the same at both ends: `g` is sampled
-/// at ten positions of each step, and its extremum is searched where the samples come close to zero. If the samples
-/// oscillate about zero, `g` is evaluated at up to a thousand more positions, enough for some 150 zeros in a step. If
-/// even these do not resolve all zeros, the solution reports it: [`Solution::missed`](crate::Solution::missed).
+/// the last bits of the time. At an event that [resets](Self::reset) the state or [restarts](Self::restart) the method,
+/// the step is retaken up to the event, once or twice, so that `g` is zero at the accuracy of the ends of steps. (With
+/// [`Taylor`](crate::Taylor) dense output has that accuracy.) Two zeros in one step are found even if the sign is the
+/// same at both ends: `g` is sampled at ten positions of each step, and its extremum is searched where the samples come
+/// close to zero. If the samples oscillate about zero, `g` is evaluated at up to a thousand more positions, enough for
+/// some 150 zeros in a step. If even these do not resolve all zeros, the solution reports it:
+/// [`Solution::missed`](crate::Solution::missed).
 ///
 /// A [terminal](Self::terminal) event does not occur at the start: a motion from rest continues to the next turning
 /// point, though its rate is zero at the beginning. [`at_start`](Self::at_start) enables the event at the start, too.
@@ -105,7 +108,9 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
         self
     }
 
-    /// Ends the integration at the event, after the reset if there is one.
+    /// Ends the integration at the event, after the reset if there is one. The state at the end is that of the dense
+    /// output. With a reset, or with [`restart`](Self::restart) as well, it is that of a step that ends there, and
+    /// ensembles integrate the trajectory outside of lanes.
     ///
     /// If the function is zero at the start, the event neither occurs there nor ends the integration, unless
     /// [`at_start`](Self::at_start) is set.

@@ -135,7 +135,6 @@ pub(crate) use project::{apart, place_coordinates};
 #[cfg(feature = "std")]
 pub(crate) use saltation::{hold_tangents, saltation};
 pub(crate) use settled::Settled;
-pub(crate) use step::ABOUT_THE_END;
 #[cfg(feature = "std")]
 pub(crate) use switch::rate;
 pub(crate) use switch::{start, switch, without_derivatives};

@@ -12,7 +12,7 @@ use super::resolution::{SHORTEST_MODE, SIMULTANEOUS};
 use super::sizes::rates_at_rest;
 use super::witness::Witness;
 use super::{Hold, Hybrid, Law, MAX_CONSTRAINTS};
-use crate::dense::Dense;
+use crate::dense::{ABOUT_THE_END, Dense};
 use crate::error::Reason;
 use crate::method::{Known, root, root_of_line};
 use crate::real::{Float, ulps};
@@ -24,8 +24,6 @@ const LEAST_ACCELERATION: f64 = 1e-6;
 /// step, before the first of them.
 pub(super) const RIGHT_AGAIN: [f64; 2] = [0.01, 0.125];
 
-/// Distance from the end of a step, in fractions of it, within which its polynomial is as accurate as the end itself.
-pub(crate) const ABOUT_THE_END: f64 = 1e-3;
 /// Search distances about the end of a step that was shortened to the end of a mode, in fractions of the step.
 const ABOUT: [f64; 4] = [1e-12, 1e-9, 1e-6, ABOUT_THE_END];
 /// Search distances back from the end of a step whose witness is negative there, after [`ABOUT`], up to just behind its

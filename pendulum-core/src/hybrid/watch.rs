@@ -9,10 +9,10 @@ use super::mode::Mode;
 use super::polynomial::{Course, rate_of, stays_positive};
 use super::resolution::NOISE;
 use super::sizes::{ForceSizes, Gains};
-use super::step::{ABOUT_THE_END, Place, RIGHT_AGAIN, StepInMode, resolution};
+use super::step::{Place, RIGHT_AGAIN, StepInMode, resolution};
 use super::witness::{Values, Witness, Witnesses};
 use super::{Constraint, Hold, Hybrid, MAX_CONSTRAINTS};
-use crate::dense::Dense;
+use crate::dense::{ABOUT_THE_END, Dense};
 use crate::error::Reason;
 #[cfg(feature = "std")]
 use crate::real::lanes::Lanes;

@@ -111,10 +111,13 @@ impl<F: Fn(T) -> T, T: Float> Division<F, T> {
             let between = self.between(start, to);
             (start, between, goes_up_and_down(start, &between, self.size, signs))
         };
-        let parts: Vec<_> = places.iter().map(part).collect();
-        let all_are_fast = 2 * parts.iter().filter(|&&(.., is_fast)| is_fast).count() >= PLACES.len();
+        let mut parts = places.iter().map(part);
+        // only further subdivisions depend on later parts: else none is sampled after the last zero that matters
+        let ahead = if depth > 0 { places.len() } else { 0 };
+        let sampled: Vec<_> = parts.by_ref().take(ahead).collect();
+        let all_are_fast = 2 * sampled.iter().filter(|&&(.., is_fast)| is_fast).count() >= PLACES.len();
         let mut is_resolved = true;
-        for (start, between, is_fast) in parts {
+        for (start, between, is_fast) in sampled.into_iter().chain(parts) {
             let first = samples.len();
             if depth > 0 && (is_fast || all_are_fast) {
                 is_resolved &= self.divide((start, &between), depth - 1, samples);

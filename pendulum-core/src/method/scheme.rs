@@ -40,6 +40,9 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
     /// True if a step is complete without [`arrive`](Self::arrive), where the next one [begins](Self::begin) anew.
     const LEAVES_END: bool = false;
 
+    /// True if the dense output is as accurate as the end of a step, also up to a kink within it.
+    const DENSE_IS_EXACT: bool = false;
+
     /// Order `q` of the error estimate: the estimate falls as `h^(q + 1)`.
     fn error_order(&self) -> usize;
 

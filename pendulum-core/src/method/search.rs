@@ -27,6 +27,8 @@ const SAME_KINK_ULPS: f64 = 1000.0;
 pub(crate) struct Search<'w, 'e, T, const N: usize> {
     events: &'w [Event<'e, T, N>],
     seen: Vec<Seen<T>>,
+    /// Those at the start of a step that may be searched again.
+    marked: Vec<Seen<T>>,
     /// False if kinks no longer end steps.
     pub(super) ends_at_kinks: bool,
     /// True at the start of the integration, or after a restart.
@@ -37,12 +39,6 @@ pub(crate) struct Search<'w, 'e, T, const N: usize> {
     scan: Scan<T>,
     /// Events whose zeros may have been missed in the last step.
     missed: Vec<usize>,
-}
-
-/// State of a [`Search`] between two steps.
-pub(super) struct Mark<T> {
-    seen: Vec<Seen<T>>,
-    starts: bool,
 }
 
 /// State of an event.
@@ -88,7 +84,7 @@ impl<T: Float> Found<T> {
             What::Passage(_) => Ok(Occurrence {
                 index,
                 t,
-                x: dense.at_fraction(self.theta),
+                x: dense.located(self.theta),
             }),
             What::Undefined => Err(not_finite(index, t)),
             What::Accumulation => Err(Reason::EventsAccumulate { event: index }),
@@ -133,6 +129,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         Ok(Self {
             events,
             seen,
+            marked: Vec::new(),
             ends_at_kinks: true,
             starts: true,
             states: Vec::new(),
@@ -207,33 +204,31 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         acted.is_some_and(|acted| (t - acted).abs() <= spacing(dense.step().scale(t)))
     }
 
-    /// State of the search at the end of the last step, for [`go_back`](Self::go_back).
-    pub(super) fn mark(&self) -> Mark<T> {
-        Mark {
-            seen: self.seen.clone(),
-            starts: self.starts,
-        }
+    /// Marks the start of a step, to [go back](Self::go_back) there.
+    pub(super) fn mark(&mut self) {
+        self.marked.clone_from(&self.seen);
     }
 
-    /// Goes back to before the step that was searched last.
-    pub(super) fn go_back(&mut self, Mark { seen, starts }: Mark<T>) {
-        (self.seen, self.starts) = (seen, starts);
+    /// Goes back to the start of the step that was searched last, to search a part of it.
+    pub(super) fn go_back(&mut self) {
+        self.seen.clone_from(&self.marked);
     }
 
-    /// True if steps may end at kinks.
-    pub(super) fn has_kinks(&self) -> bool {
-        self.ends_at_kinks && self.events.iter().any(Event::is_kink)
+    /// True if steps may end at events where the method begins anew.
+    pub(super) fn ends_steps(&self) -> bool {
+        let ends = |event: &Event<'_, T, N>| event.begins_anew() && (self.ends_at_kinks || !event.is_kink());
+        self.events.iter().any(ends)
     }
 
-    /// The kink among the events found in a step that ends it, if no other event does so before.
-    pub(super) fn first_kink(
+    /// The first event found in a step that acts, if the method begins anew there.
+    pub(super) fn first_end(
         &self,
         found: &[Found<T>],
         dense: &Dense<'_, T, N>,
     ) -> Option<(&'w Event<'e, T, N>, Found<T>)> {
         let first = found.iter().find(|found| self.acts(found, dense))?;
-        let is_kink = matches!(first.what, What::Passage(_)) && self.event(first).is_kink();
-        is_kink.then_some((&self.events[first.index], *first))
+        let begins_anew = matches!(first.what, What::Passage(_)) && self.event(first).begins_anew();
+        begins_anew.then_some((&self.events[first.index], *first))
     }
 
     /// The event of a result.
@@ -270,7 +265,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         let event = &self.events[index];
         let (function, direction) = (&event.function, &event.direction);
         let seen = &mut self.seen[index];
-        let value = |theta: T| function(dense.time(theta), &dense.at_fraction(theta));
+        let value = |theta: T| function(dense.time(theta), &dense.located(theta));
         let mut note = |theta: T, passage: Passage| {
             if passage.counts(*direction) {
                 report(theta, What::Passage(passage));

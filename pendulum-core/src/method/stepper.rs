@@ -1,7 +1,7 @@
 //! The engine of all methods: steps without a record and without heap allocation.
 
 #[cfg(feature = "std")]
-mod kink;
+mod events;
 mod switching;
 
 use core::fmt;

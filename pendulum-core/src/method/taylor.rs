@@ -279,6 +279,7 @@ where
     T: Lanes,
 {
     const PROPOSES: bool = true;
+    const DENSE_IS_EXACT: bool = true;
 
     #[inline(always)]
     fn error_order(&self) -> usize {

@@ -142,8 +142,9 @@ where
                 }
                 continue;
             }
-            let found = self.look_for_events(search, step);
-            let Some(mut stop) = pass(found, search, &self.known_dense(), observer, placed)? else {
+            let (found, is_retaken) = self.look_for_events(search, step);
+            let dense = self.known_dense().retaken(is_retaken);
+            let Some(mut stop) = pass(found, search, &dense, observer, placed)? else {
                 reached.x = self.x();
                 continue;
             };
@@ -292,7 +293,7 @@ fn observe<T: Float, const N: usize>(dense: &Dense<'_, T, N>, theta: T, observer
     }
     let t = dense.time(theta);
     if t != step.t0 {
-        let part = Step::new((step.t0, step.x0), (t, dense.at_fraction(theta)));
+        let part = Step::new((step.t0, step.x0), (t, dense.located(theta)));
         let coefficients: Vec<_> = dense.coefficients_to(theta).collect();
         observer.step(&Dense::new(part, &coefficients));
     }
@@ -326,7 +327,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
         Self {
             theta,
             t,
-            x: dense.at_fraction(theta),
+            x: dense.located(theta),
             scale: dense.step().scale(t),
             fired: Vec::new(),
             changes: false,

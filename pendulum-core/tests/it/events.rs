@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
+use pendulum_core::dual::Dual;
 use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
-use pendulum_core::{Missed, Occurrence, Reason, SolveError};
+use pendulum_core::{Missed, Occurrence, Real, Reason, SolveError};
 
 use crate::methods::{Driven, each_adaptive, each_fixed};
 
@@ -344,6 +345,130 @@ fn a_ball_rebounds_at_the_times_of_its_parabolas() {
         assert_abs_diff_eq!(first.x[1], -9.81 * fall, epsilon = 1e-13);
         assert_eq!(after[1], -0.8 * first.x[1]);
         assert_eq!(solution.t().iter().filter(|&&t| t == first.t).count(), 2);
+    }
+}
+
+#[test]
+fn resets_are_as_accurate_as_the_ends_of_steps() {
+    // parabolas, in steps of up to seconds, whose dense output has more rounding errors than their ends
+    let fall = (2.0_f64 / 9.81).sqrt();
+    let method = Vern9::new().rtol(1e-13).atol(1e-13);
+    let solution = method.solve_with(&ball(), 0.0, 8.0, [1.0, 0.0], &[bounce(0.9)]);
+    let solution = solution.expect("regular");
+    let (mut time, mut flight) = (fall, 2.0 * fall);
+    for event in &solution.events()[..22] {
+        assert_abs_diff_eq!(event.t, time, epsilon = 1e-13);
+        flight *= 0.9;
+        time += flight;
+    }
+    // a pendulum against a wall, in steps whose dense output is wrong by 1e-4: they are retaken up to the wall
+    let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -9.81 * x[0].sin()]));
+    let wall = || {
+        let wall = Event::new(|_t, x: &SVector<f64, 2>| x[0] + 0.3).falling();
+        wall.reset(|_t, x| SVector::from([x[0], -0.9 * x[1]]))
+    };
+    let method = Rk4::new(0.2);
+    for (t1, wall) in [(2.0, wall()), (-2.0, wall()), (2.0, wall().terminal())] {
+        let solution = method
+            .solve_with(&swing, 0.0, t1, [1.0, 0.0], &[wall])
+            .expect("regular");
+        let first = solution.events()[0];
+        assert_abs_diff_eq!(first.x[0], -0.3, epsilon = 1e-15);
+        let (t0, x0) = solution
+            .points()
+            .rfind(|(t, _)| t.abs() < first.t.abs())
+            .expect("a start");
+        let alone = method
+            .stepper(&swing, t0, first.t, *x0)
+            .and_then(|mut stepper| stepper.run());
+        assert_abs_diff_eq!(first.x, alone.expect("regular"), epsilon = 1e-14);
+        // the steps go on to the times of the grid
+        let after = solution.t().iter().find(|t| t.abs() > first.t.abs());
+        assert!(
+            after.is_none_or(|t| (t / 0.2 - (t / 0.2).round()).abs() < 1e-14),
+            "{after:?}"
+        );
+    }
+    // an event of time, between the wall in the retaken step and on the dense output, comes on the right side of it
+    let first = |events: &[Event<'_, f64, 2>]| {
+        let solution = method
+            .solve_with(&swing, 0.0, 1.0, [1.0, 0.0], events)
+            .expect("regular");
+        (solution.events()[0].index, solution.events()[0].t)
+    };
+    let noted = first(&[Event::new(|_t, x: &SVector<f64, 2>| x[0] + 0.3)]).1;
+    let reached = first(&[wall()]).1;
+    assert!((noted - reached).abs() > 1e-6);
+    let between = 0.5 * (noted + reached);
+    let kick = Event::new(move |t, _x: &SVector<f64, 2>| t - between).reset(|_t, x| *x);
+    let expected = if reached < between { (0, reached) } else { (1, between) };
+    let (index, t) = first(&[wall(), kick]);
+    assert_eq!(index, expected.0);
+    assert_abs_diff_eq!(t, expected.1, epsilon = 1e-14);
+}
+
+#[test]
+fn steps_are_retaken_to_finite_times_alone() {
+    let clock = FnSystem(|t: f64, _x: &SVector<f64, 1>| {
+        assert!(t.is_finite());
+        SVector::from([1.0])
+    });
+    let times = |events: &[Event<'_, f64, 1>]| -> Vec<f64> {
+        let solution = Tsit5::new().solve_with(&clock, 0.0, 2.0, [0.0], events);
+        solution
+            .expect("regular")
+            .events()
+            .iter()
+            .map(|event| event.t)
+            .collect()
+    };
+    // so shortly after a reset that differences of the function are zero, or rounding errors
+    for ulps in (1..3000).step_by(7) {
+        let soon = 1.0 + f64::from(ulps) * f64::EPSILON;
+        let reset = || Event::new(|t, _x: &SVector<f64, 1>| t - 1.0).reset(|_t, x| *x);
+        let second = || Event::new(move |_t, x: &SVector<f64, 1>| x[0] - soon);
+        for second in [second().reset(|_t, x| *x), second().restart()] {
+            let [first, second] = times(&[reset(), second])[..] else {
+                panic!("{ulps}")
+            };
+            assert_abs_diff_eq!(first, 1.0, epsilon = 1e-15);
+            assert_abs_diff_eq!(second, soon, epsilon = 1e-15);
+        }
+    }
+    // without a slope at the zero, on one side or on both
+    let flat: [fn(f64) -> f64; 5] = [
+        |y| y.min(0.0),
+        |y| if y < 0.0 { -1.0 } else { 0.0 },
+        f64::signum,
+        |y| y.powi(3),
+        f64::cbrt,
+    ];
+    for (n, function) in flat.into_iter().enumerate() {
+        let event = || Event::new(move |_t, x: &SVector<f64, 1>| function(x[0] - 0.7));
+        for event in [event().reset(|_t, x| *x), event().restart()] {
+            let [time] = times(&[event])[..] else { panic!("{n}") };
+            assert!((0.699..0.8).contains(&time), "{n}: {time}");
+        }
+    }
+}
+
+#[test]
+fn events_at_the_ends_of_steps_have_derivatives() {
+    // after half a unit of distance at a speed of one, whose time changes by -0.5 per unit of speed
+    type Number = Dual<f64, 1>;
+    let (speed, half) = (Number::variable(1.0, 0), Number::from_f64(0.5));
+    let motion = FnSystem(move |_t: Number, _x: &SVector<Number, 2>| SVector::from([speed, Number::from_f64(1.0)]));
+    let at_half = || Event::new(move |t, _x: &SVector<Number, 2>| speed * t - half);
+    for event in [at_half(), at_half().terminal(), at_half().reset(|_t, x| *x)] {
+        let [t0, t1] = [0.0, 1.0].map(Number::from_f64);
+        let solution = Rk4::new(0.5).solve_with(&motion, t0, t1, [t0, t0], &[event]);
+        let [event] = solution.expect("regular").events()[..] else {
+            panic!("one event")
+        };
+        for (number, slope) in [(event.t, -0.5), (event.x[0], 0.0), (event.x[1], -0.5)] {
+            assert_abs_diff_eq!(number.value, 0.5, epsilon = 1e-15);
+            assert_abs_diff_eq!(number.slopes[0], slope, epsilon = 1e-12);
+        }
     }
 }
 

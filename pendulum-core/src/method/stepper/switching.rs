@@ -3,9 +3,9 @@
 use nalgebra::SVector;
 
 use super::Stepper;
-use crate::dense::{Dense, Step};
+use crate::dense::{ABOUT_THE_END, Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, ABOUT_THE_END, Ambiguity, Hybrid, Kinematics, Modes, Settled, Witnesses};
+use crate::hybrid::{self, Ambiguity, Hybrid, Kinematics, Modes, Settled, Witnesses};
 use crate::method::scheme::Scheme;
 use crate::method::smooth::Steps;
 use crate::real::{Float, ulps};
