@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example measured` fits four scenes to run 1, from viscous friction alone to an arm with dry
 //! friction, misaligned encoders and the rotor of a motor, shows which measurement determines which parameter, and
-//! predicts run 2. Bristles in place of dry friction predict it better.
+//! predicts run 2. Bristles in place of dry friction, fitted to runs 1 and 3, predict it better.
 //!
 //! The data are of the robotics laboratory DFKI RIC, <https://github.com/dfki-ric-underactuated-lab/double_pendulum>,
 //! under the license beside them: angles of two driven links, the first from hanging, the second relative to the first,
@@ -108,7 +108,7 @@ struct Run {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let runs = [read("run_1.csv")?, read("run_2.csv")?];
+    let runs = [read("run_1.csv")?, read("run_2.csv")?, read("run_3.csv")?];
     let noise = ["q1", "q2"].map(|name| noise(runs[0].values(name)));
     println!(
         "noise of the angles of run 1, from second differences: {:.2} and {:.2} mrad",
@@ -146,7 +146,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     which_parameters(best, &runs[0])?;
     let predicted = prediction::predict(best, &runs[1])?;
     prediction::limits([(&runs[0], best), (&runs[1], &predicted)])?;
-    bristles::compare(best, [&runs[0], &runs[1]])?;
+    bristles::compare(best, &runs)?;
 
     println!();
     let stem = |name: &str| Path::new("out/measured").join(name);

@@ -47,6 +47,22 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A rod with an axle whose bristles bend over a thousandth of a rad. Nothing depends on its heat.
+    Bristled {
+        params { friction: N m = 0.2 }
+        gravity: [0, -9.81, 0],
+        let w = dot(theta),
+        state bent { unit: 1, rate: (w - abs(w)*bent)/(0.001 rad + 0.002 s*abs(w)) }
+        state heat { unit: J, rate: friction*bent*w }
+        state filtered { unit: rad, rate: (theta - filtered)/0.1 s }
+        output readings: filtered,
+        body rod on ground {
+            solids: [rod(1, [0, 0, 0], [0, -1, 0])], joint: revolute(z), coordinate: theta, torque: -friction*bent,
+        }
+    }
+}
+
 /// A double pendulum with friction.
 const SWINGING: DoubleParams = DoubleParams {
     m1: 1.3,
@@ -409,6 +425,47 @@ fn what_the_motion_does_not_determine_is_named() {
     assert!(fitted.estimate("m1").expect("free").deviation.is_infinite());
     let length = fitted.estimate("l1").expect("free");
     assert!(length.deviation < 1e-3 && (length.value - truth.l1).abs() < 4.0 * length.deviation);
+}
+
+#[test]
+fn first_order_states_that_nothing_measures_are_named() {
+    let truth = Bristled::new(BristledParams::default()).expect("valid");
+    let (times, method) = (times(100.0, 4.0), Rk4::new(0.002));
+    let motion = method
+        .solve(&truth, 0.0, 4.0, [1.0, 0.0, 0.0, 0.0, 0.9])
+        .expect("a motion");
+    let random = &mut Random::new(21);
+    let mut measurement = Measurement::new(&times).expect("times");
+    for (name, n) in [("theta", 0), ("readings", 4)] {
+        let of = |&t: &f64| motion.at(t).expect("inside")[n] + 0.002 * random.normal();
+        measurement = measurement
+            .output(name, &times.iter().map(of).collect::<Vec<_>>())
+            .expect("values");
+    }
+    let rough = Bristled::new(BristledParams { friction: 0.1 }).expect("valid");
+    let unmeasured = |measurement: &Measurement| -> Vec<(String, usize, bool)> {
+        let fit = Fit::new(method).separate_windows(0.5);
+        let fitted = fit.run(&[Experiment::new(&rough, measurement)]).expect("a fit");
+        let found = fitted.warnings.iter().filter_map(|warning| match warning {
+            Warning::Unmeasured {
+                state,
+                windows,
+                deviation,
+                ..
+            } => Some((state.clone(), *windows, deviation.is_infinite())),
+            _ => None,
+        });
+        found.collect()
+    };
+    let heat = ("heat".to_owned(), 8, true);
+    let [(bent, windows, false), other] = &unmeasured(&measurement)[..] else {
+        panic!("{:?}", unmeasured(&measurement))
+    };
+    assert!(bent == "bent" && *windows > 0 && *other == heat, "{bent} {windows}");
+    // a prior of the bristles alone, at the starts of windows
+    let prior = (0..times.len()).map(|n| if n % 50 == 0 { 0.0 } else { f64::NAN });
+    let measurement = measurement.output_with_noise("bent", &prior.collect::<Vec<_>>(), 0.6);
+    assert_eq!(unmeasured(&measurement.expect("values")), [heat]);
 }
 
 #[test]

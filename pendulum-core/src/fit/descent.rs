@@ -335,9 +335,8 @@ mod tests {
 
     use nalgebra::DMatrix;
 
-    use super::{ENOUGH, End};
+    use super::End;
     use crate::error::{ParameterError, Reason};
-    use crate::fit::Loss;
     use crate::fit::measurement::Measurement;
     use crate::fit::search::Search;
     use crate::fit::shooting::{Shooting, Shot};
@@ -389,33 +388,15 @@ mod tests {
         let measurement = Measurement::new(&times).expect("times");
         let measurement = measurement.output_with_noise("a", &[0.0; COUNT], 1.0).expect("values");
         let measurement = measurement.output_with_noise("b", &[0.0; COUNT], 1.0).expect("values");
-        let mut search = Search {
-            shooting: &Curved(-0.8),
-            measurements: vec![&measurement],
-            windows: vec![Window {
-                experiment: 0,
-                samples: 0..COUNT,
-                span: [0.0; 2],
-                joined: false,
-                known: true,
-            }],
-            sensors: vec![vec![0, 1]],
-            noise: vec![1.0; 2],
-            given: vec![true; 2],
-            has_noise: true,
-            free: vec![0],
-            bounds: vec![[f64::NEG_INFINITY, f64::INFINITY]],
-            loss: Loss::Squares,
-            n: 1,
-            hybrid: false,
-            joints: None,
-            tried: vec![0.0],
-            leaves_bad_windows: false,
-            enough: ENOUGH,
-            max_iterations: 100,
-            iterations: 0,
-            shots: 0,
+        let window = Window {
+            experiment: 0,
+            samples: 0..COUNT,
+            span: [0.0; 2],
+            joined: false,
+            known: true,
         };
+        let mut search = Search::of_noise_1(&Curved(-0.8), &measurement, vec![window]);
+        (search.free, search.bounds) = (vec![0], vec![[f64::NEG_INFINITY, f64::INFINITY]]);
         let point = search.at(vec![0.05], vec![vec![0.0]]).expect("a point");
         let (point, end) = search.minimise(point, &mut |_| ControlFlow::Continue(()));
         assert_eq!(end, End::Converged);

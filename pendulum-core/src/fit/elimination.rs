@@ -148,6 +148,18 @@ pub(super) struct Block {
     pub(super) joint: Option<DMatrix<f64>>,
 }
 
+impl Block {
+    /// Standard deviation of a component of the start, of `n`, for given parameters and in units of the noise; infinite
+    /// where the window does not determine it.
+    pub(super) fn deviation_of(&self, component: usize, n: usize) -> f64 {
+        // last, so that its pivot is the part that others cannot make up for
+        let order = (0..n).filter(|&i| i != component).chain([component]);
+        let columns: Vec<_> = order.map(|i| self.rows.column(i).into_owned()).collect();
+        let start = Echelon::new(DMatrix::from_columns(&columns), n);
+        start.pivots[n - 1].map_or(f64::INFINITY, |row| 1.0 / start.rows[(row, n - 1)].abs())
+    }
+}
+
 /// A least-squares problem of which the starts are eliminated.
 pub(super) struct Eliminated {
     /// In echelon form in the corrections of the parameters.

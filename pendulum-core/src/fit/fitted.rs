@@ -160,6 +160,23 @@ pub enum Warning {
     },
     /// The windows of a trajectory do not join: the largest gap, relative to the deviation of a start.
     Gap(f64),
+    /// The start of a first-order state is not determined in separate windows: its deviation is more than ten times the
+    /// size of the state, so that it follows the errors of the scene there, or keeps its first guess. Measure the state
+    /// itself by [`output_with_noise`](super::Measurement::output_with_noise), as zero with a deviation of its size, at
+    /// the first sample of each window, and as NaN elsewhere. A start that is known is one by
+    /// [`from_known`](super::Experiment::from_known).
+    Unmeasured {
+        /// Name of the state.
+        state: String,
+        /// Number of windows in which it is not determined.
+        windows: usize,
+        /// Index of the experiment with the largest deviation.
+        experiment: usize,
+        /// Time at the start of the window with the largest deviation.
+        from: f64,
+        /// The largest deviation, for given parameters and in the unit of the state; infinite without any influence.
+        deviation: f64,
+    },
 }
 
 messages! {
@@ -174,6 +191,11 @@ messages! {
          the method is too coarse, or the fit is not the best one; deviations are too small";
     Self::Misfit { output, ratio } => "residuals of `{output}` are {ratio:.3e} times its noise";
     Self::Gap(gap) => "windows do not join: the largest gap is {gap:.1e} deviations of a start";
+    Self::Unmeasured { state, windows, experiment, from, deviation } =>
+        "the start of the state `{state}` is not determined in {windows} of the windows, least of all in experiment \
+         {experiment} from t = {from:.3} ({by}); measure `{state}` as 0 at the first sample of each, with a deviation \
+         of its size, and as NaN elsewhere",
+        by = if deviation.is_finite() { format!("deviation {deviation:.1e}") } else { "no influence".to_owned() };
 }
 
 impl fmt::Display for Combination {

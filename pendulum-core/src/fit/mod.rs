@@ -311,7 +311,8 @@ impl<X> Fit<X> {
         let point = search.at(parameters, starts)?;
         search.check_first(&point, &names)?;
         let (point, end) = self.find(&mut search, point, &mut progress);
-        Ok(report::fitted(&search, &point, end, &names, &outputs))
+        let states = model.layout().map_or(&[][..], |layout| layout.states);
+        Ok(report::fitted(&search, &point, end, &names, &outputs, states))
     }
 
     /// Indices of the free parameters, and their bounds.

@@ -14,6 +14,7 @@ use super::loss::Loss;
 use super::measurement::Measurement;
 use super::search::{Point, Search};
 use super::shooting::{Shot, padded};
+use crate::layout::StateVariable;
 
 /// Singular values below this part of the largest are rounding errors.
 const SINGULAR: f64 = 1e-10;
@@ -29,6 +30,8 @@ const MISFIT: f64 = 1.5;
 const PARTS: f64 = 100.0;
 /// Gaps between windows larger than this many deviations are reported.
 const OPEN: f64 = 1e-2;
+/// First-order states are reported whose starts have deviations larger than this many times their size.
+const UNMEASURED: f64 = 10.0;
 
 /// Names of the outputs, the index of the output of each column of each measurement, and the given deviations of their
 /// noise. A column with a noise of its own counts as another output.
@@ -122,6 +125,40 @@ impl Search<'_> {
             all.get(all.len() / 2).map_or(1e6 * least, |median| median.max(least))
         };
         (0..self.n).map(of_component).collect()
+    }
+
+    /// First-order states whose starts are not determined in separate windows: they have no influence, or one that
+    /// fades faster than the samples follow one another.
+    fn unmeasured(&self, point: &Point, states: &[StateVariable<'_>]) -> Vec<Warning> {
+        let is_joined = |w: usize| self.windows.get(w).is_some_and(|window| window.joined);
+        let mut separate = self.unknown();
+        separate.retain(|&w| !is_joined(w) && !is_joined(w + 1));
+        if states.is_empty() || separate.is_empty() {
+            return Vec::new();
+        }
+        let blocks = self.blocks(point, Loss::Squares);
+        let of_state = |state: &StateVariable<'_>| {
+            let mut sizes: Vec<f64> = Vec::new();
+            for (start, shot) in point.starts.iter().zip(&point.shots) {
+                sizes.extend([start[state.index], shot.end[state.index]].map(f64::abs));
+            }
+            sizes.sort_by(f64::total_cmp);
+            let size = sizes[sizes.len() / 2];
+            let most = if size > 0.0 { UNMEASURED * size } else { f64::MAX };
+            let deviations = separate
+                .iter()
+                .map(|&w| (w, blocks[w].deviation_of(state.index, self.n)));
+            let large: Vec<_> = deviations.filter(|&(_, deviation)| deviation > most).collect();
+            let &(w, deviation) = large.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+            Some(Warning::Unmeasured {
+                state: state.name.to_owned(),
+                windows: large.len(),
+                experiment: self.windows[w].experiment,
+                from: self.windows[w].span[0],
+                deviation,
+            })
+        };
+        states.iter().filter_map(of_state).collect()
     }
 
     fn warnings(&self, point: &Point, residuals: &[Residuals], outputs: &[String], names: &[&str]) -> Vec<Warning> {
@@ -223,6 +260,7 @@ pub(super) fn fitted<const N: usize, const P: usize>(
     end: End,
     names: &[&str],
     outputs: &[String],
+    states: &[StateVariable<'_>],
 ) -> Fitted<N, P> {
     let (values, unknowns) = (search.values(point), search.unknowns());
     let left = values.saturating_sub(unknowns).max(1) as f64;
@@ -247,6 +285,8 @@ pub(super) fn fitted<const N: usize, const P: usize>(
     let spared = (values as f64 / left).sqrt();
     let noise = outputs.iter().zip(&search.noise).zip(&search.given);
     let noise = noise.map(|((name, noise), given)| (name.clone(), if *given { *noise } else { noise * spared }));
+    let mut warnings = search.warnings(point, &residuals, outputs, names);
+    warnings.extend(search.unmeasured(point, states));
     let logarithm = squares
         .iter()
         .zip(&search.noise)
@@ -267,7 +307,7 @@ pub(super) fn fitted<const N: usize, const P: usize>(
             unknowns: unknowns + search.given.iter().filter(|given| !**given).count(),
             values,
         },
-        warnings: search.warnings(point, &residuals, outputs, names),
+        warnings,
         residuals,
         status: match end {
             End::Converged | End::Kink => Status::Converged,

@@ -301,3 +301,32 @@ impl Search<'_> {
         Eliminated::new(&blocks, [self.n, self.free.len()], &none)
     }
 }
+
+#[cfg(test)]
+impl<'a> Search<'a> {
+    /// Search for states of one component in a smooth scene, with noise of deviation 1 and without free parameters.
+    pub(super) fn of_noise_1(shooting: &'a dyn Shooting, measurement: &'a Measurement, windows: Vec<Window>) -> Self {
+        let sensors = measurement.columns.len();
+        Self {
+            shooting,
+            measurements: vec![measurement],
+            sensors: vec![(0..sensors).collect()],
+            noise: vec![1.0; sensors],
+            given: vec![true; sensors],
+            has_noise: true,
+            free: Vec::new(),
+            bounds: Vec::new(),
+            loss: Loss::Squares,
+            n: 1,
+            hybrid: false,
+            joints: None,
+            tried: vec![0.0; windows.len()],
+            windows,
+            leaves_bad_windows: false,
+            enough: super::descent::ENOUGH,
+            max_iterations: 100,
+            iterations: 0,
+            shots: 0,
+        }
+    }
+}

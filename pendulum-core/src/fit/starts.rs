@@ -202,8 +202,7 @@ impl Search<'_> {
     /// they were last fitted from other starts.
     fn bad(&self, mean_squares: &[f64]) -> Vec<bool> {
         let all = mean_squares.iter().zip(&self.tried);
-        all.map(|(&square, tried)| self.hybrid && square > BAD.max(BAD * tried))
-            .collect()
+        all.map(|(&square, tried)| square > BAD.max(BAD * tried)).collect()
     }
 
     /// True if there are [bad](Self::bad) windows.
@@ -274,5 +273,78 @@ impl Search<'_> {
             *point = relaxed;
         }
         is_better
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::{ControlFlow, Range};
+
+    use nalgebra::DMatrix;
+
+    use crate::error::{ParameterError, Reason};
+    use crate::fit::Fit;
+    use crate::fit::measurement::Measurement;
+    use crate::fit::search::Search;
+    use crate::fit::shooting::{Shooting, Shot};
+    use crate::fit::windows::Window;
+
+    /// Number of samples of a window.
+    const COUNT: usize = 100;
+
+    /// Outputs `(x - 1) ((x - 3)^2 + 1)` of a start `x`: zero at 1, with a minimum of 1.85 at 8/3.
+    struct Dented;
+
+    impl Shooting for Dented {
+        fn shoot(
+            &self,
+            _: &Window,
+            start: &[f64],
+            _: &[f64],
+            _: &[usize],
+            variables: Range<usize>,
+        ) -> Result<Shot, Reason> {
+            let x = start[0];
+            Ok(Shot {
+                outputs: vec![(x - 1.0) * ((x - 3.0) * (x - 3.0) + 1.0); COUNT],
+                by: DMatrix::from_element(COUNT, variables.len(), 3.0 * x * x - 14.0 * x + 16.0),
+                end: start.to_vec(),
+                end_by: DMatrix::identity(1, variables.len()),
+            })
+        }
+
+        fn project(&self, _: &Window, _: &mut [f64], _: &[f64]) {}
+
+        fn check(&self, _: &[f64]) -> Result<(), ParameterError> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn starts_leave_poor_minima_in_smooth_scenes() {
+        const WINDOWS: usize = 5;
+        let times: Vec<f64> = (0..WINDOWS * COUNT).map(|n| n as f64).collect();
+        let values: Vec<f64> = (0..times.len())
+            .map(|n| if n.is_multiple_of(2) { 0.1 } else { -0.1 })
+            .collect();
+        let measurement = Measurement::new(&times).expect("times");
+        let measurement = measurement.output_with_noise("a", &values, 1.0).expect("values");
+        let window = |w: usize| Window {
+            experiment: 0,
+            samples: w * COUNT..(w + 1) * COUNT,
+            span: [times[w * COUNT]; 2],
+            joined: false,
+            known: false,
+        };
+        let mut search = Search::of_noise_1(&Dented, &measurement, (0..WINDOWS).map(window).collect());
+        let mut starts = vec![vec![1.1]; WINDOWS];
+        starts[2][0] = 3.0;
+        let point = search.at(Vec::new(), starts).expect("a point");
+        let (point, _) = Fit::new(()).find(&mut search, point, &mut |_| ControlFlow::Continue(()));
+        assert!(
+            point.starts.iter().all(|start| (start[0] - 1.0).abs() < 1e-3),
+            "{:?}",
+            point.starts
+        );
     }
 }
