@@ -23,7 +23,7 @@ pub(crate) use self::dual_sums::DualSums;
 pub use self::products::{FewProducts, Newest, Products};
 #[cfg(feature = "std")]
 pub use self::recording::Recording;
-pub use self::tangents::{DualKernel, Linearized, series_by_tangents};
+pub use self::tangents::{DualKernel, Linearized, Matrices, series_by_tangents};
 use crate::constraint::Hold;
 use crate::forward::forward;
 use crate::real::Real;

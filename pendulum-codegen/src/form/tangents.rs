@@ -3,8 +3,9 @@
 //! Derivatives of the states by initial conditions and parameters are tangents. The equations of motion `r_i = 0`, rows
 //! of a balance, are differentiated: `sum_j (dr_i/ds_j) s_j' + sum_c (dr_i/dc) c' = 0`, over the state and the
 //! accelerations `s` and the constants `c`. The series of all `dr_i/ds_j` and `dr_i/dc` are the same for all tangents.
-//! Each tangent then takes one product of series for each entry `dr_i/ds_j` that changes along the motion, and none for
-//! a constant. Dual numbers, through the recurrences of the motion, take two for each product of two series.
+//! Rates and accelerations are derivatives of the coordinates, so that each tangent takes one product of series for
+//! each equation and coordinate. Dual numbers, through the recurrences of the motion, take two for each product of two
+//! series.
 //!
 //! E. Hairer, S. P. Norsett, G. Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993), section I.14, has
 //! the linearized equations.
@@ -38,22 +39,21 @@ pub(crate) struct Tangents<'g> {
     pub constants: Vec<Expr<'g>>,
     /// Symbols for their values.
     pub values: Vec<Expr<'g>>,
-    /// Symbols for tangents: of the state, of the accelerations, of the constants.
-    pub tangents: [Vec<Expr<'g>>; 3],
-    /// Symbols for the entries of order `k`: those multiplied by tangents of state or accelerations, then those by
-    /// tangents of constants.
-    pub entries: [Vec<Expr<'g>>; 2],
-    /// Symbols for the sums of the products with tangents, for each row.
+    /// Symbols for their tangents.
+    pub slopes: Vec<Expr<'g>>,
+    /// Symbols for the distinct entries by constants, of order `k`.
+    pub by_constants: Vec<Expr<'g>>,
+    /// Symbols for the sums of the products with tangents of the motion, for each row.
     pub rows: Vec<Expr<'g>>,
     /// Number of products of series.
     pub slots: usize,
-    /// Roots of order 0: all entries, then the values of [`Symbols::kept`].
+    /// Roots of order 0: the matrices of entries by coordinates, by rates and by accelerations, row by row, the entries
+    /// by constants, then the values of [`Symbols::kept`].
     pub start: Vec<Expr<'g>>,
-    /// Roots of order `k`: all entries, the left factors of all products, then their right factors.
+    /// Roots of order `k`: the matrices, the entries by constants, the left factors of all products, then their right
+    /// factors.
     pub order: Vec<Expr<'g>>,
-    /// Terms of the rows with two factors of series, given entries and tangents.
-    pub terms: Vec<Expr<'g>>,
-    /// Tangents of the accelerations at order `k`, given the sums of these terms.
+    /// Tangents of the accelerations at order `k`, given the sums of the products.
     pub step: Vec<Expr<'g>>,
 }
 
@@ -95,40 +95,35 @@ impl<'g> Tangents<'g> {
         let roots = g.substitute(&roots, constants.iter().copied().zip(values.iter().copied()).collect());
         let (rows, solved) = roots.split_at(unknowns.len());
 
-        let (state, mut own) = (model.state(), Symbols::new(model));
-        let tangents = [
-            symbols("dx", state.len()),
-            symbols("da", unknowns.len()),
-            symbols("dc", constants.len()),
-        ];
-        let varying = |x: &Expr<'g>| x.level() == Level::State;
-        let (mut entries, mut by_constants) = (Entries::new(g, "entry"), Entries::new(g, "slope"));
-        let (mut terms, mut right_sides) = (Vec::new(), Vec::new());
+        let mut own = Symbols::new(model);
+        let slopes = symbols("dc", constants.len());
         let derivatives = |symbols: &[Expr<'g>]| -> Vec<Derivative<'g>> {
             symbols.iter().map(|&symbol| Derivative::by(symbol)).collect()
         };
-        let mut of_motion = derivatives(&[&state[..], &unknowns].concat());
-        let mut of_constants = derivatives(&values);
-        for (&row, &sum) in rows.iter().zip(&sums) {
-            let (mut products, mut right_side) = (g.zero(), sum);
-            let motion = of_motion.iter_mut().zip(tangents[0].iter().chain(&tangents[1]));
-            for (number, (derivative, &tangent)) in motion.enumerate() {
-                let entry = derivative.of(row);
-                if varying(&entry) {
-                    products += entries.symbol(entry) * tangent;
-                } else if number < state.len() {
-                    right_side += entry * tangent;
+        let mut all = Vec::new();
+        for mut derivatives in [derivatives(&model.state()), derivatives(&unknowns)] {
+            for derivatives in derivatives.chunks_mut(unknowns.len().max(1)) {
+                for &row in rows {
+                    all.extend(derivatives.iter_mut().map(|derivative| derivative.of(row)));
                 }
             }
-            for (derivative, &tangent) in of_constants.iter_mut().zip(&tangents[2]) {
-                let entry = derivative.of(row);
-                if !entry.is_zero() {
-                    right_side += by_constants.symbol(entry) * tangent;
-                }
-            }
-            terms.push(products);
-            right_sides.push(right_side);
         }
+        let mut by_constants = Entries::new(g, "slope");
+        let mut of_constants = derivatives(&values);
+        let right_sides = rows.iter().zip(&sums).map(|(&row, &sum)| {
+            let products = of_constants.iter_mut().zip(&slopes);
+            let products = products.fold(g.zero(), |products, (derivative, &slope)| {
+                let entry = derivative.of(row);
+                if entry.is_zero() {
+                    products
+                } else {
+                    products + by_constants.symbol(entry) * slope
+                }
+            });
+            // the sum is known last
+            products + sum
+        });
+        let right_sides: Vec<Expr<'g>> = right_sides.collect();
         let step = g.substitute(solved, sums.iter().copied().zip(right_sides).collect());
 
         let accelerations = symbols("a[k]", unknowns.len());
@@ -136,12 +131,12 @@ impl<'g> Tangents<'g> {
         for (&unknown, &acceleration) in unknowns.iter().zip(&accelerations) {
             recurrences.set(unknown, acceleration);
         }
-        let all: Vec<Expr<'g>> = entries.values.iter().chain(&by_constants.values).copied().collect();
+        all.extend(&by_constants.values);
         let mut order: Vec<Expr<'g>> = all.iter().map(|&entry| recurrences.coefficient(entry)).collect();
         let [left, right] = recurrences.sides();
         let slots = left.len();
         let [products, of_duals] = [
-            taylor.slots + slots + entries.values.len() * TANGENTS,
+            taylor.slots + slots + unknowns.len() * unknowns.len() * TANGENTS,
             taylor.slots * (1 + 2 * TANGENTS),
         ];
         if WORTH[1] * products > WORTH[0] * of_duals {
@@ -152,9 +147,7 @@ impl<'g> Tangents<'g> {
         let changing = changing
             .chain(own.sums[..slots].iter().copied())
             .chain(accelerations.iter().copied());
-        let changing = changing
-            .chain(tangents.iter().flatten().copied())
-            .chain(sums.iter().copied());
+        let changing = changing.chain(slopes.iter().copied()).chain(sums.iter().copied());
         let changing: FxHashSet<Expr<'g>> = changing.chain(by_constants.symbols.iter().copied()).collect();
         let of_order = order.len();
         let roots = [order, step].concat();
@@ -172,13 +165,12 @@ impl<'g> Tangents<'g> {
             accelerations,
             constants,
             values,
-            tangents,
-            entries: [entries.symbols, by_constants.symbols],
+            slopes,
+            by_constants: by_constants.symbols,
             rows: sums,
             slots,
             start: shorter(g, trig::lower(g, &[all, kept].concat())),
             order: shorter(g, order),
-            terms: shorter(g, terms),
             step: shorter(g, step),
         })
     }

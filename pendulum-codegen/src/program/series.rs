@@ -31,25 +31,24 @@ pub struct Series {
 
 /// Code for the coefficients of tangents: derivatives of a motion by initial conditions and parameters.
 ///
-/// Entries are derivatives of the equations of motion. Those multiplied by tangents of the state and of the
-/// accelerations come first, as [`Variable::Factor`], then those by tangents of constants. Tangents are
-/// [`Variable::Direction`] for the state, then the accelerations; [`Variable::Weight`] for the constants.
+/// Entries are derivatives of the equations of motion. Those by coordinates, rates and accelerations are a square
+/// matrix each. Those by constants are [`Variable::Factor`], the tangents of constants [`Variable::Weight`].
 #[derive(Clone, Debug)]
 pub struct Tangents {
     /// Number of products of series.
     pub products: usize,
-    /// Number of entries of each kind.
-    pub entries: [usize; 2],
+    /// Number of entries by constants.
+    pub by_constants: usize,
     /// Number of values of order 0 read by the other orders.
     pub kept: usize,
-    /// Order 0, given the accelerations: all entries, then the kept values.
+    /// Order 0, given the accelerations: the three matrices, row by row, the entries by constants, then the kept
+    /// values.
     pub start: Block,
-    /// Order `k`, given the accelerations of this order: all entries, then the left factors of all products, then their
-    /// right factors.
+    /// Order `k`, given the accelerations of this order: the matrices, the entries by constants, then the left factors
+    /// of all products, then their right factors.
     pub order: Block,
-    /// Products of entries and tangents, for each equation of motion.
-    pub terms: Block,
-    /// Tangents of the accelerations at order `k`, given the sums of these products, as [`Coefficient::Sum`].
+    /// Tangents of the accelerations at order `k`, given the sums of the products of matrices and tangents, as
+    /// [`Coefficient::Sum`].
     pub step: Block,
 }
 
@@ -65,13 +64,11 @@ impl Tangents {
         };
         let constants = tangents.constants.iter().map(|constant| known[&constant.id()]);
         let values = tangents.values.iter().map(|value| value.id()).zip(constants.clone());
-        let [of_state, of_accelerations, of_constants] = &tangents.tangents;
         let slopes = constants.map(|constant| match constant {
             Variable::Constant(n) => Variable::Weight(n),
             other => other,
         });
-        let slopes = of_constants.iter().map(|slope| slope.id()).zip(slopes);
-        let [entries, by_constants] = &tangents.entries;
+        let slopes = tangents.slopes.iter().map(|slope| slope.id()).zip(slopes);
         let variables = |lists: Vec<Vec<(ExprId, Variable)>>| -> FxHashMap<ExprId, Variable> {
             let of_lists = lists.into_iter().flatten();
             known
@@ -93,19 +90,17 @@ impl Tangents {
             kept.clone(),
         ]);
         let of_tangents = variables(vec![
-            numbered(&[&entries[..], by_constants].concat(), Variable::Factor),
-            numbered(&[&of_state[..], of_accelerations].concat(), Variable::Direction),
+            numbered(&tangents.by_constants, Variable::Factor),
             numbered(&tangents.rows, |n| Variable::Series(Coefficient::Sum(n))),
             slopes.collect(),
             kept,
         ]);
         Ok(Self {
             products: tangents.slots,
-            entries: [entries.len(), by_constants.len()],
+            by_constants: tangents.by_constants.len(),
             kept: symbols.kept.len(),
             start: block(g, &tangents.start, &variables(Vec::new()))?,
             order: block(g, &tangents.order, &of_order)?,
-            terms: block(g, &tangents.terms, &of_tangents)?,
             step: block(g, &tangents.step, &of_tangents)?,
         })
     }

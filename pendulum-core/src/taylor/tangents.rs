@@ -13,23 +13,17 @@ use crate::dual::Dual;
 use crate::real::Real;
 use crate::real::lanes::{Lanes, WideKernel};
 
+/// Derivatives of `R` equations of motion by coordinates, by rates and by accelerations: a matrix each.
+#[doc(hidden)]
+pub type Matrices<T, const R: usize> = [[[T; R]; R]; 3];
+
 /// Equations of motion `r = 0` of a generated model without constraints and first-order states, and their derivatives,
 /// the entries.
 ///
-/// There are `R` equations, `C` constants, `E` entries that are multiplied by tangents of the `N` components of the
-/// state and of the `R` accelerations, `F` entries by tangents of constants, `K` values that all orders read, and `M`
-/// products of series.
+/// There are `R` equations, `C` constants, `F` distinct entries by constants, `K` values that all orders read, and `M`
+/// products of series. The `N` components of the state are the `R` coordinates and their rates.
 #[doc(hidden)]
-pub trait Linearized<
-    const N: usize,
-    const R: usize,
-    const C: usize,
-    const E: usize,
-    const F: usize,
-    const K: usize,
-    const M: usize,
->
-{
+pub trait Linearized<const N: usize, const R: usize, const C: usize, const F: usize, const K: usize, const M: usize> {
     /// Parameters of the model.
     type Parameters;
 
@@ -37,7 +31,11 @@ pub trait Linearized<
     fn with_constants<T: Real>(params: &Self::Parameters, constants: [T; C]) -> impl TaylorSeries<T, N>;
 
     /// Computes the entries and kept values of order 0.
-    fn start<T: Real>(constants: &[T; C], x: &SVector<T, N>, accelerations: &[T; R]) -> ([T; E], [T; F], [T; K]);
+    fn start<T: Real>(
+        constants: &[T; C],
+        x: &SVector<T, N>,
+        accelerations: &[T; R],
+    ) -> (Matrices<T, R>, [T; F], [T; K]);
 
     /// Computes the entries of order `k`, and the factors of the products, given `k` and its reciprocal, the interior
     /// sums of the products, and the coefficients of the state and the accelerations.
@@ -48,19 +46,15 @@ pub trait Linearized<
         sums: &[T; M],
         x: &SVector<T, N>,
         accelerations: &[T; R],
-    ) -> ([T; E], [T; F], [[T; M]; 2]);
+    ) -> (Matrices<T, R>, [T; F], [[T; M]; 2]);
 
-    /// Adds the products of entries with tangents of the state and of the accelerations, for each equation.
-    fn terms<T: Real>(entries: &[T; E], of_state: &[T; N], of_accelerations: &[T; R]) -> [T; R];
-
-    /// Computes the tangents of the accelerations of an order, given its entries by constants, the sums of all
-    /// [`terms`](Self::terms) of this order, and the tangents of the state and of the constants.
+    /// Computes the tangents of the accelerations of an order, given its entries by constants, the sums of all products
+    /// of matrices and tangents of this order without these, and the tangents of the constants.
     fn step<T: Real>(
         constants: &[T; C],
         kept: &[T; K],
         by_constants: &[T; F],
         sums: &[T; R],
-        of_state: &[T; N],
         of_constants: &[T; C],
     ) -> [T; R];
 }
@@ -81,12 +75,11 @@ pub trait DualKernel<T> {
 #[doc(hidden)]
 #[inline(always)]
 pub fn series_by_tangents<
-    S: Linearized<N, R, C, E, F, K, M>,
+    S: Linearized<N, R, C, F, K, M>,
     T: Real,
     const N: usize,
     const R: usize,
     const C: usize,
-    const E: usize,
     const F: usize,
     const K: usize,
     const M: usize,
@@ -96,7 +89,7 @@ pub fn series_by_tangents<
     t: T,
     x: &mut [SVector<T, N>],
 ) {
-    T::take_apart(Motion::<S, T, N, R, C, E, F, K, M> {
+    T::take_apart(Motion::<S, T, N, R, C, F, K, M> {
         params,
         constants,
         t,
@@ -107,12 +100,11 @@ pub fn series_by_tangents<
 /// A motion in dual numbers.
 struct Motion<
     'a,
-    S: Linearized<N, R, C, E, F, K, M>,
+    S: Linearized<N, R, C, F, K, M>,
     T,
     const N: usize,
     const R: usize,
     const C: usize,
-    const E: usize,
     const F: usize,
     const K: usize,
     const M: usize,
@@ -124,16 +116,15 @@ struct Motion<
 }
 
 impl<
-    S: Linearized<N, R, C, E, F, K, M>,
+    S: Linearized<N, R, C, F, K, M>,
     T: Real,
     const N: usize,
     const R: usize,
     const C: usize,
-    const E: usize,
     const F: usize,
     const K: usize,
     const M: usize,
-> DualKernel<T> for Motion<'_, S, T, N, R, C, E, F, K, M>
+> DualKernel<T> for Motion<'_, S, T, N, R, C, F, K, M>
 {
     #[inline(always)]
     fn run<U: Real, const P: usize>(
@@ -159,29 +150,10 @@ impl<
                 of_mut(x).value = *value;
             }
         }
-        let accelerations = |k: usize| -> [U; R] {
-            let factor = U::from_f64((k + 1) as f64);
-            core::array::from_fn(|n| factor * values[k + 1][N - R + n])
-        };
-        let (mut entries, mut by_constants) = ([[U::default(); E]; MAX_ORDER], [[U::default(); F]; MAX_ORDER]);
-        let (of_motion, of_constants, kept) = S::start(&constants, &values[0], &accelerations(0));
-        (entries[0], by_constants[0]) = (of_motion, of_constants);
-        let (mut products, mut newest) = (Products::<U, M>::new(), Newest::new());
-        for k in 1..order {
-            let sums = newest.add(products.sums(k));
-            let orders = [k as f64, 1.0 / k as f64].map(U::from_f64);
-            let (of_motion, of_constants, [left, right]) =
-                S::order(&constants, &kept, orders, &sums, &values[k], &accelerations(k));
-            (entries[k], by_constants[k]) = (of_motion, of_constants);
-            newest.push(k, left, right);
-            products.set(k, left, right);
-        }
-        let mut tangents = Tangents::<S, T, U, _, _, N, R, C, E, F, K, M, P> {
+        let tangents = Tangents::<S, T, U, _, _, N, R, C, F, K, M, P> {
             constants: &constants,
             duals,
-            kept: &kept,
-            entries: &entries,
-            by_constants: &by_constants,
+            values: &values,
             x,
             of,
             of_mut,
@@ -190,8 +162,7 @@ impl<
         if const { U::LANES == 1 } {
             U::run_wide(tangents);
         } else {
-            let start = tangents.groups::<Alone, BLOCK>(0);
-            tangents.groups::<Alone, 1>(start);
+            tangents.orders::<Alone, Alone>();
         }
     }
 }
@@ -273,7 +244,6 @@ struct Tangents<
     const N: usize,
     const R: usize,
     const C: usize,
-    const E: usize,
     const F: usize,
     const K: usize,
     const M: usize,
@@ -281,17 +251,24 @@ struct Tangents<
 > {
     constants: &'a [U; C],
     duals: &'a [T; C],
-    kept: &'a [U; K],
-    entries: &'a [[U; E]; MAX_ORDER],
-    by_constants: &'a [[U; F]; MAX_ORDER],
+    values: &'a [SVector<U, N>; MAX_ORDER + 1],
     x: &'a mut [SVector<T, N>],
     of: Of,
     of_mut: OfMut,
     system: PhantomData<S>,
 }
 
+/// Numbers of one order that all tangents read.
+struct Shared<'a, U, const R: usize, const F: usize, const K: usize> {
+    order: usize,
+    kept: &'a [U; K],
+    by_constants: &'a [U; F],
+    /// Factors of the coordinates of each order in the equations.
+    matrices: &'a [[[U; R]; R]; MAX_ORDER + 1],
+}
+
 impl<
-    S: Linearized<N, R, C, E, F, K, M>,
+    S: Linearized<N, R, C, F, K, M>,
     T,
     U: Real,
     Of: Fn(&T) -> &Dual<U, P>,
@@ -299,19 +276,74 @@ impl<
     const N: usize,
     const R: usize,
     const C: usize,
-    const E: usize,
     const F: usize,
     const K: usize,
     const M: usize,
     const P: usize,
-> Tangents<'_, S, T, U, Of, OfMut, N, R, C, E, F, K, M, P>
+> Tangents<'_, S, T, U, Of, OfMut, N, R, C, F, K, M, P>
 {
+    /// Computes all orders, with tangents side by side in `A`, then in `B`, and the last ones alone.
+    ///
+    /// The derivatives of the equations by rates and by accelerations are multiplied by the powers of the order that
+    /// rates and accelerations have beside coordinates: once for all tangents.
+    #[inline(always)]
+    fn orders<A: Beside<U>, B: Beside<U>>(mut self) {
+        let accelerations = |k: usize| {
+            let mut accelerations = [U::default(); R];
+            for n in 0..R {
+                accelerations[n] = U::from_f64((k + 1) as f64) * self.values[k + 1][N - R + n];
+            }
+            accelerations
+        };
+        let (mut entries, mut by_constants, kept) = S::start(self.constants, &self.values[0], &accelerations(0));
+        let (mut products, mut newest) = (Products::<U, M>::new(), Newest::new());
+        let zeros = [[U::default(); R]; R];
+        // at `n` the matrices by coordinates of order `n - 1`, by rates of order `n`, by accelerations of order `n + 1`
+        let mut by_lag = [[zeros; 3]; MAX_ORDER + 1];
+        let mut matrices = [zeros; MAX_ORDER + 1];
+        for k in 0..self.x.len() - 1 {
+            if k > 0 {
+                let sums = newest.add(products.sums(k));
+                let orders = [k as f64, 1.0 / k as f64].map(U::from_f64);
+                let (of_motion, of_constants, [left, right]) =
+                    S::order(self.constants, &kept, orders, &sums, &self.values[k], &accelerations(k));
+                (entries, by_constants) = (of_motion, of_constants);
+                newest.push(k, left, right);
+                products.set(k, left, right);
+                by_lag[k - 1][2] = entries[2];
+            }
+            (by_lag[k + 1][0], by_lag[k][1]) = (entries[0], entries[1]);
+            for (m, matrix) in matrices[..k + 2].iter_mut().enumerate() {
+                let [of_coordinates, of_rates, of_accelerations] = &by_lag[k + 1 - m];
+                let parts = [
+                    of_coordinates.as_flattened(),
+                    of_rates.as_flattened(),
+                    of_accelerations.as_flattened(),
+                ];
+                let (powers, sums) = (POWERS[m].map(U::from_f64), matrix.as_flattened_mut());
+                let start = weigh::<U, A>(parts, powers, sums, 0);
+                let start = weigh::<U, B>(parts, powers, sums, start);
+                weigh::<U, Alone>(parts, powers, sums, start);
+            }
+            let shared = Shared {
+                order: k,
+                kept: &kept,
+                by_constants: &by_constants,
+                matrices: &matrices,
+            };
+            let start = self.groups::<A, BLOCK>(&shared, 0);
+            let start = self.groups::<A, 1>(&shared, start);
+            let start = self.groups::<B, 1>(&shared, start);
+            self.groups::<Alone, 1>(&shared, start);
+        }
+    }
+
     /// Computes as many tangents from the number `start` on as fill `G` registers at a time, and returns the next
     /// number.
     #[inline(always)]
-    fn groups<V: Beside<U>, const G: usize>(&mut self, mut start: usize) -> usize {
+    fn groups<V: Beside<U>, const G: usize>(&mut self, shared: &Shared<'_, U, R, F, K>, mut start: usize) -> usize {
         while start + G * V::WIDTH <= P {
-            self.group::<V, G>(start);
+            self.group::<V, G>(shared, start);
             start += G * V::WIDTH;
         }
         start
@@ -319,46 +351,98 @@ impl<
 
     /// Computes the tangents from the number `start` on that fill `G` registers.
     #[inline(always)]
-    fn group<V: Beside<U>, const G: usize>(&mut self, start: usize) {
-        let load = |x: &T, g: usize| V::load(&(self.of)(x).slopes, start + g * V::WIDTH);
-        let of_constants: [[V::All; C]; G] =
-            core::array::from_fn(|g| core::array::from_fn(|n| load(&self.duals[n], g)));
-        let (constants, kept) = (self.constants.map(V::splat), self.kept.map(V::splat));
-        let mut accelerations = [[[V::All::default(); R]; G]; MAX_ORDER];
-        for k in 0..self.x.len() - 1 {
-            let mut sums = [[V::All::default(); R]; G];
-            // the tangents of the accelerations of this order are zero so far
-            let lower = self.x[..=k].iter().zip(&accelerations[..=k]).rev();
-            for (entries, (x, accelerations)) in self.entries.iter().zip(lower) {
-                let entries = entries.map(V::splat);
-                for g in 0..G {
-                    let of_state: [V::All; N] = core::array::from_fn(|n| load(&x[n], g));
-                    let terms = S::terms(&entries, &of_state, &accelerations[g]);
-                    for n in 0..R {
-                        sums[g][n] += terms[n];
+    fn group<V: Beside<U>, const G: usize>(&mut self, shared: &Shared<'_, U, R, F, K>, start: usize) {
+        let k = shared.order;
+        let (lower, newest) = shared.matrices[..k + 2].split_at(k + 1);
+        // two parts for each sum, so that an addition need not wait for the one before
+        let mut sums = [[[V::All::default(); 2]; R]; G];
+        for (matrix, x) in lower.iter().zip(&self.x[..=k]) {
+            for c in 0..R {
+                for (g, sums) in sums.iter_mut().enumerate() {
+                    let tangent = V::load(&(self.of)(&x[c]).slopes, start + g * V::WIDTH);
+                    for r in 0..R {
+                        sums[r][c % 2] = tangent.mul_add(V::splat(matrix[r][c]), sums[r][c % 2]);
                     }
                 }
             }
-            let by_constants = self.by_constants[k].map(V::splat);
-            let over = V::All::from_f64(1.0 / (k + 1) as f64);
-            for g in 0..G {
-                let of_state: [V::All; N] = core::array::from_fn(|n| load(&self.x[k][n], g));
-                let solved = S::step(&constants, &kept, &by_constants, &sums[g], &of_state, &of_constants[g]);
-                accelerations[k][g] = solved;
-                let rates = of_state[N - R..].iter().chain(&solved);
-                for (x, &rate) in self.x[k + 1].iter_mut().zip(rates) {
-                    V::store(rate * over, &mut (self.of_mut)(x).slopes, start + g * V::WIDTH);
+        }
+        let (constants, kept) = (splat::<U, V, _>(self.constants), splat::<U, V, _>(shared.kept));
+        let by_constants = splat::<U, V, _>(shared.by_constants);
+        let over = V::All::from_f64(1.0 / (k + 1) as f64);
+        for (g, sums) in sums.iter().enumerate() {
+            let start = start + g * V::WIDTH;
+            let mut of_constants = [V::All::default(); C];
+            for (of_constant, dual) in of_constants.iter_mut().zip(self.duals) {
+                *of_constant = V::load(&(self.of)(dual).slopes, start);
+            }
+            let mut newer = [V::All::default(); R];
+            for c in 0..R {
+                let rate = V::load(&(self.of)(&self.x[k][N - R + c]).slopes, start);
+                let tangent = rate * over;
+                V::store(tangent, &mut (self.of_mut)(&mut self.x[k + 1][c]).slopes, start);
+                for r in 0..R {
+                    newer[r] = tangent.mul_add(V::splat(newest[0][r][c]), newer[r]);
                 }
+            }
+            let mut all = newer;
+            for r in 0..R {
+                all[r] = (sums[r][0] + sums[r][1]) + newer[r];
+            }
+            let solved = S::step(&constants, &kept, &by_constants, &all, &of_constants);
+            for c in 0..R {
+                let slopes = &mut (self.of_mut)(&mut self.x[k + 1][N - R + c]).slopes;
+                V::store(solved[c] * over, slopes, start);
             }
         }
     }
 }
 
+/// Repeats each number for all tangents side by side. The functions of arrays are calls, compiled for the baseline.
+#[inline(always)]
+fn splat<U: Real, V: Beside<U>, const L: usize>(numbers: &[U; L]) -> [V::All; L] {
+    let mut all = [V::All::default(); L];
+    for (all, &number) in all.iter_mut().zip(numbers) {
+        *all = V::splat(number);
+    }
+    all
+}
+
+/// Computes as many factors of coordinates from the number `start` on as fill registers, and returns the next number.
+/// Without registers, compilers compute those of several orders side by side, and load and store them one by one.
+#[inline(always)]
+fn weigh<U: Real, V: Beside<U>>(
+    [of_coordinates, of_rates, of_accelerations]: [&[U]; 3],
+    [once, twice]: [U; 2],
+    sums: &mut [U],
+    mut start: usize,
+) -> usize {
+    while start + V::WIDTH <= sums.len() {
+        let rates = V::load(of_rates, start);
+        let sum = rates.mul_add(V::splat(once), V::load(of_coordinates, start));
+        let sum = V::load(of_accelerations, start).mul_add(V::splat(twice), sum);
+        V::store(sum, sums, start);
+        start += V::WIDTH;
+    }
+    start
+}
+
+/// `m` and `m (m - 1)` for each order `m`.
+const POWERS: [[f64; 2]; MAX_ORDER + 1] = {
+    let mut powers = [[0.0; 2]; MAX_ORDER + 1];
+    let mut m = 0;
+    while m <= MAX_ORDER {
+        let order = m as f64;
+        powers[m] = [order, order * (order - 1.0)];
+        m += 1;
+    }
+    powers
+};
+
 /// Number of registers of tangents computed side by side: few enough that their sums stay in registers.
 const BLOCK: usize = 2;
 
 impl<
-    S: Linearized<N, R, C, E, F, K, M>,
+    S: Linearized<N, R, C, F, K, M>,
     T,
     U,
     Of: Fn(&T) -> &Dual<U, P>,
@@ -366,23 +450,19 @@ impl<
     const N: usize,
     const R: usize,
     const C: usize,
-    const E: usize,
     const F: usize,
     const K: usize,
     const M: usize,
     const P: usize,
-> WideKernel<U> for Tangents<'_, S, T, U, Of, OfMut, N, R, C, E, F, K, M, P>
+> WideKernel<U> for Tangents<'_, S, T, U, Of, OfMut, N, R, C, F, K, M, P>
 {
     #[inline(always)]
-    fn run<V, Narrow>(mut self)
+    fn run<V, Narrow>(self)
     where
         U: Lanes<Scalar = U>,
         V: Lanes<Scalar = U>,
         Narrow: Lanes<Scalar = U>,
     {
-        let start = self.groups::<InLanes<V>, BLOCK>(0);
-        let start = self.groups::<InLanes<V>, 1>(start);
-        let start = self.groups::<InLanes<Narrow>, 1>(start);
-        self.groups::<Alone, 1>(start);
+        self.orders::<InLanes<V>, InLanes<Narrow>>();
     }
 }

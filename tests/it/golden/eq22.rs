@@ -707,7 +707,7 @@ k12 = -m*c*d/(inertia + m*c^2)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::taylor::Linearized<4, 2, 13, 7, 9, 23, 20> for DoublePendulum {
+    impl ::pendulum_core::taylor::Linearized<4, 2, 13, 9, 23, 20> for DoublePendulum {
         type Parameters = DoublePendulumParams;
         #[inline]
         fn with_constants<T: ::pendulum_core::real::Real>(
@@ -725,7 +725,7 @@ k12 = -m*c*d/(inertia + m*c^2)
             constants: &[T; 13],
             state: &::pendulum_core::nalgebra::SVector<T, 4>,
             accelerations: &[T; 2],
-        ) -> ([T; 7], [T; 9], [T; 23]) {
+        ) -> (::pendulum_core::taylor::Matrices<T, 2>, [T; 9], [T; 23]) {
             let q_theta1 = state[0];
             let q_theta2 = state[1];
             let qd_theta1 = state[2];
@@ -738,6 +738,7 @@ k12 = -m*c*d/(inertia + m*c^2)
             let k3 = constants[3];
             let k4 = constants[4];
             let k5 = constants[5];
+            let k6 = constants[6];
             let k7 = constants[7];
             let k8 = constants[8];
             let t0 = -qd_theta2;
@@ -772,7 +773,11 @@ k12 = -m*c*d/(inertia + m*c^2)
             let t27 = k1 * t25;
             let t28 = k2 * t25;
             (
-                [t16, t18, t11, t20, t19, t17, t12],
+                [
+                    [[t16, t18], [t19, t17]],
+                    [[k6, t11], [t12, k0]],
+                    [[k2, t20], [t20, k1]],
+                ],
                 [
                     t0,
                     qdd_theta1,
@@ -803,8 +808,8 @@ k12 = -m*c*d/(inertia + m*c^2)
                     t28,
                     t7,
                     t10,
-                    t21,
                     t13,
+                    t21,
                     t23,
                     t2,
                     t3,
@@ -820,7 +825,7 @@ k12 = -m*c*d/(inertia + m*c^2)
             sums: &[T; 20],
             coefficients: &::pendulum_core::nalgebra::SVector<T, 4>,
             accelerations: &[T; 2],
-        ) -> ([T; 7], [T; 9], [[T; 20]; 2]) {
+        ) -> (::pendulum_core::taylor::Matrices<T, 2>, [T; 9], [[T; 20]; 2]) {
             let qdd_theta1 = accelerations[0];
             let qdd_theta2 = accelerations[1];
             let k3 = constants[3];
@@ -876,34 +881,34 @@ k12 = -m*c*d/(inertia + m*c^2)
             let t1 = x3 - x2;
             let t2 = x0 - x1;
             let t3 = t2.mul_add(h9, s1.scaled(over_order));
-            let t4 = -k3 * t3;
-            let t5 = h11.mul_neg_add(t3, k3.mul_add(s2, x3 * h10));
-            let t6 = x3.mul_add(h16, h1.mul_add(t5, s3));
-            let t7 = t2.mul_add(h8, s4.scaled(over_order));
-            let t8 = t2.scaled(order);
-            let t9 = qdd_theta2.mul_add(h17, k3.mul_add(s5, h21 * t7));
-            let t10 = t9 - t6;
-            let t11 = x0.mul_add(h4, s0.scaled(over_order));
-            let t12 = k5.mul_neg_add(t11, t6 - t9);
-            let t13 = -t11;
-            let t14 = h11.mul_add(t7, x3 * h17);
-            let t15 = k3.mul_add(s6 + s7, t14) + t14;
-            let t16 = t3.mul_neg_add(h12, k3.mul_add(s8, h10 * x2));
-            let t17 = x2.mul_add(h19, h0.mul_add(t16, s9))
-                + h17.mul_add(qdd_theta1, k3.mul_add(s10, t7 * h22));
-            let t18 = -t17;
-            let t19 = x1.mul_add(h6, s11.scaled(over_order));
-            let t20 = k4.mul_neg_add(t19, t17);
-            let t21 = -t19;
-            let t22 = t7.mul_add(h12, h17 * x2);
-            let t23 = -(k3.mul_add(s12 + s13, t22) + t22);
-            let t24 = x3.mul_add(h9, h1.mul_add(t7, s7));
+            let t4 = h11.mul_neg_add(t3, k3.mul_add(s2, x3 * h10));
+            let t5 = x3.mul_add(h16, h1.mul_add(t4, s3));
+            let t6 = t2.mul_add(h8, s4.scaled(over_order));
+            let t7 = t2.scaled(order);
+            let t8 = qdd_theta2.mul_add(h17, k3.mul_add(s5, h21 * t6));
+            let t9 = t8 - t5;
+            let t10 = x0.mul_add(h4, s0.scaled(over_order));
+            let t11 = k5.mul_neg_add(t10, t5 - t8);
+            let t12 = -t10;
+            let t13 = t3.mul_neg_add(h12, k3.mul_add(s6, h10 * x2));
+            let t14 = x2.mul_add(h18, h0.mul_add(t13, s7))
+                + h17.mul_add(qdd_theta1, k3.mul_add(s8, t6 * h22));
+            let t15 = -t14;
+            let t16 = x1.mul_add(h6, s9.scaled(over_order));
+            let t17 = k4.mul_neg_add(t16, t14);
+            let t18 = -t16;
+            let t19 = h11.mul_add(t6, x3 * h17);
+            let t20 = k3.mul_add(s10 + s11, t19) + t19;
+            let t21 = t6.mul_add(h12, h17 * x2);
+            let t22 = -(k3.mul_add(s12 + s13, t21) + t21);
+            let t23 = -k3 * t3;
+            let t24 = x3.mul_add(h9, h1.mul_add(t6, s11));
             let t25 = t3
                 .mul_neg_add(
                     h3,
-                    h8.mul_add(qdd_theta2, x3.mul_add(h18, h1.mul_add(t24, s14)) + s15),
+                    h8.mul_add(qdd_theta2, x3.mul_add(h19, h1.mul_add(t24, s14)) + s15),
                 );
-            let t26 = h9.mul_add(x2, t7.mul_add(h0, s13));
+            let t26 = h9.mul_add(x2, t6.mul_add(h0, s13));
             let t27 = x2
                 .mul_neg_add(
                     h20,
@@ -916,23 +921,27 @@ k12 = -m*c*d/(inertia + m*c^2)
             let t31 = x0.scaled(order);
             let t32 = x1.scaled(order);
             (
-                [t12, t10, t15, t4, t18, t20, t23],
+                [
+                    [[t11, t9], [t15, t17]],
+                    [[T::from_f64(0.0), t20], [t22, T::from_f64(0.0)]],
+                    [[T::from_f64(0.0), t23], [t23, T::from_f64(0.0)]],
+                ],
                 [t0, qdd_theta1, t25, t29, x2, t1, qdd_theta2, t27, t30],
                 [
                     [
                         t31,
-                        t8,
+                        t7,
                         t28,
                         x3,
-                        t8,
-                        qdd_theta2,
                         t7,
-                        x3,
+                        qdd_theta2,
                         t28,
                         x2,
                         qdd_theta1,
                         t32,
-                        t7,
+                        t6,
+                        x3,
+                        t6,
                         x2,
                         x3,
                         qdd_theta2,
@@ -943,53 +952,28 @@ k12 = -m*c*d/(inertia + m*c^2)
                     ],
                     [
                         t29,
-                        t7,
+                        t6,
                         x3,
-                        t5,
+                        t4,
                         t28,
-                        t7,
-                        x3,
-                        t7,
+                        t6,
                         x2,
-                        t16,
-                        t7,
+                        t13,
+                        t6,
                         t30,
+                        x3,
+                        t6,
                         x2,
-                        t7,
+                        t6,
                         t24,
                         t28,
-                        t13,
+                        t12,
                         t28,
                         t26,
-                        t21,
+                        t18,
                     ],
                 ],
             )
-        }
-        #[cfg_attr(debug_assertions, inline)]
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        fn terms<T: ::pendulum_core::real::Real>(
-            factors: &[T; 7],
-            of_state: &[T; 4],
-            of_accelerations: &[T; 2],
-        ) -> [T; 2] {
-            let d0 = of_state[0];
-            let d1 = of_state[1];
-            let d2 = of_state[2];
-            let d3 = of_state[3];
-            let d4 = of_accelerations[0];
-            let d5 = of_accelerations[1];
-            let l0 = factors[0];
-            let l1 = factors[1];
-            let l2 = factors[2];
-            let l3 = factors[3];
-            let l4 = factors[4];
-            let l5 = factors[5];
-            let l6 = factors[6];
-            [
-                d5.mul_add(l3, d3.mul_add(l2, d1.mul_add(l1, d0 * l0))),
-                d4.mul_add(l3, d2.mul_add(l6, d1.mul_add(l5, d0 * l4))),
-            ]
         }
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
@@ -998,7 +982,6 @@ k12 = -m*c*d/(inertia + m*c^2)
             kept: &[T; 23],
             by_constants: &[T; 9],
             sums: &[T; 2],
-            of_state: &[T; 4],
             of_constants: &[T; 13],
         ) -> [T; 2] {
             let w0 = of_constants[0];
@@ -1008,30 +991,25 @@ k12 = -m*c*d/(inertia + m*c^2)
             let w4 = of_constants[4];
             let w5 = of_constants[5];
             let w6 = of_constants[6];
-            let d2 = of_state[2];
-            let d3 = of_state[3];
-            let k0 = constants[0];
-            let k6 = constants[6];
             let s0 = sums[0];
             let s1 = sums[1];
             let h13 = kept[13];
             let h14 = kept[14];
             let h15 = kept[15];
-            let l7 = by_constants[0];
-            let l8 = by_constants[1];
-            let l9 = by_constants[2];
-            let l10 = by_constants[3];
-            let l11 = by_constants[4];
-            let l12 = by_constants[5];
-            let l13 = by_constants[6];
-            let l14 = by_constants[7];
-            let l15 = by_constants[8];
-            let t0 = w3.mul_add(l9, w2.mul_add(l8, w0.mul_add(l7, k6.mul_add(d2, s0))));
-            let t1 = w6.mul_add(l11, w5.mul_add(l10, t0));
-            let t2 = w3
-                .mul_add(l14, w1.mul_add(l13, w0.mul_add(l12, k0.mul_add(d3, s1))));
-            let t3 = w4.mul_add(l15, t2);
-            [t3.mul_neg_add(h14, t1 * h13), t1.mul_neg_add(h14, t3 * h15)]
+            let l0 = by_constants[0];
+            let l1 = by_constants[1];
+            let l2 = by_constants[2];
+            let l3 = by_constants[3];
+            let l4 = by_constants[4];
+            let l5 = by_constants[5];
+            let l6 = by_constants[6];
+            let l7 = by_constants[7];
+            let l8 = by_constants[8];
+            let t0 = w6
+                .mul_add(l4, w5.mul_add(l3, w3.mul_add(l2, w2.mul_add(l1, w0 * l0))));
+            let t1 = s0 + t0;
+            let t2 = s1 + w4.mul_add(l8, w3.mul_add(l7, w1.mul_add(l6, w0 * l5)));
+            [t2.mul_neg_add(h14, t1 * h13), t1.mul_neg_add(h14, t2 * h15)]
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -1060,7 +1038,6 @@ k12 = -m*c*d/(inertia + m*c^2)
                     4,
                     2,
                     13,
-                    7,
                     9,
                     23,
                     20,

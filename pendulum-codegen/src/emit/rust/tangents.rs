@@ -15,18 +15,17 @@ impl Items<'_> {
         series.tangents.as_ref()
     }
 
-    /// Numbers of the state, the equations of motion, the constants, the entries of both kinds, the kept values and the
+    /// Numbers of the state, the equations of motion, the constants, the entries by constants, the kept values and the
     /// products.
-    fn sizes(&self, tangents: &Tangents) -> [Literal; 7] {
-        let ([_, rates], [entries, by_constants]) = (self.program.layout.components(), tangents.entries);
+    fn sizes(&self, tangents: &Tangents) -> [Literal; 6] {
+        let [_, rates] = self.program.layout.components();
         let constants = self.program.constants_text.len();
-        let own = [entries, by_constants, tangents.kept, tangents.products];
-        let [entries, by_constants, kept, products] = own.map(count);
+        let own = [tangents.by_constants, tangents.kept, tangents.products];
+        let [by_constants, kept, products] = own.map(count);
         [
             self.length(),
             count(rates.len()),
             count(constants),
-            entries,
             by_constants,
             kept,
             products,
@@ -51,24 +50,31 @@ impl Items<'_> {
         let (head, inline, allowed, parameters) =
             (&self.head.name, inlined_into_lanes(), allowed(), self.parameters_name());
         let all = self.sizes(tangents);
-        let [state, rates, constants, entries, by_constants, kept, products] = &all;
+        let [state, rates, constants, by_constants, kept, products] = &all;
         let (real, core) = (quote!(::pendulum_core::real::Real), quote!(::pendulum_core::taylor));
-        let [of_motion, _] = tangents.entries;
-        let both = tangents.entries.iter().sum();
+        let equations = self.program.layout.components()[1].len();
+        let of_motion = 3 * equations * equations;
+        let split = |values: &[Piece]| -> TokenStream {
+            let (matrices, by_constants) = values.split_at(of_motion);
+            let rows = matrices.chunks(equations).map(|row| quote!([#(#row),*]));
+            let rows: Vec<TokenStream> = rows.collect();
+            let matrices = rows.chunks(equations).map(|matrix| quote!([#(#matrix),*]));
+            quote!([#(#matrices),*], [#(#by_constants),*])
+        };
+        let both = of_motion + tangents.by_constants;
         let start = self.read(&tangents.start, |values| {
             let (entries, kept) = values.split_at(both);
-            let (entries, by_constants) = entries.split_at(of_motion);
-            quote!(([#(#entries),*], [#(#by_constants),*], [#(#kept),*]))
+            let entries = split(entries);
+            quote!((#entries, [#(#kept),*]))
         });
         let order = self.read(&tangents.order, |values| {
             let (entries, sides) = values.split_at(both);
-            let (entries, by_constants) = entries.split_at(of_motion);
-            let (left, right) = sides.split_at(tangents.products);
-            quote!(([#(#entries),*], [#(#by_constants),*], [[#(#left),*], [#(#right),*]]))
+            let (entries, (left, right)) = (split(entries), sides.split_at(tangents.products));
+            quote!((#entries, [[#(#left),*], [#(#right),*]]))
         });
-        let row = |values: &[Piece]| quote!([#(#values),*]);
-        let (terms, step) = (self.read(&tangents.terms, row), self.read(&tangents.step, row));
+        let step = self.read(&tangents.step, |values| quote!([#(#values),*]));
         let vector = quote!(::pendulum_core::nalgebra::SVector<T, #state>);
+        let matrices = quote!(#core::Matrices<T, #rates>);
         quote! {
             #allowed
             impl #core::Linearized<#(#all),*> for #head {
@@ -87,7 +93,7 @@ impl Items<'_> {
                     constants: &[T; #constants],
                     state: &#vector,
                     accelerations: &[T; #rates],
-                ) -> ([T; #entries], [T; #by_constants], [T; #kept]) {
+                ) -> (#matrices, [T; #by_constants], [T; #kept]) {
                     #start
                 }
 
@@ -99,17 +105,8 @@ impl Items<'_> {
                     sums: &[T; #products],
                     coefficients: &#vector,
                     accelerations: &[T; #rates],
-                ) -> ([T; #entries], [T; #by_constants], [[T; #products]; 2]) {
+                ) -> (#matrices, [T; #by_constants], [[T; #products]; 2]) {
                     #order
-                }
-
-                #inline
-                fn terms<T: #real>(
-                    factors: &[T; #entries],
-                    of_state: &[T; #state],
-                    of_accelerations: &[T; #rates],
-                ) -> [T; #rates] {
-                    #terms
                 }
 
                 #inline
@@ -118,7 +115,6 @@ impl Items<'_> {
                     kept: &[T; #kept],
                     by_constants: &[T; #by_constants],
                     sums: &[T; #rates],
-                    of_state: &[T; #state],
                     of_constants: &[T; #constants],
                 ) -> [T; #rates] {
                     #step
@@ -129,11 +125,6 @@ impl Items<'_> {
 
     /// Code of a block whose variables are in arrays.
     fn read(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
-        let tangents = self.program.series.iter().find_map(|series| series.tangents.as_ref());
-        let (length, of_motion) = (
-            self.program.layout.len(),
-            tangents.map_or(0, |tangents| tangents.entries[0]),
-        );
         let place = |array: &str, n: usize| -> (Ident, Literal) { (format_ident!("{array}"), count(n)) };
         let reads = block.reads().into_iter().filter_map(|variable| {
             let (array, n) = match variable {
@@ -141,10 +132,7 @@ impl Items<'_> {
                 Variable::State(n) => place("state", n),
                 Variable::Acceleration(n) => place("accelerations", n),
                 Variable::Weight(n) => place("of_constants", n),
-                Variable::Direction(n) if n < length => place("of_state", n),
-                Variable::Direction(n) => place("of_accelerations", n - length),
-                Variable::Factor(n) if n < of_motion => place("factors", n),
-                Variable::Factor(n) => place("by_constants", n - of_motion),
+                Variable::Factor(n) => place("by_constants", n),
                 Variable::Series(Coefficient::Order) => place("orders", 0),
                 Variable::Series(Coefficient::OverOrder) => place("orders", 1),
                 Variable::Series(Coefficient::State(n)) => place("coefficients", n),
