@@ -1,5 +1,7 @@
 //! Lists of values that code reads.
 
+use super::laws::Laws;
+
 /// List of values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Source {
@@ -47,22 +49,41 @@ impl Source {
 
 /// Values of all lists; those not given are empty.
 #[derive(Clone, Copy)]
-pub(super) struct Lists<'a, T>([&'a [T]; Source::ALL.len()]);
+pub(super) struct Lists<'a, T> {
+    values: [&'a [T]; Source::ALL.len()],
+    /// Laws of inputs, which replace those of the list.
+    laws: Option<&'a Laws>,
+}
 
 impl<'a, T> Lists<'a, T> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        Self([&[]; Source::ALL.len()])
+        Self {
+            values: [&[]; Source::ALL.len()],
+            laws: None,
+        }
     }
 
     #[inline(always)]
     pub(super) fn with(mut self, source: Source, values: &'a [T]) -> Self {
-        self.0[source as usize] = values;
+        self.values[source as usize] = values;
+        self
+    }
+
+    #[inline(always)]
+    pub(super) fn following(mut self, laws: Option<&'a Laws>) -> Self {
+        self.laws = laws;
         self
     }
 
     #[inline(always)]
     pub(super) fn of(&self, source: Source) -> &'a [T] {
-        self.0[source as usize]
+        self.values[source as usize]
+    }
+
+    /// Laws of inputs, with the time.
+    #[inline(always)]
+    pub(super) fn laws(&self) -> Option<(&'a Laws, &'a T)> {
+        self.laws.zip(self.of(Source::Time).first())
     }
 }
