@@ -176,6 +176,11 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         self.value.piecewise(piece).map(Self::constant)
     }
 
+    #[inline]
+    fn piecewise_by_lane<const C: usize>(self, piece: impl Fn(usize, f64) -> [f64; C]) -> [Self; C] {
+        self.value.piecewise_by_lane(piece).map(Self::constant)
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn as_variable(mut self, place: usize) -> Self {
         self.slopes[place] = T::from_f64(1.0);

@@ -30,6 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let members = Members {
             starts: &start.repeat(10),
             parameters: None,
+            laws: &[],
             times: &[],
             cancel: None,
         };

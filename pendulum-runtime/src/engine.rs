@@ -6,6 +6,7 @@ mod analyses;
 use std::sync::Arc;
 
 use nalgebra::DMatrix;
+use pendulum_core::inputs::TimeTable;
 use pendulum_core::shapes::{Shape, Shapes};
 use pendulum_core::tape::{Given, HybridModel, ModelError, Tape};
 use pendulum_core::{Energy, Jacobian, System};
@@ -51,7 +52,9 @@ impl<const N: usize> Analyses for Padded<f64, N> {}
 pub(crate) trait Engine: Analyses + Send + Sync {
     fn params(&self) -> &[f64];
     fn inputs(&self) -> &[f64];
-    fn with(&self, params: &[f64], inputs: &[f64]) -> Result<Arc<dyn Engine>, ModelError>;
+    fn laws(&self) -> Vec<(usize, TimeTable<1>)>;
+    fn with_params(&self, params: &[f64]) -> Result<Arc<dyn Engine>, ModelError>;
+    fn with_inputs(&self, inputs: &[f64], laws: Vec<(usize, TimeTable<1>)>) -> Arc<dyn Engine>;
     fn rhs(&self, t: f64, x: &[f64]) -> Vec<f64>;
     fn jacobian(&self, t: f64, x: &[f64]) -> DMatrix<f64>;
     fn energy(&self, t: f64, x: &[f64]) -> [f64; 2];
@@ -72,10 +75,19 @@ impl<const N: usize> Engine for Padded<f64, N> {
         self.inputs()
     }
 
-    fn with(&self, params: &[f64], inputs: &[f64]) -> Result<Arc<dyn Engine>, ModelError> {
-        let mut model = self.with_params(params)?;
+    fn laws(&self) -> Vec<(usize, TimeTable<1>)> {
+        self.laws().map(|(n, law)| (n, law.clone())).collect()
+    }
+
+    fn with_params(&self, params: &[f64]) -> Result<Arc<dyn Engine>, ModelError> {
+        Ok(Arc::new(self.with_params(params)?))
+    }
+
+    fn with_inputs(&self, inputs: &[f64], laws: Vec<(usize, TimeTable<1>)>) -> Arc<dyn Engine> {
+        let mut model = self.clone();
         model.set_inputs(inputs);
-        Ok(Arc::new(model))
+        model.set_laws(laws);
+        Arc::new(model)
     }
 
     fn rhs(&self, t: f64, x: &[f64]) -> Vec<f64> {

@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::SVector;
 use pendulum_core::dense::Dense;
+use pendulum_core::inputs::TimeTable;
 use pendulum_core::{EnsembleError, Need, ObservedEnsemble, Observer, Reason};
 use rayon::prelude::*;
 
@@ -29,6 +30,8 @@ pub struct Members<'a> {
     pub starts: &'a [f64],
     /// Parameters of each member, one after the other; `None` for those of the model.
     pub parameters: Option<&'a [f64]>,
+    /// Laws of inputs, one for each member; those of the model where an input is not named.
+    pub laws: &'a [(&'a str, Vec<TimeTable<1>>)],
     /// Times at which states are kept, in the direction of the integration.
     pub times: &'a [f64],
     /// Ends the integration when it becomes true; members that have not ended are then stopped.
@@ -186,8 +189,9 @@ pub(crate) fn ensemble<const N: usize>(
     check_times(members.times, span)?;
     let count = members.starts.len() / length;
     Error::check_length("the list of initial states", members.starts.len(), count * length)?;
-    let models: Vec<Padded<f64, N>> = match members.parameters {
-        None => vec![model.clone()],
+    let mut models: Vec<Padded<f64, N>> = match members.parameters {
+        None if members.laws.is_empty() => vec![model.clone()],
+        None => vec![model.clone(); count],
         Some(all) => {
             Error::check_length("the list of parameters", all.len(), count * params)?;
             let own = (0..count).map(|n| {
@@ -197,6 +201,16 @@ pub(crate) fn ensemble<const N: usize>(
             own.collect::<Result<_, Error>>()?
         }
     };
+    let inputs = model.tape().inputs().iter().map(|input| input.name);
+    for (name, laws) in members.laws {
+        let input = Error::index_of("input", name, inputs.clone())?;
+        Error::check_length(&format!("the list of laws of `{name}`"), laws.len(), count)?;
+        for (model, law) in models.iter_mut().zip(laws) {
+            let others = model.laws().filter(|(own, _)| *own != input);
+            let others = others.map(|(own, law)| (own, law.clone()));
+            model.set_laws(others.chain([(input, law.clone())]).collect());
+        }
+    }
     // as many as fill the lanes, but something to do for each thread
     let size = count.div_ceil(rayon::current_num_threads()).clamp(FEWEST, MOST);
     let smooth: Option<Vec<Smooth<N>>> = models.iter().map(Padded::smooth).collect();

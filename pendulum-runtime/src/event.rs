@@ -3,6 +3,7 @@
 use std::fmt;
 
 use nalgebra::SVector;
+use pendulum_core::tape::Given;
 use pendulum_core::{Direction, Event as CoreEvent, Real, System};
 
 use crate::error::Error;
@@ -128,11 +129,7 @@ fn declared<'m, T: Real, const N: usize>(model: &'m Padded<T, N>, name: &str) ->
     let routine = Error::index_of("event", name, routines)?;
     Ok(CoreEvent::new(move |t, x: &SVector<T, N>| {
         let mut value = [T::default()];
-        let given = pendulum_core::tape::Given {
-            inputs: model.inputs(),
-            ..Default::default()
-        };
-        model.evaluate(routine, t, x, &given, &mut value);
+        model.evaluate(routine, t, x, &Given::default(), &mut value);
         value[0]
     }))
 }

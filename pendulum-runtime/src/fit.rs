@@ -1,10 +1,12 @@
 //! Fits of parameters to measurements.
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use pendulum_core::fit::{self, Estimate, Loss, Measurement};
+use pendulum_core::inputs::TimeTable;
 
 use crate::error::Error;
 use crate::method::Method;
@@ -20,6 +22,8 @@ pub struct Experiment {
     pub guess: Option<Vec<f64>>,
     /// Known state, and its time, from which the motion begins.
     pub known: Option<(f64, Vec<f64>)>,
+    /// Inputs during the measurement, such as recorded torques; those of the model where an input is not named.
+    pub laws: Vec<(String, TimeTable<1>)>,
 }
 
 /// A fit: the method of integration, and settings.
@@ -90,6 +94,8 @@ pub struct Fitted {
 
 struct Run<'a, const N: usize> {
     model: &'a Padded<f64, N>,
+    /// The model with the inputs of each experiment.
+    driven: &'a [Padded<f64, N>],
     fit: &'a Fit,
     experiments: &'a [Experiment],
 }
@@ -114,8 +120,8 @@ impl<const N: usize> TaskWithDerivatives<N> for Run<'_, N> {
         if let Some(length) = own.separate_windows {
             fit = fit.separate_windows(length);
         }
-        let experiments = self.experiments.iter().map(|experiment| {
-            let mut of = fit::Experiment::new(self.model, &experiment.measurement);
+        let experiments = self.driven.iter().zip(self.experiments).map(|(model, experiment)| {
+            let mut of = fit::Experiment::new(model, &experiment.measurement);
             if let Some(guess) = &experiment.guess {
                 of = of.from_guess(padded::<N>(guess));
             }
@@ -173,9 +179,65 @@ pub(crate) fn fit<const N: usize>(
     for name in fit.free.iter().flatten().chain(bounded) {
         Error::index_of("parameter", name, known.clone())?;
     }
+    let is_driven = experiments.iter().any(|experiment| !experiment.laws.is_empty());
+    let driven = experiments.iter().enumerate().map(|(n, experiment)| {
+        let driven = driven(model, experiment)?;
+        check_inputs(&driven, n, experiment, is_driven)?;
+        Ok(driven)
+    });
+    let driven: Vec<_> = driven.collect::<Result<_, Error>>()?;
     fit.method.run_with_derivatives(Run {
         model,
+        driven: &driven,
         fit,
         experiments,
     })?
+}
+
+/// The model with the inputs of an experiment.
+fn driven<const N: usize>(model: &Padded<f64, N>, experiment: &Experiment) -> Result<Padded<f64, N>, Error> {
+    let names = model.tape().inputs().iter().map(|input| input.name);
+    let mut laws: BTreeMap<_, _> = model.laws().map(|(n, law)| (n, law.clone())).collect();
+    for (name, law) in &experiment.laws {
+        laws.insert(Error::index_of("input", name, names.clone())?, law.clone());
+    }
+    let mut model = model.clone();
+    model.set_laws(laws.into_iter().collect());
+    Ok(model)
+}
+
+/// Checks that the samples of each input cover an experiment, and that no input was forgotten: where some have laws,
+/// one without would be zero.
+fn check_inputs<const N: usize>(
+    driven: &Padded<f64, N>,
+    number: usize,
+    experiment: &Experiment,
+    is_driven: bool,
+) -> Result<(), Error> {
+    let &[first, ..] = experiment.measurement.times() else {
+        // which the fit itself refuses
+        return Ok(());
+    };
+    let from = experiment.known.as_ref().map_or(first, |(t, _)| t.min(first));
+    let to = experiment.measurement.times().last().map_or(first, |last| *last);
+    for (n, (input, value)) in driven.tape().inputs().iter().zip(driven.inputs()).enumerate() {
+        let what = format!("the input `{}` of experiment {number}", input.name);
+        match driven.laws().find(|(own, _)| *own == n) {
+            Some((_, law)) if !law.covers(from, to) => {
+                let own = law.times();
+                let (first, last) = (own[0], own[own.len() - 1]);
+                let rule = format!(
+                    "its samples are of {first:?} to {last:?} s, and the motion is of {from:?} to {to:?} s; \
+                     give samples of the whole motion, or leave out measured values outside of them"
+                );
+                return Err(Error::setting(&what, rule));
+            }
+            None if is_driven && *value == 0.0 => {
+                let rule = "others have samples: give those of this one as well, or a single 0 if nothing acts";
+                return Err(Error::setting(&what, rule));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }

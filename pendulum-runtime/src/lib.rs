@@ -78,6 +78,7 @@ pub use nalgebra;
 pub use pendulum_codegen::Sources;
 #[cfg(feature = "full")]
 pub use pendulum_core::fit::{Estimate, Loss, Measurement};
+pub use pendulum_core::inputs::TimeTable;
 pub use pendulum_core::shapes::{Shape, ShapeKind};
 #[cfg(feature = "full")]
 pub use pendulum_core::stability::{Stability, StabilityError};

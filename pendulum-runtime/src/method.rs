@@ -13,7 +13,7 @@ use crate::padded::{Padded, Smooth};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Method {
     pub(crate) kind: Kind,
-    h: Option<f64>,
+    pub(crate) h: Option<f64>,
     rtol: Option<f64>,
     atol: Option<f64>,
     h0: Option<f64>,

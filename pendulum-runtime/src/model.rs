@@ -11,6 +11,7 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 use pendulum_codegen::program::Program;
 use pendulum_core::StateLayout;
+use pendulum_core::inputs::TimeTable;
 use pendulum_core::shapes::Shape;
 use pendulum_core::tape::{Given, Tape};
 
@@ -114,30 +115,67 @@ impl Model {
     /// # Errors
     /// See [`with`](Self::with).
     pub fn with_values(&self, values: &[f64]) -> Result<Self, Error> {
-        self.changed(values, self.inputs_now())
+        Ok(self.with_engine(self.engine.with_params(values)?))
     }
 
-    /// Returns the model with other values of some inputs, which are zero at first and constant in time.
+    /// Returns the model with other values of some inputs, which are zero at first. They are constant in time.
     ///
     /// # Errors
-    /// If there is no such input.
+    /// If there is no such input, or if a value is not finite.
     pub fn with_inputs(&self, values: &[(&str, f64)]) -> Result<Self, Error> {
-        let mut inputs = self.inputs_now().to_vec();
+        let (mut inputs, mut laws) = (self.inputs_now().to_vec(), self.engine.laws());
         for &(name, value) in values {
-            let names = self.about.inputs.iter().map(|own| own.name.as_str());
-            inputs[Error::index_of("input", name, names)?] = value;
+            let n = self.input(name)?;
+            inputs[n] = value;
+            laws.retain(|(own, _)| *own != n);
             if !value.is_finite() {
                 return Err(Error::setting(name, format!("an input must be finite, not {value}")));
             }
         }
-        self.changed(self.values(), &inputs)
+        Ok(self.with_engine(self.engine.with_inputs(&inputs, laws)))
     }
 
-    fn changed(&self, values: &[f64], inputs: &[f64]) -> Result<Self, Error> {
-        Ok(Self {
-            about: self.about.clone(),
-            engine: self.engine.with(values, inputs)?,
-        })
+    /// Returns the model with some inputs that follow samples over time, such as recorded torques, until
+    /// [`with_inputs`](Self::with_inputs) sets them to constants. All functions of the model use their values at the
+    /// time in question.
+    ///
+    /// Methods with a tolerance shorten their steps at the jumps of held inputs and at the kinks of linear ones. Where
+    /// samples are dense, `Rk4` with steps about as long as their intervals takes less time.
+    ///
+    /// ```
+    /// use pendulum_runtime::{Method, Model, TimeTable};
+    ///
+    /// let model = Model::parse("pub Cart {
+    ///     input push: N,
+    ///     body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, torque: push }
+    /// }")?;
+    /// let push = TimeTable::linear(&[0.0, 1.0, 2.0], [&[0.0, 4.0, 0.0]])?;
+    /// let pushed = model.with_laws(&[("push", push)])?;
+    /// let motion = pushed.solve(&Method::new("Rk4")?.h(0.1), [0.0, 3.0], &[0.0, 0.0])?;
+    /// assert!((motion.end().1[1] - 2.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there is no such input.
+    pub fn with_laws(&self, laws: &[(&str, TimeTable<1>)]) -> Result<Self, Error> {
+        let mut all = self.engine.laws();
+        for (name, law) in laws {
+            let n = self.input(name)?;
+            all.retain(|(own, _)| *own != n);
+            all.push((n, law.clone()));
+        }
+        Ok(self.with_engine(self.engine.with_inputs(self.inputs_now(), all)))
+    }
+
+    /// Index of an input.
+    pub(crate) fn input(&self, name: &str) -> Result<usize, Error> {
+        Error::index_of("input", name, self.about.inputs.iter().map(|own| own.name.as_str()))
+    }
+
+    fn with_engine(&self, engine: Arc<dyn Engine>) -> Self {
+        let about = self.about.clone();
+        Self { about, engine }
     }
 
     /// Name of the mechanism.
@@ -170,10 +208,17 @@ impl Model {
         &self.about.inputs
     }
 
-    /// Values of the inputs.
+    /// Values of the inputs; those that have [laws](Self::with_laws) do not count.
     #[must_use]
     pub fn inputs_now(&self) -> &[f64] {
         self.engine.inputs()
+    }
+
+    /// Inputs that follow samples, by name.
+    #[must_use]
+    pub fn laws(&self) -> Vec<(&str, TimeTable<1>)> {
+        let named = |(n, law): (usize, _)| (self.about.inputs[n].name.as_str(), law);
+        self.engine.laws().into_iter().map(named).collect()
     }
 
     /// Components of the state: coordinates, then their rates, then first-order states.
@@ -298,10 +343,7 @@ impl Model {
             function.arguments.len(),
         )?;
         let rates = self.about.tape.layout().rates();
-        let mut given = Given {
-            inputs: self.engine.inputs(),
-            ..Given::default()
-        };
+        let mut given = Given::default();
         for (&what, &list) in function.arguments.iter().zip(lists) {
             let (place, needed) = match what {
                 "accelerations" => (&mut given.accelerations, rates),

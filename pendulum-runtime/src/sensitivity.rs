@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, SVector};
 use pendulum_core::dense::Dense;
 use pendulum_core::dual::Dual;
 use pendulum_core::sensitivity::{self, Variable};
-use pendulum_core::{Observer, Rodas5P, System, Vern9};
+use pendulum_core::{Observer, Rk4, Rodas5P, System, Vern9};
 
 use crate::error::Error;
 use crate::event::kinks;
@@ -57,10 +57,12 @@ impl Method {
         K: TaskWithDerivatives<N>,
     {
         match self.kind {
+            Kind::Rk4 => Ok(task.by(Rk4::new(self.h.unwrap_or(f64::NAN)))),
             Kind::Vern9 => Ok(task.by(self.set(Vern9::new()))),
             Kind::Rodas5P => Ok(task.by(self.set(Rodas5P::new()))),
             _ => {
-                let rule = "derivatives of trajectories are computed by `Vern9` or, for stiff systems, by `Rodas5P`";
+                let rule = "derivatives of trajectories are computed by `Vern9`, by `Rodas5P` for stiff systems, or \
+                            by `Rk4` in steps of the samples of an input";
                 Err(Error::setting("method", format!("{rule}, not by `{}`", self.name())))
             }
         }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 use pendulum_core::hybrid::{Hold, MAX_CONSTRAINTS};
+use pendulum_core::inputs::TimeTable;
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
 use pendulum_core::real::lanes::{F64x4, Lanes};
@@ -354,6 +355,46 @@ fn inputs_and_arguments_have_their_places() {
     own.set_inputs(&[0.0; 2]);
     let idle: Model<f64, 5> = tape(include_str!("tapes.rs"), "Driven").model(&params).expect("valid");
     assert_eq!(idle.rhs(0.0, &x), own.rhs(0.0, &x));
+}
+
+#[test]
+fn inputs_follow_samples_in_each_lane() {
+    let params = DrivenParams::default().to_array();
+    let of_tape: Model<f64, 5> = tape(include_str!("tapes.rs"), "Driven").model(&params).expect("valid");
+    let compiled = Driven::new(DrivenParams::default()).expect("valid");
+    let times = [0.0, 0.4, 1.1, 2.0];
+    let samples = |n: usize| [0.3, -0.7].map(|x| times.map(|t| x * (1.0 + t + n as f64).sin()));
+    let models: Vec<Model<f64, 5>> = (0..4)
+        .map(|n| {
+            let each = samples(n).map(|samples| TimeTable::cubic(&times, [&samples]).expect("samples"));
+            let mut model = of_tape.clone();
+            model.set_laws(each.into_iter().enumerate().collect());
+            model
+        })
+        .collect();
+    assert!(models[1].shares_lanes(&models[0]) && !of_tape.shares_lanes(&models[0]));
+    assert_eq!(
+        (of_tape.is_autonomous(), models[0].is_autonomous()),
+        (Some(true), Some(false))
+    );
+    for t in [-0.1, 0.2, 1.5, 3.0] {
+        for x in states(20) {
+            for apart in [false, true] {
+                let own = |lane: usize| if apart { lane } else { 2 };
+                let in_lanes = Model::<f64, 5>::gather::<F64x4>(|lane| &models[own(lane)]);
+                let (t_of, x_of) = (F64x4::from_f64(t), x.map(F64x4::from_f64));
+                let (rates, by_time) = (in_lanes.rhs(t_of, &x_of), in_lanes.time_derivative(t_of, &x_of));
+                for lane in 0..4 {
+                    let [force, moment] = samples(own(lane));
+                    let both = TimeTable::cubic(&times, [&force, &moment]).expect("samples");
+                    let driven = compiled.with_law(both);
+                    assert_eq!(driven.rhs(t, &x), models[own(lane)].rhs(t, &x));
+                    assert_eq!(driven.rhs(t, &x), rates.map(|rate| rate.lane(lane)));
+                    assert_eq!(driven.time_derivative(t, &x), by_time.map(|rate| rate.lane(lane)));
+                }
+            }
+        }
+    }
 }
 
 /// Results of a routine at a state, a time and arguments, all given by their numbers.

@@ -112,6 +112,7 @@ fn integrated(model: &Model, h: f64, span: [f64; 2], starts: &[f64], times: &[f6
     let members = Members {
         starts,
         parameters: None,
+        laws: &[],
         times,
         cancel: None,
     };

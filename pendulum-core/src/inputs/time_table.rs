@@ -128,6 +128,42 @@ impl<const M: usize> TimeTable<M> {
             }),
         })
     }
+
+    /// Times of the samples, in s.
+    #[must_use]
+    pub fn times(&self) -> &[f64] {
+        &self.pieces.times
+    }
+
+    /// True if the samples determine the inputs from one time to another, so that no value is kept beyond them. Inputs
+    /// that are held are determined for as long after the last sample as between the last two, and by a single sample
+    /// at all times.
+    #[must_use]
+    pub fn covers(&self, from: f64, to: f64) -> bool {
+        let Pieces {
+            times, coefficients, ..
+        } = &*self.pieces;
+        let are_held = coefficients.iter().flatten().all(|of_input| of_input[1..] == [0.0; 3]);
+        match times[..] {
+            [_] => true,
+            [first, .., before, last] => {
+                let end = if are_held { last + (last - before) } else { last };
+                first <= from && to <= end
+            }
+            _ => false,
+        }
+    }
+}
+
+impl TimeTable<1> {
+    /// The input at a time, by the table of each lane.
+    #[inline(always)]
+    pub(crate) fn by_lane<'a, T: Real>(t: T, table: impl Fn(usize) -> &'a Self) -> T {
+        let pieces = |lane| &*table(lane).pieces;
+        let [piece] = t.piecewise_by_lane(|lane, t| [pieces(lane).samples_until(t) as f64]);
+        let polynomial = piece.piecewise_by_lane(|lane, piece| pieces(lane).of(piece as usize, 0));
+        value_of(polynomial, t, (0..T::LANES).any(|lane| pieces(lane).are_cubic))
+    }
 }
 
 impl<const M: usize> Pieces<M> {
@@ -161,6 +197,15 @@ impl<const M: usize> Pieces<M> {
             near.partition_point(|time| is_past(&time))
         }
     }
+}
+
+/// Value of a polynomial, given by its start and coefficients.
+#[inline(always)]
+fn value_of<T: Real>([start, c0, c1, c2, c3]: [T; 5], t: T, is_cubic: bool) -> T {
+    let (s, is_constant) = (t - start, t.is_constant());
+    let times = |slope: T| if is_constant { slope.scaled(s) } else { s * slope };
+    let highest = if is_cubic { times(c2 + times(c3)) } else { T::default() };
+    c0 + times(c1 + highest)
 }
 
 /// Polynomials of a natural cubic spline between its samples.
@@ -212,17 +257,10 @@ impl<const N: usize, const M: usize> InputLaw<N, M> for TimeTable<M> {
             }
             last.get().1
         };
-        let (mut inputs, is_constant) = ([T::default(); M], t.is_constant());
+        let mut inputs = [T::default(); M];
         for (input, value) in inputs.iter_mut().enumerate() {
-            let [start, c0, c1, c2, c3] = t.piecewise(|t| self.pieces.of(piece_at(t), input));
-            let s = t - start;
-            let times = |slope: T| if is_constant { slope.scaled(s) } else { s * slope };
-            let highest = if self.pieces.are_cubic {
-                times(c2 + times(c3))
-            } else {
-                T::default()
-            };
-            *value = c0 + times(c1 + highest);
+            let polynomial = t.piecewise(|t| self.pieces.of(piece_at(t), input));
+            *value = value_of(polynomial, t, self.pieces.are_cubic);
         }
         inputs
     }
@@ -308,6 +346,35 @@ mod tests {
         let times = [-1.0, 0.5, 1.5, 9.0];
         let [inputs] = table.inputs(F64x4::from_fn(|lane| times[lane]), &SVector::from([F64x4::default()]));
         assert!((0..4).all(|lane| inputs.lane(lane) == at(&table, times[lane])[0]));
+    }
+
+    #[test]
+    fn each_lane_may_have_its_own_table() {
+        let (times, samples) = ([0.0, 1.0, 3.0], [&[0.5, 2.0, 4.0][..]]);
+        let tables = [
+            TimeTable::hold(&times, samples),
+            TimeTable::linear(&times, samples),
+            TimeTable::cubic(&times, samples),
+            TimeTable::linear(&[-1.0, 4.0], [&[1.0, -1.0]]),
+        ];
+        let tables = tables.map(|table| table.expect("samples"));
+        for t in [-0.5, 0.3, 1.0, 2.9, 7.0] {
+            let inputs = TimeTable::by_lane(F64x4::from_fn(|lane| t + 0.1 * lane as f64), |lane| &tables[lane]);
+            for (lane, table) in tables.iter().enumerate() {
+                assert_eq!(inputs.lane(lane), at(table, t + 0.1 * lane as f64)[0]);
+            }
+        }
+    }
+
+    #[test]
+    fn samples_cover_the_times_that_they_determine() {
+        let (times, samples) = ([0.0, 1.0, 3.0], [&[0.5, 2.0, 4.0][..]]);
+        let linear = TimeTable::linear(&times, samples).expect("samples");
+        assert!(linear.covers(0.0, 3.0) && !linear.covers(-0.1, 3.0) && !linear.covers(0.0, 3.1));
+        let held = TimeTable::hold(&times, samples).expect("samples");
+        assert!(held.covers(0.0, 5.0) && !held.covers(-0.1, 3.0) && !held.covers(0.0, 5.1));
+        let constant = TimeTable::hold(&[2.0], [&[1.0]]).expect("a sample");
+        assert!(constant.covers(-9.0, 9.0));
     }
 
     #[test]

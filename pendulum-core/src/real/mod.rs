@@ -235,6 +235,13 @@ pub trait Real:
     /// ```
     fn piecewise<const C: usize>(self, piece: impl Fn(f64) -> [f64; C]) -> [Self; C];
 
+    /// Coefficients of a piecewise function that depends on the lane, whose index comes first.
+    #[doc(hidden)]
+    #[inline]
+    fn piecewise_by_lane<const C: usize>(self, piece: impl Fn(usize, f64) -> [f64; C]) -> [Self; C] {
+        self.piecewise(|number| piece(0, number))
+    }
+
     /// Sine and cosine of an angle in radians; NaN if the angle is not finite.
     ///
     /// For `f64`, `f32` and `Fused<f64>`, and lanes of these, errors are below 1 ulp and results are bit-identical on

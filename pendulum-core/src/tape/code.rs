@@ -5,8 +5,9 @@ use std::ops::Range;
 use std::sync::Mutex;
 
 use super::chain::{Chain, Operations};
+use super::laws::At;
 use super::row::{Register, Row};
-use super::source::{Lists, Source, values};
+use super::source::{Lists, Source};
 use crate::real::Real;
 use crate::real::lanes::Routine;
 
@@ -16,10 +17,10 @@ const MOST_ON_STACK: usize = 1 << 17;
 /// Variables that follow one another in a list, and are read into registers that do so, too.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Read {
-    registers: Range<usize>,
-    source: Source,
+    pub(super) registers: Range<usize>,
+    pub(super) source: Source,
     /// Index of the first one in its list.
-    first: usize,
+    pub(super) first: usize,
 }
 
 /// Straight-line code: reads variables into registers, runs operations, returns registers.
@@ -300,8 +301,11 @@ impl<'a, T: Real> Run<'a, T> {
         }
         for read in &code.reads {
             let to = &mut registers[read.registers.clone()];
-            let from = &values(self.lists, read.source)[read.first..][..to.len()];
+            let from = &self.lists.of(read.source)[read.first..][..to.len()];
             to.copy_from_slice(from);
+        }
+        if let Some((laws, &t)) = self.lists.laws() {
+            T::call(At { laws, t }, registers, code);
         }
         match code.chain::<T>() {
             Some(chain) => chain.run(registers),

@@ -50,6 +50,7 @@ mod chain;
 mod code;
 mod error;
 mod intern;
+mod laws;
 mod model;
 mod plant;
 mod read;

@@ -6,9 +6,11 @@ use nalgebra::SVector;
 
 use super::code::{Code, Kept};
 use super::error::ModelError;
+use super::laws::Laws;
 use super::source::{Lists, Source};
 use super::{Condition, Routine, Tape};
 use crate::error::ParameterError;
+use crate::inputs::TimeTable;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 use crate::system::{Cast, CastJacobian, Jacobian, Parametric};
@@ -34,8 +36,10 @@ pub struct Model<T, const N: usize, const HYBRID: bool = false> {
     kept: Kept<T>,
     /// Index of the routine for each role, if the tape has it.
     places: [Option<usize>; Role::ALL.len()],
-    /// Values of the inputs.
+    /// Values of the inputs that are constant.
     inputs: Vec<T>,
+    /// Laws of the others.
+    laws: Option<Arc<Laws>>,
     /// Length of the state without padding.
     pub(super) active: usize,
 }
@@ -49,6 +53,7 @@ pub(super) enum Role {
     Rhs,
     Jacobian,
     TimeDerivative,
+    InputJacobian,
     Kinetic,
     Potential,
     Outputs,
@@ -66,10 +71,11 @@ pub(super) enum Role {
 
 impl Role {
     /// All of them, in order, with their names and the words of `generate` that request them.
-    const ALL: [(Self, &'static str, &'static str); 16] = [
+    const ALL: [(Self, &'static str, &'static str); 17] = [
         (Self::Rhs, "rhs", "rhs"),
         (Self::Jacobian, "jacobian", "jacobian"),
         (Self::TimeDerivative, "time_derivative", "jacobian"),
+        (Self::InputJacobian, "input_jacobian", "jacobian"),
         (Self::Kinetic, "kinetic", "energy"),
         (Self::Potential, "potential", "energy"),
         (Self::Outputs, "outputs", "rhs"),
@@ -92,6 +98,7 @@ impl Role {
         match self {
             Self::Rhs | Self::TimeDerivative => length,
             Self::Jacobian => length + length * length,
+            Self::InputJacobian => length * tape.inputs.len(),
             Self::Kinetic | Self::Potential => 1,
             Self::Outputs => tape.outputs.len(),
             Self::LoopMargins => 2 * tape.loops.len(),
@@ -129,7 +136,7 @@ impl Role {
 /// Arguments of a routine beside time and state. Those that the routine does not have may stay empty.
 #[derive(Clone, Copy, Debug)]
 pub struct Given<'a, T> {
-    /// Inputs.
+    /// Inputs; empty for those of the model.
     pub inputs: &'a [T],
     /// Forces along the constraints, in N or N m.
     pub forces: &'a [T],
@@ -194,6 +201,7 @@ impl Tape {
             kept: Kept::of(0),
             places: self.places()?,
             inputs: vec![0.0; self.inputs.len()],
+            laws: None,
             active: length,
         })
     }
@@ -271,8 +279,10 @@ impl Tape {
 
 /// Results of code that reads parameters only.
 fn compute<T: Real>(code: &Code, params: &[T]) -> Vec<T> {
+    let others = [(Source::Parameter, params)];
+    let lists = Lists::new().and(&others);
     let mut results = vec![T::default(); code.results.len()];
-    code.run(&[], &[(Source::Parameter, params)], &mut [&mut results]);
+    code.run(&[], &lists, &mut [&mut results]);
     results
 }
 
@@ -289,18 +299,28 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         &self.params
     }
 
-    /// Values of the inputs, which are zero at first.
+    /// Values of the inputs, which are zero at first; those that have [laws](Self::laws) do not count.
     #[must_use]
     pub fn inputs(&self) -> &[T] {
         &self.inputs
     }
 
-    /// Sets the inputs to values that the equations of motion use from now on.
+    /// Sets the inputs to values that the equations of motion use from now on, unless they have [laws](Self::laws).
     ///
     /// # Panics
     /// If there are more or fewer values than inputs.
     pub fn set_inputs(&mut self, inputs: &[T]) {
         self.inputs.copy_from_slice(inputs);
+    }
+
+    /// Inputs that follow samples, by their indices; none at first.
+    pub fn laws(&self) -> impl Iterator<Item = (usize, &TimeTable<1>)> {
+        self.laws.iter().flat_map(|laws| laws.each())
+    }
+
+    /// Inputs that have laws, in ascending order.
+    fn driven(&self) -> &[usize] {
+        self.laws.as_ref().map_or(&[], |laws| &laws.inputs)
     }
 
     /// Index of the routine for a role, if the tape has it.
@@ -328,30 +348,42 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     /// # Panics
     /// If there is no such routine, or if one of its arguments is too short.
     pub fn evaluate(&self, routine: usize, t: T, x: &SVector<T, N>, given: &Given<'_, T>, results: &mut [T]) {
-        self.evaluate_into(routine, t, x, given, &mut [results]);
+        let others = [
+            (Source::Acceleration, given.accelerations),
+            (Source::Weight, given.weights),
+            (Source::Direction, given.direction),
+        ];
+        let mut lists = self.lists(&t, x, given.forces).and(&others);
+        if !given.inputs.is_empty() {
+            lists = lists.with(Source::Input, given.inputs).following(None);
+        }
+        self.evaluate_into(routine, &lists, &mut [results]);
     }
 
-    /// Like [`evaluate`](Self::evaluate), but fills one slice after the other with the results.
+    /// Lists that a routine reads, with the inputs of the model, under forces along the constraints.
+    #[inline(always)]
+    pub(super) fn lists<'a>(&'a self, t: &'a T, x: &'a SVector<T, N>, forces: &'a [T]) -> Lists<'a, T> {
+        Lists::new()
+            .with(Source::Time, core::slice::from_ref(t))
+            .with(Source::State, x.as_slice())
+            .with(Source::Input, &self.inputs)
+            .with(Source::Force, forces)
+            .following(self.laws.as_deref())
+    }
+
+    /// Like [`evaluate`](Self::evaluate) with these lists, but fills one slice after the other with the results.
     #[inline]
-    pub(super) fn evaluate_into(
-        &self,
-        routine: usize,
-        t: T,
-        x: &SVector<T, N>,
-        given: &Given<'_, T>,
-        results: &mut [&mut [T]],
-    ) {
-        let (code, lists) = (&self.tape.routines[routine].code, lists(&t, x, given));
+    pub(super) fn evaluate_into(&self, routine: usize, lists: &Lists<'_, T>, results: &mut [&mut [T]]) {
+        let code = &self.tape.routines[routine].code;
         if const { T::LANES > 1 }
             && let Some(Ok(mut registers)) = self.kept.registers(routine).map(Mutex::try_lock)
         {
-            return code.run_again(&mut registers, &self.constants, &lists, results);
+            return code.run_again(&mut registers, &self.constants, lists, results);
         }
-        code.run(&self.constants, &lists, results);
+        code.run(&self.constants, lists, results);
     }
 
     /// Like [`evaluate_into`](Self::evaluate_into), on registers that the caller keeps for this routine.
-    #[inline(never)]
     pub(super) fn evaluate_with(
         &self,
         registers: &mut Vec<T>,
@@ -361,26 +393,27 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         results: &mut [&mut [T]],
     ) {
         let code = &self.tape.routines[routine].code;
-        // fewer than of all arguments, since to write them down takes time
-        let lists = [
-            (Source::State, x.as_slice()),
-            (Source::Time, core::slice::from_ref(&t)),
-            (Source::Input, self.inputs()),
-        ];
-        code.run_again(registers, &self.constants, &lists, results);
+        code.run_again(registers, &self.constants, &self.lists(&t, x, &[]), results);
     }
 
-    /// Like [`evaluate`](Self::evaluate), but passes each result on, with its number.
-    pub(super) fn each(
-        &self,
-        routine: usize,
-        t: T,
-        x: &SVector<T, N>,
-        given: &Given<'_, T>,
-        pass: &mut dyn FnMut(usize, T),
-    ) {
+    /// Like [`evaluate`](Self::evaluate) without arguments, but passes each result on, with its number.
+    pub(super) fn each(&self, routine: usize, t: T, x: &SVector<T, N>, pass: &mut dyn FnMut(usize, T)) {
         let code = &self.tape.routines[routine].code;
-        code.each(&self.constants, &lists(&t, x, given), pass);
+        code.each(&self.constants, &self.lists(&t, x, &[]), pass);
+    }
+
+    /// Rates of the inputs that have laws, each with the derivatives of the right-hand side by the input.
+    pub(super) fn input_rates(&self, t: T, x: &SVector<T, N>) -> impl Iterator<Item = (T, SVector<T, N>)> {
+        let rates = self.laws.iter().flat_map(move |laws| laws.rates(t));
+        rates.map(move |(input, rate)| {
+            let mut column = SVector::from([T::default(); N]);
+            self.each(self.needed(Role::InputJacobian), t, x, &mut |n, value| {
+                if n / self.active == input {
+                    column[n % self.active] = value;
+                }
+            });
+            (rate, column)
+        })
     }
 
     /// Writes the results of a code to places, one after the other.
@@ -408,11 +441,12 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
             kept: self.kept.clone(),
             places: self.places,
             inputs: self.inputs.clone(),
+            laws: self.laws.clone(),
             active: self.active,
         })
     }
 
-    /// Model with these constants and inputs.
+    /// Model with these constants and inputs, and the same laws.
     fn with_numbers<U: Real>(&self, constants: Vec<U>, inputs: Vec<U>) -> Model<U, N, HYBRID> {
         Model {
             tape: self.tape.clone(),
@@ -421,30 +455,26 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
             kept: Kept::of(if U::LANES > 1 { self.tape.routines.len() } else { 0 }),
             places: self.places,
             inputs,
+            laws: self.laws.clone(),
             active: self.active,
         }
     }
 }
 
-/// Lists that a routine reads.
-#[inline(always)]
-pub(super) fn lists<'a, T, const N: usize>(
-    t: &'a T,
-    x: &'a SVector<T, N>,
-    given: &Given<'a, T>,
-) -> [(Source, &'a [T]); 7] {
-    [
-        (Source::State, x.as_slice()),
-        (Source::Time, core::slice::from_ref(t)),
-        (Source::Input, given.inputs),
-        (Source::Force, given.forces),
-        (Source::Acceleration, given.accelerations),
-        (Source::Weight, given.weights),
-        (Source::Direction, given.direction),
-    ]
-}
-
 impl<const N: usize, const HYBRID: bool> Model<f64, N, HYBRID> {
+    /// Lets the inputs of these indices follow samples from now on, and no others.
+    ///
+    /// Results have the bits of generated code under a [`TimeTable`] of all inputs.
+    ///
+    /// # Panics
+    /// If there is no such input, or if one is given twice.
+    pub fn set_laws(&mut self, laws: Vec<(usize, TimeTable<1>)>) {
+        self.laws = Laws::new(laws);
+        let (driven, count) = (self.driven(), self.inputs.len());
+        let fits = driven.is_sorted_by(|a, b| a < b) && driven.iter().all(|&input| input < count);
+        assert!(fits, "laws of the inputs {driven:?} of {count}");
+    }
+
     /// Returns the model with other parameters, and the same inputs.
     ///
     /// # Errors
@@ -452,6 +482,7 @@ impl<const N: usize, const HYBRID: bool> Model<f64, N, HYBRID> {
     pub fn with_params(&self, params: &[f64]) -> Result<Self, ModelError> {
         Ok(Self {
             inputs: self.inputs.clone(),
+            laws: self.laws.clone(),
             ..self.tape.padded(params)?
         })
     }
@@ -478,11 +509,14 @@ impl<const N: usize, const HYBRID: bool> Cast<N> for Model<f64, N, HYBRID> {
             let lanes = |k| V::from_fn(|lane| <V::Scalar as Real>::from_f64(numbers(models(lane))[k]));
             (0..numbers(first).len()).map(lanes).collect()
         };
-        first.with_numbers(gathered(|model| &model.constants), gathered(|model| &model.inputs))
+        Model {
+            laws: Laws::gather(V::LANES, |lane| models(lane).laws.as_ref()),
+            ..first.with_numbers(gathered(|model| &model.constants), gathered(|model| &model.inputs))
+        }
     }
 
     fn shares_lanes(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.tape, &other.tape)
+        Arc::ptr_eq(&self.tape, &other.tape) && self.driven() == other.driven()
     }
 }
 

@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::Model;
 use super::model::Role;
+use super::source::Lists;
 use crate::constraint::{Constraint, Law, MAX_CONSTRAINTS, MeasureDerivatives, Response, ResponseDerivative};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
@@ -45,7 +46,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Plant<T, N> for Model<T, N, HY
             ];
             always.into_iter().chain(&mut law.low).chain(&mut law.high)
         });
-        self.write(&self.tape.laws, &[], numbers);
+        self.write(&self.tape.laws, &Lists::new(), numbers);
         laws
     }
 
@@ -83,7 +84,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantJacobian<T, N> for Model<
             SMatrix::<T, N, N>::from([[T::default(); N]; N]),
         );
         let results = &mut [&mut rhs.as_mut_slice()[..self.active], jacobian.as_mut_slice()];
-        self.evaluate_into(self.needed(Role::Jacobian), t, x, &self.under(forces), results);
+        self.evaluate_into(self.needed(Role::Jacobian), &self.lists(&t, x, forces), results);
         spread(&mut jacobian, self.active);
         (rhs, jacobian)
     }
@@ -93,11 +94,18 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantJacobian<T, N> for Model<
     where
         T: Lanes,
     {
-        match self.place(Role::TimeDerivative) {
+        let mut derivative = match self.place(Role::TimeDerivative) {
             Some(_) => self.vector(Role::TimeDerivative, t, x, forces),
             // time does not occur
             None => SVector::from([T::default(); N]),
+        };
+        for (rate, by_input) in self.input_rates(t, x) {
+            derivative
+                .iter_mut()
+                .zip(&by_input)
+                .for_each(|(sum, &by)| *sum += by * rate);
         }
+        derivative
     }
 
     fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> ResponseDerivative<T, N>
@@ -123,6 +131,22 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantJacobian<T, N> for Model<
             .chain(&mut derivative.accelerations_by_time[..count]);
         self.fill(self.needed(Role::ResponseDerivative), t, x, forces, places);
         symmetric(&mut derivative.response);
+        if self.laws().next().is_none() {
+            return derivative;
+        }
+        // As under a law in the number type: the rates of constraints are linear in the rates of the state.
+        let measures = self.measure_derivatives(t, x).by_state;
+        for (rate, by_input) in self.input_rates(t, x) {
+            let sums = derivative.rates_by_time.iter_mut().zip(&by_input);
+            sums.for_each(|(sum, &by)| *sum += by * rate);
+            for ([_, slopes], sum) in measures[..count].iter().zip(&mut derivative.accelerations_by_time) {
+                *sum += slopes
+                    .iter()
+                    .zip(&by_input)
+                    .fold(zero, |sum, (&slope, &by)| sum + slope * by)
+                    * rate;
+            }
+        }
         derivative
     }
 
@@ -155,7 +179,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantCanonical<T, N> for Model
     fn eval_canonical(&self, t: T, x: &SVector<T, N>, forces: &[T; MAX_CONSTRAINTS]) -> (SVector<T, N>, SVector<T, N>) {
         let [mut y, mut rates] = [SVector::from([T::default(); N]); 2];
         let results = &mut [&mut y.as_mut_slice()[..self.active], rates.as_mut_slice()];
-        self.evaluate_into(self.needed(Role::Canonical), t, x, &self.under(forces), results);
+        self.evaluate_into(self.needed(Role::Canonical), &self.lists(&t, x, forces), results);
         (y, rates)
     }
 
@@ -168,7 +192,11 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantCanonical<T, N> for Model
         let [mut of_y, mut of_rates] = [SMatrix::<T, N, N>::from([[T::default(); N]; N]); 2];
         let entries = self.active * self.active;
         let results = &mut [&mut of_y.as_mut_slice()[..entries], of_rates.as_mut_slice()];
-        self.evaluate_into(self.needed(Role::CanonicalJacobian), t, x, &self.under(forces), results);
+        self.evaluate_into(
+            self.needed(Role::CanonicalJacobian),
+            &self.lists(&t, x, forces),
+            results,
+        );
         spread(&mut of_y, self.active);
         spread(&mut of_rates, self.active);
         (of_y, of_rates)

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::model::Model;
-use super::source::Source;
+use super::source::{Lists, Source};
 use super::{Series, Tape};
 use crate::constraint::{Hold, MAX_CONSTRAINTS};
 use crate::hybrid::HeldSeries;
@@ -85,11 +85,10 @@ impl<T: Real, const N: usize, const HYBRID: bool> HybridSeries<T, N> for Model<T
         let (series, constraints) = (self.tape.needed_series(), self.tape.constraints.len());
         let held = HeldSeries::new(self, hold, t, &x[0]);
         let start = x[0];
-        let of_start = [
-            (Source::State, start.as_slice()),
-            (Source::Time, core::slice::from_ref(&t)),
-            (Source::Force, &held.forces),
-        ];
+        let of_start = Lists::new()
+            .with(Source::Time, core::slice::from_ref(&t))
+            .with(Source::State, start.as_slice())
+            .with(Source::Force, &held.forces);
         let mut rates = SVector::from([T::default(); N]);
         let places = rates.iter_mut().take(self.active).chain(&mut work.kept);
         self.write(&series.start, &of_start, places);
@@ -106,8 +105,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> HybridSeries<T, N> for Model<T
                 *sums = newest.add(products.sums(k));
             }
             let state = x[k];
-            let [of_state, of_time, of_forces] = of_start;
-            let lists = |coefficients, carried| {
+            let others = |coefficients, carried| {
                 [
                     (Source::StateCoefficient, state.as_slice()),
                     (Source::Sum, &work.sums),
@@ -115,16 +113,13 @@ impl<T: Real, const N: usize, const HYBRID: bool> HybridSeries<T, N> for Model<T
                     (Source::Carried, carried),
                     (Source::Order, core::slice::from_ref(&order)),
                     (Source::OverOrder, core::slice::from_ref(&over_order)),
-                    (Source::ForceCoefficient, coefficients),
-                    of_state,
                     (Source::TimeCoefficient, core::slice::from_ref(&time)),
-                    of_time,
-                    of_forces,
+                    (Source::ForceCoefficient, coefficients),
                 ]
             };
             let mut accelerations = [T::default(); MAX_CONSTRAINTS];
             let places = accelerations[..constraints].iter_mut().chain(&mut work.carried);
-            self.write(&series.before, &lists(&[], &[]), places);
+            self.write(&series.before, &of_start.and(&others(&[], &[])), places);
             let forces = held.next(&accelerations);
             let [left, right] = &mut work.factors;
             let places = rates
@@ -132,7 +127,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> HybridSeries<T, N> for Model<T
                 .take(self.active)
                 .chain(&mut left[..series.products])
                 .chain(&mut right[..series.products]);
-            self.write(&series.order, &lists(&forces, &work.carried), places);
+            self.write(&series.order, &of_start.and(&others(&forces, &work.carried)), places);
             let sides = left.as_chunks().0.iter().zip(right.as_chunks().0);
             for ((products, newest), (left, right)) in work.products.iter_mut().zip(sides) {
                 newest.push(k, *left, *right);

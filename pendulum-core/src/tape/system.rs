@@ -2,8 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::model::{Role, lists};
-use super::{Given, Model};
+use super::Model;
+use super::model::Role;
 use crate::constraint::MAX_CONSTRAINTS;
 use crate::error::NotAssembled;
 use crate::layout::StateLayout;
@@ -23,16 +23,6 @@ const LAST_CORRECTION: f64 = 1e-6;
 const AT_A_TIME: usize = 8;
 
 impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
-    /// Arguments of a routine under forces along the constraints.
-    #[inline(always)]
-    pub(super) fn under<'a>(&'a self, forces: &'a [T]) -> Given<'a, T> {
-        Given {
-            inputs: self.inputs(),
-            forces,
-            ..Given::default()
-        }
-    }
-
     /// Forces along the constraints by friction against the signs of their rates.
     #[inline(always)]
     pub(super) fn sliding(&self, t: T, x: &SVector<T, N>) -> [T; MAX_CONSTRAINTS] {
@@ -57,7 +47,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     /// Number, the result of a routine.
     fn number(&self, role: Role, t: T, x: &SVector<T, N>) -> T {
         let mut number = [T::default()];
-        self.evaluate(self.needed(role), t, x, &self.under(&[]), &mut number);
+        self.evaluate_into(self.needed(role), &self.lists(&t, x, &[]), &mut [&mut number]);
         number[0]
     }
 
@@ -65,7 +55,8 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     #[inline(always)]
     pub(super) fn vector(&self, role: Role, t: T, x: &SVector<T, N>, forces: &[T]) -> SVector<T, N> {
         let mut vector = SVector::from([T::default(); N]);
-        self.evaluate(self.needed(role), t, x, &self.under(forces), vector.as_mut_slice());
+        let results = &mut [vector.as_mut_slice()];
+        self.evaluate_into(self.needed(role), &self.lists(&t, x, forces), results);
         vector
     }
 
@@ -81,7 +72,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         T: 'r,
     {
         let code = &self.tape.routines[routine].code;
-        self.write(code, &lists(&t, x, &self.under(forces)), places);
+        self.write(code, &self.lists(&t, x, forces), places);
     }
 
     /// Reports `P` lists of results, all of the length `count`, entry by entry. There may be any number of entries, and
@@ -96,7 +87,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     ) {
         for first in (0..count).step_by(AT_A_TIME) {
             let mut entries = [[T::default(); P]; AT_A_TIME];
-            self.each(routine, t, x, &self.under(&[]), &mut |n, value| {
+            self.each(routine, t, x, &mut |n, value| {
                 let (list, entry) = (n / count, n % count);
                 let entry = entry.checked_sub(first).and_then(|entry| entries.get_mut(entry));
                 if let Some(place) = entry.and_then(|entry| entry.get_mut(list)) {
@@ -128,7 +119,7 @@ impl<T: Float, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         let corrections = |x: &SVector<T, N>| {
             let mut corrections = SVector::from([T::default(); N]);
             let results = &mut corrections.as_mut_slice()[..count];
-            self.evaluate(routine, t, x, &self.under(&[]), results);
+            self.evaluate_into(routine, &self.lists(&t, x, &[]), &mut [results]);
             corrections
         };
         assemble(*x, self.tape.layout(), places, corrections, |x, tell| {
@@ -153,7 +144,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
             return;
         }
         let (rates, padding) = rates.as_mut_slice().split_at_mut(self.active);
-        self.evaluate_into(self.needed(Role::Rhs), t, x, &self.under(&[]), &mut [rates]);
+        self.evaluate_into(self.needed(Role::Rhs), &self.lists(&t, x, &[]), &mut [rates]);
         padding.fill(T::default());
     }
 
@@ -178,6 +169,11 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
     }
 
     #[inline]
+    fn is_autonomous(&self) -> Option<bool> {
+        Some(self.tape.autonomous && self.laws().next().is_none())
+    }
+
+    #[inline]
     fn project(&self, t: T, x: &mut SVector<T, N>) {
         self.tape.layout().normalise(x);
         let Some(routine) = self.place(Role::LoopCorrections) else {
@@ -186,7 +182,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
         let mut corrections = [T::default(); N];
         let corrections = &mut corrections[..self.tape.dependents().count()];
         for _ in 0..CORRECTIONS {
-            self.evaluate(routine, t, x, &self.under(&[]), corrections);
+            self.evaluate_into(routine, &self.lists(&t, x, &[]), &mut [&mut *corrections]);
             for (place, &mut correction) in self.tape.dependents().zip(&mut *corrections) {
                 x[place] += correction;
             }
@@ -224,7 +220,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
     fn each_output(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut(&str, T)) {
         if let Some(routine) = self.place(Role::Outputs) {
             let names = &self.tape.outputs;
-            self.each(routine, t, x, &self.under(&[]), &mut |n, output| tell(names[n], output));
+            self.each(routine, t, x, &mut |n, output| tell(names[n], output));
         }
     }
 
@@ -278,7 +274,7 @@ impl<const N: usize, const HYBRID: bool> Shapes<N> for Model<f64, N, HYBRID> {
             panic!("the tape of `{name}` has no shapes: add `shapes` to its `generate`")
         };
         let mut numbers = vec![0.0; code.results.len()];
-        self.write(code, &lists(&t, x, &self.under(&[])), numbers.iter_mut());
+        self.write(code, &self.lists(&t, x, &[]), numbers.iter_mut());
         placed(&self.tape.outlines, &numbers)
     }
 }

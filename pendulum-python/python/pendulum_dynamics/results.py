@@ -389,7 +389,12 @@ class Resting:
 
     Attributes
     ----------
-
+    x
+        State; its rates are zero.
+    mode
+        Constraints that stick or touch.
+    margin
+        Smallest relative reserve of any friction force: 1 without load, 0 at the limit of sticking.
     """
 
     x: NDArray[np.float64]
@@ -403,12 +408,10 @@ class Exponents:
 
     Attributes
     ----------
-    x
-        State; its rates are zero.
-    mode
-        Constraints that stick or touch.
-    margin
-        Smallest relative reserve of any friction force: 1 without load, 0 at the limit of sticking.
+    values
+        Exponents in 1/s, the largest first.
+    uncertainty
+        Standard error of each.
     """
 
     values: NDArray[np.float64]
@@ -426,10 +429,14 @@ class Sensitivity:
 
     Attributes
     ----------
-    values
-        Exponents in 1/s, the largest first.
-    uncertainty
-        Standard error of each.
+    t
+        Times, of shape ``(k,)``.
+    y
+        States, of shape ``(n, k)``.
+    derivatives
+        Derivatives, of shape ``(n, v, k)``: of each component, by each variable, at each time.
+    by
+        Names of the variables.
     """
 
     t: NDArray[np.float64]
@@ -444,14 +451,26 @@ class Fit:
 
     Attributes
     ----------
-    t
-        Times, of shape ``(k,)``.
-    y
-        States, of shape ``(n, k)``.
-    derivatives
-        Derivatives, of shape ``(n, v, k)``: of each component, by each variable, at each time.
-    by
-        Names of the variables.
+    model
+        The model with the fitted parameters.
+    estimates, deviations, intervals
+        Values of the free parameters by name, their standard deviations, and intervals that hold them with 95 %.
+    covariance
+        Covariance of the estimates, of shape ``(p, p)``.
+    starts
+        States at the start of each window.
+    residuals
+        Measured minus computed values of each output of each experiment.
+    noise
+        Standard deviations of the noise by output.
+    warnings
+        Reasons to doubt the result.
+    success
+        True if the search converged.
+    nit
+        Number of steps of the search.
+    summary
+        Table of the estimates, with warnings.
     """
 
     model: Model

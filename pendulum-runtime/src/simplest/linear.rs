@@ -63,6 +63,10 @@ pub(super) fn name(model: &Model, x: &[f64]) -> String {
 /// Declaration of a model that is linear about an equilibrium, with the outputs of these numbers, and with the inputs
 /// that act to first order.
 pub(super) fn declaration(model: &Model, x: &[f64], outputs: &[usize]) -> Result<String, Error> {
+    // about constants, also where inputs follow samples
+    let names = model.inputs().iter().map(|own| own.name.as_str());
+    let constants: Vec<_> = names.zip(model.inputs_now().iter().copied()).collect();
+    let model = &model.with_inputs(&constants)?;
     let (a, b) = (model.jacobian(0.0, x)?, input_jacobian(model, x)?);
     let (a, b) = (without_noise(a), without_noise(b));
     let acting: Vec<usize> = (0..b.ncols()).filter(|&n| b.column(n).amax() > 0.0).collect();

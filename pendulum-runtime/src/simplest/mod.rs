@@ -9,6 +9,7 @@ mod outline;
 
 use std::collections::BTreeSet;
 
+use pendulum_core::inputs::TimeTable;
 use rayon::prelude::*;
 
 use crate::declaration::Declaration;
@@ -41,6 +42,8 @@ pub struct Question {
     pub values: Vec<(String, f64)>,
     /// Values of inputs; the others are zero.
     pub inputs: Vec<(String, f64)>,
+    /// Inputs that follow samples; linear models are about their values in `inputs`.
+    pub laws: Vec<(String, TimeTable<1>)>,
 }
 
 impl Default for Question {
@@ -53,6 +56,7 @@ impl Default for Question {
             error: 0.01,
             values: Vec::new(),
             inputs: Vec::new(),
+            laws: Vec::new(),
         }
     }
 }
@@ -202,17 +206,17 @@ impl Question {
     /// The model of a declaration, with the values of parameters and inputs. With an outline of it, those that it no
     /// longer has are left out.
     fn model(&self, declaration: Declaration, outline: Option<&Outline>) -> Result<Model, Error> {
-        fn those(all: &[(String, f64)], are_there: impl Fn(&str) -> bool) -> Vec<(&str, f64)> {
-            let named = all.iter().map(|(name, value)| (name.as_str(), *value));
+        fn those<V: Clone>(all: &[(String, V)], are_there: impl Fn(&str) -> bool) -> Vec<(&str, V)> {
+            let named = all.iter().map(|(name, value)| (name.as_str(), value.clone()));
             named.filter(|(name, _)| are_there(name)).collect()
         }
         let values = those(&self.values, |name| {
             outline.is_none_or(|outline| outline.has_parameter(name))
         });
-        let inputs = those(&self.inputs, |name| {
-            outline.is_none_or(|outline| outline.has_input(name))
-        });
-        Model::declared(&declaration.also(["jacobian"]), &values)?.with_inputs(&inputs)
+        let has_input = |name: &str| outline.is_none_or(|outline| outline.has_input(name));
+        Model::declared(&declaration.also(["jacobian"]), &values)?
+            .with_inputs(&those(&self.inputs, has_input))?
+            .with_laws(&those(&self.laws, has_input))
     }
 
     /// Names of what is compared.

@@ -182,6 +182,7 @@ fn a_fit_finds_the_parameters_of_a_motion() {
             .expect("valid"),
         guess: None,
         known: None,
+        laws: Vec::new(),
     };
     let guess = Model::parse(DAMPED).expect("valid");
     let both = Fit {

@@ -5,15 +5,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use pendulum_core::prelude::*;
 use pendulum_runtime::{Error, Event, Members, Method as Named, Model, Options};
 
-/// Declares a mechanism twice: as a type, and as text.
-macro_rules! twice {
-    ($($declaration:tt)*) => {
-        mechanism! { $($declaration)* }
-
-        const TEXT: &str = stringify!($($declaration)*);
-    };
-}
-
 mod smooth {
     use super::*;
 
@@ -254,6 +245,7 @@ fn ensembles_have_the_bits_of_single_motions() {
         let members = Members {
             starts: starts.as_flattened(),
             parameters: Some(&parameters),
+            laws: &[],
             times: &times,
             cancel: None,
         };
@@ -330,6 +322,7 @@ fn a_cancelled_motion_has_what_was_reached() {
     let members = Members {
         starts: &START.repeat(40),
         parameters: None,
+        laws: &[],
         times: &[],
         cancel: Some(&cancel),
     };

@@ -122,6 +122,7 @@ fn lists_settings_and_numbers_are_checked() {
     let members = Members {
         starts: &[0.0; 5],
         parameters: None,
+        laws: &[],
         times: &[],
         cancel: None,
     };

@@ -106,7 +106,13 @@ impl<R: Register> Real for Pack<R> {
 
     #[inline]
     fn piecewise<const C: usize>(self, piece: impl Fn(f64) -> [f64; C]) -> [Self; C] {
-        core::array::from_fn(|c| self.map(|number| number.piecewise(&piece)[c]))
+        self.piecewise_by_lane(|_, number| piece(number))
+    }
+
+    #[inline]
+    fn piecewise_by_lane<const C: usize>(self, piece: impl Fn(usize, f64) -> [f64; C]) -> [Self; C] {
+        let of_lane = |lane| self.lane(lane).piecewise(|number| piece(lane, number));
+        core::array::from_fn(|c| Self::from_fn(|lane| of_lane(lane)[c]))
     }
 
     #[inline(always)]
