@@ -290,8 +290,8 @@ impl<
     fn orders<A: Beside<U>, B: Beside<U>>(mut self) {
         let accelerations = |k: usize| {
             let mut accelerations = [U::default(); R];
-            for n in 0..R {
-                accelerations[n] = U::from_f64((k + 1) as f64) * self.values[k + 1][N - R + n];
+            for (acceleration, n) in accelerations.iter_mut().zip(N - R..N) {
+                *acceleration = U::from_f64((k + 1) as f64) * self.values[k + 1][n];
             }
             accelerations
         };
@@ -376,8 +376,8 @@ impl<
                 *of_constant = V::load(&(self.of)(dual).slopes, start);
             }
             let mut newer = [V::All::default(); R];
-            for c in 0..R {
-                let rate = V::load(&(self.of)(&self.x[k][N - R + c]).slopes, start);
+            for (c, n) in (N - R..N).enumerate() {
+                let rate = V::load(&(self.of)(&self.x[k][n]).slopes, start);
                 let tangent = rate * over;
                 V::store(tangent, &mut (self.of_mut)(&mut self.x[k + 1][c]).slopes, start);
                 for r in 0..R {
@@ -389,9 +389,12 @@ impl<
                 all[r] = (sums[r][0] + sums[r][1]) + newer[r];
             }
             let solved = S::step(&constants, &kept, &by_constants, &all, &of_constants);
-            for c in 0..R {
-                let slopes = &mut (self.of_mut)(&mut self.x[k + 1][N - R + c]).slopes;
-                V::store(solved[c] * over, slopes, start);
+            for (&acceleration, n) in solved.iter().zip(N - R..N) {
+                V::store(
+                    acceleration * over,
+                    &mut (self.of_mut)(&mut self.x[k + 1][n]).slopes,
+                    start,
+                );
             }
         }
     }
