@@ -210,6 +210,11 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
         self.restarts && !self.changes()
     }
 
+    /// True if the right-hand side has a kink at the event.
+    pub(crate) fn restarts(&self) -> bool {
+        self.restarts
+    }
+
     /// True if the method restarts at the event.
     pub(crate) fn begins_anew(&self) -> bool {
         self.restarts || self.reset.is_some()

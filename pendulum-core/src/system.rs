@@ -181,14 +181,15 @@ pub trait Cast<const N: usize> {
     /// Converts the model to another number type. Its constants are rounded.
     fn cast<T: Real>(&self) -> Self::In<T>;
 
-    /// Combines one model per lane, so that parameters may differ: lane `i` takes its constants from `models(i)`.
+    /// Combines one model per lane, so that parameters may differ: lane `i` takes its constants from `models(i)`, and
+    /// samples that inputs of tapes follow.
     ///
-    /// Everything except the constants, such as the parameters by name, comes from model 0.
+    /// Everything else, such as the parameters by name, comes from model 0.
     fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Self::In<V>
     where
         Self: 'm;
 
-    /// True if the two models differ at most in their constants, so that they can share lanes. The default is true.
+    /// True if the two models differ at most in what [`gather`](Self::gather) takes from each, so that they can share lanes. The default is true.
     fn shares_lanes(&self, _other: &Self) -> bool {
         true
     }

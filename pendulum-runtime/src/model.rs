@@ -160,12 +160,14 @@ impl Model {
     /// If there is no such input.
     pub fn with_laws(&self, laws: &[(&str, TimeTable<1>)]) -> Result<Self, Error> {
         let mut all = self.engine.laws();
+        let mut inputs = self.inputs_now().to_vec();
         for (name, law) in laws {
             let n = self.input(name)?;
             all.retain(|(own, _)| *own != n);
             all.push((n, law.clone()));
+            inputs[n] = 0.0;
         }
-        Ok(self.with_engine(self.engine.with_inputs(self.inputs_now(), all)))
+        Ok(self.with_engine(self.engine.with_inputs(&inputs, all)))
     }
 
     /// Index of an input.

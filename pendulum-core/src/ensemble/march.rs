@@ -86,16 +86,17 @@ impl<A, M: Cast<N>, T: Real, W, const N: usize> March<'_, A, M, T, W, N> {
     }
 }
 
-/// Model by which the start of a trajectory was checked last. All may have the same, and to convert it takes longer than
-/// the check.
+/// Model by which the start of a trajectory was checked last. All may have the same, and to convert it takes longer
+/// than the check.
 pub(super) struct Checked<M: Cast<N>, T: Real, const N: usize>(Option<(usize, M::In<T>)>);
 
 impl<M: Cast<N>, T: Real, const N: usize> Checked<M, T, N> {
+    /// Returns a place for a model.
     pub(super) fn none() -> Self {
         Self(None)
     }
 
-    /// Model of a trajectory.
+    /// Returns the model of a trajectory.
     pub(super) fn by(&mut self, models: &[M], index: usize) -> &M::In<T> {
         let number = if models.len() == 1 { 0 } else { index };
         self.0.take_if(|last| last.0 != number);

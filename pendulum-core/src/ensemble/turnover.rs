@@ -132,8 +132,8 @@ where
             && self.pace(index).is_none()
             && const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES }
         {
-            let model = model_of(self.models, index).cast::<T>();
-            if let Some(h) = control.first_step(&model, (t, &x, slope), self.span.1) {
+            let model = self.checked.by(self.models, index);
+            if let Some(h) = control.first_step(model, (t, &x, slope), self.span.1) {
                 members.h[lane] = h;
                 work.evaluations += 1;
             }

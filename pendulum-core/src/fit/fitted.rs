@@ -174,7 +174,7 @@ pub enum Warning {
         experiment: usize,
         /// Time at the start of the window with the largest deviation.
         from: f64,
-        /// The largest deviation, for given parameters and in the unit of the state; infinite without any influence.
+        /// The largest deviation, for given parameters and in the unit of the state; infinite if the window does not determine it.
         deviation: f64,
     },
 }
@@ -195,7 +195,7 @@ messages! {
         "the start of the state `{state}` is not determined in {windows} of the windows, least of all in experiment \
          {experiment} from t = {from:.3} ({by}); measure `{state}` as 0 at the first sample of each, with a deviation \
          of its size, and as NaN elsewhere",
-        by = if deviation.is_finite() { format!("deviation {deviation:.1e}") } else { "no influence".to_owned() };
+        by = if deviation.is_finite() { format!("deviation {deviation:.1e}") } else { "not at all".to_owned() };
 }
 
 impl fmt::Display for Combination {

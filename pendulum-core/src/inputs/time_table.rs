@@ -140,6 +140,7 @@ impl<const M: usize> TimeTable<M> {
     /// at all times.
     #[must_use]
     pub fn covers(&self, from: f64, to: f64) -> bool {
+        let (from, to) = (from.min(to), from.max(to));
         let Pieces {
             times, coefficients, ..
         } = &*self.pieces;

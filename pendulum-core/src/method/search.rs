@@ -27,8 +27,8 @@ const SAME_KINK_ULPS: f64 = 1000.0;
 pub(crate) struct Search<'w, 'e, T, const N: usize> {
     events: &'w [Event<'e, T, N>],
     seen: Vec<Seen<T>>,
-    /// Those at the start of a step that may be searched again.
-    marked: Vec<Seen<T>>,
+    /// Those at the start of a step that may be searched again, and `starts` there.
+    marked: (Vec<Seen<T>>, bool),
     /// False if kinks no longer end steps.
     pub(super) ends_at_kinks: bool,
     /// True at the start of the integration, or after a restart.
@@ -129,7 +129,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         Ok(Self {
             events,
             seen,
-            marked: Vec::new(),
+            marked: (Vec::new(), false),
             ends_at_kinks: true,
             starts: true,
             states: Vec::new(),
@@ -206,12 +206,14 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
 
     /// Marks the start of a step, to [go back](Self::go_back) there.
     pub(super) fn mark(&mut self) {
-        self.marked.clone_from(&self.seen);
+        self.marked.0.clone_from(&self.seen);
+        self.marked.1 = self.starts;
     }
 
     /// Goes back to the start of the step that was searched last, to search a part of it.
     pub(super) fn go_back(&mut self) {
-        self.seen.clone_from(&self.marked);
+        self.seen.clone_from(&self.marked.0);
+        self.starts = self.marked.1;
     }
 
     /// True if steps may end at events where the method begins anew.

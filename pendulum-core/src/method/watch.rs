@@ -288,7 +288,7 @@ fn pass<T: Float, const N: usize>(
 /// Passes the part of a step up to the fraction `theta` to the observer, with its own polynomial.
 fn observe<T: Float, const N: usize>(dense: &Dense<'_, T, N>, theta: T, observer: &mut impl Observer<T, N>) {
     let step = dense.step();
-    if theta == T::from_f64(1.0) && !dense.is_cut_off() {
+    if theta == T::from_f64(1.0) && theta.is_constant() && !dense.is_cut_off() {
         return observer.step(dense);
     }
     let t = dense.time(theta);

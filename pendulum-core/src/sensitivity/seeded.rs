@@ -87,7 +87,8 @@ where
     }
 
     fn shares_lanes(&self, other: &Self) -> bool {
-        self.variables == other.variables && self.model.shares_lanes(other.model)
+        let fits = |a: &M, b: &M| a.shares_lanes(b) && a.differs_in_parameters(b);
+        self.variables == other.variables && fits(self.model, other.model)
     }
 }
 

@@ -31,6 +31,12 @@ pub trait Parametric<const N: usize, const P: usize>: Cast<N> {
 
     /// Returns the model with other parameters, in the order of their declaration, which are not checked.
     fn with_parameters<T: Real>(&self, parameters: [T; P]) -> Self::In<T>;
+
+    /// True if two models that [share lanes](Cast::shares_lanes) differ in parameters alone.
+    #[doc(hidden)]
+    fn differs_in_parameters(&self, _other: &Self) -> bool {
+        true
+    }
 }
 
 /// [`Parametric`] for a model with `M` inputs.

@@ -313,7 +313,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         self.inputs.copy_from_slice(inputs);
     }
 
-    /// Inputs that follow samples, by their indices; none at first.
+    /// Inputs that follow samples, by their indices; none at first. In lanes, those of the first lane.
     pub fn laws(&self) -> impl Iterator<Item = (usize, &TimeTable<1>)> {
         self.laws.iter().flat_map(|laws| laws.each())
     }
@@ -548,6 +548,10 @@ impl<const N: usize, const P: usize, const HYBRID: bool> Parametric<N, P> for Mo
         let constants = compute(&self.tape.constants, &parameters[..self.params.len()]);
         let inputs = self.inputs.iter().map(|&input| T::from_f64(input)).collect();
         self.with_numbers(constants, inputs)
+    }
+
+    fn differs_in_parameters(&self, other: &Self) -> bool {
+        self.inputs == other.inputs && self.laws().eq(other.laws())
     }
 }
 

@@ -50,7 +50,8 @@ impl Source {
 /// Values of all lists; those not given are empty.
 #[derive(Clone, Copy)]
 pub(super) struct Lists<'a, T> {
-    /// Of state, time, inputs and forces, which most code reads: to write down all would take as long as some operations.
+    /// Of state, time, inputs and forces, which most code reads: to write down all would take as long as some
+    /// operations.
     first: [&'a [T]; 4],
     others: &'a [(Source, &'a [T])],
     /// Laws of inputs, which replace those of the list.

@@ -462,12 +462,18 @@ fn events_at_the_ends_of_steps_have_derivatives() {
     for event in [at_half(), at_half().terminal(), at_half().reset(|_t, x| *x)] {
         let [t0, t1] = [0.0, 1.0].map(Number::from_f64);
         let solution = Rk4::new(0.5).solve_with(&motion, t0, t1, [t0, t0], &[event]);
-        let [event] = solution.expect("regular").events()[..] else {
+        let solution = solution.expect("regular");
+        let [event] = solution.events()[..] else {
             panic!("one event")
         };
-        for (number, slope) in [(event.t, -0.5), (event.x[0], 0.0), (event.x[1], -0.5)] {
-            assert_abs_diff_eq!(number.value, 0.5, epsilon = 1e-15);
-            assert_abs_diff_eq!(number.slopes[0], slope, epsilon = 1e-12);
+        let mut points = vec![(event.t, event.x)];
+        let last = (solution.t()[solution.t().len() - 1], solution.end());
+        points.extend((last.0 == event.t).then_some(last));
+        for (t, x) in points {
+            for (number, slope) in [(t, -0.5), (x[0], 0.0), (x[1], -0.5)] {
+                assert_abs_diff_eq!(number.value, 0.5, epsilon = 1e-15);
+                assert_abs_diff_eq!(number.slopes[0], slope, epsilon = 1e-12);
+            }
         }
     }
 }

@@ -11,11 +11,11 @@ use crate::system::System;
 
 /// Maximum number of times that a step is retaken to an event: convergence is superlinear.
 const MOST_RETAKEN: usize = 10;
-/// Distance beyond an event at which it is reached, in fractions of the step, or in ulps of t if that is more: so near
-/// its end, dense output is as accurate as the end.
-const REACHED: (f64, f64) = (1e-8, 8.0);
-/// Distance beyond an event at which the step is aimed, so that the event lies within it.
-const BEYOND: (f64, f64) = (1e-9, 2.0);
+/// Distances beyond an event, in fractions of the step, or in ulps of t if that is more: at which it is reached, and at
+/// which the step is aimed, so that the event lies within it. So near its end, dense output is as accurate as the end.
+const NEAR: [(f64, f64); 2] = [(1e-8, 8.0), (1e-9, 2.0)];
+/// The same at kinks, beyond which no stage should be evaluated: there the right-hand side is another.
+const NEAR_KINKS: [(f64, f64); 2] = [(0.0, 8.0), (0.0, 2.0)];
 /// Interval over which the slope of an event function is measured, in fractions of the step up to the event.
 const SLOPE_OVER: f64 = 1e-3;
 
@@ -45,17 +45,17 @@ where
                 break;
             };
             let t = dense.time(first.theta);
-            let reached = distance(REACHED, &step, t);
-            if (step.t1 - t).abs() <= reached {
+            let near = if event.restarts() { NEAR_KINKS } else { NEAR };
+            if (step.t1 - t).abs() <= distance(near[0], &step, t) {
                 break;
             }
             let value = |theta: T| (event.function)(dense.time(theta), &dense.at_fraction(theta));
-            let near = first.theta * T::from_f64(1.0 - SLOPE_OVER);
+            let before = first.theta * T::from_f64(1.0 - SLOPE_OVER);
             let here = value(first.theta);
-            let slope = (here - value(near)) / (t - dense.time(near));
+            let slope = (here - value(before)) / (t - dense.time(before));
             // a function that jumps, or has no slope, has no zero to go to
-            let passes = here.abs() < slope.abs() * reached && slope.is_finite();
-            if !passes || !self.retake_to_zero(&step, t, slope, &event.function) {
+            let passes = here.abs() < slope.abs() * distance(NEAR[0], &step, t) && slope.is_finite();
+            if !passes || !self.retake_to_zero(&step, (t, slope), near, &event.function) {
                 break;
             }
             (step, is_retaken) = (self.smooth.last, true);
@@ -74,14 +74,14 @@ where
     fn retake_to_zero(
         &mut self,
         whole: &Step<T, N>,
-        mut t: T,
-        mut slope: T,
+        (mut t, mut slope): (T, T),
+        [reached, beyond]: [(f64, f64); 2],
         function: &impl Fn(T, &SVector<T, N>) -> T,
     ) -> bool {
         let (scheme, modes) = (self.smooth.scheme.clone(), self.modes);
         let ahead = T::from_f64(if whole.h < T::default() { -1.0 } else { 1.0 });
         let mut last: Option<(T, T)> = None;
-        t += ahead * distance(BEYOND, whole, t);
+        t += ahead * distance(beyond, whole, t);
         for _ in 0..MOST_RETAKEN {
             let is_within = (t - whole.t0) * (whole.t1 - t) > T::default();
             if !(is_within && t.is_finite() && self.retake(whole, t)) {
@@ -96,12 +96,12 @@ where
             }
             last = Some((t, value));
             let correction = -value / slope;
-            if correction * whole.h <= T::default() && correction.abs() <= distance(REACHED, whole, t) {
+            if correction * whole.h <= T::default() && correction.abs() <= distance(reached, whole, t) {
                 self.smooth.go_to(t);
                 self.end_as_taken();
                 return true;
             }
-            t += correction + ahead * distance(BEYOND, whole, t);
+            t += correction + ahead * distance(beyond, whole, t);
         }
         (self.smooth.last, self.smooth.scheme, self.modes) = (*whole, scheme, modes);
         false
