@@ -10,11 +10,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::OrRaise;
+use crate::inputs::{Samples, laws};
 use crate::motion::rows;
 use crate::wait::wait;
 
 /// A measured motion: times, then outputs with their values and noise; a first guess of the state, or a known one with
-/// its time.
+/// its time; samples of inputs.
 #[derive(FromPyObject)]
 pub(crate) struct Given<'py> {
     #[pyo3(item)]
@@ -25,6 +26,8 @@ pub(crate) struct Given<'py> {
     guess: Option<Vec<f64>>,
     #[pyo3(item)]
     known: Option<(f64, Vec<f64>)>,
+    #[pyo3(item)]
+    inputs: Vec<Samples<'py>>,
 }
 
 /// Settings.
@@ -64,6 +67,7 @@ pub(crate) fn fit<'py>(
             measurement,
             guess: own.guess,
             known: own.known,
+            laws: laws(py, &own.inputs)?,
         })
     });
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;

@@ -4,6 +4,7 @@
 mod ensemble;
 mod error;
 mod fit;
+mod inputs;
 mod model;
 mod motion;
 mod wait;

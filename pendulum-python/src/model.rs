@@ -14,6 +14,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::{OrRaise, exception};
+use crate::inputs::{Samples, SamplesOfEach, laws};
 use crate::motion::{Motion, rows};
 use crate::wait::{Signals, wait};
 use crate::{ensemble, fit};
@@ -125,9 +126,11 @@ impl Model {
         model.map(Self).or_raise(py)
     }
 
-    fn with_inputs(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
-        let model = self.0.with_inputs(&named(&values));
-        model.map(Self).or_raise(py)
+    fn with_inputs(&self, py: Python<'_>, values: Vec<(String, f64)>, samples: Vec<Samples<'_>>) -> PyResult<Self> {
+        let laws = laws(py, &samples)?;
+        let laws: Vec<_> = laws.iter().map(|(name, law)| (name.as_str(), law.clone())).collect();
+        let model = self.0.with_inputs(&named(&values)).or_raise(py)?;
+        model.with_laws(&laws).map(Self).or_raise(py)
     }
 
     #[getter]
@@ -380,9 +383,11 @@ impl Model {
         span: [f64; 2],
         starts: PyReadonlyArray2<'py, f64>,
         parameters: Option<PyReadonlyArray2<'py, f64>>,
+        inputs: Vec<SamplesOfEach<'py>>,
         times: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<ensemble::Results<'py>> {
-        ensemble::ensemble(py, &self.0, &method(py, settings)?, span, starts, parameters, times)
+        let method = method(py, settings)?;
+        ensemble::ensemble(py, &self.0, &method, span, starts, parameters, inputs, times)
     }
 
     /// State, stability and eigenvalues of each equilibrium; and the coordinates that were not searched completely.
@@ -498,6 +503,12 @@ impl Model {
             error,
             values: own(self.0.parameters(), self.0.values()),
             inputs: own(self.0.inputs(), self.0.inputs_now()),
+            laws: self
+                .0
+                .laws()
+                .into_iter()
+                .map(|(name, law)| (name.to_owned(), law))
+                .collect(),
         };
         let declaration = Declaration::new(text).folder(&folder);
         let cancel = AtomicBool::new(false);

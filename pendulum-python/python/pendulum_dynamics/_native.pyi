@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Settings = dict[str, Any]
+#: Name, times, values and interpolation of an input.
+Samples = tuple[str, Array, Array, str]
 
 METHODS: list[str]
 What = str | tuple[str, float] | Callable[[float, Array], float]
@@ -40,7 +42,7 @@ class Model:
     @staticmethod
     def robot(path: str, gravity: list[float], limits: bool, repair: bool, generate: list[str] | None) -> str: ...
     def with_parameters(self, values: list[tuple[str, float]]) -> Model: ...
-    def with_inputs(self, values: list[tuple[str, float]]) -> Model: ...
+    def with_inputs(self, values: list[tuple[str, float]], samples: list[Samples]) -> Model: ...
     def parameters(self) -> list[tuple[str, str, float, str]]: ...
     def inputs(self) -> list[tuple[str, str, float, str]]: ...
     def components(self) -> list[tuple[str, str]]: ...
@@ -66,7 +68,13 @@ class Model:
         events: list[tuple[What, int, bool]],
     ) -> Motion: ...
     def ensemble(
-        self, settings: Settings, span: list[float], starts: Array, parameters: Array | None, times: Array
+        self,
+        settings: Settings,
+        span: list[float],
+        starts: Array,
+        parameters: Array | None,
+        inputs: list[Samples],
+        times: Array,
     ) -> tuple[Array, Array, list[tuple[int, float, str]]]: ...
     def equilibria(
         self, seeds: list[list[float]]

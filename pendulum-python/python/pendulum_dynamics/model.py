@@ -32,6 +32,11 @@ from .results import (
 
 What = Union[str, "tuple[str, float]", Callable[[float, NDArray[np.float64]], float]]
 
+#: An input: a constant; or samples, as times, values and, if not linear, the interpolation between them.
+Input = Union[float, "tuple[ArrayLike, ArrayLike]", "tuple[ArrayLike, ArrayLike, str]"]
+
+Samples = tuple[NDArray[np.float64], NDArray[np.float64], str]
+
 
 @dataclass(frozen=True)
 class Event:
@@ -128,6 +133,35 @@ def _named(
     return [(name, _number(name, value)) for name, value in {**(values or {}), **more}.items()]
 
 
+def _samples(name: str, value: Any, dimensions: int = 1) -> Samples | None:
+    """Samples of an input, or nothing of a constant."""
+    if not isinstance(value, tuple):
+        return None
+    if len(value) not in (2, 3):
+        raise ValueError(f"samples of {name} are times, values and an interpolation, not {len(value)} entries")
+    times, values = _vector(f"the times of {name}", value[0]), _array(f"the values of {name}", value[1], dimensions)
+    return times.copy(), values.copy(), str(value[2]) if len(value) == 3 else "linear"
+
+
+def _inputs(
+    inputs: Mapping[str, Input] | None, more: Mapping[str, Input] = MappingProxyType({})
+) -> tuple[list[tuple[str, float]], dict[str, Samples]]:
+    """Inputs that are constant, and samples of the others."""
+    if inputs is not None and not isinstance(inputs, Mapping):
+        raise TypeError(f"give inputs by name, as a dict, not {inputs!r:.80}")
+    constants, samples = [], {}
+    for name, value in {**(inputs or {}), **more}.items():
+        own = _samples(name, value)
+        if own is not None:
+            samples[name] = own
+            continue
+        try:
+            constants.append((name, _number(name, value)))
+        except TypeError:
+            raise TypeError(f"{name} must be a number, or a tuple of times and values, not {value!r:.80}") from None
+    return constants, samples
+
+
 def _names(what: str, names: str | Iterable[str] | None) -> list[str] | None:
     if names is None:
         return None
@@ -194,6 +228,7 @@ class Model:
         folder: str | os.PathLike[str] = "",
     ) -> None:
         self._text, self._folder = text, os.fspath(folder)
+        self._samples: dict[str, Samples] = {}
         self._native = _native.Model(text, self._folder, _named(parameters))
 
     @classmethod
@@ -270,9 +305,9 @@ class Model:
         return {name: value for name, _, value, _ in self._native.parameters()}
 
     @property
-    def inputs(self) -> dict[str, float]:
-        """Values of the inputs by name; they are zero at first, and constant in time."""
-        return {name: value for name, _, value, _ in self._native.inputs()}
+    def inputs(self) -> dict[str, float | Samples]:
+        """Values of the inputs by name, zero at first; samples of those that follow some: see ``with_inputs``."""
+        return {name: self._samples.get(name, value) for name, _, value, _ in self._native.inputs()}
 
     @property
     def states(self) -> list[str]:
@@ -330,8 +365,10 @@ class Model:
         return f"$$\n{self.latex}\n$$"
 
     def __repr__(self) -> str:
-        values = ", ".join(f"{name}={value:g}" for name, value in (self.parameters | self.inputs).items())
-        return f"<Model {self.name}({values}) with the states {', '.join(self.states)}>"
+        values = [f"{name}={value:g}" for name, value in self.parameters.items()]
+        for name, own in self.inputs.items():
+            values.append(f"{name}={len(own[0])} samples" if isinstance(own, tuple) else f"{name}={own:g}")
+        return f"<Model {self.name}({', '.join(values)}) with the states {', '.join(self.states)}>"
 
     # Other values.
 
@@ -339,9 +376,25 @@ class Model:
         """Returns the model with other values of some parameters, in microseconds."""
         return self._with(self._native.with_parameters(_named(values, more)))
 
-    def with_inputs(self, values: Mapping[str, float] | None = None, /, **more: float) -> Model:
-        """Returns the model with other values of some inputs."""
-        return self._with(self._native.with_inputs(_named(values, more)))
+    def with_inputs(self, values: Mapping[str, Input] | None = None, /, **more: Input) -> Model:
+        """Returns the model with other values of some inputs, or with samples that they follow.
+
+        All functions of the model, such as ``rhs``, ``solve`` and ``fit``, use the values at the time in question.
+
+        Parameters
+        ----------
+        values
+            By name, numbers for constants; or tuples ``(times, values)``, between which inputs are linear, such as
+            ``model.with_inputs(torque=(t, measured))``. A third entry is the interpolation: ``"hold"`` keeps each value
+            until the next sample, ``"cubic"`` is a natural spline, ``"linear"`` the default. Before the first sample
+            and after the last one, inputs keep its value. Methods with a tolerance shorten their steps at jumps and
+            kinks: where samples are dense, ``"Rk4"`` with steps ``h`` about as long as their intervals is faster.
+        """
+        constants, samples = _inputs(values, more)
+        model = self._with(self._native.with_inputs(constants, [(name, *own) for name, own in samples.items()]))
+        changed = {name for name, _ in constants}
+        model._samples = {name: own for name, own in self._samples.items() if name not in changed} | samples
+        return model
 
     def state(self, values: Mapping[str, float] | None = None, /, **more: float) -> NDArray[np.float64]:
         """A state with these components by name: ``model.state({"dot(theta)": 1}, theta=0.4)``.
@@ -481,6 +534,7 @@ class Model:
         x0: ArrayLike,
         *,
         parameters: Mapping[str, ArrayLike] | None = None,
+        inputs: Mapping[str, ArrayLike | Input] | None = None,
         t_eval: ArrayLike | None = None,
         method: str = "Vern9",
         rtol: float | None = None,
@@ -500,6 +554,10 @@ class Model:
             Initial states, of shape ``(m, n)``; or one state of shape ``(n,)`` for all.
         parameters
             Values of parameters by name, each of shape ``(m,)``, or one number for all.
+        inputs
+            Inputs by name, as for ``with_inputs``: one for all, or one for each trajectory, as constants of shape
+            ``(m,)``, or as ``(times, values)`` with values of shape ``(m, k)`` at ``k`` times. The others are those of
+            the model.
         t_eval
             Times at which states are kept. Default: none, only the final states.
 
@@ -510,8 +568,10 @@ class Model:
         """
         starts = _numbers("x0", x0)
         columns = {name: _numbers(name, values) for name, values in (parameters or {}).items()}
+        shared, of_each = _of_each(inputs or {})
         if starts.ndim == 1:
-            count = max((len(values) for values in columns.values() if values.ndim), default=1)
+            counts = [len(values) for values in columns.values() if values.ndim]
+            count = max(counts + [len(values) for _, values, _ in of_each.values()], default=1)
             starts = np.broadcast_to(starts, (count, len(starts)))
         starts = _array("x0", starts, 2)
         if starts.shape[1] != len(self.states):
@@ -527,9 +587,14 @@ class Model:
                 if values.shape not in ((), (len(starts),)):
                     raise ValueError(f"{name} has the shape {values.shape}, and there are {len(starts)} initial states")
                 table[:, list(own).index(name)] = values
+        for name, (_, values, _) in of_each.items():
+            if len(values) != len(starts):
+                raise ValueError(f"{name} has {len(values)} rows of values, and there are {len(starts)} initial states")
         settings = _method(method, h=h, rtol=rtol, atol=atol, max_step=max_step, max_steps=max_steps)
         times = _vector("t_eval", np.empty(0) if t_eval is None else t_eval)
-        ends, samples, stopped = self._native.ensemble(settings, _span(t_span), starts, table, times)
+        own_inputs = [(name, *samples) for name, samples in of_each.items()]
+        native = self.with_inputs(shared)._native
+        ends, samples, stopped = native.ensemble(settings, _span(t_span), starts, table, own_inputs, times)
         success = np.ones(len(starts), dtype=bool)
         success[[index for index, _, _ in stopped]] = False
         messages = {index: f"stopped at t = {t}: {reason}" for index, t, reason in stopped}
@@ -586,6 +651,7 @@ class Model:
         method: str = "Vern9",
         rtol: float | None = None,
         atol: float | None = None,
+        h: float | None = None,
     ) -> Sensitivity:
         """Derivatives of a trajectory by parameters and by components of its initial state, given by name.
 
@@ -596,11 +662,11 @@ class Model:
         by
             Names, such as ``["l", "theta"]``.
         method
-            ``Vern9``, or ``Rodas5P`` for stiff systems.
+            ``Vern9``; ``Rodas5P`` for stiff systems; or ``Rk4`` with steps ``h``, for inputs with dense samples.
         """
         names = _names("by", by) or []
         times = _vector("t", t)
-        settings = _method(method, rtol=rtol, atol=atol)
+        settings = _method(method, h=h, rtol=rtol, atol=atol)
         x, derivatives = self._native.sensitivity(settings, times, _vector("x0", x0), names)
         return Sensitivity(t=times, y=x.T, derivatives=np.array(derivatives).transpose(1, 2, 0), by=names)
 
@@ -677,6 +743,7 @@ class Model:
         noise: Mapping[str, float] | None = None,
         guess: ArrayLike | None = None,
         known: ArrayLike | None = None,
+        inputs: Mapping[str, Input] | None = None,
         bounds: Mapping[str, tuple[float, float]] | None = None,
         loss: str | tuple[str, float] = "squares",
         windows: float | None = None,
@@ -685,6 +752,7 @@ class Model:
         method: str = "Vern9",
         rtol: float | None = None,
         atol: float | None = None,
+        h: float | None = None,
     ) -> Fit:
         """Fits parameters, and unknown initial states, to measured outputs.
 
@@ -692,7 +760,7 @@ class Model:
         ----------
         t
             Times of the samples, in s; or a list of experiments, each a dict with ``t``, ``outputs`` and, if need be,
-            ``noise``, ``guess`` and ``known``.
+            ``noise``, ``guess``, ``known`` and ``inputs``.
         outputs
             Measured values by the names of outputs, or of components of the state; NaN where missing.
         free
@@ -703,6 +771,9 @@ class Model:
             First guess of the state at the first sample.
         known
             Known state at the first sample.
+        inputs
+            Inputs during the measurement by name, as for ``with_inputs``, such as ``{"torque": (t, measured)}``. Their
+            samples cover the measurement. Where some are given, all are, in each experiment: 0 if nothing acts.
         bounds
             Bounds of parameters by name.
         loss
@@ -712,14 +783,15 @@ class Model:
             Splits the motion into windows of this length in s: ``windows`` are joined in the end (multiple shooting),
             for long or chaotic motions; ``separate_windows`` are not, for motions with disturbances. One at most.
         method
-            ``Vern9``, or ``Rodas5P`` for stiff systems.
+            ``Vern9``; ``Rodas5P`` for stiff systems; or ``Rk4`` with steps ``h``, for inputs with dense samples.
         """
+        own = {"noise": noise, "guess": guess, "known": known, "inputs": inputs}
         if outputs is None:
-            if noise is not None or guess is not None or known is not None:
-                raise ValueError("of several experiments, each has its own `noise`, `guess` and `known`")
+            if any(value is not None for value in own.values()):
+                raise ValueError("of several experiments, each has its own `noise`, `guess`, `known` and `inputs`")
             experiments: list[Any] = list(t)  # type: ignore[arg-type]
         else:
-            experiments = [{"t": t, "outputs": outputs, "noise": noise, "guess": guess, "known": known}]
+            experiments = [{"t": t, "outputs": outputs, **own}]
         options = {
             "free": _names("free", free),
             "bounds": [_bounds(name, pair) for name, pair in (bounds or {}).items()],
@@ -728,8 +800,8 @@ class Model:
             "separate_windows": None if separate_windows is None else _number("separate_windows", separate_windows),
             "max_iterations": operator.index(max_iterations),
         }
-        settings = _method(method, rtol=rtol, atol=atol)
-        result = self._native.fit(settings, [_experiment(own) for own in experiments], options)
+        settings = _method(method, h=h, rtol=rtol, atol=atol)
+        result = self._native.fit(settings, [_experiment(given) for given in experiments], options)
         return Fit._of(self, result)
 
     def shapes(self, t: float, x: ArrayLike) -> list[tuple[str, str, str, NDArray[np.float64], float]]:
@@ -742,7 +814,7 @@ class Model:
 
 
 def _rebuilt(
-    kind: type[Model], text: str, folder: str, parameters: dict[str, float], inputs: dict[str, float]
+    kind: type[Model], text: str, folder: str, parameters: dict[str, float], inputs: dict[str, Input]
 ) -> Model:
     """A model from its pickle."""
     model = kind(text, parameters, folder=folder)
@@ -753,6 +825,25 @@ def _of_dimensions(array: NDArray[np.float64], dimensions: int) -> Any:
     if dimensions == 0:
         return float(array[0, 0])
     return array[:, 0] if dimensions == 1 else array
+
+
+def _held(value: float | NDArray[np.float64]) -> Samples:
+    """Samples of an input that is constant, or of one for each trajectory."""
+    return np.zeros(1), np.asarray(value)[..., np.newaxis], "hold"
+
+
+def _of_each(inputs: Mapping[str, Any]) -> tuple[dict[str, Input], dict[str, Samples]]:
+    """Inputs that all trajectories share, and those of each trajectory, with a row of values for each."""
+    shared: dict[str, Input] = {}
+    of_each: dict[str, Samples] = {}
+    for name, value in inputs.items():
+        if isinstance(value, tuple) and len(value) > 1 and np.ndim(value[1]) == 2:
+            of_each[name] = _samples(name, value, 2)  # type: ignore[assignment]
+        elif isinstance(value, tuple) or np.ndim(value) == 0:
+            shared[name] = value
+        else:
+            of_each[name] = _held(_vector(name, value))
+    return shared, of_each
 
 
 def _is_value(event: Any) -> bool:
@@ -792,9 +883,9 @@ def _loss(loss: str | tuple[str, float]) -> tuple[str, float]:
 def _experiment(given: Mapping[str, Any]) -> dict[str, Any]:
     if not isinstance(given, Mapping):
         raise TypeError(f"give `outputs`, or a list of experiments, each a dict, not {given!r}")
-    unknown = set(given) - {"t", "outputs", "noise", "guess", "known"}
+    unknown = set(given) - {"t", "outputs", "noise", "guess", "known", "inputs"}
     if unknown or "t" not in given or "outputs" not in given:
-        raise ValueError("an experiment has `t` and `outputs`, and may have `noise`, `guess` and `known`")
+        raise ValueError("an experiment has `t` and `outputs`, and may have `noise`, `guess`, `known` and `inputs`")
     times, noise = _vector("t", given["t"]), given.get("noise") or {}
     if strange := set(noise) - set(given["outputs"]):
         raise ValueError(f"`noise` names {', '.join(sorted(strange))}, which is not among the outputs")
@@ -803,9 +894,12 @@ def _experiment(given: Mapping[str, Any]) -> dict[str, Any]:
     if guess is not None and known is not None:
         raise ValueError("the state at the first sample is either known, or guessed")
     begin = float(times[0]) if len(times) else 0.0
+    constants, samples = _inputs(given.get("inputs"))
+    held = {name: _held(value) for name, value in constants}
     return {
         "t": times,
         "outputs": outputs,
         "guess": None if guess is None else _vector("guess", guess).tolist(),
         "known": None if known is None else (begin, _vector("known", known).tolist()),
+        "inputs": [(name, *own) for name, own in {**samples, **held}.items()],
     }
