@@ -88,18 +88,20 @@ def test_a_fit_finds_parameters_from_several_experiments(swing):
     experiments = []
     for kind, wind in (("linear", 0.0), ("hold", 0.4)):
         inputs = {"motor": (TIMES, MOTOR, kind), "wind": wind}
-        motion = truth.with_inputs(inputs).solve((0, 4), [0.3, 0.0], t_eval=TIMES, rtol=1e-9, atol=1e-9)
-        experiments.append({"t": TIMES, "outputs": {"angle": motion.y[0]}, "inputs": inputs})
-    fit = swing.fit(experiments, rtol=1e-9, atol=1e-9)
+        motion = truth.with_inputs(inputs).solve((0, 4), [0.3, 0.0], t_eval=TIMES, method="Rk4", h=0.01)
+        noise = 1e-5 * np.sin(1e4 * TIMES)
+        experiments.append({"t": TIMES, "outputs": {"angle": motion.y[0] + noise}, "inputs": inputs})
+    fit = swing.fit(experiments, method="Rk4", h=0.01)
     assert fit.success
-    assert abs(fit.estimates["l"] - 0.8) < 1e-6 and abs(fit.estimates["damping"] - 0.15) < 1e-6
+    assert abs(fit.estimates["l"] - 0.8) < 1e-4 and abs(fit.estimates["damping"] - 0.15) < 1e-4
+    assert fit.model.parameters == fit.parameters
     # the inputs of the model are those of an experiment without any
     single = experiments[0]
     of_model = swing.with_inputs(single["inputs"]).fit(TIMES, single["outputs"], method="Rk4", h=0.01)
     given = swing.fit(TIMES, single["outputs"], inputs=single["inputs"], method="Rk4", h=0.01)
     assert of_model.estimates == given.estimates
     # without the torque nothing fits
-    assert abs(swing.fit(TIMES, single["outputs"]).estimates["l"] - 0.8) > 1e-2
+    assert abs(swing.fit(TIMES, single["outputs"], method="Rk4", h=0.01).estimates["l"] - 0.8) > 1e-2
 
 
 def test_derivatives_under_samples(swing):
@@ -114,9 +116,9 @@ def test_derivatives_under_samples(swing):
 
 
 def test_measured_torques_of_a_real_arm():
-    """Finds the estimates of the Rust example `measured` for its scene with viscous friction, from the first 2 s."""
+    """Finds the estimates of the Rust example `measured` for its scene with viscous friction."""
     columns = np.loadtxt(MEASURED / "data/run_1.csv", delimiter=",", skiprows=1, unpack=True)
-    t, q1, q2, _, _, torque1, torque2 = columns[:, columns[0] <= 2.0]
+    t, q1, q2, _, _, torque1, torque2 = columns
     free = ["i1", "i2", "r1", "r2", "viscous1", "viscous2"]
     fit = pendulum.Model(ARM, {"dry1": 0.0, "dry2": 0.0, "rotor": 1e-12}).fit(
         t,
@@ -130,12 +132,12 @@ def test_measured_torques_of_a_real_arm():
     )
     # by compiled code
     expected = [
-        0.11371933146522396,
-        0.0408290548026372,
-        0.5693250487360128,
-        0.2766553514477335,
-        0.0,
-        0.02592059876648403,
+        0.08129044532300114,
+        0.02873472463791563,
+        0.3968488254473054,
+        0.19677129337622706,
+        0.0963301754368983,
+        0.02349021369415225,
     ]
     assert fit.success
     assert fit.estimates == pytest.approx(dict(zip(free, expected)), rel=1e-9)

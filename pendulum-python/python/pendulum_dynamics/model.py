@@ -143,12 +143,14 @@ def _samples(name: str, value: Any, dimensions: int = 1) -> Samples | None:
     return times.copy(), values.copy(), str(value[2]) if len(value) == 3 else "linear"
 
 
-def _inputs(inputs: Mapping[str, Input]) -> tuple[list[tuple[str, float]], dict[str, Samples]]:
+def _inputs(
+    inputs: Mapping[str, Input] | None, more: Mapping[str, Input] = MappingProxyType({})
+) -> tuple[list[tuple[str, float]], dict[str, Samples]]:
     """Inputs that are constant, and samples of the others."""
-    if not isinstance(inputs, Mapping):
+    if inputs is not None and not isinstance(inputs, Mapping):
         raise TypeError(f"give inputs by name, as a dict, not {inputs!r:.80}")
     constants, samples = [], {}
-    for name, value in inputs.items():
+    for name, value in {**(inputs or {}), **more}.items():
         own = _samples(name, value)
         if own is not None:
             samples[name] = own
@@ -388,7 +390,7 @@ class Model:
             and after the last one, inputs keep its value. Methods with a tolerance shorten their steps at jumps and
             kinks: where samples are dense, ``"Rk4"`` with steps ``h`` about as long as their intervals is faster.
         """
-        constants, samples = _inputs({**(values or {}), **more})
+        constants, samples = _inputs(values, more)
         model = self._with(self._native.with_inputs(constants, [(name, *own) for name, own in samples.items()]))
         changed = {name for name, _ in constants}
         model._samples = {name: own for name, own in self._samples.items() if name not in changed} | samples
@@ -892,7 +894,7 @@ def _experiment(given: Mapping[str, Any]) -> dict[str, Any]:
     if guess is not None and known is not None:
         raise ValueError("the state at the first sample is either known, or guessed")
     begin = float(times[0]) if len(times) else 0.0
-    constants, samples = _inputs(given.get("inputs") or {})
+    constants, samples = _inputs(given.get("inputs"))
     held = {name: _held(value) for name, value in constants}
     return {
         "t": times,

@@ -451,8 +451,8 @@ class Fit:
 
     Attributes
     ----------
-    model
-        The model with the fitted parameters.
+    parameters
+        Values of all parameters by name; those that are not free are the model's.
     estimates, deviations, intervals
         Values of the free parameters by name, their standard deviations, and intervals that hold them with 95 %.
     covariance
@@ -473,7 +473,7 @@ class Fit:
         Table of the estimates, with warnings.
     """
 
-    model: Model
+    parameters: dict[str, float]
     estimates: dict[str, float]
     deviations: dict[str, float]
     intervals: dict[str, tuple[float, float]]
@@ -485,12 +485,13 @@ class Fit:
     success: bool
     nit: int
     summary: str
+    _model: Model
 
     @classmethod
     def _of(cls, model: Model, result: dict[str, Any]) -> Fit:
         estimates = result["estimates"]
         return cls(
-            model=model.with_parameters(dict(zip(model.parameters, result["parameters"]))),
+            parameters=dict(zip(model.parameters, result["parameters"])),
             estimates={name: value for name, value, _, _ in estimates},
             deviations={name: deviation for name, _, deviation, _ in estimates},
             intervals={name: tuple(interval) for name, _, _, interval in estimates},
@@ -502,7 +503,13 @@ class Fit:
             success=result["converged"],
             nit=result["iterations"],
             summary=result["summary"],
+            _model=model,
         )
+
+    @property
+    def model(self) -> Model:
+        """The model with the fitted parameters; an error if no body can have them, of which a warning tells."""
+        return self._model.with_parameters(self.parameters)
 
     def __repr__(self) -> str:
         return self.summary
