@@ -176,6 +176,7 @@ fn the_longest_state_has_64_components() {
         let members = Members {
             starts: &x.repeat(3),
             parameters: None,
+            laws: &[],
             times: &[],
             cancel: None,
         };
