@@ -401,11 +401,9 @@ impl Chain {
 
     /// Number of registers on which it runs fastest.
     pub(super) fn room(&self) -> usize {
-        match self.registers.max(self.numbers.len()) {
-            ..=FEW => FEW,
-            ..=MANY => MANY,
-            _ => self.registers,
-        }
+        let needed = self.registers.max(self.numbers.len());
+        let room = [FEW, MANY].into_iter().find(|&room| needed <= room);
+        room.unwrap_or(self.registers)
     }
 
     /// Runs the operations on registers.
