@@ -76,7 +76,7 @@ impl<const N: usize> Engine for Padded<f64, N> {
     }
 
     fn laws(&self) -> Vec<(usize, TimeTable<1>)> {
-        self.laws().map(|(n, law)| (n, law.clone())).collect()
+        self.input_laws().map(|(n, law)| (n, law.clone())).collect()
     }
 
     fn with_params(&self, params: &[f64]) -> Result<Arc<dyn Engine>, ModelError> {

@@ -206,7 +206,7 @@ pub(crate) fn ensemble<const N: usize>(
         let input = Error::index_of("input", name, inputs.clone())?;
         Error::check_length(&format!("the list of laws of `{name}`"), laws.len(), count)?;
         for (model, law) in models.iter_mut().zip(laws) {
-            let others = model.laws().filter(|(own, _)| *own != input);
+            let others = model.input_laws().filter(|(own, _)| *own != input);
             let others = others.map(|(own, law)| (own, law.clone()));
             model.set_laws(others.chain([(input, law.clone())]).collect());
         }

@@ -197,7 +197,7 @@ pub(crate) fn fit<const N: usize>(
 /// The model with the inputs of an experiment.
 fn driven<const N: usize>(model: &Padded<f64, N>, experiment: &Experiment) -> Result<Padded<f64, N>, Error> {
     let names = model.tape().inputs().iter().map(|input| input.name);
-    let mut laws: BTreeMap<_, _> = model.laws().map(|(n, law)| (n, law.clone())).collect();
+    let mut laws: BTreeMap<_, _> = model.input_laws().map(|(n, law)| (n, law.clone())).collect();
     for (name, law) in &experiment.laws {
         laws.insert(Error::index_of("input", name, names.clone())?, law.clone());
     }
@@ -222,7 +222,7 @@ fn check_inputs<const N: usize>(
     let to = experiment.measurement.times().last().map_or(first, |last| *last);
     for (n, (input, value)) in driven.tape().inputs().iter().zip(driven.inputs()).enumerate() {
         let what = format!("the input `{}` of experiment {number}", input.name);
-        match driven.laws().find(|(own, _)| *own == n) {
+        match driven.input_laws().find(|(own, _)| *own == n) {
             Some((_, law)) if !law.covers(from, to) => {
                 let own = law.times();
                 let (first, last) = (own[0], own[own.len() - 1]);

@@ -382,7 +382,7 @@ fn inputs_follow_samples_in_each_lane() {
             for apart in [false, true] {
                 let own = |lane: usize| if apart { lane } else { 2 };
                 let in_lanes = Model::<f64, 5>::gather::<F64x4>(|lane| &models[own(lane)]);
-                let (t_of, x_of) = (F64x4::from_f64(t), x.map(F64x4::from_f64));
+                let (t_of, x_of) = (F64x4::splat(t), x.map(F64x4::splat));
                 let (rates, by_time) = (in_lanes.rhs(t_of, &x_of), in_lanes.time_derivative(t_of, &x_of));
                 for lane in 0..4 {
                     let [force, moment] = samples(own(lane));

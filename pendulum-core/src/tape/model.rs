@@ -299,13 +299,13 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         &self.params
     }
 
-    /// Values of the inputs, which are zero at first; those that have [laws](Self::laws) do not count.
+    /// Values of the inputs, which are zero at first; those that have [laws](Self::input_laws) do not count.
     #[must_use]
     pub fn inputs(&self) -> &[T] {
         &self.inputs
     }
 
-    /// Sets the inputs to values that the equations of motion use from now on, unless they have [laws](Self::laws).
+    /// Sets the inputs to values that the equations of motion use from now on, unless they have [laws](Self::input_laws).
     ///
     /// # Panics
     /// If there are more or fewer values than inputs.
@@ -314,7 +314,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     }
 
     /// Inputs that follow samples, by their indices; none at first. In lanes, those of the first lane.
-    pub fn laws(&self) -> impl Iterator<Item = (usize, &TimeTable<1>)> {
+    pub fn input_laws(&self) -> impl Iterator<Item = (usize, &TimeTable<1>)> {
         self.laws.iter().flat_map(|laws| laws.each())
     }
 
@@ -551,7 +551,7 @@ impl<const N: usize, const P: usize, const HYBRID: bool> Parametric<N, P> for Mo
     }
 
     fn differs_in_parameters(&self, other: &Self) -> bool {
-        self.inputs == other.inputs && self.laws().eq(other.laws())
+        self.inputs == other.inputs && self.input_laws().eq(other.input_laws())
     }
 }
 

@@ -131,7 +131,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> PlantJacobian<T, N> for Model<
             .chain(&mut derivative.accelerations_by_time[..count]);
         self.fill(self.needed(Role::ResponseDerivative), t, x, forces, places);
         symmetric(&mut derivative.response);
-        if self.laws().next().is_none() {
+        if self.input_laws().next().is_none() {
             return derivative;
         }
         // As under a law in the number type: the rates of constraints are linear in the rates of the state.

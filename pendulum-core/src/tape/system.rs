@@ -170,7 +170,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
 
     #[inline]
     fn is_autonomous(&self) -> Option<bool> {
-        Some(self.tape.autonomous && self.laws().next().is_none())
+        Some(self.tape.autonomous && self.input_laws().next().is_none())
     }
 
     #[inline]
