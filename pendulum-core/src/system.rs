@@ -189,7 +189,8 @@ pub trait Cast<const N: usize> {
     where
         Self: 'm;
 
-    /// True if the two models differ at most in what [`gather`](Self::gather) takes from each, so that they can share lanes. The default is true.
+    /// True if the two models differ at most in what [`gather`](Self::gather) takes from each, so that they can share
+    /// lanes. The default is true.
     fn shares_lanes(&self, _other: &Self) -> bool {
         true
     }

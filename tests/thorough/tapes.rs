@@ -378,7 +378,7 @@ fn inputs_follow_samples_in_each_lane() {
         (Some(true), Some(false))
     );
     for t in [-0.1, 0.2, 1.5, 3.0] {
-        for x in states(20) {
+        for x in states::<5>(20) {
             for apart in [false, true] {
                 let own = |lane: usize| if apart { lane } else { 2 };
                 let in_lanes = Model::<f64, 5>::gather::<F64x4>(|lane| &models[own(lane)]);

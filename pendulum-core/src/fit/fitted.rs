@@ -174,7 +174,8 @@ pub enum Warning {
         experiment: usize,
         /// Time at the start of the window with the largest deviation.
         from: f64,
-        /// The largest deviation, for given parameters and in the unit of the state; infinite if the window does not determine it.
+        /// The largest deviation, for given parameters and in the unit of the state; infinite if the window does not
+        /// determine it.
         deviation: f64,
     },
 }

@@ -305,7 +305,8 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         &self.inputs
     }
 
-    /// Sets the inputs to values that the equations of motion use from now on, unless they have [laws](Self::input_laws).
+    /// Sets the inputs to values that the equations of motion use from now on, unless they have
+    /// [laws](Self::input_laws).
     ///
     /// # Panics
     /// If there are more or fewer values than inputs.
