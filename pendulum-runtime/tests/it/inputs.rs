@@ -192,7 +192,7 @@ fn motions_under_samples_have_the_bits_of_compiled_code() {
     let (_, each) = laws(0.3, "linear");
     let motion = model
         .with_laws(&named(each))
-        .and_then(|model| Ok(model.solve(&method("Vern9"), [0.0, 3.5], &START).expect("regular")))
+        .map(|model| model.solve(&method("Vern9"), [0.0, 3.5], &START).expect("regular"))
         .expect("inputs");
     assert!(!motion.impacts().is_empty() && !motion.modes().is_empty());
 }
