@@ -19,6 +19,7 @@ pub(crate) type Results<'py> = (
     Vec<(usize, f64, String)>,
 );
 
+#[allow(clippy::too_many_arguments, reason = "those of Python")]
 pub(crate) fn ensemble<'py>(
     py: Python<'py>,
     model: &Model,

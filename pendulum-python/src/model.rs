@@ -376,6 +376,7 @@ impl Model {
         })
     }
 
+    #[allow(clippy::too_many_arguments, reason = "those of Python")]
     fn ensemble<'py>(
         &self,
         py: Python<'py>,
