@@ -14,7 +14,7 @@ const MOST_RETAKEN: usize = 10;
 /// Distances beyond an event, in fractions of the step, or in ulps of t if that is more: at which it is reached, and at
 /// which the step is aimed, so that the event lies within it. So near its end, dense output is as accurate as the end.
 const NEAR: [(f64, f64); 2] = [(1e-8, 8.0), (1e-9, 2.0)];
-/// The same at kinks, beyond which no stage should be evaluated: there the right-hand side is another.
+/// Distances at kinks, beyond which no stage should be evaluated: there the right-hand side is another.
 const NEAR_KINKS: [(f64, f64); 2] = [(0.0, 8.0), (0.0, 2.0)];
 /// Interval over which the slope of an event function is measured, in fractions of the step up to the event.
 const SLOPE_OVER: f64 = 1e-3;
