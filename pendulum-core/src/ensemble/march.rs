@@ -7,11 +7,10 @@ use std::ops::Range;
 use nalgebra::SVector;
 
 use super::watch::Watch;
-use super::{Stopped, alone};
+use super::{Stopped, alone, model_of};
 use crate::error::Reason;
 use crate::method::{Adaptive, Estimates, Fixed, Grid, Method, Pace, StepControl};
-use crate::real::Float;
-use crate::real::Real;
+use crate::real::{Float, Real};
 use crate::step_size::Tolerance;
 use crate::system::Cast;
 
@@ -100,7 +99,7 @@ impl<M: Cast<N>, T: Real, const N: usize> Checked<M, T, N> {
     pub(super) fn by(&mut self, models: &[M], index: usize) -> &M::In<T> {
         let number = if models.len() == 1 { 0 } else { index };
         self.0.take_if(|last| last.0 != number);
-        &self.0.get_or_insert_with(|| (number, models[number].cast())).1
+        &self.0.get_or_insert_with(|| (number, model_of(models, index).cast())).1
     }
 }
 
