@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use crate::error::Error;
 use crate::method::{Method, TaskInLanes};
 use crate::motion::Stopped;
-use crate::padded::{LONGEST, Padded, Smooth, active, padded};
+use crate::padded::{LONGEST, Padded, Smooth, active, follow, padded};
 use crate::sampler::{Sampler, check_times};
 use crate::solve::{self, Options};
 
@@ -206,9 +206,7 @@ pub(crate) fn ensemble<const N: usize>(
         let input = Error::index_of("input", name, inputs.clone())?;
         Error::check_length(&format!("the list of laws of `{name}`"), laws.len(), count)?;
         for (model, law) in models.iter_mut().zip(laws) {
-            let others = model.input_laws().filter(|(own, _)| *own != input);
-            let others = others.map(|(own, law)| (own, law.clone()));
-            model.set_laws(others.chain([(input, law.clone())]).collect());
+            follow(model, [(input, law.clone())]);
         }
     }
     // as many as fill the lanes, but something to do for each thread

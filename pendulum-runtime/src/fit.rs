@@ -1,6 +1,5 @@
 //! Fits of parameters to measurements.
 
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,7 +9,7 @@ use pendulum_core::inputs::TimeTable;
 
 use crate::error::Error;
 use crate::method::Method;
-use crate::padded::{Padded, padded};
+use crate::padded::{Padded, follow, padded};
 use crate::sensitivity::{MOST_PARAMETERS, Tangent, TaskWithDerivatives, check_parameters};
 
 /// A measured motion.
@@ -197,12 +196,13 @@ pub(crate) fn fit<const N: usize>(
 /// The model with the inputs of an experiment.
 fn driven<const N: usize>(model: &Padded<f64, N>, experiment: &Experiment) -> Result<Padded<f64, N>, Error> {
     let names = model.tape().inputs().iter().map(|input| input.name);
-    let mut laws: BTreeMap<_, _> = model.input_laws().map(|(n, law)| (n, law.clone())).collect();
-    for (name, law) in &experiment.laws {
-        laws.insert(Error::index_of("input", name, names.clone())?, law.clone());
-    }
+    let laws = experiment.laws.iter().map(|(name, law)| {
+        let input = Error::index_of("input", name, names.clone())?;
+        Ok((input, law.clone()))
+    });
+    let laws: Vec<_> = laws.collect::<Result<_, Error>>()?;
     let mut model = model.clone();
-    model.set_laws(laws.into_iter().collect());
+    follow(&mut model, laws);
     Ok(model)
 }
 

@@ -1,6 +1,9 @@
 //! Models and states that are padded to one of few lengths.
 
+use std::collections::BTreeMap;
+
 use nalgebra::SVector;
+use pendulum_core::inputs::TimeTable;
 use pendulum_core::tape::{self, HybridModel};
 
 /// A model with a state of `N` components, the last of which may be padding.
@@ -20,4 +23,14 @@ pub(crate) fn padded<const N: usize>(x: &[f64]) -> SVector<f64, N> {
 /// Components of a state without padding.
 pub(crate) fn active<const N: usize>(x: SVector<f64, N>, length: usize) -> Vec<f64> {
     x.as_slice()[..length].to_vec()
+}
+
+/// Lets inputs of a model follow samples, in place of what they followed before.
+pub(crate) fn follow<const N: usize>(
+    model: &mut Padded<f64, N>,
+    laws: impl IntoIterator<Item = (usize, TimeTable<1>)>,
+) {
+    let own = model.input_laws().map(|(input, law)| (input, law.clone()));
+    let all: BTreeMap<_, _> = own.chain(laws).collect();
+    model.set_laws(all.into_iter().collect());
 }
