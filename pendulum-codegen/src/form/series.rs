@@ -15,7 +15,7 @@ use crate::model::Model;
 
 /// One factor in a product of series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Side<'g> {
+pub(crate) struct Side<'g> {
     /// Value whose coefficients enter the product.
     pub value: Expr<'g>,
     /// True if coefficient `j` is multiplied by `j`, which gives the series of the derivative.
@@ -24,7 +24,7 @@ pub(super) struct Side<'g> {
 
 /// Product of two series: its sum of order `k` takes coefficients `1 .. k - 1` of both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Slot<'g> {
+pub(crate) struct Slot<'g> {
     /// Factor whose coefficients are taken in ascending order.
     pub left: Side<'g>,
     /// Factor whose coefficients are taken in descending order.
@@ -107,6 +107,11 @@ impl<'g, 's> Recurrences<'g, 's> {
     /// Sets the coefficient of a value.
     pub(super) fn set(&mut self, value: Expr<'g>, coefficient: Expr<'g>) {
         self.coefficients.insert(value, coefficient);
+    }
+
+    /// Sets the coefficient of a value that has none.
+    pub(super) fn set_first(&mut self, value: Expr<'g>, coefficient: Expr<'g>) {
+        self.coefficients.entry(value).or_insert(coefficient);
     }
 
     /// Coefficients of both factors of every slot, including slots that these coefficients add.

@@ -12,7 +12,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::series::{Recurrences, Symbols};
+use super::series::{Recurrences, Side, Slot, Symbols};
 use super::taylor::{Taylor, kept, shorter};
 use crate::dynamics::{Factored, Inverse};
 use crate::expr::{Binary, Derivative, Expr, Graph, Level, Node, SymbolKind, Unary};
@@ -35,6 +35,8 @@ pub(crate) struct Tangents<'g> {
     pub symbols: Symbols<'g>,
     /// Symbols for the accelerations of order `k`.
     pub accelerations: Vec<Expr<'g>>,
+    /// Symbols for the factors of the products of the motion, of order `k`: the left ones, then the right ones.
+    pub sides: Vec<Expr<'g>>,
     /// Constants that have derivatives.
     pub constants: Vec<Expr<'g>>,
     /// Symbols for their values.
@@ -70,7 +72,7 @@ impl<'g> Tangents<'g> {
         let g = model.graph;
         let rates: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.rate).collect();
         let is_plain = !model.is_hybrid() && model.states.is_empty() && model.dependents.is_empty();
-        if !is_plain || model.kinematics() != rates || taylor.slots > MOST_PRODUCTS {
+        if !is_plain || model.kinematics() != rates || taylor.slots.len() > MOST_PRODUCTS {
             return None;
         }
         let symbols = |name: &str, count: usize| -> Vec<Expr<'g>> {
@@ -92,7 +94,13 @@ impl<'g> Tangents<'g> {
         let values: Vec<Expr<'g>> = numbered
             .map(|n| g.symbol("constant", SymbolKind::Parameter(n)))
             .collect();
-        let roots = g.substitute(&roots, constants.iter().copied().zip(values.iter().copied()).collect());
+        let of_motion =
+            [|slot: &Slot<'g>| slot.left, |slot: &Slot<'g>| slot.right].map(|side| taylor.slots.iter().map(side));
+        let of_motion: Vec<Side<'g>> = of_motion.into_iter().flatten().collect();
+        let roots = roots.into_iter().chain(of_motion.iter().map(|side| side.value));
+        let roots: Vec<Expr<'g>> = roots.collect();
+        let mut roots = g.substitute(&roots, constants.iter().copied().zip(values.iter().copied()).collect());
+        let factors = roots.split_off(2 * unknowns.len());
         let (rows, solved) = roots.split_at(unknowns.len());
 
         let mut own = Symbols::new(model);
@@ -128,6 +136,13 @@ impl<'g> Tangents<'g> {
 
         let accelerations = symbols("a[k]", unknowns.len());
         let mut recurrences = Recurrences::new(model, &mut own);
+        let sides = symbols("side", factors.len());
+        for ((&factor, side), &symbol) in factors.iter().zip(&of_motion).zip(&sides) {
+            if !side.weighted {
+                recurrences.set_first(factor, symbol);
+                recurrences.set_first(-factor, -symbol);
+            }
+        }
         for (&unknown, &acceleration) in unknowns.iter().zip(&accelerations) {
             recurrences.set(unknown, acceleration);
         }
@@ -136,8 +151,8 @@ impl<'g> Tangents<'g> {
         let [left, right] = recurrences.sides();
         let slots = left.len();
         let [products, of_duals] = [
-            taylor.slots + slots + unknowns.len() * unknowns.len() * TANGENTS,
-            taylor.slots * (1 + 2 * TANGENTS),
+            taylor.slots.len() + slots + unknowns.len() * unknowns.len() * TANGENTS,
+            taylor.slots.len() * (1 + 2 * TANGENTS),
         ];
         if WORTH[1] * products > WORTH[0] * of_duals {
             return None;
@@ -146,7 +161,7 @@ impl<'g> Tangents<'g> {
         let changing = [own.order, own.over_order].into_iter().chain(own.state.iter().copied());
         let changing = changing
             .chain(own.sums[..slots].iter().copied())
-            .chain(accelerations.iter().copied());
+            .chain(accelerations.iter().chain(&sides).copied());
         let changing = changing.chain(slopes.iter().copied()).chain(sums.iter().copied());
         let changing: FxHashSet<Expr<'g>> = changing.chain(by_constants.symbols.iter().copied()).collect();
         let of_order = order.len();
@@ -163,6 +178,7 @@ impl<'g> Tangents<'g> {
         Some(Self {
             symbols: own,
             accelerations,
+            sides,
             constants,
             values,
             slopes,

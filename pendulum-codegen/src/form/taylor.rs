@@ -3,7 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::response::Rows;
-use super::series::{Recurrences, Symbols};
+use super::series::{Recurrences, Slot, Symbols};
 use super::solved::of_coordinates;
 use super::tangents::Tangents;
 use super::written::Written;
@@ -21,8 +21,8 @@ use crate::pass::{Operations, share, trig};
 pub(crate) struct Taylor<'g> {
     /// Symbols for the quantities of order `k`.
     pub symbols: Symbols<'g>,
-    /// Number of products of series.
-    pub slots: usize,
+    /// Products of series.
+    pub slots: Vec<Slot<'g>>,
     /// Roots of order 0: the right-hand side, then the values of [`Symbols::kept`].
     pub start: Vec<Expr<'g>>,
     /// Roots of order `k`: the right-hand side, the left factors of all products, their right factors, then the second
@@ -79,13 +79,13 @@ impl<'g> Forms<'g> {
                 }
             }
         }
-        counted.sort_by_key(|(taylor, ..)| (taylor.slots, taylor.operations.weight()));
+        counted.sort_by_key(|(taylor, ..)| (taylor.slots.len(), taylor.operations.weight()));
         let mut counted = counted.into_iter();
         let (mut best, balance, factored) = counted.next().expect("there is a form of every scene");
         for (taylor, ..) in counted {
             let known = best.others.iter().map(|(form, ..)| form.basis).chain([best.form.basis]);
             if !known.into_iter().any(|basis| basis == taylor.form.basis) {
-                best.others.push((taylor.form, taylor.slots, taylor.operations));
+                best.others.push((taylor.form, taylor.slots.len(), taylor.operations));
             }
         }
         best.shorten(model.graph);
@@ -182,14 +182,14 @@ fn code<'g>(
     let of_states = model.written_out(&model.state_rates());
     order.extend(of_states.iter().map(|&rate| recurrences.coefficient(rate)));
     let [left, right] = recurrences.sides();
-    let slots = left.len();
+    let slots = recurrences.slots;
     order.extend(left.into_iter().chain(right));
     let newest = symbols.forces.iter().map(|&force| (force, g.zero()));
     order.extend(g.substitute(&rows, newest.collect()));
     let changing = [symbols.order, symbols.over_order, symbols.time];
     let changing = changing.into_iter().chain(symbols.state.iter().copied());
     let changing = changing.chain(symbols.forces.iter().copied());
-    let changing: FxHashSet<Expr<'g>> = changing.chain(symbols.sums[..slots].iter().copied()).collect();
+    let changing: FxHashSet<Expr<'g>> = changing.chain(symbols.sums[..slots.len()].iter().copied()).collect();
     let kept = kept(g, &order, changing);
     let mut names = FxHashMap::default();
     for (n, &value) in kept.iter().enumerate() {
@@ -199,7 +199,7 @@ fn code<'g>(
     let solved = factored.solve_negated(&written.balance.residual);
     let solved = unknowns.into_iter().zip(solved).collect();
     let start = g.substitute(&[&accelerations[..], &of_states, &kept].concat(), solved);
-    symbols.sums.truncate(slots);
+    symbols.sums.truncate(slots.len());
     symbols.kept.truncate(kept.len());
     Taylor {
         symbols,

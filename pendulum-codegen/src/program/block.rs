@@ -129,6 +129,9 @@ pub enum Coefficient {
     Kept(usize),
     /// Coefficient of a force along a constraint.
     Force(usize),
+    /// Coefficient of a factor in a product of the motion, for the series of its derivatives: of the left factors, then
+    /// of the right ones.
+    Side(usize),
 }
 
 /// Sum or difference with a product, which fused arithmetic rounds once.

@@ -44,8 +44,8 @@ pub struct Tangents {
     /// Order 0, given the accelerations: the three matrices, row by row, the entries by constants, then the kept
     /// values.
     pub start: Block,
-    /// Order `k`, given the accelerations of this order: the matrices, the entries by constants, then the left factors
-    /// of all products, then their right factors.
+    /// Order `k`, given the accelerations of this order and factors of the motion: the matrices, the entries by
+    /// constants, then the left factors of all products, then their right factors.
     pub order: Block,
     /// Tangents of the accelerations at order `k`, given the sums of the products of matrices and tangents, as
     /// [`Coefficient::Sum`].
@@ -83,6 +83,7 @@ impl Tangents {
             numbered(&symbols.state, |n| Variable::Series(Coefficient::State(n))),
             numbered(&symbols.sums, |n| Variable::Series(Coefficient::Sum(n))),
             numbered(&tangents.accelerations, Variable::Acceleration),
+            numbered(&tangents.sides, |n| Variable::Series(Coefficient::Side(n))),
             vec![
                 (symbols.order.id(), Variable::Series(Coefficient::Order)),
                 (symbols.over_order.id(), Variable::Series(Coefficient::OverOrder)),
@@ -154,14 +155,14 @@ impl Series {
             tangents: tangents
                 .map(|tangents| Tangents::new(model, tangents, known))
                 .transpose()?,
-            products: taylor.slots,
+            products: taylor.slots.len(),
             kept: symbols.kept.len(),
             start: block(g, &taylor.start, known)?,
             before,
             order,
             cost: Cost {
                 others: others.collect(),
-                ..cost(taylor.form, taylor.slots, taylor.operations)
+                ..cost(taylor.form, taylor.slots.len(), taylor.operations)
             },
         })
     }

@@ -12,11 +12,11 @@ const BLOCK: usize = 4;
 /// registers.
 #[derive(Clone, Debug)]
 pub struct Products<T, const M: usize> {
-    /// Left factors. Row `k - 1` holds the coefficients of order `k`; interior sums do not contain order 0 nor the
-    /// highest order.
-    left: [[T; M]; MAX_ORDER - 2],
+    /// Left factors. Row `k - 1` holds the coefficients of order `k`, without order 0 and the highest order, which no
+    /// interior sum contains.
+    left: [[T; M]; MAX_ORDER - 1],
     /// Right factors.
-    right: [[T; M]; MAX_ORDER - 2],
+    right: [[T; M]; MAX_ORDER - 1],
 }
 
 impl<T: Real, const M: usize> Products<T, M> {
@@ -24,7 +24,7 @@ impl<T: Real, const M: usize> Products<T, M> {
     #[must_use]
     #[inline]
     pub fn new() -> Self {
-        let zeros = [[T::default(); M]; MAX_ORDER - 2];
+        let zeros = [[T::default(); M]; MAX_ORDER - 1];
         Self {
             left: zeros,
             right: zeros,
@@ -38,6 +38,16 @@ impl<T: Real, const M: usize> Products<T, M> {
             *l = left;
             *r = right;
         }
+    }
+
+    /// Returns the coefficients of order `k` of the left factors, and of the right ones.
+    ///
+    /// # Panics
+    /// If `k` is 0, or not below [`MAX_ORDER`].
+    #[must_use]
+    #[inline(always)]
+    pub fn factors(&self, k: usize) -> [&[T; M]; 2] {
+        [&self.left[k - 1], &self.right[k - 1]]
     }
 
     /// Computes the interior sums of order `k`, `sum_(j = 1 .. k - 1) left_j right_(k - j)`, of each product. For

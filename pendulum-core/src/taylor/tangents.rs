@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use super::{MAX_ORDER, Newest, Products, TaylorSeries};
+use super::{CastTaylor, MAX_ORDER, Newest, Products, TaylorSeries};
 use crate::dual::Dual;
 use crate::real::Real;
 use crate::real::lanes::{Lanes, WideKernel};
@@ -23,12 +23,14 @@ pub type Matrices<T, const R: usize> = [[[T; R]; R]; 3];
 /// There are `R` equations, `C` constants, `F` distinct entries by constants, `K` values that all orders read, and `M`
 /// products of series. The `N` components of the state are the `R` coordinates and their rates.
 #[doc(hidden)]
-pub trait Linearized<const N: usize, const R: usize, const C: usize, const F: usize, const K: usize, const M: usize> {
+pub trait Linearized<const N: usize, const R: usize, const C: usize, const F: usize, const K: usize, const M: usize>:
+    CastTaylor<N>
+{
     /// Parameters of the model.
     type Parameters;
 
     /// Builds the model in another number type, with these constants.
-    fn with_constants<T: Real>(params: &Self::Parameters, constants: [T; C]) -> impl TaylorSeries<T, N>;
+    fn with_constants<T: Real>(params: &Self::Parameters, constants: [T; C]) -> Self::In<T>;
 
     /// Computes the entries and kept values of order 0.
     fn start<T: Real>(
@@ -37,15 +39,16 @@ pub trait Linearized<const N: usize, const R: usize, const C: usize, const F: us
         accelerations: &[T; R],
     ) -> (Matrices<T, R>, [T; F], [T; K]);
 
-    /// Computes the entries of order `k`, and the factors of the products, given `k` and its reciprocal, the interior
-    /// sums of the products, and the coefficients of the state and the accelerations.
+    /// Computes the entries of order `k`, and the factors of the products, given the interior sums of the products, the
+    /// coefficients of the state and the accelerations, and the factors of the motion.
     fn order<T: Real>(
         constants: &[T; C],
         kept: &[T; K],
-        orders: [T; 2],
+        k: usize,
         sums: &[T; M],
         x: &SVector<T, N>,
         accelerations: &[T; R],
+        motion: &Self::Workspace<T>,
     ) -> (Matrices<T, R>, [T; F], [[T; M]; 2]);
 
     /// Computes the tangents of the accelerations of an order, given its entries by constants, the sums of all products
@@ -144,7 +147,9 @@ impl<
         let mut values = [SVector::from_element(U::default()); MAX_ORDER + 1];
         values[0] = SVector::from_fn(|n, _| of(&x[0][n]).value);
         let model = S::with_constants(params, constants);
-        model.series(of(&t).value, &mut values[..=order], &mut model.workspace());
+        let model = S::with_series(&model);
+        let mut motion = model.workspace();
+        model.series(of(&t).value, &mut values[..=order], &mut motion);
         for (x, values) in x.iter_mut().zip(&values).skip(1) {
             for (x, value) in x.iter_mut().zip(values) {
                 of_mut(x).value = *value;
@@ -154,10 +159,10 @@ impl<
             constants: &constants,
             duals,
             values: &values,
+            motion: &motion,
             x,
             of,
             of_mut,
-            system: PhantomData,
         };
         if const { U::LANES == 1 } {
             U::run_wide(tangents);
@@ -236,9 +241,9 @@ impl<V: Lanes> Beside<V::Scalar> for InLanes<V> {
 /// The tangents of a motion.
 struct Tangents<
     'a,
-    S,
+    S: Linearized<N, R, C, F, K, M>,
     T,
-    U,
+    U: Real,
     Of,
     OfMut,
     const N: usize,
@@ -252,10 +257,10 @@ struct Tangents<
     constants: &'a [U; C],
     duals: &'a [T; C],
     values: &'a [SVector<U, N>; MAX_ORDER + 1],
+    motion: &'a S::Workspace<U>,
     x: &'a mut [SVector<T, N>],
     of: Of,
     of_mut: OfMut,
-    system: PhantomData<S>,
 }
 
 /// Numbers of one order that all tangents read.
@@ -301,18 +306,24 @@ impl<
         // at `n` the matrices by coordinates of order `n - 1`, by rates of order `n`, by accelerations of order `n + 1`
         let mut by_lag = [[zeros; 3]; MAX_ORDER + 1];
         let mut matrices = [zeros; MAX_ORDER + 1];
-        for k in 0..self.x.len() - 1 {
+        let orders = self.x.len() - 1;
+        for k in 0..orders {
+            (by_lag[k + 1][0], by_lag[k][1]) = (entries[0], entries[1]);
             if k > 0 {
+                by_lag[k - 1][2] = entries[2];
+            }
+            let of_constants = by_constants;
+            // before the tangents of this order, which need not wait for them
+            if k + 1 < orders {
+                let k = k + 1;
                 let sums = newest.add(products.sums(k));
-                let orders = [k as f64, 1.0 / k as f64].map(U::from_f64);
+                let (values, accelerations) = (&self.values[k], accelerations(k));
                 let (of_motion, of_constants, [left, right]) =
-                    S::order(self.constants, &kept, orders, &sums, &self.values[k], &accelerations(k));
+                    S::order(self.constants, &kept, k, &sums, values, &accelerations, self.motion);
                 (entries, by_constants) = (of_motion, of_constants);
                 newest.push(k, left, right);
                 products.set(k, left, right);
-                by_lag[k - 1][2] = entries[2];
             }
-            (by_lag[k + 1][0], by_lag[k][1]) = (entries[0], entries[1]);
             for (m, matrix) in matrices[..k + 2].iter_mut().enumerate() {
                 let [of_coordinates, of_rates, of_accelerations] = &by_lag[k + 1 - m];
                 let parts = [
@@ -328,7 +339,7 @@ impl<
             let shared = Shared {
                 order: k,
                 kept: &kept,
-                by_constants: &by_constants,
+                by_constants: &of_constants,
                 matrices: &matrices,
             };
             let start = self.groups::<A, BLOCK>(&shared, 0);
@@ -447,7 +458,7 @@ const BLOCK: usize = 2;
 impl<
     S: Linearized<N, R, C, F, K, M>,
     T,
-    U,
+    U: Real,
     Of: Fn(&T) -> &Dual<U, P>,
     OfMut: Fn(&mut T) -> &mut Dual<U, P>,
     const N: usize,

@@ -707,13 +707,13 @@ k12 = -m*c*d/(inertia + m*c^2)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl ::pendulum_core::taylor::Linearized<4, 2, 13, 9, 23, 20> for DoublePendulum {
+    impl ::pendulum_core::taylor::Linearized<4, 2, 13, 9, 19, 12> for DoublePendulum {
         type Parameters = DoublePendulumParams;
         #[inline]
         fn with_constants<T: ::pendulum_core::real::Real>(
             params: &DoublePendulumParams,
             constants: [T; 13],
-        ) -> impl ::pendulum_core::taylor::TaylorSeries<T, 4> {
+        ) -> DoublePendulum<T> {
             DoublePendulum {
                 params: *params,
                 constants,
@@ -725,7 +725,7 @@ k12 = -m*c*d/(inertia + m*c^2)
             constants: &[T; 13],
             state: &::pendulum_core::nalgebra::SVector<T, 4>,
             accelerations: &[T; 2],
-        ) -> (::pendulum_core::taylor::Matrices<T, 2>, [T; 9], [T; 23]) {
+        ) -> (::pendulum_core::taylor::Matrices<T, 2>, [T; 9], [T; 19]) {
             let q_theta1 = state[0];
             let q_theta2 = state[1];
             let qd_theta1 = state[2];
@@ -794,10 +794,6 @@ k12 = -m*c*d/(inertia + m*c^2)
                     qd_theta2,
                     qdd_theta1,
                     qdd_theta2,
-                    sin_theta1,
-                    cos_theta1,
-                    sin_theta2,
-                    cos_theta2,
                     t6,
                     t9,
                     t20,
@@ -820,21 +816,21 @@ k12 = -m*c*d/(inertia + m*c^2)
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn order<T: ::pendulum_core::real::Real>(
             constants: &[T; 13],
-            kept: &[T; 23],
-            orders: [T; 2],
-            sums: &[T; 20],
+            kept: &[T; 19],
+            k: usize,
+            sums: &[T; 12],
             coefficients: &::pendulum_core::nalgebra::SVector<T, 4>,
             accelerations: &[T; 2],
-        ) -> (::pendulum_core::taylor::Matrices<T, 2>, [T; 9], [[T; 20]; 2]) {
+            motion: &::pendulum_core::taylor::Products<T, 12>,
+        ) -> (::pendulum_core::taylor::Matrices<T, 2>, [T; 9], [[T; 12]; 2]) {
+            let order = T::from_f64(k as f64);
+            let over_order = T::from_f64(1.0 / k as f64);
+            let [left, right] = motion.factors(k);
             let qdd_theta1 = accelerations[0];
             let qdd_theta2 = accelerations[1];
             let k3 = constants[3];
             let k4 = constants[4];
             let k5 = constants[5];
-            let order = orders[0];
-            let over_order = orders[1];
-            let x0 = coefficients[0];
-            let x1 = coefficients[1];
             let x2 = coefficients[2];
             let x3 = coefficients[3];
             let s0 = sums[0];
@@ -849,14 +845,6 @@ k12 = -m*c*d/(inertia + m*c^2)
             let s9 = sums[9];
             let s10 = sums[10];
             let s11 = sums[11];
-            let s12 = sums[12];
-            let s13 = sums[13];
-            let s14 = sums[14];
-            let s15 = sums[15];
-            let s16 = sums[16];
-            let s17 = sums[17];
-            let s18 = sums[18];
-            let s19 = sums[19];
             let h0 = kept[0];
             let h1 = kept[1];
             let h2 = kept[2];
@@ -866,112 +854,70 @@ k12 = -m*c*d/(inertia + m*c^2)
             let h6 = kept[6];
             let h7 = kept[7];
             let h8 = kept[8];
-            let h9 = kept[9];
-            let h10 = kept[10];
-            let h11 = kept[11];
             let h12 = kept[12];
+            let h13 = kept[13];
+            let h14 = kept[14];
+            let h15 = kept[15];
             let h16 = kept[16];
             let h17 = kept[17];
             let h18 = kept[18];
-            let h19 = kept[19];
-            let h20 = kept[20];
-            let h21 = kept[21];
-            let h22 = kept[22];
-            let t0 = -x3;
-            let t1 = x3 - x2;
-            let t2 = x0 - x1;
-            let t3 = t2.mul_add(h9, s1.scaled(over_order));
-            let t4 = h11.mul_neg_add(t3, k3.mul_add(s2, x3 * h10));
-            let t5 = x3.mul_add(h16, h1.mul_add(t4, s3));
-            let t6 = t2.mul_add(h8, s4.scaled(over_order));
-            let t7 = t2.scaled(order);
-            let t8 = qdd_theta2.mul_add(h17, k3.mul_add(s5, h21 * t6));
-            let t9 = t8 - t5;
-            let t10 = x0.mul_add(h4, s0.scaled(over_order));
-            let t11 = k5.mul_neg_add(t10, t5 - t8);
-            let t12 = -t10;
-            let t13 = t3.mul_neg_add(h12, k3.mul_add(s6, h10 * x2));
-            let t14 = x2.mul_add(h18, h0.mul_add(t13, s7))
-                + h17.mul_add(qdd_theta1, k3.mul_add(s8, t6 * h22));
-            let t15 = -t14;
-            let t16 = x1.mul_add(h6, s9.scaled(over_order));
-            let t17 = k4.mul_neg_add(t16, t14);
-            let t18 = -t16;
-            let t19 = h11.mul_add(t6, x3 * h17);
-            let t20 = k3.mul_add(s10 + s11, t19) + t19;
-            let t21 = t6.mul_add(h12, h17 * x2);
-            let t22 = -(k3.mul_add(s12 + s13, t21) + t21);
-            let t23 = -k3 * t3;
-            let t24 = x3.mul_add(h9, h1.mul_add(t6, s11));
-            let t25 = t3
+            let f2 = left[2];
+            let f3 = left[3];
+            let f5 = left[5];
+            let f12 = right[0];
+            let f15 = right[3];
+            let f18 = right[6];
+            let f20 = right[8];
+            let f22 = right[10];
+            let f23 = right[11];
+            let t0 = x3.mul_add(h13, k3.mul_add(s6, h7.mul_add(f2, f15)));
+            let t1 = -h13.mul_add(x2, k3.mul_add(s7, f2.mul_add(h8, f20)));
+            let t2 = -f3;
+            let t3 = x3 - x2;
+            let t4 = f5.mul_add(h7, k3.mul_add(s0, x3 * h6));
+            let t5 = x3.mul_add(h12, h1.mul_add(t4, s1));
+            let t6 = qdd_theta2.mul_add(h13, k3.mul_add(s2, f2 * h17));
+            let t7 = k5.mul_add(f12, t5 - t6);
+            let t8 = t6 - t5;
+            let t9 = f5.mul_add(h8, k3.mul_add(s3, h6 * x2));
+            let t10 = x2.mul_add(h14, h0.mul_add(t9, s4))
+                + h13.mul_add(qdd_theta1, k3.mul_add(s5, f2 * h18));
+            let t11 = -t10;
+            let t12 = k4.mul_add(f18, t10);
+            let t13 = k3 * f5;
+            let t14 = x3.mul_add(h5, h1.mul_add(f2, s6));
+            let t15 = qdd_theta2
+                .mul_add(h4, f5.mul_add(h3, x3.mul_add(h15, h1.mul_add(t14, s8))) + s9);
+            let t16 = x2.mul_add(h5, f2.mul_add(h0, s7));
+            let t17 = x2
                 .mul_neg_add(
-                    h3,
-                    h8.mul_add(qdd_theta2, x3.mul_add(h19, h1.mul_add(t24, s14)) + s15),
+                    h16,
+                    h0.mul_neg_add(t16, qdd_theta1.mul_add(h4, f5.mul_add(h2, s10)))
+                        - s11,
                 );
-            let t26 = h9.mul_add(x2, t6.mul_add(h0, s13));
-            let t27 = x2
-                .mul_neg_add(
-                    h20,
-                    h0.mul_neg_add(t26, t3.mul_neg_add(h2, h8.mul_add(qdd_theta1, s17)))
-                        - s18,
-                );
-            let t28 = -t3;
-            let t29 = x0.mul_add(h5, s16.scaled(over_order));
-            let t30 = x1.mul_add(h7, s19.scaled(over_order));
-            let t31 = x0.scaled(order);
-            let t32 = x1.scaled(order);
             (
                 [
-                    [[t11, t9], [t15, t17]],
-                    [[T::from_f64(0.0), t20], [t22, T::from_f64(0.0)]],
-                    [[T::from_f64(0.0), t23], [t23, T::from_f64(0.0)]],
+                    [[t7, t8], [t11, t12]],
+                    [[T::from_f64(0.0), t0], [t1, T::from_f64(0.0)]],
+                    [[T::from_f64(0.0), t13], [t13, T::from_f64(0.0)]],
                 ],
-                [t0, qdd_theta1, t25, t29, x2, t1, qdd_theta2, t27, t30],
+                [t2, qdd_theta1, t15, f22, x2, t3, qdd_theta2, t17, f23],
                 [
                     [
-                        t31,
-                        t7,
-                        t28,
+                        f5,
                         x3,
-                        t7,
                         qdd_theta2,
-                        t28,
+                        f5,
                         x2,
                         qdd_theta1,
-                        t32,
-                        t6,
                         x3,
-                        t6,
                         x2,
                         x3,
                         qdd_theta2,
-                        t31,
                         qdd_theta1,
                         x2,
-                        t32,
                     ],
-                    [
-                        t29,
-                        t6,
-                        x3,
-                        t4,
-                        t28,
-                        t6,
-                        x2,
-                        t13,
-                        t6,
-                        t30,
-                        x3,
-                        t6,
-                        x2,
-                        t6,
-                        t24,
-                        t28,
-                        t12,
-                        t28,
-                        t26,
-                        t18,
-                    ],
+                    [x3, t4, f2, x2, t9, f2, f2, f2, t14, f5, f5, t16],
                 ],
             )
         }
@@ -979,7 +925,7 @@ k12 = -m*c*d/(inertia + m*c^2)
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn step<T: ::pendulum_core::real::Real>(
             constants: &[T; 13],
-            kept: &[T; 23],
+            kept: &[T; 19],
             by_constants: &[T; 9],
             sums: &[T; 2],
             of_constants: &[T; 13],
@@ -993,9 +939,9 @@ k12 = -m*c*d/(inertia + m*c^2)
             let w6 = of_constants[6];
             let s0 = sums[0];
             let s1 = sums[1];
-            let h13 = kept[13];
-            let h14 = kept[14];
-            let h15 = kept[15];
+            let h9 = kept[9];
+            let h10 = kept[10];
+            let h11 = kept[11];
             let l0 = by_constants[0];
             let l1 = by_constants[1];
             let l2 = by_constants[2];
@@ -1009,7 +955,7 @@ k12 = -m*c*d/(inertia + m*c^2)
                 .mul_add(l4, w5.mul_add(l3, w3.mul_add(l2, w2.mul_add(l1, w0 * l0))));
             let t1 = s0 + t0;
             let t2 = s1 + w4.mul_add(l8, w3.mul_add(l7, w1.mul_add(l6, w0 * l5)));
-            [t2.mul_neg_add(h14, t1 * h13), t1.mul_neg_add(h14, t2 * h15)]
+            [t2.mul_neg_add(h10, t1 * h9), t1.mul_neg_add(h10, t2 * h11)]
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -1039,8 +985,8 @@ k12 = -m*c*d/(inertia + m*c^2)
                     2,
                     13,
                     9,
-                    23,
-                    20,
+                    19,
+                    12,
                 >(&self.params, &self.constants, t, x);
                 return;
             }

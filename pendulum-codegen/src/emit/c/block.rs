@@ -59,6 +59,7 @@ impl Scene<'_> {
             Variable::Constant(n) => listed("k", n, "model->k"),
             Variable::Parameter(n) => (format!("p_{}", parameters[n]), format!("params->{}", parameters[n])),
             Variable::Given(_) | Variable::Factor(_) | Variable::Solved(_) => unreachable!("loops are unrolled"),
+            Variable::Series(Coefficient::Side(_)) => unreachable!("derivatives of series are not printed"),
             Variable::Series(Coefficient::Order) => ("order_k".to_owned(), "(double)k".to_owned()),
             Variable::Series(Coefficient::OverOrder) => ("over_k".to_owned(), "1.0 / (double)k".to_owned()),
             Variable::Series(Coefficient::Time) => ("time_k".to_owned(), "k == 1 ? 1.0 : 0.0".to_owned()),

@@ -68,6 +68,7 @@ impl Names<'_> {
                 Coefficient::Sum(n) => local(&format!("s{n}")),
                 Coefficient::Kept(n) => local(&format!("h{n}")),
                 Coefficient::Force(n) => local(&format!("force{n}")),
+                Coefficient::Side(n) => local(&format!("f{n}")),
             },
             Variable::Given(n) => local(&format!("r{n}")),
             Variable::Factor(n) => local(&format!("l{n}")),

@@ -54,6 +54,8 @@ impl Items<'_> {
         let (real, core) = (quote!(::pendulum_core::real::Real), quote!(::pendulum_core::taylor));
         let equations = self.program.layout.components()[1].len();
         let of_motion = 3 * equations * equations;
+        let series = self.program.series.as_ref().expect("tangents are of a series");
+        let slots = count(series.products);
         let split = |values: &[Piece]| -> TokenStream {
             let (matrices, by_constants) = values.split_at(of_motion);
             let rows = matrices.chunks(equations).map(|row| quote!([#(#row),*]));
@@ -66,6 +68,14 @@ impl Items<'_> {
             let (entries, kept) = values.split_at(both);
             let entries = split(entries);
             quote!((#entries, [#(#kept),*]))
+        });
+        let orders = [
+            (Coefficient::Order, quote!(k as f64)),
+            (Coefficient::OverOrder, quote!(1.0 / k as f64)),
+        ]
+        .map(|(coefficient, number)| {
+            let name = self.names().variable(Variable::Series(coefficient));
+            quote!(let #name = T::from_f64(#number);)
         });
         let order = self.read(&tangents.order, |values| {
             let (entries, sides) = values.split_at(both);
@@ -81,10 +91,7 @@ impl Items<'_> {
                 type Parameters = #parameters;
 
                 #[inline]
-                fn with_constants<T: #real>(
-                    params: &#parameters,
-                    constants: [T; #constants],
-                ) -> impl #core::TaylorSeries<T, #state> {
+                fn with_constants<T: #real>(params: &#parameters, constants: [T; #constants]) -> #head<T> {
                     #head { params: *params, constants }
                 }
 
@@ -101,11 +108,13 @@ impl Items<'_> {
                 fn order<T: #real>(
                     constants: &[T; #constants],
                     kept: &[T; #kept],
-                    orders: [T; 2],
+                    k: usize,
                     sums: &[T; #products],
                     coefficients: &#vector,
                     accelerations: &[T; #rates],
+                    motion: &#core::Products<T, #slots>,
                 ) -> (#matrices, [T; #by_constants], [[T; #products]; 2]) {
+                    #(#orders)*
                     #order
                 }
 
@@ -125,16 +134,23 @@ impl Items<'_> {
 
     /// Code of a block whose variables are in arrays.
     fn read(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
+        let products = self.program.series.as_ref().map_or(0, |series| series.products);
         let place = |array: &str, n: usize| -> (Ident, Literal) { (format_ident!("{array}"), count(n)) };
-        let reads = block.reads().into_iter().filter_map(|variable| {
+        let reads = block.reads();
+        let is_side = |variable: &Variable| matches!(variable, Variable::Series(Coefficient::Side(_)));
+        let sides = reads
+            .iter()
+            .any(is_side)
+            .then(|| quote!(let [left, right] = motion.factors(k);));
+        let reads = reads.into_iter().filter_map(|variable| {
             let (array, n) = match variable {
                 Variable::Constant(n) => place("constants", n),
                 Variable::State(n) => place("state", n),
                 Variable::Acceleration(n) => place("accelerations", n),
                 Variable::Weight(n) => place("of_constants", n),
                 Variable::Factor(n) => place("by_constants", n),
-                Variable::Series(Coefficient::Order) => place("orders", 0),
-                Variable::Series(Coefficient::OverOrder) => place("orders", 1),
+                Variable::Series(Coefficient::Side(n)) if n < products => place("left", n),
+                Variable::Series(Coefficient::Side(n)) => place("right", n - products),
                 Variable::Series(Coefficient::State(n)) => place("coefficients", n),
                 Variable::Series(Coefficient::Sum(n)) => place("sums", n),
                 Variable::Series(Coefficient::Kept(n)) => place("kept", n),
@@ -144,6 +160,6 @@ impl Items<'_> {
             Some(quote!(let #name = #array[#n];))
         });
         let (reads, code) = (reads.collect::<TokenStream>(), self.names().code(block, result));
-        quote!(#reads #code)
+        quote!(#sides #reads #code)
     }
 }

@@ -96,6 +96,7 @@ fn source(variable: Variable) -> (&'static str, usize) {
             Coefficient::Sum(n) => ("sum", n),
             Coefficient::Kept(n) => ("kept", n),
             Coefficient::Force(n) => ("force_coefficient", n),
+            Coefficient::Side(n) => ("side", n),
         },
     }
 }
