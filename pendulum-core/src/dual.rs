@@ -6,7 +6,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 use nalgebra::SVector;
 
 use crate::real::lanes::{Lanes, Pack, Register, Routine, single_lane};
-use crate::real::{Float, Real};
+use crate::real::{Float, Fused, Real};
 use crate::taylor::{DualKernel, DualSums};
 
 /// A value with its derivatives with respect to `N` variables, propagated through every operation by the chain rule.
@@ -68,11 +68,15 @@ impl<T: Real, const N: usize> Dual<T, N> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, value: T, [by_self, by_other]: [T; 2]) -> Self {
         let own = T::scale_each(self.slopes, by_self);
-        let others = T::scale_each(other.slopes, by_other);
         Self {
             value,
-            slopes: T::add_each(own, others),
+            slopes: T::mul_add_each(other.slopes, by_other, own),
         }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn slopes_of_product(self, other: Self) -> [T; N] {
+        T::mul_add_each(other.slopes, self.value, T::scale_each(self.slopes, other.value))
     }
 }
 
@@ -115,10 +119,7 @@ macro_rules! operator {
 
 operator! { Add::add, AddAssign::add_assign, |a, b| T::add_each(a.slopes, b.slopes) }
 operator! { Sub::sub, SubAssign::sub_assign, |a, b| T::subtract_each(a.slopes, b.slopes) }
-operator! { Mul::mul, MulAssign::mul_assign, |a, b| T::add_each(
-    T::scale_each(a.slopes, b.value),
-    T::scale_each(b.slopes, a.value)
-) }
+operator! { Mul::mul, MulAssign::mul_assign, |a, b| a.slopes_of_product(b) }
 
 impl<T: Real, const N: usize> Div for Dual<T, N> {
     type Output = Self;
@@ -233,13 +234,40 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        Self {
+            value: self.value.mul_add(a.value, b.value),
+            slopes: T::add_each(self.slopes_of_product(a), b.slopes),
+        }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn mul_sub(self, a: Self, b: Self) -> Self {
+        Self {
+            value: self.value.mul_sub(a.value, b.value),
+            slopes: T::subtract_each(self.slopes_of_product(a), b.slopes),
+        }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn mul_neg_add(self, a: Self, b: Self) -> Self {
+        Self {
+            value: self.value.mul_neg_add(a.value, b.value),
+            slopes: T::subtract_each(b.slopes, self.slopes_of_product(a)),
+        }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled(self, factor: Self) -> Self {
         self.chain(factor.value * self.value, factor.value)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled_onto(self, factor: Self, sum: Self) -> Self {
-        sum + self.scaled(factor)
+        Self {
+            value: self.value.mul_add(factor.value, sum.value),
+            slopes: T::mul_add_each(self.slopes, factor.value, sum.slopes),
+        }
     }
 
     #[inline(always)]
@@ -380,7 +408,7 @@ const SPACING: f64 = 1e-3;
 const TOUCHING: f64 = 1e-6;
 
 macro_rules! float {
-    ($float:ident) => {
+    ($float:ty, $zero:expr) => {
         /// A single lane.
         impl<const N: usize> Lanes for Dual<$float, N> {
             single_lane!();
@@ -393,7 +421,7 @@ macro_rules! float {
 
             #[inline]
             fn select(self, negative: Self, otherwise: Self) -> Self {
-                if self.value.is_sign_negative() {
+                if self.value.to_f64().is_sign_negative() {
                     negative
                 } else {
                     otherwise
@@ -404,28 +432,28 @@ macro_rules! float {
         /// Decisions depend on the values alone, so that an integration takes the same steps as without derivatives.
         impl<const N: usize> Float for Dual<$float, N> {
             const EPSILON: Self = Self {
-                value: $float::EPSILON,
-                slopes: [0.0; N],
+                value: <$float as Float>::EPSILON,
+                slopes: [$zero; N],
             };
             const MIN_POSITIVE: Self = Self {
-                value: $float::MIN_POSITIVE,
-                slopes: [0.0; N],
+                value: <$float as Float>::MIN_POSITIVE,
+                slopes: [$zero; N],
             };
 
             #[inline]
             fn to_f64(self) -> f64 {
-                self.value.into()
+                self.value.to_f64()
             }
 
             /// True if the value and all derivatives are finite.
             #[inline]
             fn is_finite(self) -> bool {
-                self.value.is_finite() && self.slopes.iter().all(|slope| slope.is_finite())
+                Float::is_finite(self.value) && self.slopes.iter().all(|slope| Float::is_finite(*slope))
             }
 
             #[inline]
             fn max(self, other: Self) -> Self {
-                if self.value >= other.value || other.value.is_nan() {
+                if self.value >= other.value || other.value.to_f64().is_nan() {
                     self
                 } else {
                     other
@@ -434,7 +462,7 @@ macro_rules! float {
 
             #[inline]
             fn min(self, other: Self) -> Self {
-                if self.value <= other.value || other.value.is_nan() {
+                if self.value <= other.value || other.value.to_f64().is_nan() {
                     self
                 } else {
                     other
@@ -444,16 +472,20 @@ macro_rules! float {
             /// The zero follows its function: `dz = -df / f'`, with `f'` by a difference of fourth order. Where the
             /// function only touches zero, the derivatives do not exist: NaN.
             fn zero_of(self, reach: Self, function: impl Fn(Self) -> Self) -> Self {
-                let spacing = $float::from_f64(SPACING) * reach.value;
-                let at = |steps: f64| Self::constant(self.value + $float::from_f64(steps) * spacing);
-                let (mut change, mut largest) = (0.0, 0.0);
+                let spacing = <$float>::from_f64(SPACING) * reach.value;
+                let at = |steps: f64| Self::constant(self.value + <$float>::from_f64(steps) * spacing);
+                let (mut change, mut largest) = ($zero, $zero);
                 for (steps, weight) in STENCIL {
                     let value = function(at(steps)).value;
-                    change += $float::from_f64(weight / 12.0) * value;
-                    largest = $float::max(largest, value.abs());
+                    change += <$float>::from_f64(weight / 12.0) * value;
+                    largest = Float::max(largest, Real::abs(value));
                 }
-                let touches = change.abs() <= $float::from_f64(TOUCHING) * largest;
-                let slope = if touches { $float::NAN } else { change / spacing };
+                let touches = Real::abs(change) <= <$float>::from_f64(TOUCHING) * largest;
+                let slope = if touches {
+                    <$float>::from_f64(f64::NAN)
+                } else {
+                    change / spacing
+                };
                 let residual = function(at(0.0));
                 Self {
                     value: self.value,
@@ -463,16 +495,14 @@ macro_rules! float {
 
             #[inline]
             fn largest_slope(&self) -> f64 {
-                let slopes = self.slopes.iter().map(|slope| slope.abs());
-                slopes
-                    .fold(0.0, |largest, slope| {
-                        if slope > largest || slope.is_nan() {
-                            slope
-                        } else {
-                            largest
-                        }
-                    })
-                    .into()
+                let slopes = self.slopes.iter().map(|slope| Real::abs(*slope).to_f64());
+                slopes.fold(0.0, |largest, slope| {
+                    if slope > largest || slope.is_nan() {
+                        slope
+                    } else {
+                        largest
+                    }
+                })
             }
 
             #[inline]
@@ -483,8 +513,9 @@ macro_rules! float {
     };
 }
 
-float!(f64);
-float!(f32);
+float!(f64, 0.0);
+float!(f32, 0.0);
+float!(Fused<f64>, Fused(0.0));
 
 /// The lanes of the values and of the derivatives.
 impl<R: Register, const N: usize> Lanes for Dual<Pack<R>, N>

@@ -17,7 +17,8 @@
 //! too: otherwise the error is [`Reason::NotDifferentiable`]. Where the order of impacts decides the motion, which
 //! [`Solution::ambiguities`] reports, it is one of several.
 //!
-//! [`ensemble`] integrates many trajectories with their derivatives in the lanes of vector registers.
+//! [`ensemble`] integrates many trajectories with their derivatives in the lanes of vector registers. All three take
+//! methods in [fused arithmetic](crate::method::FusedMethod), such as `Vern9::new().fused()`, which needs less time.
 //!
 //! Where a single number is of interest, such as a cost, [`gradient`] computes its derivatives by all variables
 //! backward in time, in a time that does not grow with their number.
@@ -52,19 +53,20 @@
 //! C. Fuehrer, E. Eich-Soellner, "Numerical Methods in Multibody Dynamics" (1998), section 4.6; A. Griewank, A.
 //! Walther, "Evaluating Derivatives" (2008), chapter 3.
 
+mod differentiable;
 mod gradient;
 mod seeded;
 
 use nalgebra::{SMatrix, SVector};
 
+pub use differentiable::{Differentiable, DifferentiableEnsemble};
 pub use gradient::{Cost, Gradient, gradient};
 pub use seeded::Seeded;
 use seeded::{check, started};
 
 use crate::dual::Dual;
-use crate::ensemble::{Ensemble, EnsembleError};
+use crate::ensemble::EnsembleError;
 use crate::error::{Reason, SolveError};
-use crate::method::Method;
 use crate::solution::{OutsideSpan, Solution};
 use crate::system::{Cast, IntoState, Parametric};
 
@@ -92,13 +94,13 @@ pub struct Sensitivity<const N: usize, const K: usize> {
 ///
 /// # Errors
 ///
-/// As for [`Method::solve`]. Where a motion only touches a limit, or the zero of an event that resets it, the time of
-/// the event has no derivatives, and the motion ends with an error that says so.
+/// As for [`Method::solve`](crate::Method::solve). Where a motion only touches a limit, or the zero of an event that
+/// resets it, the time of the event has no derivatives, and the motion ends with an error that says so.
 ///
 /// # Panics
 ///
 /// If the index of a variable is out of range.
-pub fn solve<X, M, const N: usize, const P: usize, const K: usize>(
+pub fn solve<X, S, M, const N: usize, const P: usize, const K: usize>(
     method: &X,
     model: &M,
     t0: f64,
@@ -108,11 +110,12 @@ pub fn solve<X, M, const N: usize, const P: usize, const K: usize>(
 ) -> Result<Sensitivity<N, K>, SolveError<Dual<f64, K>, N>>
 where
     M: Parametric<N, P>,
-    X: Method<M::In<Dual<f64, K>>, Dual<f64, K>, N>,
+    X: Differentiable<S, M, N, P, K>,
 {
-    let (model, x0) = seeded(model, x0, variables);
-    let [t0, t1] = [t0, t1].map(Dual::constant);
-    Ok(method.solve(&model, t0, t1, x0)?.into())
+    check::<N, P>(&variables);
+    let x0 = started(&x0.into_state(), &variables);
+    let motion = method.trajectory(&Seeded::new(model, variables), [t0, t1].map(Dual::constant), x0)?;
+    Ok(motion.into())
 }
 
 /// Integrates like [`solve`] and returns only the last state and its derivatives, without dense output and without a
@@ -120,12 +123,12 @@ where
 ///
 /// # Errors
 ///
-/// As for [`Method::stepper`].
+/// As for [`Method::stepper`](crate::Method::stepper).
 ///
 /// # Panics
 ///
 /// If the index of a variable is out of range.
-pub fn end<X, M, const N: usize, const P: usize, const K: usize>(
+pub fn end<X, S, M, const N: usize, const P: usize, const K: usize>(
     method: &X,
     model: &M,
     t0: f64,
@@ -135,16 +138,17 @@ pub fn end<X, M, const N: usize, const P: usize, const K: usize>(
 ) -> Result<(SVector<f64, N>, SMatrix<f64, N, K>), Reason>
 where
     M: Parametric<N, P>,
-    X: Method<M::In<Dual<f64, K>>, Dual<f64, K>, N>,
+    X: Differentiable<S, M, N, P, K>,
 {
-    let (model, x0) = seeded(model, x0, variables);
-    let [t0, t1] = [t0, t1].map(Dual::constant);
-    Ok(split(&method.stepper(&model, t0, t1, x0)?.run()?))
+    check::<N, P>(&variables);
+    let x0 = started(&x0.into_state(), &variables);
+    let end = method.last(&Seeded::new(model, variables), [t0, t1].map(Dual::constant), x0)?;
+    Ok(split(&end))
 }
 
 /// The model and the initial condition as dual numbers, whose derivatives are those by some variables: for
-/// [`Method::solve_with`] with events, or a [`stepper`](Method::stepper). The [`Solution`] converts to a
-/// [`Sensitivity`].
+/// [`Method::solve_with`](crate::Method::solve_with) with events, or a [`stepper`](crate::Method::stepper). The
+/// [`Solution`] converts to a [`Sensitivity`].
 ///
 /// An initial condition that depends on the variables gets their derivatives from the caller.
 ///
@@ -190,13 +194,13 @@ where
 ///
 /// # Errors
 ///
-/// As for [`Ensemble::ensemble`].
+/// As for [`Ensemble::ensemble`](crate::ensemble::Ensemble::ensemble).
 ///
 /// # Panics
 ///
 /// If the index of a variable is out of range.
 #[allow(clippy::type_complexity, reason = "a state and its derivatives for each")]
-pub fn ensemble<'m, X, M, const N: usize, const P: usize, const K: usize>(
+pub fn ensemble<'m, X, S, M, const N: usize, const P: usize, const K: usize>(
     method: &X,
     models: &'m [M],
     t0: f64,
@@ -206,13 +210,12 @@ pub fn ensemble<'m, X, M, const N: usize, const P: usize, const K: usize>(
 ) -> Result<Vec<(SVector<f64, N>, SMatrix<f64, N, K>)>, EnsembleError<Dual<f64, K>, N>>
 where
     M: Parametric<N, P>,
-    X: Ensemble<Seeded<'m, M, N, P, K>, Dual<f64, K>, N>,
+    X: DifferentiableEnsemble<S, Seeded<'m, M, N, P, K>, N, K>,
 {
     check::<N, P>(&variables);
     let models: Vec<_> = models.iter().map(|model| Seeded::new(model, variables)).collect();
     let starts: Vec<_> = starts.iter().map(|start| started(start, &variables)).collect();
-    let [t0, t1] = [t0, t1].map(Dual::constant);
-    let ends = method.ensemble(&models, t0, t1, &starts)?;
+    let ends = method.ends(&models, [t0, t1].map(Dual::constant), &starts)?;
     Ok(ends.iter().map(split).collect())
 }
 

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
 use pendulum_core::real::Fused;
+use pendulum_core::sensitivity::{self, Variable};
 use pendulum_core::{EnsembleError, Reason};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
@@ -115,6 +116,45 @@ fn ensembles_end_as_trajectories_alone() {
         .expect("regular");
     for (start, end) in starts.iter().zip(&ends) {
         assert_eq!(*end, method.solve(&model, 0.0, 1.0, *start).expect("regular").end());
+    }
+}
+
+/// Compares derivatives in fused arithmetic with those in `f64`, and their values with the motion alone.
+macro_rules! assert_derivatives {
+    ($method:expr, $model:expr, $start:expr, $by:expr) => {
+        let (method, model, start, by) = ($method, $model, $start, $by);
+        let fused = method.fused();
+        let (x, derivatives) = sensitivity::end(&fused, model, 0.0, 2.0, start, by).expect("regular");
+        assert_eq!(x, fused.solve(model, 0.0, 2.0, start).expect("regular").end());
+        let (_, expected) = sensitivity::end(&method, model, 0.0, 2.0, start, by).expect("regular");
+        let error = (derivatives - expected).amax() / expected.amax();
+        assert!(error > 0.0 && error < 1e-11, "{method:?}: {error:e}");
+        let motion = sensitivity::solve(&fused, model, 0.0, 2.0, start, by).expect("regular");
+        assert_eq!(motion.end(), (x, derivatives));
+    };
+}
+
+#[test]
+fn derivatives_are_those_of_motions_in_fused_arithmetic() {
+    let (model, by) = (pendulum(), [Variable::Start(1), Variable::Parameter(2)]);
+    assert_derivatives!(Vern9::new().rtol(1e-10).atol(1e-10), &model, START, by);
+    assert_derivatives!(Taylor::new().rtol(1e-10).atol(1e-10), &model, START, by);
+    assert_derivatives!(Rodas5P::new().rtol(1e-8).atol(1e-8), &model, START, by);
+    assert_derivatives!(Rk4::new(0.01), &model, START, by);
+    let door = Door::new(DoorParams::default()).expect("physical");
+    let by = [Variable::Start(0), Variable::Start(1)];
+    assert_derivatives!(Tsit5::new().rtol(1e-9).atol(1e-9), &door, [0.2, 4.0], by);
+}
+
+#[test]
+fn derivatives_in_lanes_are_those_of_trajectories_alone() {
+    let (model, by) = (pendulum(), [Variable::Start(0), Variable::Parameter(0)]);
+    let starts: Vec<SVector<f64, 4>> = (1..12).map(|i| SVector::from(START) * (0.1 * f64::from(i))).collect();
+    let method = Tsit5::new().fused();
+    let ends = sensitivity::ensemble(&method, std::slice::from_ref(&model), 0.0, 1.0, &starts, by).expect("regular");
+    for (start, end) in starts.iter().zip(&ends) {
+        let alone = sensitivity::end(&method, &model, 0.0, 1.0, *start, by);
+        assert_eq!(*end, alone.expect("regular"));
     }
 }
 

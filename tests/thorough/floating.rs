@@ -638,7 +638,7 @@ fn differentiated(seed: u64) -> Seen {
     let mut derivatives = SMatrix::<f64, N, N>::zeros();
     for first in (0..N).step_by(PART) {
         let by: [Variable; PART] = from_fn(|k| Variable::Start(first + k));
-        let Ok(sensitive) = sensitivity::end::<_, _, N, 1, PART>(&method(), model, 0.0, END, start, by) else {
+        let Ok(sensitive) = sensitivity::end::<_, _, _, N, 1, PART>(&method(), model, 0.0, END, start, by) else {
             return left_out;
         };
         derivatives.columns_mut(first, PART).copy_from(&sensitive.1);

@@ -274,9 +274,9 @@ fn derivatives_by_parameters_have_the_same_bits() {
         .expect("valid");
     let by = [Variable::Start(1), Variable::Parameter(0)];
     let start = [1.5, 0.4, 0.8, 1.0];
-    let of_compiled = sensitivity::end::<_, _, 4, 1, 2>(&Vern9::new(), &compiled, 0.0, 2.0, start, by);
+    let of_compiled = sensitivity::end::<_, _, _, 4, 1, 2>(&Vern9::new(), &compiled, 0.0, 2.0, start, by);
     // three parameters, two of which are padding
-    let of_tape = sensitivity::end::<_, _, 4, 3, 2>(&Vern9::new(), &own, 0.0, 2.0, start, by);
+    let of_tape = sensitivity::end::<_, _, _, 4, 3, 2>(&Vern9::new(), &own, 0.0, 2.0, start, by);
     assert!(of_compiled.is_ok());
     assert_eq!(of_compiled, of_tape);
     let names: [&str; 3] = Parametric::<4, 3>::parameter_names(&own);

@@ -1,20 +1,27 @@
-//! Integrations in fused arithmetic, of models, events and states in `f64`.
+//! Integrations in fused arithmetic, of models, events and states in `f64` or dual numbers.
+
+use core::marker::PhantomData;
 
 use nalgebra::SVector;
 
 use crate::dense::{Dense, Step};
+use crate::dual::Dual;
 use crate::ensemble::{Ensemble, EnsembleError, Stopped};
 use crate::error::{Reason, SolveError};
 use crate::event::{Event, Missed, Occurrence};
 use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::method::{Adaptive, Fixed, Method, watch};
-use crate::real::Fused;
+use crate::real::lanes::LaneElement;
+use crate::real::{Float, Fused};
 use crate::solution::{Need, Observer, Solution};
 use crate::statistics::Statistics;
 use crate::step_size::Tolerance;
 use crate::system::{Cast, IntoState};
 
 /// A method that computes in [`Fused`] arithmetic, for models that can be [cast](Cast); `A` is the method.
+///
+/// Times, states and events are `f64`, or [dual numbers](Dual) of `f64`; functions of
+/// [`sensitivity`](crate::sensitivity) take it like any other method.
 ///
 /// Results are bit-identical on every machine, and differ from those of the method itself in the last bits. Where the
 /// processor has fused operations, as most x86-64 processors since 2013 and all ARM processors of 64 bits, the steps of
@@ -65,20 +72,66 @@ impl<F> Fixed<F> {
     }
 }
 
+/// A number that has a [fused](Fused) counterpart: `f64`, or a [dual number](Dual) of `f64`.
+pub trait Fusible: Float {
+    /// The fused number.
+    type Fused: LaneElement;
+
+    /// Converts the number to a fused one.
+    fn fused(self) -> Self::Fused;
+
+    /// Converts a fused number back.
+    fn plain(fused: Self::Fused) -> Self;
+}
+
+impl Fusible for f64 {
+    type Fused = Fused<f64>;
+
+    #[inline(always)]
+    fn fused(self) -> Fused<f64> {
+        Fused(self)
+    }
+
+    #[inline(always)]
+    fn plain(fused: Fused<f64>) -> f64 {
+        fused.0
+    }
+}
+
+impl<const K: usize> Fusible for Dual<f64, K> {
+    type Fused = Dual<Fused<f64>, K>;
+
+    #[inline(always)]
+    fn fused(self) -> Self::Fused {
+        Dual {
+            value: Fused(self.value),
+            slopes: self.slopes.map(Fused),
+        }
+    }
+
+    #[inline(always)]
+    fn plain(fused: Self::Fused) -> Self {
+        Self {
+            value: fused.value.0,
+            slopes: fused.slopes.map(|slope| slope.0),
+        }
+    }
+}
+
 impl<A> FusedMethod<A> {
     /// Like [`Method::solve`].
     ///
     /// # Errors
     /// Errors of [`Method::solve`].
-    pub fn solve<M, const N: usize>(
+    pub fn solve<M, T: Fusible, const N: usize>(
         &self,
         model: &M,
-        t0: f64,
-        t1: f64,
-        x0: impl IntoState<f64, N>,
-    ) -> Result<Solution<f64, N>, SolveError<f64, N>>
+        t0: T,
+        t1: T,
+        x0: impl IntoState<T, N>,
+    ) -> Result<Solution<T, N>, SolveError<T, N>>
     where
-        A: Method<M::In<Fused<f64>>, Fused<f64>, N>,
+        A: Method<M::In<T::Fused>, T::Fused, N>,
         M: Cast<N>,
     {
         self.solve_with(model, t0, t1, x0, &[])
@@ -88,27 +141,27 @@ impl<A> FusedMethod<A> {
     ///
     /// # Errors
     /// Errors of [`Method::solve_with`].
-    pub fn solve_with<M, const N: usize>(
+    pub fn solve_with<M, T: Fusible, const N: usize>(
         &self,
         model: &M,
-        t0: f64,
-        t1: f64,
-        x0: impl IntoState<f64, N>,
-        events: &[Event<'_, f64, N>],
-    ) -> Result<Solution<f64, N>, SolveError<f64, N>>
+        t0: T,
+        t1: T,
+        x0: impl IntoState<T, N>,
+        events: &[Event<'_, T, N>],
+    ) -> Result<Solution<T, N>, SolveError<T, N>>
     where
-        A: Method<M::In<Fused<f64>>, Fused<f64>, N>,
+        A: Method<M::In<T::Fused>, T::Fused, N>,
         M: Cast<N>,
     {
         let x0 = x0.into_state();
-        let model = model.cast::<Fused<f64>>();
-        let mut stepper = match self.0.stepper(&model, Fused(t0), Fused(t1), fused(&x0)) {
+        let model = model.cast::<T::Fused>();
+        let mut stepper = match self.0.stepper(&model, t0.fused(), t1.fused(), fused(&x0)) {
             Ok(stepper) => stepper,
             Err(reason) => return Err(SolveError::at_start(reason, t0, x0)),
         };
         let mut solution = Solution::start(t0, plain(&stepper.start(fused(&x0))));
         let tolerance = self.0.tolerance();
-        let observer = &mut Plain(&mut solution);
+        let observer = &mut Plain::new(&mut solution);
         let ended = stepper.watched(fused(&x0), &fused_events(events), tolerance, observer);
         watch::concluded(ended, solution)
     }
@@ -117,48 +170,70 @@ impl<A> FusedMethod<A> {
     ///
     /// # Errors
     /// Errors of [`Method::follow`].
-    pub fn follow<M, const N: usize>(
+    pub fn follow<M, T: Fusible, const N: usize>(
         &self,
         model: &M,
-        t0: f64,
-        t1: f64,
-        x0: impl IntoState<f64, N>,
-        events: &[Event<'_, f64, N>],
-        observer: &mut impl Observer<f64, N>,
-    ) -> Result<SVector<f64, N>, Reason>
+        t0: T,
+        t1: T,
+        x0: impl IntoState<T, N>,
+        events: &[Event<'_, T, N>],
+        observer: &mut impl Observer<T, N>,
+    ) -> Result<SVector<T, N>, Reason>
     where
-        A: Method<M::In<Fused<f64>>, Fused<f64>, N>,
+        A: Method<M::In<T::Fused>, T::Fused, N>,
         M: Cast<N>,
     {
-        let (model, x0) = (model.cast::<Fused<f64>>(), fused(&x0.into_state()));
-        let (events, observer) = (fused_events(events), &mut Plain(observer));
-        let end = self.0.follow(&model, Fused(t0), Fused(t1), x0, &events, observer)?;
+        let (model, x0) = (model.cast::<T::Fused>(), fused(&x0.into_state()));
+        let (events, observer) = (fused_events(events), &mut Plain::new(observer));
+        let end = self.0.follow(&model, t0.fused(), t1.fused(), x0, &events, observer)?;
         Ok(plain(&end))
+    }
+
+    /// Like [`Method::stepper`] and [`Stepper::run`](crate::Stepper::run): the last state, without a heap.
+    ///
+    /// # Errors
+    /// Errors of [`Method::stepper`] and of [`Stepper::run`](crate::Stepper::run).
+    pub fn end<M, T: Fusible, const N: usize>(
+        &self,
+        model: &M,
+        t0: T,
+        t1: T,
+        x0: impl IntoState<T, N>,
+    ) -> Result<SVector<T, N>, Reason>
+    where
+        A: Method<M::In<T::Fused>, T::Fused, N>,
+        M: Cast<N>,
+    {
+        let model = model.cast::<T::Fused>();
+        let mut stepper = self
+            .0
+            .stepper(&model, t0.fused(), t1.fused(), fused(&x0.into_state()))?;
+        Ok(plain(&stepper.run()?))
     }
 
     /// Like [`Ensemble::ensemble`].
     ///
     /// # Errors
     /// Errors of [`Ensemble::ensemble`].
-    pub fn ensemble<M, const N: usize>(
+    pub fn ensemble<M, T: Fusible, const N: usize>(
         &self,
         models: &[M],
-        t0: f64,
-        t1: f64,
-        starts: &[SVector<f64, N>],
-    ) -> Result<Vec<SVector<f64, N>>, EnsembleError<f64, N>>
+        t0: T,
+        t1: T,
+        starts: &[SVector<T, N>],
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
     where
-        A: Ensemble<M, Fused<f64>, N>,
+        A: Ensemble<M, T::Fused, N>,
     {
         let starts: Vec<_> = starts.iter().map(fused).collect();
-        let all = |states: Vec<SVector<Fused<f64>, N>>| states.iter().map(plain).collect();
-        match self.0.ensemble(models, Fused(t0), Fused(t1), &starts) {
+        let all = |states: Vec<SVector<T::Fused, N>>| states.iter().map(plain).collect();
+        match self.0.ensemble(models, t0.fused(), t1.fused(), &starts) {
             Ok(ends) => Ok(all(ends)),
             Err(EnsembleError::InvalidInput(reason)) => Err(EnsembleError::InvalidInput(reason)),
             Err(EnsembleError::Stopped { stopped, x }) => {
                 let stopped = stopped
                     .into_iter()
-                    .map(|Stopped { index, t, reason }| Stopped::new(index, t.0, reason));
+                    .map(|Stopped { index, t, reason }| Stopped::new(index, T::plain(t), reason));
                 Err(EnsembleError::Stopped {
                     stopped: stopped.collect(),
                     x: all(x),
@@ -168,105 +243,120 @@ impl<A> FusedMethod<A> {
     }
 }
 
-fn fused<const N: usize>(x: &SVector<f64, N>) -> SVector<Fused<f64>, N> {
-    x.map(Fused)
+fn fused<T: Fusible, const N: usize>(x: &SVector<T, N>) -> SVector<T::Fused, N> {
+    x.map(T::fused)
 }
 
-fn plain<const N: usize>(x: &SVector<Fused<f64>, N>) -> SVector<f64, N> {
-    x.map(|x| x.0)
+fn plain<T: Fusible, const N: usize>(x: &SVector<T::Fused, N>) -> SVector<T, N> {
+    x.map(T::plain)
 }
 
-fn fused_events<'e, const N: usize>(events: &'e [Event<'_, f64, N>]) -> Vec<Event<'e, Fused<f64>, N>> {
-    let function = |event: &'e Event<'_, f64, N>| {
+fn fused_events<'e, T: Fusible, const N: usize>(events: &'e [Event<'_, T, N>]) -> Vec<Event<'e, T::Fused, N>> {
+    let function = |event: &'e Event<'_, T, N>| {
         event.with(
-            |t: Fused<f64>, x: &SVector<Fused<f64>, N>| Fused((event.function)(t.0, &plain(x))),
+            |t: T::Fused, x: &SVector<T::Fused, N>| (event.function)(T::plain(t), &plain(x)).fused(),
             event
                 .reset
                 .as_ref()
-                .map(|reset| |t: Fused<f64>, x: &SVector<Fused<f64>, N>| fused(&reset(t.0, &plain(x)))),
+                .map(|reset| |t: T::Fused, x: &SVector<T::Fused, N>| fused(&reset(T::plain(t), &plain(x)))),
         )
     };
     events.iter().map(function).collect()
 }
 
-/// An observer of an integration in fused arithmetic.
-struct Plain<'o, O>(&'o mut O);
+/// An observer of an integration in fused arithmetic, which receives numbers of type `T`.
+struct Plain<'o, O, T> {
+    observer: &'o mut O,
+    numbers: PhantomData<T>,
+}
 
-impl<O: Observer<f64, N>, const N: usize> Observer<Fused<f64>, N> for Plain<'_, O> {
-    fn start(&mut self, t: Fused<f64>, x: &SVector<Fused<f64>, N>) {
-        self.0.start(t.0, &plain(x));
+impl<'o, O, T> Plain<'o, O, T> {
+    fn new(observer: &'o mut O) -> Self {
+        Self {
+            observer,
+            numbers: PhantomData,
+        }
+    }
+}
+
+impl<O: Observer<T, N>, T: Fusible, const N: usize> Observer<T::Fused, N> for Plain<'_, O, T> {
+    fn start(&mut self, t: T::Fused, x: &SVector<T::Fused, N>) {
+        self.observer.start(T::plain(t), &plain(x));
     }
 
     fn is_cancelled(&self) -> bool {
-        self.0.is_cancelled()
+        self.observer.is_cancelled()
     }
 
-    fn needs(&self, t0: Fused<f64>, t1: Fused<f64>) -> Need {
-        self.0.needs(t0.0, t1.0)
+    fn needs(&self, t0: T::Fused, t1: T::Fused) -> Need {
+        self.observer.needs(T::plain(t0), T::plain(t1))
     }
 
     fn keeps_all(&self) -> bool {
-        self.0.keeps_all()
+        self.observer.keeps_all()
     }
 
-    fn within(&mut self, tolerance: Tolerance<Fused<f64>>) {
-        self.0.within(Tolerance {
-            rtol: tolerance.rtol.0,
-            atol: tolerance.atol.0,
+    fn within(&mut self, tolerance: Tolerance<T::Fused>) {
+        self.observer.within(Tolerance {
+            rtol: T::plain(tolerance.rtol),
+            atol: T::plain(tolerance.atol),
         });
     }
 
-    fn step(&mut self, dense: &Dense<'_, Fused<f64>, N>) {
+    fn step(&mut self, dense: &Dense<'_, T::Fused, N>) {
         let step = dense.step();
-        let step = Step::new((step.t0.0, plain(&step.x0)), (step.t1.0, plain(&step.x1)));
+        let step = Step::new(
+            (T::plain(step.t0), plain(&step.x0)),
+            (T::plain(step.t1), plain(&step.x1)),
+        );
         let terms: Vec<_> = dense.terms().iter().map(plain).collect();
-        self.0.step(&Dense::new(step, &terms));
+        self.observer.step(&Dense::new(step, &terms));
     }
 
-    fn jump(&mut self, t: Fused<f64>, x: SVector<Fused<f64>, N>) {
-        self.0.jump(t.0, plain(&x));
+    fn jump(&mut self, t: T::Fused, x: SVector<T::Fused, N>) {
+        self.observer.jump(T::plain(t), plain(&x));
     }
 
-    fn event(&mut self, event: Occurrence<Fused<f64>, N>) {
+    fn event(&mut self, event: Occurrence<T::Fused, N>) {
         let Occurrence { index, t, x } = event;
-        self.0.event(Occurrence {
+        self.observer.event(Occurrence {
             index,
-            t: t.0,
+            t: T::plain(t),
             x: plain(&x),
         });
     }
 
-    fn missed(&mut self, missed: Missed<Fused<f64>>) {
+    fn missed(&mut self, missed: Missed<T::Fused>) {
         let Missed { index, from, to } = missed;
-        self.0.missed(Missed {
+        self.observer.missed(Missed {
             index,
-            from: from.0,
-            to: to.0,
+            from: T::plain(from),
+            to: T::plain(to),
         });
     }
 
-    fn mode(&mut self, from: Fused<f64>, mode: Mode) {
-        self.0.mode(from.0, mode);
+    fn mode(&mut self, from: T::Fused, mode: Mode) {
+        self.observer.mode(T::plain(from), mode);
     }
 
     fn finish(&mut self, statistics: Statistics) {
-        self.0.finish(statistics);
+        self.observer.finish(statistics);
     }
 
-    fn impact(&mut self, impact: Impact<Fused<f64>, N>) {
-        self.0.impact(Impact {
-            t: impact.t.0,
-            impulses: impact.impulses.map(|impulse| impulse.0),
+    fn impact(&mut self, impact: Impact<T::Fused, N>) {
+        self.observer.impact(Impact {
+            t: T::plain(impact.t),
+            impulses: impact.impulses.map(T::plain),
             before: plain(&impact.before),
             after: plain(&impact.after),
         });
     }
 
-    fn ambiguity(&mut self, ambiguity: Ambiguity<Fused<f64>>) {
+    fn ambiguity(&mut self, ambiguity: Ambiguity<T::Fused>) {
         let Ambiguity { t, difference, set } = ambiguity;
-        self.0.ambiguity(Ambiguity {
-            t: t.0,
-            difference: difference.0,
+        self.observer.ambiguity(Ambiguity {
+            t: T::plain(t),
+            difference: T::plain(difference),
             set,
         });
     }

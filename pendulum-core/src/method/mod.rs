@@ -80,7 +80,7 @@ pub(crate) use auto::{Bounded, Choice, SwitchInLanes, SwitchingFrom};
 pub use explicit::Explicit;
 pub use fixed::Fixed;
 #[cfg(feature = "std")]
-pub use fused::FusedMethod;
+pub use fused::{FusedMethod, Fusible};
 pub use gauss::Gauss;
 pub use radau::RadauIIA;
 pub use rosenbrock::Rosenbrock;

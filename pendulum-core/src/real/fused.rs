@@ -2,7 +2,11 @@
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::lanes::{Fuse, Lanes, Pack, Pair, Precision, Register, Routine, Two64, single_lane};
+use super::lanes::{
+    Fuse, InLanes, Isa, Lanes, Pack, Pair, Precision, Register, Routine, Two64, Wide64, WideKernel, Widest64,
+    single_lane,
+};
+use super::scalar::each;
 use super::sincos;
 use super::{Float, Real};
 
@@ -22,11 +26,29 @@ use super::{Float, Real};
 /// assert_eq!(Fused(third).mul_sub(Fused(3.0), Fused(1.0)), Fused(-2_f64.powi(-54)));
 /// ```
 ///
-/// Only `Fused<f64>` and its lanes are a [`Real`]; dual numbers of them are not fused. The operations are inlined in
-/// code for processors that have them: in the steps of integrations, in a [kernel](super::lanes::Kernel), and in builds
-/// with `-C target-cpu=native`. Elsewhere on x86-64, in builds with debug assertions and without `std`, each is a call.
+/// Only `Fused<f64>` and its lanes are a [`Real`]. [Dual numbers](crate::dual::Dual) of them have the same values, and
+/// fuse the sums of derivatives, too. The operations are inlined in code for processors that have them: in the steps of
+/// integrations, in a [kernel](super::lanes::Kernel), and in builds with `-C target-cpu=native`. Elsewhere on x86-64,
+/// in builds with debug assertions and without `std`, each is a call.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[repr(transparent)]
 pub struct Fused<T>(pub T);
+
+/// The numbers as `f64`. Loops that copy them, one for each operation on derivatives, take compilers minutes to unroll.
+#[allow(unsafe_code, reason = "safe code would copy the numbers")]
+#[inline(always)]
+fn plain(fused: &[Fused<f64>]) -> &[f64] {
+    // SAFETY: the type is transparent.
+    unsafe { core::slice::from_raw_parts(fused.as_ptr().cast(), fused.len()) }
+}
+
+/// Like [`plain`], for changes.
+#[allow(unsafe_code, reason = "safe code would copy the numbers")]
+#[inline(always)]
+fn plain_mut(fused: &mut [Fused<f64>]) -> &mut [f64] {
+    // SAFETY: the type is transparent.
+    unsafe { core::slice::from_raw_parts_mut(fused.as_mut_ptr().cast(), fused.len()) }
+}
 
 macro_rules! operator {
     ($($trait:ident $method:ident $assign:ident $assigned:ident;)*) => { $(
@@ -86,6 +108,16 @@ impl<R: Fuse> Register for Fused<R> {
     #[inline(always)]
     fn lane(&self, i: usize) -> Fused<f64> {
         Fused(self.0.lane(i))
+    }
+
+    #[inline(always)]
+    fn load(from: &[Fused<f64>]) -> Self {
+        Self(R::load(plain(from)))
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [Fused<f64>]) {
+        self.0.store(plain_mut(to));
     }
 
     #[inline(always)]
@@ -174,6 +206,8 @@ macro_rules! forward {
 }
 
 impl Real for Fused<f64> {
+    const IS_PLAIN: bool = true;
+
     #[inline(always)]
     fn from_f64(v: f64) -> Self {
         Self(v)
@@ -207,6 +241,39 @@ impl Real for Fused<f64> {
     #[inline(always)]
     fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
         sincos::sin_cos_pair::<Fused<Two64>>([self, other])
+    }
+
+    #[inline(always)]
+    fn add_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        each::<Fused<Two64>, Fused<Wide64>, N>(a, b, |a, b| a + b, |a, b| a + b, |a, b| a + b)
+    }
+
+    #[inline(always)]
+    fn subtract_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        each::<Fused<Two64>, Fused<Wide64>, N>(a, b, |a, b| a - b, |a, b| a - b, |a, b| a - b)
+    }
+
+    #[inline(always)]
+    fn scale_each<const N: usize>(a: [Self; N], factor: Self) -> [Self; N] {
+        let (narrow, wide) = (<Fused<Two64>>::splat(factor), <Fused<Wide64>>::splat(factor));
+        each::<Fused<Two64>, Fused<Wide64>, N>(a, a, |a, _| wide * a, |a, _| narrow * a, |a, _| factor * a)
+    }
+
+    #[inline(always)]
+    fn mul_add_each<const N: usize>(a: [Self; N], factor: Self, b: [Self; N]) -> [Self; N] {
+        let (narrow, wide) = (<Fused<Two64>>::splat(factor), <Fused<Wide64>>::splat(factor));
+        each::<Fused<Two64>, Fused<Wide64>, N>(
+            a,
+            b,
+            |a, b| a.mul_add(wide, b),
+            |a, b| a.mul_add(narrow, b),
+            |a, b| Real::mul_add(a, factor, b),
+        )
+    }
+
+    #[inline(always)]
+    fn run_wide<K: WideKernel<Self>>(kernel: K) {
+        Isa::run_wide::<Pack<Fused<Widest64>>, Pack<Fused<Wide64>>, _>(InLanes::<_, Pack<Fused<Two64>>>::new(kernel));
     }
 
     forward! {

@@ -53,7 +53,7 @@ pub trait Real:
     #[doc(hidden)]
     const SUMS_PRODUCTS: bool = false;
 
-    /// True for `f64`, `f32` and lanes of these.
+    /// True for `f64`, `f32` and [`Fused`] numbers, and lanes of these.
     #[doc(hidden)]
     const IS_PLAIN: bool = false;
 
@@ -118,7 +118,7 @@ pub trait Real:
     #[inline(always)]
     fn sum_products<const M: usize>(_left: &[[Self; M]], _right: &[[Self; M]], _sums: &mut [Self; M]) {}
 
-    /// Runs a kernel in registers of up to 256 bits, for `f64` and `f32`.
+    /// Runs a kernel in registers of up to 256 bits, for `f64`, `f32` and [`Fused`] numbers.
     #[doc(hidden)]
     #[inline(always)]
     fn run_wide<K: lanes::WideKernel<Self>>(_kernel: K) {}
@@ -187,6 +187,16 @@ pub trait Real:
             *a = factor * *a;
         }
         a
+    }
+
+    /// Products of a factor with the numbers of one array plus those of another, by [`mul_add`](Self::mul_add).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mul_add_each<const N: usize>(a: [Self; N], factor: Self, mut b: [Self; N]) -> [Self; N] {
+        for n in 0..N {
+            b[n] = a[n].mul_add(factor, b[n]);
+        }
+        b
     }
 
     /// Stores a number of a long function. Scalars are stored at once: compilers would combine the code of neighbours

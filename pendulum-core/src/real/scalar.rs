@@ -67,6 +67,11 @@ macro_rules! scalar {
             }
 
             #[inline(always)]
+            fn mul_add_each<const N: usize>(a: [Self; N], factor: Self, b: [Self; N]) -> [Self; N] {
+                Self::add_each(Self::scale_each(a, factor), b)
+            }
+
+            #[inline(always)]
             fn run_wide<K: WideKernel<Self>>(kernel: K) {
                 Isa::run_wide::<Pack<$widest>, Pack<$wide>, _>(InLanes::<_, Pack<$narrow>>::new(kernel));
             }
@@ -147,7 +152,7 @@ scalar!(f32, in Two32, Wide32, Widest32, by libm tanf expf logf tanhf atan2f pow
 
 /// Applies an operation to each pair of numbers: in wide registers, then in narrow ones, and the last ones as scalars.
 #[inline(always)]
-fn each<R: Register, W: Register<Scalar = R::Scalar>, const N: usize>(
+pub(super) fn each<R: Register, W: Register<Scalar = R::Scalar>, const N: usize>(
     a: [R::Scalar; N],
     b: [R::Scalar; N],
     in_wide: impl Fn(W, W) -> W,

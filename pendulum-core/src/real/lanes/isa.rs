@@ -234,7 +234,7 @@ impl fmt::Debug for Isa {
     }
 }
 
-/// A scalar type of lanes: `f64`, `f32`, [dual numbers](Dual) of these, or [fused](Fused) `f64`.
+/// A scalar type of lanes: `f64`, `f32`, [fused](Fused) `f64`, or [dual numbers](Dual) of these.
 pub trait LaneElement: Float {
     /// Runs a kernel whose lanes fill one register.
     fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output;
@@ -269,3 +269,7 @@ lane! {
     f32: Least32 Ymm32 Zmm32;
 }
 lane!([] Fused<f64>: Pack<Fused<Least64>>, Pack<Fused<super::x86::Ymm64>>, Pack<Fused<super::x86::Zmm64>>);
+lane!(
+    [const N: usize] Dual<Fused<f64>, N>:
+    Dual<Pack<Fused<Least64>>, N>, Dual<Pack<Fused<super::x86::Ymm64>>, N>, Dual<Pack<Fused<super::x86::Zmm64>>, N>
+);

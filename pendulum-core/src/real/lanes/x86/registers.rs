@@ -154,11 +154,18 @@ register! {
     _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_sqrt_ps;
 }
 
-/// Lane by lane, since code that can name the type runs on machines without the instruction, too.
 impl Fuse for Xmm64 {
     #[inline(always)]
     fn fused_mul_add(self, a: Self, b: Self) -> Self {
-        Self::from_fn(&mut |i| self.lane(i).fused_mul_add(a.lane(i), b.lane(i)))
+        #[cfg(target_feature = "fma")]
+        // SAFETY: every machine with the target of the compilation has the instruction.
+        return unsafe { Self(_mm_fmadd_pd(self.0, a.0, b.0)) };
+        // Lane by lane, since code that can name the type runs on machines without the instruction, too.
+        #[cfg(not(target_feature = "fma"))]
+        return Self::from_array([
+            self.lane(0).fused_mul_add(a.lane(0), b.lane(0)),
+            self.lane(1).fused_mul_add(a.lane(1), b.lane(1)),
+        ]);
     }
 }
 
