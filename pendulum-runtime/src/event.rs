@@ -135,6 +135,7 @@ fn declared<'m, T: Real, const N: usize>(model: &'m Padded<T, N>, name: &str) ->
 }
 
 /// The events of a model at which its motion has a kink: derivatives of trajectories need steps that end there.
+#[cfg(feature = "full")]
 pub(crate) fn kinks<T: Real, const N: usize>(model: &Padded<T, N>) -> Result<Vec<CoreEvent<'_, T, N>>, Error> {
     let kinks = model.tape().events().iter().filter(|(_, is_kink)| *is_kink);
     kinks.map(|(name, _)| Ok(declared(model, name)?.restart())).collect()
