@@ -6,7 +6,7 @@ use super::lanes::{
     Fuse, InLanes, Isa, Lanes, Pack, Pair, Precision, Register, Routine, Two64, Wide64, WideKernel, Widest64,
     single_lane,
 };
-use super::scalar::each;
+use super::scalar::{each, in_registers};
 use super::sincos;
 use super::{Float, Real};
 
@@ -243,21 +243,7 @@ impl Real for Fused<f64> {
         sincos::sin_cos_pair::<Fused<Two64>>([self, other])
     }
 
-    #[inline(always)]
-    fn add_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        each::<Fused<Two64>, Fused<Wide64>, N>(a, b, |a, b| a + b, |a, b| a + b, |a, b| a + b)
-    }
-
-    #[inline(always)]
-    fn subtract_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        each::<Fused<Two64>, Fused<Wide64>, N>(a, b, |a, b| a - b, |a, b| a - b, |a, b| a - b)
-    }
-
-    #[inline(always)]
-    fn scale_each<const N: usize>(a: [Self; N], factor: Self) -> [Self; N] {
-        let (narrow, wide) = (<Fused<Two64>>::splat(factor), <Fused<Wide64>>::splat(factor));
-        each::<Fused<Two64>, Fused<Wide64>, N>(a, a, |a, _| wide * a, |a, _| narrow * a, |a, _| factor * a)
-    }
+    in_registers!(Fused<Two64>, Fused<Wide64>, Fused<Widest64>);
 
     #[inline(always)]
     fn mul_add_each<const N: usize>(a: [Self; N], factor: Self, b: [Self; N]) -> [Self; N] {
@@ -269,11 +255,6 @@ impl Real for Fused<f64> {
             |a, b| a.mul_add(narrow, b),
             |a, b| Real::mul_add(a, factor, b),
         )
-    }
-
-    #[inline(always)]
-    fn run_wide<K: WideKernel<Self>>(kernel: K) {
-        Isa::run_wide::<Pack<Fused<Widest64>>, Pack<Fused<Wide64>>, _>(InLanes::<_, Pack<Fused<Two64>>>::new(kernel));
     }
 
     forward! {

@@ -16,6 +16,36 @@ macro_rules! forward {
     };
 }
 
+/// Operations on arrays of numbers, and kernels, in registers of three widths.
+macro_rules! in_registers {
+    ($narrow:ty, $wide:ty, $widest:ty) => {
+        #[inline(always)]
+        fn add_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+            each::<$narrow, $wide, N>(a, b, |a, b| a + b, |a, b| a + b, |a, b| a + b)
+        }
+
+        #[inline(always)]
+        fn subtract_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+            each::<$narrow, $wide, N>(a, b, |a, b| a - b, |a, b| a - b, |a, b| a - b)
+        }
+
+        #[inline(always)]
+        fn scale_each<const N: usize>(a: [Self; N], factor: Self) -> [Self; N] {
+            let (narrow, wide) = (
+                <$narrow as Register>::splat(factor),
+                <$wide as Register>::splat(factor),
+            );
+            each::<$narrow, $wide, N>(a, a, |a, _| wide * a, |a, _| narrow * a, |a, _| factor * a)
+        }
+
+        #[inline(always)]
+        fn run_wide<K: WideKernel<Self>>(kernel: K) {
+            Isa::run_wide::<Pack<$widest>, Pack<$wide>, _>(InLanes::<_, Pack<$narrow>>::new(kernel));
+        }
+    };
+}
+pub(super) use in_registers;
+
 macro_rules! scalar {
     (
         $float:ident, in $narrow:ident, $wide:ident, $widest:ident,
@@ -50,30 +80,11 @@ macro_rules! scalar {
                 sincos::sin_cos_pair::<$narrow>([self, other])
             }
 
-            #[inline(always)]
-            fn add_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-                each::<$narrow, $wide, N>(a, b, |a, b| a + b, |a, b| a + b, |a, b| a + b)
-            }
-
-            #[inline(always)]
-            fn subtract_each<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-                each::<$narrow, $wide, N>(a, b, |a, b| a - b, |a, b| a - b, |a, b| a - b)
-            }
-
-            #[inline(always)]
-            fn scale_each<const N: usize>(a: [Self; N], factor: Self) -> [Self; N] {
-                let (narrow, wide) = (<$narrow as Register>::splat(factor), <$wide as Register>::splat(factor));
-                each::<$narrow, $wide, N>(a, a, |a, _| wide * a, |a, _| narrow * a, |a, _| factor * a)
-            }
+            in_registers!($narrow, $wide, $widest);
 
             #[inline(always)]
             fn mul_add_each<const N: usize>(a: [Self; N], factor: Self, b: [Self; N]) -> [Self; N] {
                 Self::add_each(Self::scale_each(a, factor), b)
-            }
-
-            #[inline(always)]
-            fn run_wide<K: WideKernel<Self>>(kernel: K) {
-                Isa::run_wide::<Pack<$widest>, Pack<$wide>, _>(InLanes::<_, Pack<$narrow>>::new(kernel));
             }
 
             #[inline]

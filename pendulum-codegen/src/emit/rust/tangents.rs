@@ -15,6 +15,11 @@ impl Items<'_> {
         series.tangents.as_ref()
     }
 
+    /// Number of products in the series of the motion.
+    fn products_of_motion(&self) -> usize {
+        self.program.series.as_ref().map_or(0, |series| series.products)
+    }
+
     /// Numbers of the state, the equations of motion, the constants, the entries by constants, the kept values and the
     /// products.
     fn sizes(&self, tangents: &Tangents) -> [Literal; 6] {
@@ -54,8 +59,7 @@ impl Items<'_> {
         let (real, core) = (quote!(::pendulum_core::real::Real), quote!(::pendulum_core::taylor));
         let equations = self.program.layout.components()[1].len();
         let of_motion = 3 * equations * equations;
-        let series = self.program.series.as_ref().expect("tangents are of a series");
-        let slots = count(series.products);
+        let slots = count(self.products_of_motion());
         let split = |values: &[Piece]| -> TokenStream {
             let (matrices, by_constants) = values.split_at(of_motion);
             let rows = matrices.chunks(equations).map(|row| quote!([#(#row),*]));
@@ -134,7 +138,7 @@ impl Items<'_> {
 
     /// Code of a block whose variables are in arrays.
     fn read(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
-        let products = self.program.series.as_ref().map_or(0, |series| series.products);
+        let products = self.products_of_motion();
         let place = |array: &str, n: usize| -> (Ident, Literal) { (format_ident!("{array}"), count(n)) };
         let reads = block.reads();
         let is_side = |variable: &Variable| matches!(variable, Variable::Series(Coefficient::Side(_)));
