@@ -439,6 +439,28 @@ fn every_routine_has_the_same_bits_in_lanes() {
 }
 
 #[test]
+fn outputs_in_lanes_may_be_asked_for_while_they_are_told() {
+    let text = "mechanism! {\npub Rod { point tip on rod at [0, -1, 0], output height: tip.y, output width: tip.x, \
+        body rod on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: turn } }\n}\n";
+    let model: Model<f64, 2> = tape(text, "Rod").model(&[]).expect("physical");
+    let (lanes, x) = (model.cast::<F64x4>(), SVector::from([0.3, 0.4]));
+    let [first, second] = [x, 2.0 * x].map(|x| {
+        let mut told = Vec::new();
+        model.each_output(0.0, &x, &mut |_, value| told.push(value));
+        told
+    });
+    let [x, other] = [x, 2.0 * x].map(|x| x.map(F64x4::splat));
+    let mut told = Vec::new();
+    lanes.each_output(F64x4::splat(0.0), &x, &mut |_, value| {
+        let mut inner = Vec::new();
+        lanes.each_output(F64x4::splat(0.0), &other, &mut |_, value| inner.push(value.lane(1)));
+        assert_eq!(inner, second);
+        told.push(value.lane(2));
+    });
+    assert_eq!((told.len(), told), (2, first));
+}
+
+#[test]
 fn what_is_wrong_is_said() {
     let text = text(SCENES, "DoublePendulum");
     let line = |keyword: &str| {

@@ -54,7 +54,7 @@ impl Word for u64 {
     }
 }
 
-/// Links, in short words if all places are below [`MANY`].
+/// Links, in short words if registers and numbers are at most [`MANY`].
 #[derive(Clone, Debug, PartialEq)]
 enum Links {
     Short(Vec<Link<u32>>),
@@ -96,7 +96,7 @@ pub(super) struct Chain {
     numbers: Vec<f64>,
     /// Numbers that other links read from registers.
     pub(super) in_registers: Vec<(Register, f64)>,
-    /// Number of registers; all others are below it.
+    /// Number of registers: [`FEW`] or [`MANY`] with short links, else as many as needed.
     pub(super) registers: usize,
     pub(super) results: Vec<Register>,
 }
@@ -142,16 +142,19 @@ macro_rules! links {
                 let mut alone = self.alone.iter();
                 let mut $x = $T::default();
                 for link in links {
-                    let places = link.places.split();
+                    // loaded at once, but split by each kind, as most take fewer than four
+                    let places = link.places;
                     match link.kind {
                         $(
                             Kind::$passing => {
+                                let places = places.split();
                                 let [$($operand,)* ..] = places;
                                 $(let $operand = registers[within($operand)];)*
                                 $(let $n = $T::from_f64(self.numbers[within(places[NUMBER])]);)?
                                 $x = $value;
                             }
                             Kind::$keeping => {
+                                let places = places.split();
                                 let [$($operand,)* ..] = places;
                                 $(let $operand = registers[within($operand)];)*
                                 $(let $n = $T::from_f64(self.numbers[within(places[NUMBER])]);)?
@@ -382,39 +385,31 @@ impl Chain {
         let results = results.collect::<Option<_>>()?;
         let last_given = given.last().map_or(0, |&register| usize::from(register) + 1);
         let count = registers.count.max(last_given);
-        let mut chain = Self {
-            links: match count.max(numbers.len()) {
-                ..=MANY => Links::Short(in_words(&links)),
-                _ => Links::Long(in_words(&links)),
+        let mut numbers: Vec<f64> = code.numbers.iter().map(|&(_, number)| number).collect();
+        let room = [FEW, MANY].into_iter().find(|&room| count.max(numbers.len()) <= room);
+        if let Some(room) = room {
+            numbers.resize(room, 0.0);
+        }
+        Some(Self {
+            links: match room {
+                Some(_) => Links::Short(in_words(&links)),
+                None => Links::Long(in_words(&links)),
             },
             alone,
-            numbers: code.numbers.iter().map(|&(_, number)| number).collect(),
+            numbers,
             in_registers: in_registers.filter(|(register, _)| is_loaded(register)).collect(),
-            registers: count,
+            registers: room.unwrap_or(count),
             results,
-        };
-        if let room @ (FEW | MANY) = chain.room() {
-            chain.numbers.resize(room, 0.0);
-        }
-        Some(chain)
-    }
-
-    /// Number of registers on which it runs fastest.
-    pub(super) fn room(&self) -> usize {
-        let needed = self.registers.max(self.numbers.len());
-        let room = [FEW, MANY].into_iter().find(|&room| needed <= room);
-        room.unwrap_or(self.registers)
+        })
     }
 
     /// Runs the operations on registers.
     #[inline(always)]
     pub(super) fn run<T: Real>(&self, registers: &mut [T]) {
-        let room = (registers.len() == self.numbers.len()).then_some(registers.len());
-        match (&self.links, room) {
-            (Links::Short(links), Some(FEW)) => self.run_on::<T, _, FEW>(links, registers),
-            (Links::Short(links), Some(MANY)) => self.run_on::<T, _, MANY>(links, registers),
-            (Links::Short(links), _) => self.run_on::<T, _, 0>(links, registers),
-            (Links::Long(links), _) => self.run_on::<T, _, 0>(links, registers),
+        match &self.links {
+            Links::Short(links) if self.registers == FEW => self.run_on::<T, _, FEW>(links, registers),
+            Links::Short(links) => self.run_on::<T, _, MANY>(links, registers),
+            Links::Long(links) => self.run_on::<T, _, 0>(links, registers),
         }
     }
 }

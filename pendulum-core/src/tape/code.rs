@@ -128,9 +128,9 @@ impl Code {
         }
     }
 
-    /// Least number of registers on which numbers run the code.
+    /// Number of registers that a run of the code takes.
     #[inline(always)]
-    fn fewest<T: Real>(&self) -> usize {
+    fn room<T: Real>(&self) -> usize {
         self.chain::<T>().map_or(self.registers, |chain| chain.registers)
     }
 
@@ -144,7 +144,16 @@ impl Code {
     /// with its results; there may be room for fewer.
     #[inline(always)]
     pub(super) fn run<T: Real>(&self, constants: &[T], lists: &Lists<'_, T>, results: &mut [&mut [T]]) {
-        self.on_registers(constants, lists, results);
+        self.on_registers(|registers| self.interpret(registers, Some(constants), lists, results));
+    }
+
+    /// Like [`run`](Self::run), but passes each result on, with its number.
+    #[inline(always)]
+    pub(super) fn each<T: Real>(&self, constants: &[T], lists: &Lists<'_, T>, pass: &mut dyn FnMut(usize, T)) {
+        self.on_registers(|registers| {
+            self.interpret(registers, Some(constants), lists, &mut []);
+            self.pass(registers, pass);
+        });
     }
 
     /// Like [`run`](Self::run), on registers that earlier runs on the same constants have set, or that are empty.
@@ -158,77 +167,70 @@ impl Code {
     ) {
         let mut unset = None;
         if registers.is_empty() {
-            registers.resize(self.chain::<T>().map_or(self.registers, Chain::room), T::default());
+            registers.resize(self.room::<T>(), T::default());
             unset = Some(constants);
         }
+        self.interpret(registers, unset, lists, results);
+    }
+
+    /// Passes each result in the registers on, with its number.
+    pub(super) fn pass<T: Real>(&self, registers: &[T], pass: &mut dyn FnMut(usize, T)) {
+        for (n, &place) in self.places::<T>().iter().enumerate() {
+            pass(n, registers[usize::from(place)]);
+        }
+    }
+
+    /// Lends registers to a function: on the stack, or on the heap if they are too many for it.
+    #[inline(always)]
+    fn on_registers<T: Real>(&self, function: impl FnOnce(&mut [T])) {
+        let registers = self.room::<T>();
+        if registers > 1024 || registers * size_of::<T>() > MOST_ON_STACK {
+            return function(&mut vec![T::default(); registers]);
+        }
+        let on = match registers {
+            0..=16 => on::<T, _, 16>,
+            17..=24 => on::<T, _, 24>,
+            25..=32 => on::<T, _, 32>,
+            33..=48 => on::<T, _, 48>,
+            49..=64 => on::<T, _, 64>,
+            65..=96 => on::<T, _, 96>,
+            97..=128 => on::<T, _, 128>,
+            129..=192 => on::<T, _, 192>,
+            193..=256 => on::<T, _, 256>,
+            257..=512 => on::<T, _, 512>,
+            _ => on::<T, _, 1024>,
+        };
+        on(registers, function);
+    }
+
+    /// Runs the code on these registers, after the constants are set, if any.
+    #[inline(always)]
+    fn interpret<T: Real>(
+        &self,
+        registers: &mut [T],
+        constants: Option<&[T]>,
+        lists: &Lists<'_, T>,
+        results: &mut [&mut [T]],
+    ) {
         let run = Run {
             registers,
-            constants: unset,
+            constants,
             lists,
         };
         T::call(run, results, self);
     }
-
-    /// Like [`run`](Self::run), but passes each result on, with its number.
-    #[inline(always)]
-    pub(super) fn each<T: Real>(&self, constants: &[T], lists: &Lists<'_, T>, pass: &mut dyn FnMut(usize, T)) {
-        self.on_registers(constants, lists, pass);
-    }
-
-    /// Runs the code on as few registers as suffice: on the stack, or on the heap if they are too many for it.
-    #[inline(always)]
-    fn on_registers<T: Real, A: ?Sized>(&self, constants: &[T], lists: &Lists<'_, T>, into: &mut A)
-    where
-        for<'r> Run<'r, T>: Routine<A, Self>,
-    {
-        let registers = self.fewest::<T>();
-        if registers > 1024 || registers * size_of::<T>() > MOST_ON_STACK {
-            let registers = &mut vec![T::default(); registers];
-            return self.interpret(registers, constants, lists, into);
-        }
-        let on = match registers {
-            0..=16 => on::<T, A, 16>,
-            17..=24 => on::<T, A, 24>,
-            25..=32 => on::<T, A, 32>,
-            33..=48 => on::<T, A, 48>,
-            49..=64 => on::<T, A, 64>,
-            65..=96 => on::<T, A, 96>,
-            97..=128 => on::<T, A, 128>,
-            129..=192 => on::<T, A, 192>,
-            193..=256 => on::<T, A, 256>,
-            257..=512 => on::<T, A, 512>,
-            _ => on::<T, A, 1024>,
-        };
-        on(self, constants, lists, into);
-    }
-
-    /// Runs the code on these registers.
-    #[inline(always)]
-    fn interpret<T: Real, A: ?Sized>(&self, registers: &mut [T], constants: &[T], lists: &Lists<'_, T>, into: &mut A)
-    where
-        for<'r> Run<'r, T>: Routine<A, Self>,
-    {
-        let run = Run {
-            registers: &mut registers[..self.fewest::<T>()],
-            constants: Some(constants),
-            lists,
-        };
-        T::call(run, into, self);
-    }
 }
 
-/// Runs a code on `R` registers, in memory of their own: a single function for all lengths would touch the memory of
-/// the longest at each call.
+/// Lends the first ones of `R` registers, in memory of their own: a single function for all lengths would touch the
+/// memory of the longest at each call.
 #[inline(never)]
-fn on<T: Real, A: ?Sized, const R: usize>(code: &Code, constants: &[T], lists: &Lists<'_, T>, into: &mut A)
-where
-    for<'r> Run<'r, T>: Routine<A, Code>,
-{
-    code.interpret(&mut [T::default(); R], constants, lists, into);
+fn on<T: Real, F: FnOnce(&mut [T]), const R: usize>(count: usize, function: F) {
+    function(&mut [T::default(); R][..count]);
 }
 
 /// Registers of the routines of a model in lanes, which keep constants and numbers: to set them takes as long as the
-/// operations. The locks are free, since each thread has models in lanes of its own.
+/// operations. Each thread has models in lanes of its own, so the locks are free, but for a function that receives
+/// results and evaluates the same routine again: that run has registers of its own.
 #[derive(Debug)]
 pub(super) struct Kept<T>(Box<[Mutex<Vec<T>>]>);
 
@@ -269,18 +271,6 @@ impl<'s, T: Real> Routine<[&'s mut [T]], Code> for Run<'_, T> {
             for (result, &place) in results.iter_mut().zip(&mut places) {
                 *result = registers[usize::from(place)];
             }
-        }
-    }
-}
-
-impl<'p, T: Real> Routine<dyn FnMut(usize, T) + 'p, Code> for Run<'_, T> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self, pass: &mut (dyn FnMut(usize, T) + 'p), code: &Code) {
-        let registers = self.run(code);
-        for (n, &place) in code.places::<T>().iter().enumerate() {
-            pass(n, registers[usize::from(place)]);
         }
     }
 }

@@ -277,6 +277,15 @@ impl Tape {
     }
 }
 
+/// Receiver of results, as of [`Code::each`], that writes them to places, one after the other.
+pub(super) fn into_places<'r, T: 'r>(mut places: impl Iterator<Item = &'r mut T>) -> impl FnMut(usize, T) {
+    move |_, value| {
+        if let Some(place) = places.next() {
+            *place = value;
+        }
+    }
+}
+
 /// Results of code that reads parameters only.
 fn compute<T: Real>(code: &Code, params: &[T]) -> Vec<T> {
     let others = [(Source::Parameter, params)];
@@ -397,10 +406,16 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         code.run_again(registers, &self.constants, &self.lists(&t, x, &[]), results);
     }
 
-    /// Like [`evaluate`](Self::evaluate) without arguments, but passes each result on, with its number.
-    pub(super) fn each(&self, routine: usize, t: T, x: &SVector<T, N>, pass: &mut dyn FnMut(usize, T)) {
+    /// Like [`evaluate`](Self::evaluate) with these lists, but passes each result on, with its number.
+    pub(super) fn each(&self, routine: usize, lists: &Lists<'_, T>, pass: &mut dyn FnMut(usize, T)) {
         let code = &self.tape.routines[routine].code;
-        code.each(&self.constants, &self.lists(&t, x, &[]), pass);
+        if const { T::LANES > 1 }
+            && let Some(Ok(mut registers)) = self.kept.registers(routine).map(Mutex::try_lock)
+        {
+            code.run_again(&mut registers, &self.constants, lists, &mut []);
+            return code.pass(&registers, pass);
+        }
+        code.each(&self.constants, lists, pass);
     }
 
     /// Rates of the inputs that have laws, each with the derivatives of the right-hand side by the input.
@@ -408,11 +423,15 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
         let rates = self.laws.iter().flat_map(move |laws| laws.rates(t));
         rates.map(move |(input, rate)| {
             let mut column = SVector::from([T::default(); N]);
-            self.each(self.needed(Role::InputJacobian), t, x, &mut |n, value| {
-                if n / self.active == input {
-                    column[n % self.active] = value;
-                }
-            });
+            self.each(
+                self.needed(Role::InputJacobian),
+                &self.lists(&t, x, &[]),
+                &mut |n, value| {
+                    if n / self.active == input {
+                        column[n % self.active] = value;
+                    }
+                },
+            );
             (rate, column)
         })
     }
@@ -422,12 +441,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     where
         T: 'r,
     {
-        let mut places = places;
-        code.each(&self.constants, lists, &mut |_, value| {
-            if let Some(place) = places.next() {
-                *place = value;
-            }
-        });
+        code.each(&self.constants, lists, &mut into_places(places));
     }
 
     /// The model as one without mode switches, whose ensembles are faster; `None` if it has dry friction, stops or

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::Model;
-use super::model::Role;
+use super::model::{Role, into_places};
 use crate::constraint::MAX_CONSTRAINTS;
 use crate::error::NotAssembled;
 use crate::layout::StateLayout;
@@ -71,12 +71,11 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     ) where
         T: 'r,
     {
-        let code = &self.tape.routines[routine].code;
-        self.write(code, &self.lists(&t, x, forces), places);
+        self.each(routine, &self.lists(&t, x, forces), &mut into_places(places));
     }
 
-    /// Reports `P` lists of results, all of the length `count`, entry by entry. There may be any number of entries, and
-    /// no heap: the routine runs again for every eight of them.
+    /// Reports `P` lists of results, all of the length `count`, entry by entry. There may be any number of entries: the
+    /// routine runs again for every eight of them, which need no heap.
     pub(super) fn side_by_side<const P: usize>(
         &self,
         routine: usize,
@@ -87,7 +86,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     ) {
         for first in (0..count).step_by(AT_A_TIME) {
             let mut entries = [[T::default(); P]; AT_A_TIME];
-            self.each(routine, t, x, &mut |n, value| {
+            self.each(routine, &self.lists(&t, x, &[]), &mut |n, value| {
                 let (list, entry) = (n / count, n % count);
                 let entry = entry.checked_sub(first).and_then(|entry| entries.get_mut(entry));
                 if let Some(place) = entry.and_then(|entry| entry.get_mut(list)) {
@@ -220,7 +219,9 @@ impl<T: Real, const N: usize, const HYBRID: bool> System<T, N> for Model<T, N, H
     fn each_output(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut(&str, T)) {
         if let Some(routine) = self.place(Role::Outputs) {
             let names = &self.tape.outputs;
-            self.each(routine, t, x, &mut |n, output| tell(names[n], output));
+            self.each(routine, &self.lists(&t, x, &[]), &mut |n, output| {
+                tell(names[n], output)
+            });
         }
     }
 
