@@ -37,6 +37,16 @@ impl<T: Float> Grid<T> {
         Ok(grid)
     }
 
+    /// Creates the grid of a single step between different times, which may be shorter than other steps.
+    pub(crate) fn of_one_step(t0: T, t1: T) -> Self {
+        Self {
+            t0,
+            t1,
+            h: (t1 - t0).abs(),
+            reached: 0,
+        }
+    }
+
     /// Checks that the times resolve the step.
     #[inline]
     fn check(&self) -> Result<(), Reason> {

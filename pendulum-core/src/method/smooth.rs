@@ -1,5 +1,7 @@
 //! The engine of single steps of a smooth system: time, state, step size, failure.
 
+use core::mem;
+
 use nalgebra::SVector;
 
 use crate::dense::Step;
@@ -140,6 +142,22 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
         Isa::run_routine(StepAnew(modes), self, system)
     }
 
+    /// Takes one step to the time `t`, whatever its error, from a point where it has begun. It is not counted, and runs
+    /// as one on a grid, so that an attempt is not compiled once more.
+    pub(super) fn step_to<S>(&mut self, system: &S, modes: &Modes<T, N>, t: T) -> Result<(), Reason>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        let Statistics { accepted, rejected, .. } = self.statistics;
+        let grid = Grid::of_one_step(self.t(), t);
+        let steps = mem::replace(&mut self.steps, Steps::Equal(grid));
+        let outcome = self.step(system, modes);
+        self.steps = steps;
+        (self.statistics.accepted, self.statistics.rejected) = (accepted, rejected);
+        outcome
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_on_grid<S>(&mut self, model: (&S, &Modes<T, N>), mut grid: Grid<T>) -> Result<(), Reason>
     where
@@ -216,7 +234,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
 
     /// Attempts a step to `t_new`, and returns the mean square of its error. Fails if the state is not finite.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn attempt<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<T, StepFailure>
+    fn attempt<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<T, StepFailure>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
@@ -231,7 +249,7 @@ impl<C, T: Float, const N: usize> Smooth<C, T, N> {
 
     /// Turns the last attempt into the last step.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn advance<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<(), StepFailure>
+    fn advance<S>(&mut self, (system, modes): (&S, &Modes<T, N>), t_new: T) -> Result<(), StepFailure>
     where
         C: Scheme<S, T, N>,
         S: ?Sized,

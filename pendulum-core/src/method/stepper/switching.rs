@@ -169,12 +169,7 @@ where
         self.modes.is_dense = false;
         self.smooth.last = Step::at_rest(whole.t0, whole.x0);
         self.smooth.scheme.go_back();
-        if self.begin().is_err() {
-            return false;
-        }
-        let model = (self.system, &self.modes);
-        let attempt = self.smooth.attempt(model, t);
-        attempt.and_then(|_| self.smooth.advance(model, t)).is_ok()
+        self.begin().is_ok() && self.smooth.step_to(self.system, &self.modes, t).is_ok()
     }
 
     /// Switches to the mode after the one that has ended.
