@@ -305,5 +305,5 @@ pub(crate) fn model_of<M>(models: &[M], i: usize) -> &M {
     if let [model] = models { model } else { &models[i] }
 }
 
-/// Largest number of lanes: four registers of sixteen `f32`.
+/// Largest number of lanes: four registers of sixteen `f32`, or eight of eight.
 pub(crate) const MOST_LANES: usize = 64;

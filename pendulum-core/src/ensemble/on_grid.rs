@@ -15,6 +15,26 @@ use crate::real::lanes::{Kernel, LaneElement, Lanes};
 use crate::statistics::Statistics;
 use crate::system::Cast;
 
+/// Four registers.
+type Four<V> = <<V as Lanes>::Double as Lanes>::Double;
+/// Eight registers.
+type Eight<V> = <Four<V> as Lanes>::Double;
+
+/// Time of a step on eight registers of 256 bits over that on four, for models that are [wide](Cast::WIDE).
+const EIGHT_OVER_FOUR: f64 = 1.75;
+
+/// True if a number of a model may take eight registers: those of 256 bits, of which the choice of an operation takes as
+/// long as the operation on four or more.
+const fn takes_eight<M, F, V, const N: usize>() -> bool
+where
+    M: Cast<N>,
+    F: InLanes<M, V::Scalar, N>,
+    V: Lanes,
+    V::Scalar: LaneElement,
+{
+    M::WIDE && F::WIDE && V::LANES > 1 && size_of::<V>() == 32
+}
+
 impl<F, M, T, W, const N: usize> Kernel<T> for March<'_, Fixed<F>, M, T, W, N>
 where
     F: InLanes<M, T, N>,
@@ -26,15 +46,26 @@ where
 
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
+        if const { M::HYBRID } {
+            self.one_by_one();
+            return Ok(());
+        }
+        if const { takes_eight::<M, F, V, N>() } && self.fills_eight::<V>() {
+            return if const { W::WATCHES } {
+                self.in_lanes::<Eight<V>, Never<Eight<V>>>()
+            } else {
+                self.in_groups::<Eight<V>>()
+            };
+        }
         // Further lanes hide the latency of dependent operations. Larger systems have enough independent operations,
         // and need the registers for themselves.
-        if const { !M::HYBRID && M::WIDE && V::LANES > 1 && W::WATCHES } {
-            self.in_lanes::<<V::Double as Lanes>::Double, Never<<V::Double as Lanes>::Double>>()
-        } else if const { !M::HYBRID && V::LANES > 1 && W::WATCHES } {
+        if const { M::WIDE && V::LANES > 1 && W::WATCHES } {
+            self.in_lanes::<Four<V>, Never<Four<V>>>()
+        } else if const { V::LANES > 1 && W::WATCHES } {
             self.in_lanes::<V, Never<V>>()
-        } else if const { !M::HYBRID && (M::WIDE || !F::NARROW) && !W::WATCHES } {
-            self.in_groups::<<V::Double as Lanes>::Double>()
-        } else if const { !M::HYBRID && V::LANES > 1 && !W::WATCHES } {
+        } else if const { (M::WIDE || !F::NARROW) && !W::WATCHES } {
+            self.in_groups::<Four<V>>()
+        } else if const { V::LANES > 1 && !W::WATCHES } {
             self.in_groups::<V>()
         } else {
             self.one_by_one();
@@ -50,6 +81,12 @@ where
     T: LaneElement,
     W: Watch<T, N>,
 {
+    /// True if the trajectories take less time on eight registers than on four, where fewer lanes are empty.
+    fn fills_eight<V: Lanes>(&self) -> bool {
+        let groups = |lanes: usize| self.x.len().div_ceil(lanes) as f64;
+        EIGHT_OVER_FOUR * groups(8 * V::LANES) <= groups(4 * V::LANES)
+    }
+
     /// Integrates as many trajectories at once as there are lanes; the last trajectory fills up an incomplete group.
     ///
     /// Non-finite numbers persist to the end, so only the final states are checked. Trajectories with a non-finite end
