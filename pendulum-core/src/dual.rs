@@ -5,6 +5,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use nalgebra::SVector;
 
+use crate::method::stage_sums::StageSums;
 use crate::real::lanes::{Lanes, Pack, Register, Routine, single_lane};
 use crate::real::{Float, Fused, Real};
 use crate::taylor::{DualKernel, DualSums};
@@ -25,6 +26,7 @@ use crate::taylor::{DualKernel, DualSums};
 ///
 /// A. Griewank, A. Walther, "Evaluating Derivatives", 2nd ed. (2008), chapter 3.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub struct Dual<T, const N: usize> {
     /// The value.
     pub value: T,
@@ -53,6 +55,22 @@ impl<T: Real, const N: usize> Dual<T, N> {
         let mut variable = Self::constant(value);
         variable.slopes[place] = T::from_f64(1.0);
         variable
+    }
+
+    /// Values and slopes of dual numbers, one after the other, as their representation has them.
+    #[allow(unsafe_code, reason = "safe code would copy the numbers")]
+    #[inline(always)]
+    pub(crate) fn flat(numbers: &[Self]) -> &[T] {
+        // SAFETY: by its representation, a dual number is an array of `N + 1` numbers.
+        unsafe { core::slice::from_raw_parts(numbers.as_ptr().cast(), (N + 1) * numbers.len()) }
+    }
+
+    /// Like [`flat`](Self::flat), for changes.
+    #[allow(unsafe_code, reason = "safe code would copy the numbers")]
+    #[inline(always)]
+    pub(crate) fn flat_mut(numbers: &mut [Self]) -> &mut [T] {
+        // SAFETY: by its representation, a dual number is an array of `N + 1` numbers.
+        unsafe { core::slice::from_raw_parts_mut(numbers.as_mut_ptr().cast(), (N + 1) * numbers.len()) }
     }
 
     /// Applies a function of one number, given its value and its derivative there.
@@ -159,7 +177,7 @@ impl<T: Real, const N: usize> Neg for Dual<T, N> {
 impl<T: Real, const N: usize> Real for Dual<T, N> {
     const LANES: usize = T::LANES;
     const HAS_SLOPES: bool = true;
-    const SUMS_PRODUCTS: bool = Self::TAKEN_APART && T::LANES == 1;
+    const SUMS_WIDE: bool = Self::TAKEN_APART && T::LANES == 1;
     const TAKEN_APART: bool = N > 0 && T::IS_PLAIN;
 
     #[inline(always)]
@@ -273,6 +291,22 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     #[inline(always)]
     fn sum_products<const M: usize>(left: &[[Self; M]], right: &[[Self; M]], sums: &mut [Self; M]) {
         T::run_wide(DualSums { left, right, sums });
+    }
+
+    #[inline(always)]
+    fn sum_stages<const M: usize>(
+        (h, weights): (Self, &[f64]),
+        stages: &[SVector<Self, M>],
+        start: Option<&SVector<Self, M>>,
+        sums: &mut SVector<Self, M>,
+    ) {
+        T::run_wide(StageSums {
+            h: h.value,
+            weights,
+            stages,
+            start,
+            sums,
+        });
     }
 
     #[inline(always)]

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::dual::{Dual, variables};
-use crate::method::stages::{shifted, weighted_sum};
+use crate::method::stages::shifted_by_sum;
 use crate::method::{Adaptive, Explicit, Fixed};
 use crate::real::Float;
 use crate::sensitivity::Cost;
@@ -66,10 +66,10 @@ where
     let zero = SVector::from([T::default(); N]);
     let [mut states, mut rates] = [[zero; STAGES]; 2];
     for i in 0..STAGES - 1 {
-        states[i] = shifted(x, &weighted_sum(h, &tableau.a[i], i, &rates));
+        states[i] = shifted_by_sum((x, h), (&tableau.a[i], i), &rates);
         rates[i] = system.rhs(t + h * T::from_f64(tableau.c[i]), &states[i]);
     }
-    let end = shifted(x, &weighted_sum(h, &tableau.b, STAGES - 1, &rates));
+    let end = shifted_by_sum((x, h), (&tableau.b, STAGES - 1), &rates);
     (states, end)
 }
 

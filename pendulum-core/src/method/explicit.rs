@@ -12,7 +12,8 @@ use crate::linear::square;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{
-    Called, MAX_STAGES, SHORT, combination, is_wide, shift_by_component, shifted, sum_of_values, weighted_sum,
+    Called, MAX_STAGES, SHORT, combination, is_wide, shift_by_component, shift_by_sum, shifted, shifted_by_sum,
+    sum_of_values, sums_wide, weighted_sum,
 };
 use crate::method::toggle::end_step;
 use crate::method::{Adaptive, Fixed};
@@ -427,8 +428,11 @@ fn inner_stages<B, S, T, const STAGES: usize, const N: usize>(
                     // `x_new` has the states of the stages in turn, which saves memory
                     shift_by_component((x, h), (&row.a, $i), stages, (x_new, active));
                     system.rhs_into(time, x_new, &mut stages[$i]);
+                } else if const { sums_wide::<T, N>() } {
+                    shift_by_sum((x, h), (&row.a, $i), stages, x_new);
+                    system.rhs_into(time, x_new, &mut stages[$i]);
                 } else {
-                    let x = shifted(x, &weighted_sum::<T, STAGES, N>(h, &row.a, $i, stages));
+                    let x = shifted_by_sum((x, h), (&row.a, $i), stages);
                     system.rhs_into(time, &x, &mut stages[$i]);
                 }
             }
@@ -439,7 +443,7 @@ fn inner_stages<B, S, T, const STAGES: usize, const N: usize>(
     if const { is_wide::<T, N>() } {
         shift_by_component((x, h), (weights, STAGES - 1), stages, (x_new, active));
     } else {
-        *x_new = shifted(x, &weighted_sum::<T, STAGES, N>(h, weights, STAGES - 1, stages));
+        shift_by_sum((x, h), (weights, STAGES - 1), stages, x_new);
     }
 }
 

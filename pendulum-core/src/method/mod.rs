@@ -25,6 +25,7 @@ mod search;
 #[cfg(feature = "std")]
 mod side;
 mod smooth;
+pub(crate) mod stage_sums;
 mod stages;
 mod step_control;
 mod stepper;

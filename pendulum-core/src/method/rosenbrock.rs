@@ -12,7 +12,7 @@ use crate::linear::{Alone, Lu, Pivots, Singular, factoring, solving};
 use crate::method::Adaptive;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled, stall};
-use crate::method::stages::{Called, SHORT, combination, shifted, weighted_sum};
+use crate::method::stages::{Called, SHORT, combination, shifted_by_sum, weighted_sum};
 use crate::method::toggle::end_step;
 use crate::real::Float;
 use crate::real::lanes::Lanes;
@@ -203,7 +203,7 @@ where
                     let slope = if $i == 0 {
                         self.start().slope
                     } else {
-                        let x = shifted(x, &weighted_sum(one, &row.a, $i, &self.stages));
+                        let x = shifted_by_sum((x, one), (&row.a, $i), &self.stages);
                         // not t + h, which may differ in the last bit
                         let time = if row.alpha == 1.0 { t_new } else { t + h * T::from_f64(row.alpha) };
                         system.rhs(time, &x)
@@ -224,7 +224,7 @@ where
         }
         stages!(0 1 2 3 4 5 6 7);
         let weights = const { &B::TABLEAU.b };
-        let x_new = shifted(x, &weighted_sum(one, weights, STAGES, &self.stages));
+        let x_new = shifted_by_sum((x, one), (weights, STAGES), &self.stages);
         Ok((x_new, lu.defect()))
     }
 }

@@ -107,6 +107,38 @@ pub(crate) fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVect
     sum
 }
 
+/// Computes `x + sum_(i < count) (h weights_i) stages_i`, skipping zero weights; see [`weighted_sum`].
+#[inline(always)]
+pub(crate) fn shifted_by_sum<T: Real, const STAGES: usize, const N: usize>(
+    (x, h): (&SVector<T, N>, T),
+    (weights, count): (&[f64; STAGES], usize),
+    stages: &[SVector<T, N>; STAGES],
+) -> SVector<T, N> {
+    if const { sums_wide::<T, N>() } {
+        let mut sum = *x;
+        shift_by_sum((x, h), (weights, count), stages, &mut sum);
+        return sum;
+    }
+    shifted(x, &weighted_sum(h, weights, count, stages))
+}
+
+/// Writes a [`shifted_by_sum`] to `to`: numbers with derivatives are large, and copies wait for them.
+#[inline(always)]
+pub(crate) fn shift_by_sum<T: Real, const STAGES: usize, const N: usize>(
+    (x, h): (&SVector<T, N>, T),
+    (weights, count): (&[f64; STAGES], usize),
+    stages: &[SVector<T, N>; STAGES],
+    to: &mut SVector<T, N>,
+) {
+    if const { !sums_wide::<T, N>() } {
+        *to = shifted(x, &weighted_sum(h, weights, count, stages));
+    } else if h.is_constant() {
+        T::sum_stages((h, &weights[..count]), &stages[..count], Some(x), to);
+    } else {
+        *to = shifted(x, &sum_by_variable_length(&h, weights, count, stages));
+    }
+}
+
 /// Computes `sum_(i < count) (h weights_i) stages_i`, skipping zero weights.
 ///
 /// The products `h weights_i` are formed first: once instead of for each component, and off the critical path between
@@ -120,11 +152,15 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
     stages: &[SVector<T, N>; STAGES],
 ) -> SVector<T, N> {
     if const { T::HAS_SLOPES && T::LANES == 1 } {
-        return if h.is_constant() {
-            sum_by_component::<false, _, _, _>(h, weights, count, stages)
-        } else {
-            sum_by_variable_length(&h, weights, count, stages)
-        };
+        if !h.is_constant() {
+            return sum_by_variable_length(&h, weights, count, stages);
+        }
+        if const { !sums_wide::<T, N>() } {
+            return sum_by_component::<false, _, _, _>(h, weights, count, stages);
+        }
+        let mut sum = SVector::from([T::default(); N]);
+        T::sum_stages((h, &weights[..count]), &stages[..count], None, &mut sum);
+        return sum;
     }
     if const { is_wide::<T, N>() } {
         return sum_by_component::<false, _, _, _>(h, weights, count, stages);
@@ -150,6 +186,12 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
         is_first = false;
     }
     SVector::from(sums)
+}
+
+/// True if sums over stages run in a [kernel](Real::sum_stages): it takes longer for the few numbers of a state with up
+/// to three derivatives in four components.
+pub(crate) const fn sums_wide<T: Real, const N: usize>() -> bool {
+    T::SUMS_WIDE && N * size_of::<T>() >= 20 * size_of::<f64>()
 }
 
 /// True if a number fills so many vector registers that sums over stages go component by component: each stays in
@@ -296,8 +338,9 @@ pub(crate) fn combination<T: Real, const N: usize>(
 mod tests {
     use nalgebra::SVector;
 
-    use super::{sum_by_component, sum_by_variable_length, sum_of_values, weighted_sum};
+    use super::{shift_by_sum, shifted, sum_by_component, sum_by_variable_length, sum_of_values, weighted_sum};
     use crate::dual::Dual;
+    use crate::real::{Float, Fused, Real};
 
     #[test]
     fn sums_of_dual_numbers_agree_with_each_other_and_with_their_values() {
@@ -320,5 +363,52 @@ mod tests {
         let alone = sum_of_values(Dual::constant(h), &weights, &stages);
         assert_eq!(alone.map(|x| x.value), weighted_sum(h, &weights, 6, &values));
         assert_eq!(alone.map(|x| x.slopes), SVector::from([[0.0; 5]; 3]));
+    }
+
+    #[test]
+    fn sums_in_wide_registers_have_the_bits_of_those_by_component() {
+        assert_equal::<f64, 4, 10>();
+        assert_equal::<f64, 1, 1>();
+        assert_equal::<f64, 3, 6>();
+        assert_equal::<f64, 5, 12>();
+        assert_equal::<f32, 4, 4>();
+        assert_equal::<Fused<f64>, 4, 10>();
+        assert_equal::<Fused<f64>, 7, 8>();
+    }
+
+    fn assert_equal<F: Float, const M: usize, const K: usize>()
+    where
+        Dual<F, K>: Float,
+    {
+        let number = |seed: usize| F::from_f64((seed as f64 * 0.7).sin());
+        let vector = |seed: usize| -> SVector<Dual<F, K>, M> {
+            SVector::from(core::array::from_fn(|m| Dual {
+                value: number(seed + 30 * m),
+                slopes: core::array::from_fn(|k| number(seed + 30 * m + k + 1)),
+            }))
+        };
+        let weights = [0.0, 0.3, -1.7, 0.0, 2.1, 0.9];
+        let (h, x) = (Dual::constant(F::from_f64(0.13)), vector(7));
+        let stages: [_; 6] = core::array::from_fn(|i| vector(400 * i + 20));
+        let bits = |of: SVector<Dual<F, K>, M>| {
+            of.map(|number| {
+                (
+                    number.value.to_f64().to_bits(),
+                    number.slopes.map(|slope| slope.to_f64().to_bits()),
+                )
+            })
+        };
+        for count in 0..=6 {
+            let expected = sum_by_component::<false, _, _, _>(h, &weights, count, &stages);
+            let (given, mut sum) = ((h, &weights[..count]), x);
+            Dual::sum_stages(given, &stages[..count], None, &mut sum);
+            assert_eq!(bits(sum), bits(expected), "{count} stages");
+            Dual::sum_stages(given, &stages[..count], Some(&x), &mut sum);
+            assert_eq!(bits(sum), bits(shifted(&x, &expected)), "{count} stages after a start");
+            let varied = Dual::variable(h.value, 0);
+            shift_by_sum((&x, varied), (&weights, count), &stages, &mut sum);
+            let expected = shifted(&x, &sum_by_variable_length(&varied, &weights, count, &stages));
+            assert_eq!(bits(sum), bits(expected), "{count} stages of variable length");
+        }
     }
 }

@@ -11,7 +11,7 @@ use crate::linear::{image, square};
 use crate::method::explicit::{Explicit, ExplicitStages};
 use crate::method::input::require;
 use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
-use crate::method::stages::{shifted, weighted_sum};
+use crate::method::stages::{shifted_by_sum, weighted_sum};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
@@ -130,10 +130,10 @@ where
         let tangents = self.tangents.iter().zip(&mut self.tried).zip(&mut self.rates);
         for ((tangent, tried), rates) in tangents {
             for (i, (row, jacobian)) in tableau.a.iter().zip(&self.jacobians).enumerate().take(count) {
-                let tangent = shifted(tangent, &weighted_sum(h, row, i, rates));
+                let tangent = shifted_by_sum((tangent, h), (row, i), rates);
                 rates[i] = image(jacobian, &tangent);
             }
-            *tried = shifted(tangent, &weighted_sum(h, &tableau.b, STAGES - 1, rates));
+            *tried = shifted_by_sum((tangent, h), (&tableau.b, STAGES - 1), rates);
             if let Some(tolerance) = &self.tolerance {
                 let error = square(&weighted_sum(h, weights, count, rates));
                 let size = larger(square(tangent), square(tried));

@@ -14,6 +14,8 @@ pub use fused::Fused;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use core::sync::atomic::{Ordering, compiler_fence};
 
+use nalgebra::SVector;
+
 use crate::taylor::DualKernel;
 
 /// Number type of generated code: `f64`, `f32`, [`Fused`] or [lanes](lanes::Lanes) of these.
@@ -49,9 +51,9 @@ pub trait Real:
     #[doc(hidden)]
     const HAS_SLOPES: bool = false;
 
-    /// True if [`sum_products`](Self::sum_products) computes sums.
+    /// True if [`sum_products`](Self::sum_products) and [`sum_stages`](Self::sum_stages) compute sums.
     #[doc(hidden)]
-    const SUMS_PRODUCTS: bool = false;
+    const SUMS_WIDE: bool = false;
 
     /// True for `f64`, `f32` and [`Fused`] numbers, and lanes of these.
     #[doc(hidden)]
@@ -117,6 +119,19 @@ pub trait Real:
     #[doc(hidden)]
     #[inline(always)]
     fn sum_products<const M: usize>(_left: &[[Self; M]], _right: &[[Self; M]], _sums: &mut [Self; M]) {}
+
+    /// Computes `start + sum_i (h weights_i) stages_i`, or the sum alone, with an `h` without derivatives, skipping zero
+    /// weights. Only for types that [sum](Self::SUMS_WIDE) so.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sum_stages<const M: usize>(
+        _h_and_weights: (Self, &[f64]),
+        _stages: &[SVector<Self, M>],
+        _start: Option<&SVector<Self, M>>,
+        _sums: &mut SVector<Self, M>,
+    ) {
+        unreachable!("numbers of this type are summed otherwise");
+    }
 
     /// Runs a kernel in registers of up to 256 bits, for `f64`, `f32` and [`Fused`] numbers.
     #[doc(hidden)]

@@ -59,7 +59,7 @@ impl<T: Real, const M: usize> Products<T, M> {
     #[inline(always)]
     pub fn sums(&self, k: usize) -> [T; M] {
         assert!(k < MAX_ORDER, "the order of a series is at most {MAX_ORDER}");
-        if const { T::SUMS_PRODUCTS } {
+        if const { T::SUMS_WIDE } {
             let mut sums = [T::default(); M];
             let before = k.saturating_sub(1);
             T::sum_products(&self.left[..before], &self.right[..before], &mut sums);
@@ -147,7 +147,7 @@ impl<T: Real, const M: usize> Newest<T, M> {
     /// Adds the terms with the coefficients of order `k - 1` to the sums of order `k`.
     #[inline(always)]
     pub fn add(&self, mut sums: [T; M]) -> [T; M] {
-        if const { T::LANES > 1 || T::SUMS_PRODUCTS } {
+        if const { T::LANES > 1 || T::SUMS_WIDE } {
             return sums;
         }
         let (first, last) = (&self.first, &self.last);
@@ -160,7 +160,7 @@ impl<T: Real, const M: usize> Newest<T, M> {
     /// Stores the coefficients of order `k`.
     #[inline(always)]
     pub fn push(&mut self, k: usize, left: [T; M], right: [T; M]) {
-        if const { T::LANES > 1 || T::SUMS_PRODUCTS } {
+        if const { T::LANES > 1 || T::SUMS_WIDE } {
             return;
         }
         if k == 1 {

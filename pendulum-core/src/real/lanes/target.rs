@@ -2,8 +2,8 @@
 //!
 //! - `Least`: lanes where no instruction set is detected. On x86-64 these are scalars.
 //! - `Two`: pairs of sines, in at least two lanes.
-//! - `Wide`: slopes of dual numbers, in the widest register.
-//! - `Widest`: slopes of dual numbers in code for AVX2, which every machine has or a check has found.
+//! - `Wide`: arrays of numbers, as the slopes of dual numbers, in the widest register.
+//! - `Widest`: such arrays in code for AVX2, which every machine has or a check has found.
 
 cfg_select! {
     all(target_arch = "x86_64", target_feature = "sse2") => {
