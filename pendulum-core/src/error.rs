@@ -339,8 +339,8 @@ messages! {
          friction, check that the friction is larger than rounding errors";
     Self::NotDifferentiable { constraint } =>
         "`{constraint}` and another contact close at the same time, but not for other values of the variables, or it \
-         only touches its limit: the motion has no derivatives there; choose a slightly different initial condition, \
-         or fewer variables";
+         only touches its limit, so that whether it closes depends on rounding errors: the motion has no derivatives \
+         there; choose a slightly different initial condition, or fewer variables";
     Self::Jump { component, by } =>
         "component {component} of the derivative of the state jumps by {by:.3e} near here, and no step across a jump \
          meets the tolerance; if a law is sampled or noisy, run it by `control::Sampled`, which steps from sample to \

@@ -14,11 +14,16 @@
 //! respect to its coefficient: start from a small one.
 //!
 //! Contacts that close at the same time have derivatives only if they close together for other values of the variables,
-//! too: otherwise the error is [`Reason::NotDifferentiable`]. Where the order of impacts decides the motion, which
+//! too: otherwise the error is [`Reason::NotDifferentiable`], as it is where a motion reaches a limit no further than
+//! rounding errors resolve. An impact at the start occurs at a time that depends on the variables as well. One at the
+//! last time does not move it: the derivatives there are those before the impact. Where the order of impacts decides the motion, which
 //! [`Solution::ambiguities`] reports, it is one of several.
 //!
 //! [`ensemble`] integrates many trajectories with their derivatives in the lanes of vector registers. All three take
 //! methods in [fused arithmetic](crate::method::FusedMethod), such as `Vern9::new().fused()`, which needs less time.
+//!
+//! A rate that jumps or bends elsewhere, as by `clamp`, costs digits of the derivatives unless steps end there: pass the
+//! events of the model ([`seeded`]), or control the errors of the derivatives.
 //!
 //! Where a single number is of interest, such as a cost, [`gradient`] computes its derivatives by all variables
 //! backward in time, in a time that does not grow with their number.
@@ -75,7 +80,7 @@ use crate::system::{Cast, IntoState, Parametric};
 pub enum Variable {
     /// Component of the initial condition, by its index in the state.
     Start(usize),
-    /// Parameter, by its index in the declaration.
+    /// Parameter, by its index in the declaration, as in [`Model::parameter_names`](crate::Model::parameter_names).
     Parameter(usize),
 }
 
@@ -89,17 +94,19 @@ pub struct Sensitivity<const N: usize, const K: usize> {
 ///
 /// The errors of the values are controlled as without derivatives, those of the derivatives on request:
 /// [`control_derivatives`](crate::method::Adaptive::control_derivatives). For explicit methods and
-/// [`Radau5`](crate::Radau5) the derivatives have errors of the same order. On stiff models those of Rosenbrock methods
+/// [`Radau5`](crate::Radau5) the derivatives of smooth motions have errors of the same order. On stiff models those of Rosenbrock methods
 /// are several digits worse.
 ///
 /// # Errors
 ///
 /// As for [`Method::solve`](crate::Method::solve). Where a motion only touches a limit, or the zero of an event that
-/// resets it, the time of the event has no derivatives, and the motion ends with an error that says so.
+/// resets it, the time of the event has no derivatives, and the motion ends with an error that says so if rounding
+/// errors do not let it pass.
 ///
 /// # Panics
 ///
 /// If the index of a variable is out of range.
+#[track_caller]
 pub fn solve<X, S, M, const N: usize, const P: usize, const K: usize>(
     method: &X,
     model: &M,
@@ -128,6 +135,7 @@ where
 /// # Panics
 ///
 /// If the index of a variable is out of range.
+#[track_caller]
 pub fn end<X, S, M, const N: usize, const P: usize, const K: usize>(
     method: &X,
     model: &M,
@@ -152,9 +160,35 @@ where
 ///
 /// An initial condition that depends on the variables gets their derivatives from the caller.
 ///
+/// ```
+/// use pendulum_core::dual::Dual;
+/// use pendulum_core::prelude::*;
+/// use pendulum_core::sensitivity::{self, Sensitivity, Variable};
+///
+/// mechanism! {
+///     pub Ball {
+///         params { g: m/s^2 = 8 }
+///         gravity: [0, -g, 0],
+///         body ball on ground { mass: 1, joint: prismatic(y), coordinate: y }
+///     }
+/// }
+///
+/// let ball = Ball::new(BallParams::default())?;
+/// let (model, x0) = sensitivity::seeded(&ball, [1.0, 0.0], [Variable::Start(0), Variable::Parameter(0)]);
+/// let landing = Event::new(|_t, x: &SVector<Dual<f64, 2>, 2>| x[0]).terminal();
+/// let [t0, t1] = [0.0, 2.0].map(Dual::constant);
+/// let motion: Sensitivity<2, 2> = Vern9::new().solve_with(&model, t0, t1, x0, &[landing])?.into();
+/// let (t, _) = motion.solution().last();
+/// // it lands at sqrt(2 y / g)
+/// assert!((t.value - 0.5).abs() < 1e-9);
+/// assert!((t.slopes[0] - 0.25).abs() < 1e-9 && (t.slopes[1] + 0.03125).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Panics
 ///
 /// If the index of a variable is out of range.
+#[track_caller]
 pub fn seeded<M, const N: usize, const P: usize, const K: usize>(
     model: &M,
     x0: impl IntoState<f64, N>,
@@ -200,6 +234,7 @@ where
 ///
 /// If the index of a variable is out of range.
 #[allow(clippy::type_complexity, reason = "a state and its derivatives for each")]
+#[track_caller]
 pub fn ensemble<'m, X, S, M, const N: usize, const P: usize, const K: usize>(
     method: &X,
     models: &'m [M],

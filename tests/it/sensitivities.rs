@@ -345,6 +345,80 @@ fn impacts_have_the_derivatives_of_the_closed_form() {
     );
 }
 
+/// Height and rate at a time after an impact of a ball with a speed, in closed form.
+fn thrown<T: Real>([height, speed, g, e, floor]: [T; 5], t: T) -> [T; 2] {
+    let (half, two) = (T::from_f64(0.5), T::from_f64(2.0));
+    let impact = (speed + (speed * speed + two * g * (height - floor)).sqrt()) / g;
+    let (since, rate) = (t - impact, e * (g * impact - speed));
+    [floor + rate * since - half * g * since * since, rate - g * since]
+}
+
+#[test]
+fn an_impact_at_the_start_has_the_derivatives_of_its_time() {
+    let ball = Ball::new(BallParams::default()).expect("physical");
+    let (by, given) = (
+        [Start(0), Start(1), Parameter(0), Parameter(1), Parameter(2)],
+        [0.1, -1.0, 9.81, 0.7, 0.1],
+    );
+    let expected = thrown(
+        std::array::from_fn(|n| Dual::<f64, 5>::variable(given[n], n)),
+        Dual::from_f64(0.1),
+    );
+    let expected = SMatrix::from_fn(|n, k| expected[n].slopes[k]);
+    let (_, slopes) = sensitivity::end(&Vern9::new(), &ball, 0.0, 0.1, [0.1, -1.0], by).expect("regular");
+    close("impact at the start", &slopes, &expected, 1e-12);
+    let (_, slopes) = stability::transition(&ball, 0.0, 0.1, [0.1, -1.0], 1e-10).expect("regular");
+    close("transition", &slopes, &expected.fixed_columns::<2>(0).into(), 1e-12);
+}
+
+#[test]
+fn an_impact_at_the_end_does_not_move_the_end() {
+    let params = BallParams {
+        g: 8.0,
+        floor: 0.0,
+        ..BallParams::default()
+    };
+    let ball = Ball::new(params).expect("physical");
+    let by = [Start(0), Start(1), Parameter(0), Parameter(2)];
+    let motion = sensitivity::solve(&Vern9::new(), &ball, 0.0, 0.5, [1.0, 0.0], by).expect("regular");
+    assert!(motion.solution().impacts().is_empty());
+    let falling = SMatrix::from([[1.0, 0.0], [0.5, 1.0], [-0.125, -0.5], [0.0, 0.0]]);
+    close("impact at the end", &motion.end().1, &falling, 1e-12);
+}
+
+mechanism! {
+    /// A ball under a ceiling.
+    pub Thrust {
+        params { g: m/s^2 = 8, roof: m = 1 }
+        gravity: [0, -g, 0],
+        wall ceiling { gap: roof - y, restitution: 0.5 }
+        body ball on ground { mass: 1, joint: prismatic(y), coordinate: y }
+    }
+}
+
+/// A ball that reaches the ceiling but for rounding errors has no derivatives: others touch it, or do not.
+#[test]
+fn an_impact_that_is_not_resolved_is_reported() {
+    let ball = Thrust::new(ThrustParams::default()).expect("physical");
+    let end = |speed: f64| sensitivity::end(&Vern9::new(), &ball, 0.0, 0.9, [0.0, speed], [Start(0), Parameter(1)]);
+    let free = SMatrix::from([[1.0, 0.0], [0.0, 0.0]]);
+    let mut reported = 0;
+    for ulps in 0..32 {
+        match end(4.0 * (1.0 + f64::from(ulps) * f64::EPSILON)) {
+            Err(error) => {
+                assert!(matches!(error, Reason::NotDifferentiable { .. }), "{error}");
+                reported += 1;
+            }
+            Ok((_, slopes)) => close("a touch", &slopes, &free, 1e-8),
+        }
+    }
+    assert!(reported > 8, "{reported}");
+    let below = end(4.0 - 1e-9).expect("a free flight").1;
+    close("a free flight", &below, &free, 1e-12);
+    let above = end(4.0 + 1e-6).expect("a slow impact").1;
+    assert!(above.amax() > 1e2, "{above}");
+}
+
 #[test]
 fn events_and_resets_have_the_derivatives_of_the_closed_form() {
     let thrown = Thrown::new(ThrownParams::default()).expect("physical");

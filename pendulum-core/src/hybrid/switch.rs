@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::held::rhs;
 #[cfg(feature = "std")]
 use super::in_mode::InMode;
 use super::in_mode::ModeSwitch;
@@ -21,16 +22,20 @@ use crate::real::{Float, Real, ulps};
 #[cfg(feature = "std")]
 use crate::system::System;
 
-/// Determines the mode in which an integration starts from a state.
+/// Determines the mode in which an integration starts from a state, and the time at which it begins: the time of an
+/// impact at the start depends on the variables of dual numbers. Calls `pass` for every impact.
 pub(crate) fn start<T: Float, const N: usize>(
     (system, layout): (&dyn Hybrid<T, N>, Option<StateLayout<'_>>),
-    t: T,
+    mut t: T,
     x: &SVector<T, N>,
-) -> Result<Settled<T, N>, Reason> {
+    mut pass: impl FnMut(&ModeSwitch<T, N>),
+) -> Result<(T, Settled<T, N>), Reason> {
+    let mut x = *x;
     let zero = [T::default(); MAX_CONSTRAINTS];
-    let mut settling = Settling::new(system, (t, x), Gains::near((system, layout), t, x), &zero);
+    let mut settling = Settling::new(system, (t, &x), Gains::near((system, layout), t, &x), &zero);
     let sizes = settling.sizes();
-    let measures = system.measures(t, x);
+    let measures = system.measures(t, &x);
+    let (mut approaching, mut delay) = (Witnesses::default(), None);
     for (n, constraint) in system.constraints().iter().enumerate() {
         let [value, rate] = measures[n];
         let rests = rate.abs() <= ulps(AT_LIMIT, sizes.rates[n]);
@@ -48,17 +53,44 @@ pub(crate) fn start<T: Float, const N: usize>(
             if distance <= slack {
                 settling.touching[n] = status;
                 settling.rest(n, rests);
+                let closing = -settling.away(n) * rate;
+                if !rests && closing > T::default() {
+                    approaching.insert(n, Witness::of_limit(status));
+                    delay = delay.or(Some(distance / closing));
+                }
             }
         }
         // away from limits only friction holds a rate, with its derivatives
         settling.rest(n, rate == T::default() && settling.has_friction(n));
     }
-    let mut settled = finish(system, t, settling.settle(), &zero, &mut |_, _| {});
+    let before = (!approaching.is_empty()).then(|| settling.before(approaching).settle());
+    if let (Some(before), Some(delay)) = (&before, delay.filter(|delay| !delay.is_constant())) {
+        // the slopes alone: the state is at the limit but for rounding errors
+        let delay = delay - delay.without_slopes();
+        x += rhs(system, &before.hold, t, &x) * delay;
+        t += delay;
+        if let Some(n) = without_derivatives(system, (t, &x), approaching) {
+            let constraint = system.constraints()[n].name.into();
+            return Err(Reason::NotDifferentiable { constraint });
+        }
+        (settling.t, settling.x) = (t, x);
+    }
+    let settled = settling.settle();
+    if let Some(before) = before {
+        pass(&ModeSwitch {
+            t,
+            before: (x, before.mode, before.hold),
+            fired: approaching,
+            impulses: settled.impulses,
+            after: (settled.x, settled.hold),
+        });
+    }
+    let mut settled = follow(system, t, settled, &zero, pass);
     // a rate of exactly zero keeps its derivatives where it is not held; where it is, a neighbour stops at once, by an
     // impulse that changes other rates
-    if settled.x == *x && !x.iter().all(Real::is_constant) {
-        settled.x = *x;
-        let solved = (&system.response(t, x, &zero), settled.hold.solved);
+    if settled.x == x && !x.iter().all(Real::is_constant) {
+        settled.x = x;
+        let solved = (&system.response(t, &x, &zero), settled.hold.solved);
         let rates = measures.map(|[_, rate]| rate);
         shift_rates(&mut settled.x, Kinematics::of(system), solved, &rates);
         project(system, &settled.hold, &settled.mode.0, t, &mut settled.x);
@@ -67,7 +99,7 @@ pub(crate) fn start<T: Float, const N: usize>(
         Some(n) => Err(Reason::ModesAccumulate {
             constraint: system.constraints()[n].name.into(),
         }),
-        None => Ok(settled),
+        None => Ok((t, settled)),
     }
 }
 
@@ -79,7 +111,10 @@ where
     T: Float,
 {
     match system.hybrid() {
-        Some(hybrid) => Ok(InMode::new(system, &start((hybrid, system.layout()), t, x)?.hold).rhs(t, x)),
+        Some(hybrid) => {
+            let (_, settled) = start((hybrid, system.layout()), t, x, |_| {})?;
+            Ok(InMode::new(system, &settled.hold).rhs(t, x))
+        }
         None => Ok(system.rhs(t, x)),
     }
 }
@@ -103,7 +138,18 @@ pub(crate) fn switch<T: Float, const N: usize>(
         impulses: settled.impulses,
         after: (settled.x, settled.hold),
     });
-    finish(system, t, settled, &watch.reach, &mut |before, after| {
+    follow(system, t, settled, &watch.reach, pass)
+}
+
+/// Follows impacts at the same instant, and calls `pass` for each.
+fn follow<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    t: T,
+    settled: Settled<T, N>,
+    reach: &[T; MAX_CONSTRAINTS],
+    mut pass: impl FnMut(&ModeSwitch<T, N>),
+) -> Settled<T, N> {
+    finish(system, t, settled, reach, &mut |before, after| {
         pass(&ModeSwitch {
             t,
             before: (before.x, before.mode, before.hold),
@@ -114,8 +160,9 @@ pub(crate) fn switch<T: Float, const N: usize>(
     })
 }
 
-/// Constraint at whose end of the mode the motion has no derivatives: its time has none, or it closes together with
-/// others, and not if the variables differ a little. None for numbers without derivatives.
+/// Constraint at whose end of the mode the motion has no derivatives: its time has none, as where it only touches its
+/// limit, or it closes together with others, and not if the variables differ a little. None for numbers without
+/// derivatives.
 pub(crate) fn without_derivatives<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     (t, x): (T, &SVector<T, N>),
@@ -127,13 +174,40 @@ pub(crate) fn without_derivatives<T: Float, const N: usize>(
         return Some(fired.first());
     }
     let closing = fired.filter(|(_, witness)| witness.is_gap());
-    if closing.pairs().count() < 2 || x.iter().all(Real::is_constant) {
+    if closing.is_empty() || t.is_constant() && x.iter().all(Real::is_constant) {
         return None;
     }
     let measures = system.measures(t, x);
+    let grazing = grazing(system, (t, x), &measures);
+    if let Some(n) = closing.pairs().map(|(n, _)| n).find(grazing) {
+        return Some(n);
+    }
+    if closing.pairs().count() < 2 {
+        return None;
+    }
     let largest = x.iter().map(Float::largest_slope).fold(0.0, f64::max);
     let mut closing = closing.pairs().map(|(n, _)| n);
     closing.find(|&n| measures[n][0].largest_slope() > ROUNDING * largest)
+}
+
+/// True for a constraint whose rate turns before the gap is closed further than by rounding errors: whether it closes
+/// is then not resolved.
+fn grazing<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    (t, x): (T, &SVector<T, N>),
+    measures: &[[T; 2]; MAX_CONSTRAINTS],
+) -> impl Fn(&usize) -> bool {
+    /// Depth up to which a gap is not resolved, in ulps of the sizes of its terms.
+    const UNRESOLVED: f64 = 64.0;
+    let zero = [T::default(); MAX_CONSTRAINTS];
+    let accelerations = system.response(t, x, &zero).accelerations;
+    let sizes = Settling::new(system, (t, x), Gains::near((system, None), t, x), &zero).sizes();
+    move |&n| {
+        let (rate, acceleration) = (measures[n][1], accelerations[n]);
+        let turns = rate * acceleration < T::default();
+        let depth = rate * rate / (T::from_f64(2.0) * acceleration.abs());
+        turns && depth <= ulps(UNRESOLVED, sizes.values[n])
+    }
 }
 
 /// Follows impacts at the same instant, until nothing approaches or there are too many.
@@ -157,6 +231,16 @@ pub(super) fn finish<T: Float, const N: usize>(
 }
 
 impl<T: Float, const N: usize> Settling<'_, T, N> {
+    /// The same, before the impacts of contacts that approach.
+    fn before(&self, approaching: Witnesses) -> Self {
+        let mut before = Self::new(self.system, (self.t, &self.x), self.gains, &self.reach);
+        (before.touching, before.resting) = (self.touching, self.resting);
+        for (n, _) in approaching.pairs() {
+            before.touching[n] = Status::Free;
+        }
+        before
+    }
+
     /// Initializes the constraints that rest, touch or gave way at the end of a mode.
     fn at_the_end_of(mut self, mode: &Mode, fired: Witnesses) -> Self {
         let measures = self.system.measures(self.t, &self.x);
@@ -182,12 +266,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             self.rest(n, fired.has(n, Witness::Slip));
             for (distance, limit, status) in self.distances(n, &measures) {
                 let slack = ulps(AT_LIMIT, self.reach[n].max(sizes.values[n]).max(limit.abs()));
-                let gap = if status == Status::Low {
-                    Witness::Low
-                } else {
-                    Witness::High
-                };
-                if fired.has(n, gap) || distance.abs() <= slack {
+                if fired.has(n, Witness::of_limit(status)) || distance.abs() <= slack {
                     self.touching[n] = status;
                     still |= u8::from(measures[n][1].abs() <= ulps(AT_LIMIT, sizes.rates[n])) << n;
                 }

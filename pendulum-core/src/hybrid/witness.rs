@@ -32,6 +32,14 @@ impl Witness {
         }
     }
 
+    /// Distance from the limit at which a constraint has this status.
+    pub(super) fn of_limit(status: Status) -> Self {
+        match status {
+            Status::Low => Self::Low,
+            _ => Self::High,
+        }
+    }
+
     /// True if the law of the constraint has the limit that the witness needs.
     pub(super) fn exists<T>(self, law: &Law<T>) -> bool {
         match self {

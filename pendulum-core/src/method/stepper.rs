@@ -81,8 +81,9 @@ where
         if let Some(hybrid) = system.hybrid() {
             let rule = "a hybrid system can only be integrated forward in time: a state at rest has no unique past";
             require(t0 <= t1, "t1", t1.to_f64(), rule)?;
-            let settled = hybrid::start((hybrid, system.layout()), t0, &x0)?;
-            stepper.enter(t0, settled);
+            let pass = |passage: &_| stepper.smooth.scheme.pass(system, passage);
+            let (t, settled) = hybrid::start((hybrid, system.layout()), t0, &x0, pass)?;
+            stepper.enter(t, settled);
         }
         if t0 != t1 {
             let slope = stepper.begin()?;
@@ -217,11 +218,11 @@ where
         let settled = self
             .system
             .hybrid()
-            .map(|hybrid| hybrid::start((hybrid, self.system.layout()), t, &x))
+            .map(|hybrid| hybrid::start((hybrid, self.system.layout()), t, &x, |_| {}))
             .transpose()?;
         let (before, steps, modes) = ((self.t(), self.x()), self.smooth.steps, self.modes);
         match settled {
-            Some(settled) => {
+            Some((t, settled)) => {
                 self.enter(t, settled);
                 self.modes.changes = (0, t);
             }

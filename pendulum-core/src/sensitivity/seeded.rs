@@ -40,13 +40,13 @@ where
 #[track_caller]
 pub(super) fn check<const N: usize, const P: usize>(variables: &[Variable]) {
     for variable in variables {
-        let exists = match *variable {
-            Variable::Start(n) => n < N,
-            Variable::Parameter(n) => n < P,
+        let (n, count, what) = match *variable {
+            Variable::Start(n) => (n, N, "components of the state"),
+            Variable::Parameter(n) => (n, P, "parameters"),
         };
         assert!(
-            exists,
-            "{variable:?}: the state has {N} components, and the model {P} parameters"
+            n < count,
+            "{variable:?} does not exist: the {what} are counted from 0, and there are {count}"
         );
     }
 }

@@ -89,7 +89,7 @@ impl<const N: usize> Resting<N> {
         S: Jacobian<f64, N> + ?Sized,
     {
         let Some(hybrid) = system.hybrid() else { return Ok(None) };
-        let Settled { x, mode, hold, .. } = start((hybrid, system.layout()), 0.0, &x)?;
+        let (_, Settled { x, mode, hold, .. }) = start((hybrid, system.layout()), 0.0, &x, |_| {})?;
         let (rates, jacobian) = InMode::new(system, &hold).rhs_and_jacobian(0.0, &x);
         // free coordinates are at rest within rounding errors
         let rests = rates.norm() <= resolution(&jacobian, &x);

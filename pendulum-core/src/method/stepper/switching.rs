@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::Stepper;
 use crate::dense::{ABOUT_THE_END, Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, Ambiguity, Hybrid, Kinematics, Modes, Settled, Witnesses};
+use crate::hybrid::{self, Ambiguity, Hybrid, InMode, Kinematics, Modes, Settled, Witnesses};
 use crate::method::scheme::Scheme;
 use crate::method::smooth::Steps;
 use crate::real::{Float, ulps};
@@ -113,6 +113,12 @@ where
             }
         };
         self.system.project(t, &mut x);
+        // a mode that ends with the span does not move its end
+        let end = self.smooth.t1;
+        if t == end && !t.has_same_slopes(&end) {
+            x += InMode::new(self.system, &self.modes.hold).rhs(t, &x) * (end - t);
+            t = end;
+        }
         let modes = &mut self.modes;
         (modes.cut, modes.fired) = (cut, fired);
         if modes.hold.held != 0 {
