@@ -16,14 +16,14 @@
 //! Contacts that close at the same time have derivatives only if they close together for other values of the variables,
 //! too: otherwise the error is [`Reason::NotDifferentiable`], as it is where a motion reaches a limit no further than
 //! rounding errors resolve. An impact at the start occurs at a time that depends on the variables as well. One at the
-//! last time does not move it: the derivatives there are those before the impact. Where the order of impacts decides the motion, which
-//! [`Solution::ambiguities`] reports, it is one of several.
+//! last time does not move it: the derivatives there are those before the impact. Where the order of impacts decides
+//! the motion, which [`Solution::ambiguities`] reports, it is one of several.
 //!
 //! [`ensemble`] integrates many trajectories with their derivatives in the lanes of vector registers. All three take
 //! methods in [fused arithmetic](crate::method::FusedMethod), such as `Vern9::new().fused()`, which needs less time.
 //!
-//! A rate that jumps or bends elsewhere, as by `clamp`, costs digits of the derivatives unless steps end there: pass the
-//! events of the model ([`seeded`]), or control the errors of the derivatives.
+//! A rate that jumps or bends elsewhere, as by `clamp`, costs digits of the derivatives unless steps end there: pass
+//! the events of the model ([`seeded`]), or control the errors of the derivatives.
 //!
 //! Where a single number is of interest, such as a cost, [`gradient`] computes its derivatives by all variables
 //! backward in time, in a time that does not grow with their number.
@@ -80,7 +80,7 @@ use crate::system::{Cast, IntoState, Parametric};
 pub enum Variable {
     /// Component of the initial condition, by its index in the state.
     Start(usize),
-    /// Parameter, by its index in the declaration, as in [`Model::parameter_names`](crate::Model::parameter_names).
+    /// Parameter, by its index in the declaration, as in [`Parametric::parameter_names`].
     Parameter(usize),
 }
 
@@ -94,8 +94,8 @@ pub struct Sensitivity<const N: usize, const K: usize> {
 ///
 /// The errors of the values are controlled as without derivatives, those of the derivatives on request:
 /// [`control_derivatives`](crate::method::Adaptive::control_derivatives). For explicit methods and
-/// [`Radau5`](crate::Radau5) the derivatives of smooth motions have errors of the same order. On stiff models those of Rosenbrock methods
-/// are several digits worse.
+/// [`Radau5`](crate::Radau5) the derivatives of smooth motions have errors of the same order. On stiff models those of
+/// Rosenbrock methods are several digits worse.
 ///
 /// # Errors
 ///

@@ -23,8 +23,8 @@ type Eight<V> = <Four<V> as Lanes>::Double;
 /// Time of a step on eight registers of 256 bits over that on four, for models that are [wide](Cast::WIDE).
 const EIGHT_OVER_FOUR: f64 = 1.75;
 
-/// True if a number of a model may take eight registers: those of 256 bits, of which the choice of an operation takes as
-/// long as the operation on four or more.
+/// True if a number of a model may take eight registers: those of 256 bits, of which the choice of an operation takes
+/// as long as the operation on four or more.
 const fn takes_eight<M, F, V, const N: usize>() -> bool
 where
     M: Cast<N>,

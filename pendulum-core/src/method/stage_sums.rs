@@ -20,8 +20,8 @@ pub(crate) struct StageSums<'a, T, const N: usize, const M: usize> {
 }
 
 impl<T: Lanes<Scalar = T>, const N: usize, const M: usize> StageSums<'_, T, N, M> {
-    /// Computes the sums that fill whole registers `V`: of all numbers in the `FIRST` pass, else of those that registers
-    /// `Wider` have left. Blocks have the same length, so the last one may overlap with the one before.
+    /// Computes the sums that fill whole registers `V`: of all numbers in the `FIRST` pass, else of those that
+    /// registers `Wider` have left. Blocks have the same length, so the last one may overlap with the one before.
     #[inline(always)]
     fn pass<V: Lanes<Scalar = T>, Wider: Lanes, const FIRST: bool>(&mut self) {
         /// Number of the first sum, and number of registers.

@@ -120,8 +120,8 @@ pub trait Real:
     #[inline(always)]
     fn sum_products<const M: usize>(_left: &[[Self; M]], _right: &[[Self; M]], _sums: &mut [Self; M]) {}
 
-    /// Computes `start + sum_i (h weights_i) stages_i`, or the sum alone, with an `h` without derivatives, skipping zero
-    /// weights. Only for types that [sum](Self::SUMS_WIDE) so.
+    /// Computes `start + sum_i (h weights_i) stages_i`, or the sum alone, with an `h` without derivatives, skipping
+    /// zero weights. Only for types that [sum](Self::SUMS_WIDE) so.
     #[doc(hidden)]
     #[inline(always)]
     fn sum_stages<const M: usize>(
