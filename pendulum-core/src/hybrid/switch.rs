@@ -77,13 +77,7 @@ pub(crate) fn start<T: Float, const N: usize>(
     }
     let settled = settling.settle();
     if let Some(before) = before {
-        pass(&ModeSwitch {
-            t,
-            before: (x, before.mode, before.hold),
-            fired: approaching,
-            impulses: settled.impulses,
-            after: (settled.x, settled.hold),
-        });
+        pass(&passage(t, (x, before.mode, before.hold), approaching, &settled));
     }
     let mut settled = follow(system, t, settled, &zero, pass);
     // a rate of exactly zero keeps its derivatives where it is not held; where it is, a neighbour stops at once, by an
@@ -131,14 +125,24 @@ pub(crate) fn switch<T: Float, const N: usize>(
 ) -> Settled<T, N> {
     let settling = Settling::new(system, (t, x), watch.gains, &watch.reach);
     let settled = settling.at_the_end_of(mode, fired).settle();
-    pass(&ModeSwitch {
-        t,
-        before: (*x, *mode, *hold),
-        fired,
-        impulses: settled.impulses,
-        after: (settled.x, settled.hold),
-    });
+    pass(&passage(t, (*x, *mode, *hold), fired, &settled));
     follow(system, t, settled, &watch.reach, pass)
+}
+
+/// The switch from a mode, which these witnesses ended, to the next one.
+fn passage<T: Float, const N: usize>(
+    t: T,
+    before: (SVector<T, N>, Mode, Hold<T>),
+    fired: Witnesses,
+    after: &Settled<T, N>,
+) -> ModeSwitch<T, N> {
+    ModeSwitch {
+        t,
+        before,
+        fired,
+        impulses: after.impulses,
+        after: (after.x, after.hold),
+    }
 }
 
 /// Follows impacts at the same instant, and calls `pass` for each.
@@ -150,13 +154,7 @@ fn follow<T: Float, const N: usize>(
     mut pass: impl FnMut(&ModeSwitch<T, N>),
 ) -> Settled<T, N> {
     finish(system, t, settled, reach, &mut |before, after| {
-        pass(&ModeSwitch {
-            t,
-            before: (before.x, before.mode, before.hold),
-            fired: before.next,
-            impulses: after.impulses,
-            after: (after.x, after.hold),
-        });
+        pass(&passage(t, (before.x, before.mode, before.hold), before.next, after));
     })
 }
 

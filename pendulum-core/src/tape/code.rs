@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::ops::Range;
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard};
 
 use super::chain::{Chain, Operations};
 use super::laws::At;
@@ -239,10 +239,10 @@ impl<T> Kept<T> {
         Self((0..routines).map(|_| Mutex::default()).collect())
     }
 
-    /// Registers of a routine.
+    /// Registers of a routine, unless a run of it has them.
     #[inline(always)]
-    pub(super) fn registers(&self, routine: usize) -> Option<&Mutex<Vec<T>>> {
-        self.0.get(routine)
+    pub(super) fn registers(&self, routine: usize) -> Option<MutexGuard<'_, Vec<T>>> {
+        self.0.get(routine)?.try_lock().ok()
     }
 }
 

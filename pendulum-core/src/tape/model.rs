@@ -1,6 +1,6 @@
 //! Models of a tape for given parameters.
 
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -386,7 +386,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     pub(super) fn evaluate_into(&self, routine: usize, lists: &Lists<'_, T>, results: &mut [&mut [T]]) {
         let code = &self.tape.routines[routine].code;
         if const { T::LANES > 1 }
-            && let Some(Ok(mut registers)) = self.kept.registers(routine).map(Mutex::try_lock)
+            && let Some(mut registers) = self.kept.registers(routine)
         {
             return code.run_again(&mut registers, &self.constants, lists, results);
         }
@@ -410,7 +410,7 @@ impl<T: Real, const N: usize, const HYBRID: bool> Model<T, N, HYBRID> {
     pub(super) fn each(&self, routine: usize, lists: &Lists<'_, T>, pass: &mut dyn FnMut(usize, T)) {
         let code = &self.tape.routines[routine].code;
         if const { T::LANES > 1 }
-            && let Some(Ok(mut registers)) = self.kept.registers(routine).map(Mutex::try_lock)
+            && let Some(mut registers) = self.kept.registers(routine)
         {
             code.run_again(&mut registers, &self.constants, lists, &mut []);
             return code.pass(&registers, pass);
