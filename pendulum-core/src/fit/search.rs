@@ -205,6 +205,9 @@ impl Search<'_> {
     /// robust loss their median, which outliers hardly move. Returns the largest relative change.
     pub(super) fn estimate_noise(&mut self, point: &Point) -> f64 {
         self.has_noise = true;
+        if !self.given.contains(&false) {
+            return 0.0;
+        }
         let mut largest = 0.0_f64;
         let mut squares = vec![Vec::new(); self.noise.len()];
         for (w, shot) in point.shots.iter().enumerate() {

@@ -17,6 +17,8 @@ const ITERATIONS_OF_A_START: usize = 20;
 /// Least decrease of the loss that is worth a step of a start alone, as a part of that of one residual: starts within a
 /// tenth of their standard deviations are good guesses.
 const ENOUGH_OF_A_START: f64 = 1e-2;
+/// Least such decrease for one of several starts, of which only the best is followed further.
+const ENOUGH_OF_ANOTHER_START: f64 = 1.0;
 /// A window is bad if the mean square of its residuals is this many times the median of all windows.
 const BAD: f64 = 3.0;
 
@@ -33,52 +35,26 @@ pub(super) fn first<X, M, const N: usize, const P: usize>(
 where
     M: Parametric<N, P>,
 {
-    let mut starts: Vec<Vec<f64>> = Vec::with_capacity(search.windows.len());
-    let mut before: Option<Vec<f64>> = None;
-    for window in &search.windows {
-        let experiment = &trajectories.experiments[window.experiment];
-        let is_first = window.samples.start == 0;
-        let mut start = match (
-            experiment.known.filter(|_| window.known),
-            before.take(),
-            experiment.guess,
-        ) {
-            (Some((_, known)), _, _) => known.as_slice()[..search.n].to_vec(),
-            (None, Some(before), _) if !is_first => before,
-            (None, _, Some(guess)) => guess.as_slice()[..search.n].to_vec(),
-            (None, _, None) => origin(&experiment.model.cast::<f64>(), search.n),
-        };
-        let is_guessed = is_first && experiment.guess.is_some();
-        let mut is_complete = window.known;
-        if !window.known && !is_guessed {
-            is_complete = trajectories.measure(window, &mut start);
-            search.shooting.project(window, &mut start, parameters);
-        }
-        if !is_complete {
-            let beginning = window.beginning(experiment.measurement, SAMPLES_OF_A_START * search.n);
-            start = search
-                .start_alone(&beginning, start, parameters, &search.given)?
-                .starts
-                .swap_remove(0);
-            let whole = search.shooting.shoot(window, &start, parameters, &[], 0..0);
-            before = whole.ok().map(|shot| shot.end);
-        }
-        starts.push(start);
-    }
     // kinks may keep a search from the modes of the first samples; over a whole trajectory wrong parameters would spoil
     // the start
-    if search.hybrid && *division != Division::Whole {
-        let unknown = search.unknown();
-        let fitted = parallel::each(unknown.len(), |n| {
-            let w = unknown[n];
-            search.start_alone(&search.windows[w], starts[w].clone(), parameters, &search.given)
-        });
-        for (w, fitted) in unknown.into_iter().zip(fitted) {
-            if let Ok(mut fitted) = fitted {
-                starts[w] = fitted.starts.swap_remove(0);
+    let fits_whole_windows = search.hybrid && *division != Division::Whole;
+    let mut starts = vec![Vec::new(); search.windows.len()];
+    parallel::scope(|scope| {
+        let mut before = None;
+        for (window, start) in search.windows.iter().zip(&mut starts) {
+            (*start, before) = trajectories.guess(search, window, before, parameters)?;
+            if fits_whole_windows && !window.known {
+                scope.spawn(move |_| {
+                    let fitted =
+                        search.start_alone(window, start.clone(), parameters, &search.given, ENOUGH_OF_A_START);
+                    if let Ok(mut fitted) = fitted {
+                        *start = fitted.starts.swap_remove(0);
+                    }
+                });
             }
         }
-    }
+        Ok::<_, FitError>(())
+    })?;
     Ok(starts)
 }
 
@@ -94,6 +70,39 @@ impl<X, M, const N: usize, const P: usize> Trajectories<'_, X, M, N, P>
 where
     M: Parametric<N, P>,
 {
+    /// First guess of the start of a window, and its end if it follows from that, for the next window. `before` is the
+    /// end of the window before.
+    fn guess(
+        &self,
+        search: &Search<'_>,
+        window: &Window,
+        before: Option<Vec<f64>>,
+        parameters: &[f64],
+    ) -> Result<(Vec<f64>, Option<Vec<f64>>), FitError> {
+        let experiment = &self.experiments[window.experiment];
+        let is_first = window.samples.start == 0;
+        let mut start = match (experiment.known.filter(|_| window.known), before, experiment.guess) {
+            (Some((_, known)), _, _) => known.as_slice()[..search.n].to_vec(),
+            (None, Some(before), _) if !is_first => before,
+            (None, _, Some(guess)) => guess.as_slice()[..search.n].to_vec(),
+            (None, _, None) => origin(&experiment.model.cast::<f64>(), search.n),
+        };
+        let is_guessed = is_first && experiment.guess.is_some();
+        let mut is_complete = window.known;
+        if !window.known && !is_guessed {
+            is_complete = self.measure(window, &mut start);
+            search.shooting.project(window, &mut start, parameters);
+        }
+        if is_complete {
+            return Ok((start, None));
+        }
+        let beginning = window.beginning(experiment.measurement, SAMPLES_OF_A_START * search.n);
+        let mut fitted = search.start_alone(&beginning, start, parameters, &search.given, ENOUGH_OF_A_START)?;
+        let start = fitted.starts.swap_remove(0);
+        let whole = search.shooting.shoot(window, &start, parameters, &[], 0..0);
+        Ok((start, whole.ok().map(|shot| shot.end)))
+    }
+
     /// Replaces measured components of the start of a window, and the rates of measured positions. Returns true if
     /// these are all components.
     fn measure(&self, window: &Window, start: &mut [f64]) -> bool {
@@ -135,7 +144,7 @@ fn position_of(layout: Option<StateLayout<'_>>, rate: usize) -> Option<usize> {
 
 impl Search<'_> {
     /// Search for the start of a window alone, with the noise that is `given`.
-    fn alone(&self, window: &Window, given: &[bool]) -> Self {
+    fn alone(&self, window: &Window, given: &[bool], enough: f64) -> Self {
         Self {
             measurements: self.measurements.clone(),
             windows: vec![Window {
@@ -151,7 +160,7 @@ impl Search<'_> {
             joints: None,
             tried: Vec::new(),
             leaves_bad_windows: false,
-            enough: ENOUGH_OF_A_START,
+            enough,
             max_iterations: ITERATIONS_OF_A_START,
             iterations: 0,
             shots: 0,
@@ -166,22 +175,17 @@ impl Search<'_> {
         start: Vec<f64>,
         parameters: &[f64],
         given: &[bool],
+        enough: f64,
     ) -> Result<Point, FitError> {
-        let mut alone = self.alone(window, given);
+        let mut alone = self.alone(window, given, enough);
         let point = alone.at(parameters.to_vec(), vec![start])?;
         Ok(alone.minimise(point, &mut |_| ControlFlow::Continue(())).0)
     }
 
-    /// Fits the start of a window of a point alone, with all noise given.
-    fn restart(&self, w: usize, point: &Point) -> Point {
-        let mut alone = self.alone(&self.windows[w], &vec![true; self.given.len()]);
-        let own = Point {
-            parameters: point.parameters.clone(),
-            starts: vec![point.starts[w].clone()],
-            shots: vec![point.shots[w].clone()],
-            loss: 0.0,
-        };
-        alone.minimise(own, &mut |_| ControlFlow::Continue(())).0
+    /// Fits the start of a window alone on from a point of this window, with all noise given.
+    fn refine(&self, w: usize, point: Point) -> Point {
+        let mut alone = self.alone(&self.windows[w], &vec![true; self.given.len()], ENOUGH_OF_A_START);
+        alone.minimise(point, &mut |_| ControlFlow::Continue(())).0
     }
 
     /// Mean squares of the residuals of all windows, over that of the median window.
@@ -210,60 +214,96 @@ impl Search<'_> {
         self.bad(&self.mean_squares(point)).contains(&true)
     }
 
-    /// Fits the start of each window alone, which kinks in other windows do not hinder, if the search ended at one or
-    /// there are [bad](Self::bad) windows, which are also fitted from other starts. True if the loss decreases
-    /// noticeably.
-    pub(super) fn relax(&mut self, point: &mut Point, at_a_kink: bool) -> bool {
-        let given = vec![true; self.given.len()];
-        let mean_squares = self.mean_squares(point);
-        let from_others = self.bad(&mean_squares);
-        if !at_a_kink && !from_others.contains(&true) {
-            return false;
-        }
-        for (w, square) in mean_squares.into_iter().enumerate() {
-            if from_others[w] {
-                self.tried[w] = square;
-            }
-        }
-        // mean sizes of the components
+    /// Other starts of some windows: where the window before ends, which may be on the other side of an impact, and
+    /// their own starts with each component changed by its mean size.
+    fn other_starts(&self, point: &Point, of: &[bool]) -> Vec<(usize, Vec<f64>)> {
         let sizes: Vec<f64> = (0..self.n)
             .map(|i| point.starts.iter().map(|start| start[i].abs()).sum::<f64>() / point.starts.len() as f64)
             .collect();
-        // windows to be fitted from other starts take longest
-        let mut unknown = self.unknown();
-        unknown.sort_by_key(|&w| !from_others[w]);
-        let fitted = parallel::each(unknown.len(), |n| {
-            let w = unknown[n];
-            let (window, start) = (&self.windows[w], &point.starts[w]);
-            let mut candidates = Vec::new();
-            if from_others[w] {
-                // where the window before ends, which may be on the other side of an impact
-                let before = w
-                    .checked_sub(1)
-                    .filter(|&before| self.windows[before].experiment == window.experiment);
-                candidates.extend(before.map(|before| point.shots[before].end.clone()));
-                for (i, side) in (0..self.n).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
-                    let mut other = start.clone();
-                    other[i] += side * sizes[i];
-                    self.shooting.project(window, &mut other, &point.parameters);
-                    candidates.push(other);
-                }
+        let mut others = Vec::new();
+        for w in self.unknown().into_iter().filter(|&w| of[w]) {
+            let window = &self.windows[w];
+            let before = w
+                .checked_sub(1)
+                .filter(|&before| self.windows[before].experiment == window.experiment);
+            others.extend(before.map(|before| (w, point.shots[before].end.clone())));
+            for (i, side) in (0..self.n).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
+                let mut other = point.starts[w].clone();
+                other[i] += side * sizes[i];
+                self.shooting.project(window, &mut other, &point.parameters);
+                others.push((w, other));
             }
-            let alone = |candidate| self.start_alone(window, candidate, &point.parameters, &given);
-            let others = candidates.into_iter().filter_map(|candidate| alone(candidate).ok());
-            let mut best = others.fold(self.restart(w, point), |best, other| {
-                if other.loss < best.loss { other } else { best }
-            });
-            let start = best.starts.swap_remove(0);
+        }
+        others
+    }
+
+    /// For each of some windows, the best fit of its start from [others](Self::other_starts).
+    fn best_of_others(&self, point: &Point, of: &[bool]) -> Vec<Option<Point>> {
+        let given = vec![true; self.given.len()];
+        let others = self.other_starts(point, of);
+        let fitted = parallel::each(others.len(), |n| {
+            let (w, start) = &others[n];
+            let window = &self.windows[*w];
+            let fitted = self.start_alone(
+                window,
+                start.clone(),
+                &point.parameters,
+                &given,
+                ENOUGH_OF_ANOTHER_START,
+            );
+            fitted.ok()
+        });
+        let mut best: Vec<Option<Point>> = vec![None; self.windows.len()];
+        for ((w, _), fitted) in others.into_iter().zip(fitted) {
+            if let Some(fitted) = fitted
+                && best[w].as_ref().is_none_or(|best| fitted.loss < best.loss)
+            {
+                best[w] = Some(fitted);
+            }
+        }
+        best
+    }
+
+    /// Fits the starts of windows alone, where kinks in other windows do not hinder: of all windows if the search ended
+    /// at a kink, else of the [bad](Self::bad) ones. Bad ones are also fitted from other starts. True if the loss
+    /// decreases noticeably.
+    pub(super) fn relax(&mut self, point: &mut Point, at_a_kink: bool) -> bool {
+        let mean_squares = self.mean_squares(point);
+        let is_bad = self.bad(&mean_squares);
+        if !at_a_kink && !is_bad.contains(&true) {
+            return false;
+        }
+        for (w, square) in mean_squares.into_iter().enumerate() {
+            if is_bad[w] {
+                self.tried[w] = square;
+            }
+        }
+        let others = self.best_of_others(point, &is_bad);
+        let mut unknown = self.unknown();
+        unknown.retain(|&w| at_a_kink || is_bad[w]);
+        // bad windows take longest
+        unknown.sort_by_key(|&w| !is_bad[w]);
+        let refined = parallel::each(unknown.len(), |n| {
+            let w = unknown[n];
+            let own = Point {
+                parameters: point.parameters.clone(),
+                starts: vec![point.starts[w].clone()],
+                shots: vec![point.shots[w].clone()],
+                loss: 0.0,
+            };
+            let own = self.refine(w, own);
+            let other = others[w].clone().map(|other| self.refine(w, other));
+            let mut refined = other.filter(|other| other.loss < own.loss).unwrap_or(own);
+            let start = refined.starts.swap_remove(0);
             if start == point.starts[w] {
                 return None;
             }
             let variables = 0..self.variables();
-            let shot = (self.shooting).shoot(window, &start, &point.parameters, &self.free, variables);
+            let shot = (self.shooting).shoot(&self.windows[w], &start, &point.parameters, &self.free, variables);
             Some((w, start, shot.ok()?))
         });
         let mut relaxed = point.clone();
-        for (w, start, shot) in fitted.into_iter().flatten() {
+        for (w, start, shot) in refined.into_iter().flatten() {
             self.shots += 1;
             (relaxed.starts[w], relaxed.shots[w]) = (start, shot);
         }
