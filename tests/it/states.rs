@@ -323,6 +323,26 @@ fn taylor_series_agree_with_runge_kutta() {
     assert_relative_eq!(ends[0], ends[1], epsilon = 1e-11);
 }
 
+/// Explicit steps may make the second concentration negative, within the tolerance; the reactions then run away.
+#[test]
+fn reactions_are_left_to_the_implicit_method_after_one_step() {
+    let model = Robertson::new(RobertsonParams::default()).expect("valid");
+    for tolerance in [3.2e-4, 1e-4, 1e-5] {
+        let auto = Auto::new().rtol(tolerance).atol(tolerance);
+        let solution = auto.solve(&model, 0.0, 1e11, [1.0, 0.0, 0.0]).expect("regular");
+        let work = solution.statistics();
+        assert!(
+            (solution.end()[2] - 1.0).abs() < 1e-7,
+            "{tolerance:e}: {}",
+            solution.end()
+        );
+        assert!(
+            work.accepted - work.stiff <= 1 && work.switches == 1,
+            "{tolerance:e}: {work:?}"
+        );
+    }
+}
+
 /// Reference values of Hairer and Wanner's test set (Robertson, 1e11 s).
 #[test]
 fn stiff_reactions_reach_their_reference() {

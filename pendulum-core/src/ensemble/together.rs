@@ -5,7 +5,7 @@ use super::march::{March, Paced};
 use super::watch::Watch;
 use crate::error::Reason;
 use crate::method::{
-    Adaptive, Carried, Choice, Estimates, Explicit, Fixed, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock,
+    Adaptive, Carried, Estimates, Explicit, Fixed, Gauss, MethodPair, OneStep, PowerSeries, RadauIIA, Rosenbrock,
     Switching, SwitchingFrom,
 };
 use crate::real::lanes::{Isa, LaneElement};
@@ -99,10 +99,20 @@ where
         W: Watch<T, N>,
     {
         let method = march.method;
-        match Choice::within(Some(&method.tolerance::<T>()?)) {
-            Choice::Tsit5 => isa.run(march.by(&method.by(SwitchingFrom::<Tsitouras5, HairerWanner4, 7, 6>::new()))),
-            Choice::Vern7 => isa.run(march.by(&method.by(SwitchingFrom::<Verner7, Steinebach5, 11, 8>::new()))),
-            Choice::Vern9 => isa.run(march.by(&method.by(SwitchingFrom::<Verner9, Steinebach5, 17, 8>::new()))),
+        match MethodPair::within(Some(&method.tolerance::<T>()?)) {
+            MethodPair::Tsit5Rodas4 => {
+                isa.run(march.by(&method.by(SwitchingFrom::<Tsitouras5, HairerWanner4, 7, 6>::new())))
+            }
+            MethodPair::Vern7Rodas4 => {
+                isa.run(march.by(&method.by(SwitchingFrom::<Verner7, HairerWanner4, 11, 6>::new())))
+            }
+            MethodPair::Vern7Rodas5P => {
+                isa.run(march.by(&method.by(SwitchingFrom::<Verner7, Steinebach5, 11, 8>::new())))
+            }
+            // what turns stiff with tight tolerances leaves its lane
+            MethodPair::Vern9Rodas5P | MethodPair::Vern9Radau13 => {
+                isa.run(march.by(&method.by(SwitchingFrom::<Verner9, Steinebach5, 17, 8>::new())))
+            }
         }
     }
 }

@@ -27,8 +27,9 @@ use crate::tableau::{HairerWanner4, Steinebach5, Tableau, Tsitouras5, Verner7, V
 ///
 /// | larger of both tolerances | explicit | implicit |
 /// |---|---|---|
-/// | above 1e-4 | [`Tsit5`](crate::Tsit5) | [`Rodas4`](crate::Rodas4) |
-/// | above 1e-8 | [`Vern7`](crate::Vern7) | [`Rodas5P`](crate::Rodas5P) |
+/// | above 5e-4 | [`Tsit5`](crate::Tsit5) | [`Rodas4`](crate::Rodas4) |
+/// | above 2e-6 | [`Vern7`](crate::Vern7) | [`Rodas4`](crate::Rodas4) |
+/// | above 5e-8 | [`Vern7`](crate::Vern7) | [`Rodas5P`](crate::Rodas5P) |
 /// | above 1e-9 | [`Vern9`](crate::Vern9) | [`Rodas5P`](crate::Rodas5P) |
 /// | up to 1e-9 | [`Vern9`](crate::Vern9) | [`Radau13`](crate::Radau13) |
 ///
@@ -36,9 +37,10 @@ use crate::tableau::{HairerWanner4, Steinebach5, Tableau, Tsitouras5, Verner7, V
 /// `h |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2). If the
 /// estimate repeatedly reaches the limit of stability, then stability rather than the tolerance limits the steps, and
 /// the implicit method takes over. It does so at a smaller estimate if the derivative bends much less over a step than
-/// it would at that rate, and with tolerances above 1e-4 at once if the first step is rejected far beyond the limit.
-/// The implicit method estimates `|h lambda|` by power iteration with its Jacobian, and hands back once explicit steps
-/// of the same length would be stable. `Vern9` and the implicit methods are tested in every second step.
+/// it would at that rate, after a first step at the limit with tolerances above 2e-6, and with those above 5e-4 also
+/// after a first step that is rejected far beyond it. The implicit method estimates `|h lambda|` by power
+/// iteration with its Jacobian, and hands back once explicit steps of the same length would be stable. `Vern9` and the
+/// implicit methods are tested in every second step.
 ///
 /// [`Statistics`] count the implicit steps and the switches.
 ///
@@ -69,13 +71,6 @@ use stiffness::{Limit, Stiffness, even, of_fastest_rate};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Switching;
 
-/// Tolerance above which the method of Tsitouras is used.
-const LOOSE: f64 = 1e-4;
-/// Tolerance above which Verner's method of order 7 is used.
-const MIDDLE: f64 = 1e-8;
-/// Tolerance up to which the method of Radau takes the place of `Rodas5P`. With 1e-8 and above it fails on some
-/// reactions or takes many short steps (Robertson's problem).
-const TIGHT: f64 = 1e-9;
 /// Mean square of the error that a rejected step of an unstable method reports: the next one is about as long.
 const BARELY_TOO_LARGE: f64 = 1.001;
 
@@ -114,7 +109,7 @@ where
         Ok(Switch {
             explicit: Free::new(system, tolerance)?,
             implicit: Stiff::new(system, tolerance)?,
-            stiffness: Stiffness::default(),
+            stiffness: MethodPair::within(tolerance.as_ref()).stiffness(),
             fastest: even(system.active()),
         })
     }
@@ -137,9 +132,9 @@ pub(crate) trait Bounded<const STAGES: usize>: Tableau<STAGES> {
     /// Limit of the steps.
     const LIMIT: Limit;
 
-    /// True if the implicit method takes over where the first step is unstable. With tight tolerances the explicit one
-    /// is better at fast transients, which it has to resolve.
-    const YIELDS_AT_ONCE: bool = false;
+    /// True if the implicit method takes over where the first step is rejected far beyond the limit. Other methods do
+    /// not know their last stage then.
+    const YIELDS_IF_REJECTED: bool = false;
 }
 
 impl Bounded<7> for Tsitouras5 {
@@ -147,7 +142,7 @@ impl Bounded<7> for Tsitouras5 {
         stable: 3.5,
         creeps: false,
     };
-    const YIELDS_AT_ONCE: bool = true;
+    const YIELDS_IF_REJECTED: bool = true;
 }
 
 impl Bounded<11> for Verner7 {
@@ -164,36 +159,39 @@ impl Bounded<17> for Verner9 {
     };
 }
 
-/// Choice of the explicit method.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Choice {
-    Tsit5,
-    Vern7,
-    Vern9,
+/// Explicit and implicit method for a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum MethodPair {
+    Tsit5Rodas4,
+    Vern7Rodas4,
+    Vern7Rodas5P,
+    Vern9Rodas5P,
+    Vern9Radau13,
 }
 
-impl Choice {
-    /// Method for a tolerance.
+impl MethodPair {
+    /// Methods for a tolerance, the larger of both.
     pub(crate) fn within<T: Float>(tolerance: Option<&Tolerance<T>>) -> Self {
-        let least = larger(tolerance);
-        if least > LOOSE {
-            Self::Tsit5
-        } else if least > MIDDLE {
-            Self::Vern7
+        let larger = tolerance.map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64());
+        if larger > 5e-4 {
+            Self::Tsit5Rodas4
+        } else if larger > 2e-6 {
+            Self::Vern7Rodas4
+        } else if larger > 5e-8 {
+            Self::Vern7Rodas5P
+        } else if larger > 1e-9 {
+            Self::Vern9Rodas5P
         } else {
-            Self::Vern9
+            // with 1e-8 and above, `Radau13` fails on some reactions or takes many short steps (Robertson's problem)
+            Self::Vern9Radau13
         }
     }
-}
 
-/// The larger of both tolerances, which decides.
-fn larger<T: Float>(tolerance: Option<&Tolerance<T>>) -> f64 {
-    tolerance.map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64())
-}
-
-/// True if the implicit method is one of Radau's.
-fn is_tight<T: Float>(tolerance: Option<&Tolerance<T>>) -> bool {
-    larger(tolerance) <= TIGHT
+    /// Detection of stiffness. `Rodas4` takes over after a first step at the limit of stability; with tighter
+    /// tolerances the explicit method is better at fast transients, which it has to resolve.
+    pub(crate) fn stiffness(self) -> Stiffness {
+        Stiffness::new(matches!(self, Self::Tsit5Rodas4 | Self::Vern7Rodas4))
+    }
 }
 
 /// The explicit method.
@@ -221,10 +219,14 @@ impl<T: Float, const N: usize> Free<T, N> {
     where
         S: System<T, N> + ?Sized,
     {
-        Ok(match Choice::within(tolerance.as_ref()) {
-            Choice::Tsit5 => Self::Tsit5(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?),
-            Choice::Vern7 => Self::Vern7(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?),
-            Choice::Vern9 => Self::Vern9(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?),
+        Ok(match MethodPair::within(tolerance.as_ref()) {
+            MethodPair::Tsit5Rodas4 => Self::Tsit5(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?),
+            MethodPair::Vern7Rodas4 | MethodPair::Vern7Rodas5P => {
+                Self::Vern7(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+            }
+            MethodPair::Vern9Rodas5P | MethodPair::Vern9Radau13 => {
+                Self::Vern9(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+            }
         })
     }
 
@@ -321,7 +323,7 @@ where
             return self.implicit.attempt(system, (t, x), (t_new, x_new), work);
         }
         let error = explicit!(&mut self.explicit, stages => stages.attempt(system, (t, x), (t_new, x_new), work)?);
-        if const { Tsitouras5::YIELDS_AT_ONCE }
+        if const { Tsitouras5::YIELDS_IF_REJECTED }
             && let Free::Tsit5(stages) = &self.explicit
             && self.stiffness.doubts_rejected()
             && !is_within_tolerance(error)

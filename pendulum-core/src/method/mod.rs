@@ -77,7 +77,7 @@ pub use adaptive::Adaptive;
 pub use adjoint::{AdjointStep, DiscreteAdjoint};
 pub use auto::{Auto, Switching};
 #[cfg(feature = "std")]
-pub(crate) use auto::{Bounded, Choice, SwitchInLanes, SwitchingFrom};
+pub(crate) use auto::{Bounded, MethodPair, SwitchInLanes, SwitchingFrom};
 pub use explicit::Explicit;
 pub use fixed::Fixed;
 #[cfg(feature = "std")]

@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use nalgebra::SVector;
 
 use super::stiffness::{Stiffness, even, fastest_rate};
-use super::{BARELY_TOO_LARGE, Bounded, Switch, Switching, is_tight};
+use super::{BARELY_TOO_LARGE, Bounded, MethodPair, Switch, Switching};
 use crate::dense::Step;
 use crate::ensemble::{MOST_LANES, in_lane, set_lane};
 use crate::error::Reason;
@@ -72,8 +72,7 @@ impl<B, I, const STAGES: usize, const STIFF: usize> Estimates for SwitchingFrom<
 pub(crate) struct SwitchInLanes<B, I, V: Lanes, const STAGES: usize, const STIFF: usize, const N: usize> {
     explicit: ExplicitStages<B, V, STAGES, N>,
     implicit: RosenbrockStages<I, V, STIFF, N, PerLane<V, N>>,
-    /// True if trajectories that turn stiff [leave](Self::leaves) their lanes.
-    is_tight: bool,
+    pair: MethodPair,
     stiffness: [Stiffness; MOST_LANES],
     /// Directions of the fastest change, for power iteration.
     fastest: SVector<V, N>,
@@ -105,11 +104,12 @@ where
     where
         S: System<V, N> + ?Sized,
     {
+        let pair = MethodPair::within(tolerance.as_ref());
         Ok(Self {
             explicit: Explicit::new().scheme(system, tolerance)?,
             implicit: RosenbrockStages::new(tolerance),
-            is_tight: is_tight(tolerance.as_ref()),
-            stiffness: [Stiffness::default(); MOST_LANES],
+            pair,
+            stiffness: [pair.stiffness(); MOST_LANES],
             fastest: even(system.active()),
             active: system.active(),
             slope: SVector::from_element(V::default()),
@@ -120,7 +120,7 @@ where
     /// True if the trajectory in a lane turns stiff and must continue alone, by a method that does not run in lanes.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn leaves(&self, lane: usize) -> bool {
-        self.is_tight && self.stiffness[lane].changes
+        self.pair == MethodPair::Vern9Radau13 && self.stiffness[lane].changes
     }
 
     /// Judges the lanes whose first step of length `h` is rejected, and returns the errors to report.
@@ -187,7 +187,7 @@ where
     }
 
     fn enter(&mut self, lane: usize, _index: usize) {
-        self.stiffness[lane] = Stiffness::default();
+        self.stiffness[lane] = self.pair.stiffness();
         self.stiffness[lane].begin();
         set_lane(&mut self.fastest, lane, &even(self.active));
     }
@@ -240,7 +240,7 @@ where
         if some_free {
             let (t_new, work) = (self.end_of_free(start.0, t_new), &mut self.work.explicit);
             error = self.explicit.attempt(system, start, (t_new, x_new), work)?;
-            if const { B::YIELDS_AT_ONCE } {
+            if const { B::YIELDS_IF_REJECTED } {
                 error = self.judge_first(t_new - start.0, error);
             }
         }

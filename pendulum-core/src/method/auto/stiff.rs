@@ -4,8 +4,8 @@
 
 use nalgebra::SVector;
 
+use super::MethodPair;
 use super::stiffness::fastest_rate;
-use super::{LOOSE, is_tight, larger};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::InMode;
@@ -45,13 +45,14 @@ impl<T: Float, const N: usize> Stiff<T, N> {
     where
         S: Jacobian<T, N> + ?Sized,
     {
-        let least = larger(tolerance.as_ref());
-        Ok(if least > LOOSE {
-            Self::Rodas4(OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?)
-        } else if !is_tight(tolerance.as_ref()) {
-            Self::Rodas5P(OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?)
-        } else {
-            Self::Radau13(OneStep::<S, T, N>::scheme(&RadauIIA, system, tolerance)?)
+        Ok(match MethodPair::within(tolerance.as_ref()) {
+            MethodPair::Tsit5Rodas4 | MethodPair::Vern7Rodas4 => {
+                Self::Rodas4(OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?)
+            }
+            MethodPair::Vern7Rodas5P | MethodPair::Vern9Rodas5P => {
+                Self::Rodas5P(OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?)
+            }
+            MethodPair::Vern9Radau13 => Self::Radau13(OneStep::<S, T, N>::scheme(&RadauIIA, system, tolerance)?),
         })
     }
 

@@ -28,7 +28,8 @@ const UNSTABLE: f64 = 10.0;
 /// Number of steps per test, of implicit methods and of those that [creep](Limit::creeps).
 const STEPS: usize = 2;
 /// Number of steps at the limit that make a system stiff, without [`FREE`] others in a row between them. Those that are
-/// at the limit only because the solution is very smooth count twice.
+/// at the limit only because the solution is very smooth count twice. At the start of a trajectory one is enough with
+/// loose tolerances.
 const STIFF: usize = 8;
 /// Number of steps in a row below the limit that reset the count, or that return to the explicit method.
 const FREE: usize = 4;
@@ -58,6 +59,8 @@ impl Limit {
 /// Detection of stiffness from the steps so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Stiffness {
+    /// True while one step at the limit of stability is enough: at the start, with loose tolerances.
+    is_eager: bool,
     /// True if the implicit method is active.
     pub(crate) is_stiff: bool,
     /// True if the other method takes the next step.
@@ -73,6 +76,14 @@ pub(crate) struct Stiffness {
 }
 
 impl Stiffness {
+    /// Detection from the start of a trajectory.
+    pub(crate) fn new(is_eager: bool) -> Self {
+        Self {
+            is_eager,
+            ..Self::default()
+        }
+    }
+
     /// Restarts the counts for the active method.
     pub(crate) fn begin(&mut self) {
         (self.changes, self.at_start, self.is_due, self.at_limit, self.free) = (false, true, false, 0, 0);
@@ -104,7 +115,7 @@ impl Stiffness {
     }
 
     /// Counts tested explicit steps by `|h lambda|` and, [where needed](Self::needs_bend), the bend of the derivative
-    /// over the last of them, and requests a switch after too many at the limit of stability.
+    /// over the last of them, and requests a switch after enough of them at the limit of stability.
     pub(crate) fn after_explicit(&mut self, measured: f64, bend: f64, limit: Limit) {
         let steps = if limit.creeps { STEPS } else { 1 };
         let (share, counted) = if limit.creeps && bend < VERY_SMOOTH * measured {
@@ -118,12 +129,13 @@ impl Stiffness {
             self.at_limit += counted;
             self.free = 0;
         } else {
+            self.is_eager = false;
             self.free += steps;
             if self.free >= FREE {
                 self.at_limit = 0;
             }
         }
-        self.changes = self.at_limit >= STIFF;
+        self.changes = self.at_limit >= if self.is_eager { 1 } else { STIFF };
     }
 
     /// Counts tested implicit steps, and requests a switch if explicit steps of such lengths would have been stable for
@@ -135,6 +147,7 @@ impl Stiffness {
             self.free = 0;
         }
         self.changes = self.free >= FREE;
+        self.is_eager &= !self.changes;
     }
 }
 
