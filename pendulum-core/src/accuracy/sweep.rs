@@ -124,7 +124,7 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
     /// Runs the measurement: first all errors, then the times in rounds. Each round runs every setting once, in turn.
     ///
     /// A time covers an integration without a record, including the construction of the stepper. Short runs are
-    /// repeated within a measurement. Settings that fail are not timed.
+    /// repeated within a measurement, after one that is not measured. Settings that fail are not timed.
     ///
     /// # Panics
     /// If a method reports success before the end of the span.

@@ -4,10 +4,14 @@ use std::time::Instant;
 
 /// Minimum duration of a measurement, in seconds: shorter ones mostly measure the clock.
 const LEAST: f64 = 50e-6;
+/// Duration below which a task runs once before each measurement, in seconds: other tasks may have emptied the caches.
+const SHORT: f64 = 1e-3;
 
 /// A task to time.
 pub(super) struct Timer<'a> {
     run: Box<dyn Fn() + 'a>,
+    /// True if a run precedes each measurement.
+    warms_up: bool,
     /// Number of runs in one measurement.
     repeats: u32,
     /// Measured times, in seconds per run.
@@ -15,13 +19,19 @@ pub(super) struct Timer<'a> {
 }
 
 impl<'a> Timer<'a> {
-    /// Runs the task once, to warm up caches and to estimate its duration.
+    /// Runs the task to estimate its duration, at first to warm up caches.
     pub(super) fn new(run: impl Fn() + 'a) -> Self {
-        let start = Instant::now();
-        run();
-        let once = start.elapsed().as_secs_f64();
+        let timed = || {
+            let start = Instant::now();
+            run();
+            start.elapsed().as_secs_f64()
+        };
+        let cold = timed();
+        let warms_up = cold < SHORT;
+        let once = if warms_up { timed() } else { cold };
         Self {
             run: Box::new(run),
+            warms_up,
             repeats: (LEAST / once.max(1e-9)).ceil() as u32,
             times: Vec::new(),
         }
@@ -34,6 +44,9 @@ impl<'a> Timer<'a> {
     }
 
     fn measure(&mut self) {
+        if self.warms_up {
+            (self.run)();
+        }
         let start = Instant::now();
         for _ in 0..self.repeats {
             (self.run)();

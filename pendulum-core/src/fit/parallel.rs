@@ -1,7 +1,7 @@
 //! Work on all cores.
 
-/// Runs tasks beside the caller, which returns when all have ended. If each writes to a place of its own, the results do
-/// not depend on the number of cores.
+/// Runs tasks beside the caller, which returns when all have ended. If each writes to a place of its own, the results
+/// do not depend on the number of cores.
 pub(super) use rayon::in_place_scope as scope;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
