@@ -37,10 +37,7 @@ impl Shot {
     /// Appends the derivatives of another one.
     pub(super) fn append(&mut self, others: &Self) {
         for (by, others) in [(&mut self.by, &others.by), (&mut self.end_by, &others.end_by)] {
-            let (rows, columns) = by.shape();
-            let mut all = Vec::from(std::mem::take(by).data);
-            all.extend_from_slice(others.as_slice());
-            *by = DMatrix::from_vec(rows, columns + others.ncols(), all);
+            by.extend(others.as_slice().iter().copied());
         }
     }
 }

@@ -264,9 +264,9 @@ impl Search<'_> {
         best
     }
 
-    /// Fits the starts of windows alone, where kinks in other windows do not hinder: of all windows if the search ended
-    /// at a kink, else of the [bad](Self::bad) ones. Bad ones are also fitted from other starts. True if the loss
-    /// decreases noticeably.
+    /// Fits the start of each window by itself, which kinks in other windows cannot prevent: of all windows if the
+    /// search ended at a kink, otherwise of the [bad](Self::bad) ones only. Bad ones are also fitted from other starts.
+    /// True if the loss decreases noticeably.
     pub(super) fn relax(&mut self, point: &mut Point, at_a_kink: bool) -> bool {
         let mean_squares = self.mean_squares(point);
         let is_bad = self.bad(&mean_squares);

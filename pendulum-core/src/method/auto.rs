@@ -38,9 +38,9 @@ use crate::tableau::{HairerWanner4, Steinebach5, Tableau, Tsitouras5, Verner7, V
 /// estimate repeatedly reaches the limit of stability, then stability rather than the tolerance limits the steps, and
 /// the implicit method takes over. It does so at a smaller estimate if the derivative bends much less over a step than
 /// it would at that rate, after a first step at the limit with tolerances above 2e-6, and with those above 5e-4 also
-/// after a first step that is rejected far beyond it. The implicit method estimates `|h lambda|` by power
-/// iteration with its Jacobian, and hands back once explicit steps of the same length would be stable. `Vern9` and the
-/// implicit methods are tested in every second step.
+/// after a first step that is rejected far beyond it. The implicit method estimates `|h lambda|` by power iteration
+/// with its Jacobian, and hands back once explicit steps of the same length would be stable. `Vern9` and the implicit
+/// methods are tested in every second step.
 ///
 /// [`Statistics`] count the implicit steps and the switches.
 ///
@@ -106,10 +106,11 @@ where
     type Scheme = Switch<T, N>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        let pair = MethodPair::within(tolerance.as_ref());
         Ok(Switch {
-            explicit: Free::new(system, tolerance)?,
-            implicit: Stiff::new(system, tolerance)?,
-            stiffness: MethodPair::within(tolerance.as_ref()).stiffness(),
+            explicit: Free::new(pair, system, tolerance)?,
+            implicit: Stiff::new(pair, system, tolerance)?,
+            stiffness: pair.stiffness(),
             fastest: even(system.active()),
         })
     }
@@ -214,12 +215,12 @@ macro_rules! explicit {
 }
 
 impl<T: Float, const N: usize> Free<T, N> {
-    /// Creates the method for a tolerance.
-    fn new<S>(system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self, Reason>
+    /// Creates the method of a pair.
+    fn new<S>(pair: MethodPair, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self, Reason>
     where
         S: System<T, N> + ?Sized,
     {
-        Ok(match MethodPair::within(tolerance.as_ref()) {
+        Ok(match pair {
             MethodPair::Tsit5Rodas4 => Self::Tsit5(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?),
             MethodPair::Vern7Rodas4 | MethodPair::Vern7Rodas5P => {
                 Self::Vern7(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)

@@ -40,12 +40,12 @@ macro_rules! implicit {
 }
 
 impl<T: Float, const N: usize> Stiff<T, N> {
-    /// Creates the method for a tolerance.
-    pub(super) fn new<S>(system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self, Reason>
+    /// Creates the method of a pair.
+    pub(super) fn new<S>(pair: MethodPair, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self, Reason>
     where
         S: Jacobian<T, N> + ?Sized,
     {
-        Ok(match MethodPair::within(tolerance.as_ref()) {
+        Ok(match pair {
             MethodPair::Tsit5Rodas4 | MethodPair::Vern7Rodas4 => {
                 Self::Rodas4(OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?)
             }
