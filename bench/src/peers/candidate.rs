@@ -6,9 +6,11 @@ use serde::{Deserialize, Serialize};
 use crate::compile::Job;
 use crate::library::Program;
 
-/// Names of the generated code among the peers: compiled for this processor, and as in a plain release build.
+/// Names of the generated code among the peers: compiled for this processor, as in a plain release build, and in the
+/// latter with fused arithmetic, as the C of the peers has.
 pub(crate) const OURS: &str = "pendulum";
 pub(crate) const PLAIN: &str = "pendulum, plain build";
+pub(crate) const FUSED: &str = "pendulum, fused";
 /// Name of hand-written code, which is shown but is no generator to compete with.
 pub(crate) const BY_HAND: &str = "by hand";
 

@@ -8,7 +8,7 @@ use pendulum_core::{Cost, FunctionCost};
 use testbed::robots::{Panda, Ur5, Ur5Flange};
 use testbed::scenes::DoublePendulum;
 
-use super::candidate::{BY_HAND, Candidate, Function, OURS, Order, PLAIN};
+use super::candidate::{BY_HAND, Candidate, FUSED, Function, OURS, Order, PLAIN};
 use super::entrants::sizes;
 use crate::library::load;
 use crate::rust::{Processors, package};
@@ -32,19 +32,32 @@ pub(crate) fn candidates(root: &Path, build: &Path) -> Result<Vec<Candidate>, Bo
                     Function::Jacobian => cost["jacobian"],
                     Function::Point => Ur5Flange::COST["flange_and_jacobian"],
                 };
-                add(&mut all, &library, model, model, function, peer, Some(cost))?;
+                let code = format!("{model}_{}", function.name());
+                add(&mut all, &library, &code, model, function, peer, Some(cost))?;
+                if processors == Processors::All {
+                    add(
+                        &mut all,
+                        &library,
+                        &format!("{code}_fused"),
+                        model,
+                        function,
+                        FUSED,
+                        Some(cost),
+                    )?;
+                }
             }
         }
         if processors == Processors::This {
             for &function in Function::of("eq22") {
-                add(&mut all, &library, "by_hand", "eq22", function, BY_HAND, None)?;
+                let code = format!("by_hand_{}", function.name());
+                add(&mut all, &library, &code, "eq22", function, BY_HAND, None)?;
             }
         }
     }
     Ok(all)
 }
 
-/// Adds a function in both orders; `code` is the start of the names of its symbols.
+/// Adds a function in both orders; `code` is the name of its symbol for states side by side.
 fn add(
     all: &mut Vec<Candidate>,
     library: &Path,
@@ -55,12 +68,10 @@ fn add(
     cost: Option<FunctionCost>,
 ) -> Result<(), Box<dyn Error>> {
     let (states, results) = sizes(model, function)?;
-    let program = |ending| {
-        let symbol = format!("{code}_{}{ending}", function.name());
-        load(library, &symbol, states, results)
-    };
+    let program = |ending| load(library, &format!("{code}{ending}"), states, results);
     for order in Order::ALL {
         let (ending, cheap) = match order {
+            Order::SideBySide if peer == FUSED => ("", None),
             Order::SideBySide => ("", Some(program("_cheap")?)),
             Order::InSequence => ("_in_sequence", None),
         };

@@ -2,8 +2,12 @@
 
 use std::ffi::c_long;
 use std::hint::black_box;
+use std::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::prelude::*;
+use pendulum_core::real::lanes::Routine;
+use pendulum_core::real::{Float, Real};
 
 use crate::cheap::Cheap;
 
@@ -11,121 +15,161 @@ use crate::cheap::Cheap;
 /// as in `peers/candidate.py`.
 const TINY: f64 = 1e-200;
 
-/// Result of a function.
-pub(crate) trait Outcome {
+/// Result of a function in numbers `T`.
+pub(crate) trait Outcome<T> {
     /// The part that the next state depends on: accelerations, or a position.
-    fn values(&self) -> &[f64];
+    fn values(&self) -> &[T];
 
     /// All numbers that the peers compute as well.
-    fn flat(&self) -> Vec<f64>;
+    fn flat(&self) -> Vec<T>;
 }
 
-impl<const N: usize> Outcome for SVector<f64, N> {
-    fn values(&self) -> &[f64] {
+impl<T: Float, const N: usize> Outcome<T> for SVector<T, N> {
+    fn values(&self) -> &[T] {
         // there may be one position more than rates
         &self.as_slice()[N.div_ceil(2)..]
     }
 
-    fn flat(&self) -> Vec<f64> {
+    fn flat(&self) -> Vec<T> {
         self.values().to_vec()
     }
 }
 
-impl<const N: usize> Outcome for (SVector<f64, N>, SMatrix<f64, N, N>) {
-    fn values(&self) -> &[f64] {
+impl<T: Float, const N: usize> Outcome<T> for (SVector<T, N>, SMatrix<T, N, N>) {
+    fn values(&self) -> &[T] {
         self.0.values()
     }
 
     /// Of the Jacobian the lower half, column by column: derivatives of the accelerations by coordinates and rates.
-    fn flat(&self) -> Vec<f64> {
+    fn flat(&self) -> Vec<T> {
         let lower = self.1.rows(N / 2, N / 2);
         self.values().iter().chain(lower.iter()).copied().collect()
     }
 }
 
-impl Outcome for (SVector<f64, 3>, SMatrix<f64, 3, 6>) {
-    fn values(&self) -> &[f64] {
+impl<T: Float> Outcome<T> for (SVector<T, 3>, SMatrix<T, 3, 6>) {
+    fn values(&self) -> &[T] {
         self.0.as_slice()
     }
 
-    fn flat(&self) -> Vec<f64> {
+    fn flat(&self) -> Vec<T> {
         [self.0.as_slice(), self.1.as_slice()].concat()
     }
 }
 
-/// # Safety
-/// `states` points to `count` states.
-#[allow(unsafe_code, reason = "called from another library")]
-pub(crate) unsafe fn given<'a, const N: usize>(states: *const f64, count: c_long) -> &'a [[f64; N]] {
-    // SAFETY: guaranteed by the caller.
-    unsafe { std::slice::from_raw_parts(states.cast(), count as usize) }
+/// A function of a model at a state, in numbers `T`.
+pub(crate) trait Function<T, const N: usize> {
+    type Outcome;
+
+    fn at(&self, x: &SVector<T, N>) -> Self::Outcome;
+}
+
+/// Right-hand side of a model.
+pub(crate) struct Rhs<M>(pub M);
+
+impl<T: Real, const N: usize, M: System<T, N>> Function<T, N> for Rhs<M> {
+    type Outcome = SVector<T, N>;
+
+    #[inline(always)]
+    fn at(&self, x: &SVector<T, N>) -> Self::Outcome {
+        self.0.rhs(T::default(), x)
+    }
+}
+
+/// Right-hand side of a model with its Jacobian.
+pub(crate) struct Both<M>(pub M);
+
+impl<T: Real, const N: usize, M: Jacobian<T, N>> Function<T, N> for Both<M> {
+    type Outcome = (SVector<T, N>, SMatrix<T, N, N>);
+
+    #[inline(always)]
+    fn at(&self, x: &SVector<T, N>) -> Self::Outcome {
+        self.0.rhs_and_jacobian(T::default(), x)
+    }
 }
 
 /// Evaluates states that do not depend on each other, and writes the last result.
-///
+pub(crate) struct Beside<F>(pub F);
+
+/// Evaluates states each of which depends on the previous result, and writes the last result.
+pub(crate) struct After<F>(pub F);
+
+/// States, and room for a result.
+pub(crate) type Given<'a, const N: usize> = (&'a [[f64; N]], *mut f64);
+
 /// # Safety
-/// `out` points to room for a result.
+/// `states` points to `count` states, and `out` to room for a result.
 #[allow(unsafe_code, reason = "called from another library")]
-#[inline(always)]
-pub(crate) unsafe fn beside<const N: usize, R: Outcome>(
-    states: &[[f64; N]],
-    out: *mut f64,
-    function: impl Fn(&SVector<f64, N>) -> R,
-) {
-    for (n, x) in states.iter().enumerate() {
-        let result = function(&SVector::from(*x));
-        // A reference, since the value would be copied.
-        black_box(&result);
-        if n + 1 == states.len() {
-            // SAFETY: guaranteed by the caller.
-            unsafe { write(&result, out) };
+pub(crate) unsafe fn given<'a, const N: usize>(states: *const f64, out: *mut f64, count: c_long) -> Given<'a, N> {
+    // SAFETY: guaranteed by the caller.
+    (
+        unsafe { std::slice::from_raw_parts(states.cast(), count as usize) },
+        out,
+    )
+}
+
+impl<T, F, const N: usize> Routine<PhantomData<T>, Given<'_, N>> for Beside<F>
+where
+    T: Float,
+    F: Function<T, N, Outcome: Outcome<T>>,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self, _: &mut PhantomData<T>, &(states, out): &Given<'_, N>) {
+        for (n, x) in states.iter().enumerate() {
+            let result = self.0.at(&SVector::from(x.map(T::from_f64)));
+            // A reference, since the value would be copied.
+            black_box(&result);
+            if n + 1 == states.len() {
+                write(&result, out);
+            }
         }
     }
 }
 
-/// Evaluates states each of which depends on the previous result, and writes the last result.
-///
-/// # Safety
-/// `out` points to room for a result.
-#[allow(unsafe_code, reason = "called from another library")]
-#[inline(always)]
-pub(crate) unsafe fn after<const N: usize, R: Outcome>(
-    states: &[[f64; N]],
-    out: *mut f64,
-    function: impl Fn(&SVector<f64, N>) -> R,
-) {
-    let mut before = [0.0; N];
-    for (n, x) in states.iter().enumerate() {
-        let result = function(&SVector::from_fn(|i, _| x[i] + TINY * before[i]));
-        black_box(&result);
-        let values = result.values();
-        for (i, before) in before.iter_mut().enumerate() {
-            // One number at a time, as in C: wide loads of numbers that were stored one by one would stall.
-            // SAFETY: a reference is valid.
-            *before = unsafe { std::ptr::read_volatile(&values[i % values.len()]) };
-        }
-        if n + 1 == states.len() {
-            // SAFETY: guaranteed by the caller.
-            unsafe { write(&result, out) };
+impl<T, F, const N: usize> Routine<PhantomData<T>, Given<'_, N>> for After<F>
+where
+    T: Float,
+    F: Function<T, N, Outcome: Outcome<T>>,
+{
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(unsafe_code, reason = "volatile reads")]
+    fn run(self, _: &mut PhantomData<T>, &(states, out): &Given<'_, N>) {
+        let mut before = [0.0; N];
+        for (n, x) in states.iter().enumerate() {
+            let result = self
+                .0
+                .at(&SVector::from_fn(|i, _| T::from_f64(x[i] + TINY * before[i])));
+            black_box(&result);
+            let values = result.values();
+            for (i, before) in before.iter_mut().enumerate() {
+                // One number at a time, as in C: wide loads of numbers that were stored one by one would stall.
+                // SAFETY: a reference is valid.
+                *before = unsafe { std::ptr::read_volatile(&values[i % values.len()]) }.to_f64();
+            }
+            if n + 1 == states.len() {
+                write(&result, out);
+            }
         }
     }
 }
 
 /// Evaluates states that do not depend on each other, with cheap sines and cosines.
 #[inline(always)]
-pub(crate) fn cheap<const N: usize, R>(states: &[[f64; N]], function: impl Fn(&SVector<Cheap, N>) -> R) {
+pub(crate) fn cheap<const N: usize>(function: impl Function<Cheap, N>, (states, _): Given<'_, N>) {
     for x in states {
-        black_box(&function(&SVector::from(x.map(Cheap))));
+        black_box(&function.at(&SVector::from(x.map(Cheap))));
     }
 }
 
-/// # Safety
-/// `out` points to room for the result.
-#[allow(unsafe_code, reason = "called from another library")]
+#[allow(unsafe_code, reason = "called from another library, with room for a result")]
 #[cold]
 #[inline(never)]
-unsafe fn write(result: &impl Outcome, out: *mut f64) {
-    let flat = result.flat();
-    // SAFETY: guaranteed by the caller.
+fn write<T: Float>(result: &impl Outcome<T>, out: *mut f64) {
+    let flat: Vec<f64> = result.flat().into_iter().map(T::to_f64).collect();
+    // SAFETY: the pointer is that of `given`.
     unsafe { out.copy_from_nonoverlapping(flat.as_ptr(), flat.len()) };
 }
