@@ -188,10 +188,7 @@ fn a_ball_on_a_shaken_table_flies_and_rests_by_turns() {
 /// comparison ends where the reference becomes uncertain: rebounds multiply errors, as the reference for a slightly
 /// larger swing of the table shows. `PENDULUM_ROUGH` tries more tables.
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn a_table_that_swings_within_a_step_hits_as_soon_as_it_must() {
     let others = (0..number("PENDULUM_ROUGH", 0)).map(|n| 20.0 + 180.0 * (n as f64 * 0.618_033_988_749_895).fract());
     let start = [0.06, 0.0];

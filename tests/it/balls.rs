@@ -557,10 +557,7 @@ fn inputs_push_a_ball_pendulum_that_stays_on_the_sphere() {
 }
 
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn exponents_leave_out_the_length_of_a_quaternion() {
     let spherical = Spherical::new(SphericalParams::default()).expect("physical");
     let x0 = motion("spherical_pendulum_with_friction").x0;

@@ -185,10 +185,7 @@ fn the_furuta_pendulum_is_the_same() {
 }
 
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn a_robot_is_the_same() {
     let model = Ur5::new(Ur5Params {}).expect("physical");
     same(ROBOTS, "Ur5", 0.0, |t, x, qdd| {
@@ -322,10 +319,7 @@ mechanism! {
 }
 
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn balls_are_the_same() {
     let model = Floating::new(FloatingParams {}).expect("physical");
     same(OWN, "Floating", 0.0, |t, x, _| {
@@ -413,10 +407,7 @@ fn angles_that_count_their_turns_are_the_same() {
 }
 
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn coupled_loops_are_the_same() {
     let model = Coupled::new(CoupledParams {}).expect("physical");
     same(OWN, "Coupled", 0.0, |t, x, _| {
@@ -467,10 +458,7 @@ mechanism! {
 }
 
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn constraints_of_floating_bodies_are_the_same() {
     let model = Landing::new(LandingParams {}).expect("physical");
     same(OWN, "Landing", 0.0, |t, x, forces| {

@@ -95,10 +95,7 @@ fn they_follow_by_parts_of_turns() {
 }
 
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn they_follow_joints_above_them() {
     for (factor, turns) in [
         ("1", 1.0),

@@ -277,10 +277,7 @@ where
 }
 
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn the_energy_does_not_drift_over_many_elastic_impacts() {
     let wide = Bouncing::new(BouncingParams {
         e: 1.0,

@@ -92,10 +92,7 @@ fn emitted_code_is_the_expected_one() {
 /// Compares the code of every example by its number of lines and a digest. The code is written to `target/tmp/emitted`,
 /// for a comparison of versions.
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn emitted_code_of_all_examples_has_the_expected_digests() {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
     let written = Path::new(env!("CARGO_TARGET_TMPDIR")).join("emitted");

@@ -38,10 +38,7 @@ fn planar_chains_grow_with_the_square_of_their_length_at_most() {
 }
 
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn spatial_chains_grow_with_the_square_of_their_length_at_most() {
     let costs = [4, 5, 6, 7, 8, 11].map(|n| (n, right_hand_side(&spatial(n, "rhs"))));
     let shares: Vec<f64> = costs[..5]

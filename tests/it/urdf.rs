@@ -44,10 +44,7 @@ fn without(code: &str, start: &str, end: &str) -> String {
 }
 
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn robots_give_the_code_of_those_declared_by_hand() {
     equals_the_declared_one("Ur5");
     equals_the_declared_one("Panda");

@@ -197,10 +197,7 @@ fn potentials_and_torques_wind_up() {
 }
 
 #[test]
-#[cfg_attr(
-    not(feature = "thorough"),
-    ignore = "takes long: it runs with the feature `thorough`"
-)]
+#[ignore = "takes long"]
 fn loops_without_a_closed_form_wind_up() {
     let welded = Welded::new(WeldedParams { a: 0.2, k: 1e-8 }).expect("the parameters are physical");
     let start = welded.assemble(0.0, [0.8, -0.3, 1.6, -1.1, 12.0]).expect("it closes");
