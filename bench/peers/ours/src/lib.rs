@@ -20,7 +20,7 @@ use testbed::eq22::{Eq22, Plate};
 use testbed::robots::{Panda, PandaParams, Ur5, Ur5Flange, Ur5FlangeParams, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-use loops::{After, Beside, Both, Function, Rhs};
+use loops::{After, Beside, Both, Function, Given, Rhs};
 
 mechanism! {
     /// Solo 12 with its trunk in the air.
@@ -128,61 +128,58 @@ impl<T: Real> Function<T, 12> for Place<Ur5Flange<T>> {
     }
 }
 
-/// Functions with the signature of the peers.
+/// A function with the signature of the peers, under a name in two parts.
+macro_rules! export {
+    ($name:literal $ending:literal: $run:expr) => {
+        const _: () = {
+            /// # Safety
+            /// `states` points to `count` states, and `out` to room for a result.
+            #[unsafe(export_name = concat!($name, $ending))]
+            #[allow(unsafe_code, reason = "called through its address")]
+            unsafe extern "C" fn run(states: *const f64, out: *mut f64, count: c_long) {
+                // SAFETY: guaranteed by the caller.
+                $run(unsafe { loops::given(states, out, count) });
+            }
+        };
+    };
+}
+
+/// All loops over functions: plain and fused, and with cheap sines and cosines.
 macro_rules! functions {
-    ($($symbol:ident: $run:expr;)*) => { $(
-        /// # Safety
-        /// `states` points to `count` states, and `out` to room for a result.
-        #[unsafe(no_mangle)]
-        #[allow(unsafe_code, reason = "called through its address")]
-        pub unsafe extern "C" fn $symbol(states: *const f64, out: *mut f64, count: c_long) {
-            // SAFETY: guaranteed by the caller.
-            $run(unsafe { loops::given(states, out, count) });
-        }
+    ($($name:literal: $function:ident($model:ident);)*) => { $(
+        export! { $name "": |given| plain(Beside($function($model())), given) }
+        export! { $name "_in_sequence": |given| plain(After($function($model())), given) }
+        export! { $name "_cheap": |given| loops::cheap($function($model()), given) }
+        export! { $name "_fused": |given| fused(Beside($function($model())), given) }
+        export! { $name "_fused_in_sequence": |given| fused(After($function($model())), given) }
     )* };
 }
 
-/// The loop in numbers `f64`.
-macro_rules! plain {
-    ($loop:ident($function:ident($model:ident))) => {
-        |given| $loop($function($model::<f64>())).run(&mut PhantomData::<f64>, &given)
-    };
+/// Runs a loop in numbers `f64`.
+#[inline(always)]
+fn plain<'a, const N: usize>(run: impl Routine<PhantomData<f64>, Given<'a, N>, Output = ()>, given: Given<'a, N>) {
+    run.run(&mut PhantomData, &given);
 }
 
-/// The loop in fused arithmetic. It runs in code for the processor's instructions, as the steps of an integration do.
-macro_rules! fused {
-    ($loop:ident($function:ident($model:ident))) => {
-        |given| {
-            let run = $loop($function($model::<Fused<f64>>()));
-            <Fused<f64>>::call(run, &mut PhantomData::<Fused<f64>>, &given);
-        }
-    };
+/// Runs a loop in fused arithmetic, in code for the processor's instructions, as the steps of an integration do.
+fn fused<'a, const N: usize>(
+    run: impl Routine<PhantomData<Fused<f64>>, Given<'a, N>, Output = ()>,
+    given: Given<'a, N>,
+) {
+    <Fused<f64>>::call(run, &mut PhantomData, &given);
 }
 
-/// All loops over a function: plain and fused, and with cheap sines and cosines.
-macro_rules! all {
-    ($($beside:ident $after:ident $cheap:ident $beside_fused:ident $after_fused:ident: $function:ident($model:ident);)*) => {
-        functions! { $(
-            $beside: plain!(Beside($function($model)));
-            $after: plain!(After($function($model)));
-            $cheap: |given| loops::cheap($function($model()), given);
-            $beside_fused: fused!(Beside($function($model)));
-            $after_fused: fused!(After($function($model)));
-        )* }
-    };
-}
-
-all! {
-    eq22_rhs eq22_rhs_in_sequence eq22_rhs_cheap eq22_rhs_fused eq22_rhs_fused_in_sequence: Rhs(pendulum);
-    eq22_jacobian eq22_jacobian_in_sequence eq22_jacobian_cheap eq22_jacobian_fused eq22_jacobian_fused_in_sequence: Both(pendulum);
-    by_hand_rhs by_hand_rhs_in_sequence by_hand_rhs_cheap by_hand_rhs_fused by_hand_rhs_fused_in_sequence: Rhs(by_hand);
-    by_hand_jacobian by_hand_jacobian_in_sequence by_hand_jacobian_cheap by_hand_jacobian_fused by_hand_jacobian_fused_in_sequence: Both(by_hand);
-    ur5_rhs ur5_rhs_in_sequence ur5_rhs_cheap ur5_rhs_fused ur5_rhs_fused_in_sequence: Rhs(ur5);
-    ur5_jacobian ur5_jacobian_in_sequence ur5_jacobian_cheap ur5_jacobian_fused ur5_jacobian_fused_in_sequence: Both(ur5);
-    ur5_point ur5_point_in_sequence ur5_point_cheap ur5_point_fused ur5_point_fused_in_sequence: Place(flange);
-    panda_rhs panda_rhs_in_sequence panda_rhs_cheap panda_rhs_fused panda_rhs_fused_in_sequence: Rhs(panda);
-    panda_jacobian panda_jacobian_in_sequence panda_jacobian_cheap panda_jacobian_fused panda_jacobian_fused_in_sequence: Both(panda);
-    xarm7_rhs xarm7_rhs_in_sequence xarm7_rhs_cheap xarm7_rhs_fused xarm7_rhs_fused_in_sequence: Rhs(xarm7);
-    xarm7_jacobian xarm7_jacobian_in_sequence xarm7_jacobian_cheap xarm7_jacobian_fused xarm7_jacobian_fused_in_sequence: Both(xarm7);
-    solo_rhs solo_rhs_in_sequence solo_rhs_cheap solo_rhs_fused solo_rhs_fused_in_sequence: Rhs(solo);
+functions! {
+    "eq22_rhs": Rhs(pendulum);
+    "eq22_jacobian": Both(pendulum);
+    "by_hand_rhs": Rhs(by_hand);
+    "by_hand_jacobian": Both(by_hand);
+    "ur5_rhs": Rhs(ur5);
+    "ur5_jacobian": Both(ur5);
+    "ur5_point": Place(flange);
+    "panda_rhs": Rhs(panda);
+    "panda_jacobian": Both(panda);
+    "xarm7_rhs": Rhs(xarm7);
+    "xarm7_jacobian": Both(xarm7);
+    "solo_rhs": Rhs(solo);
 }
