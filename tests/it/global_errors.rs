@@ -355,6 +355,11 @@ fn what_cannot_be_tuned_is_refused() {
     assert!(refused((0.0, f64::NAN), &starts, 1e-6).contains("a time must be finite"));
     assert!(refused((0.0, 1.0), &[], 1e-6).contains("at least one start"));
     assert!(refused((0.0, 40.0), &starts, 1e-9).contains("shorten the span if the motion is chaotic"));
+    // not confirmed by `Auto`, which is `Vern9` with tight tolerances
+    let alone = Tuning::new(&model, (0.0, 100.0), &starts, 1e-3)
+        .adaptive("Vern9", Vern9::new())
+        .adaptive("Auto", Auto::new());
+    assert!(error_of(alone.run()).contains("shorten the span if the motion is chaotic"));
     let fixed = Tuning::new(&model, (0.0, 1.0), &starts, 1e-6).canonical();
     assert!(error_of(fixed.run()).contains("at least two methods must be adaptive"));
     let scaled = Tuning::new(&model, (0.0, 1.0), &starts, 1e-6).explicit().scale(0.0);

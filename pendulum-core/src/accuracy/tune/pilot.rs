@@ -187,12 +187,9 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
             let mut known: Vec<(&Compared<N>, Runs<N>)> = Vec::new();
             let mut failures = Vec::new();
             for of in order {
-                // `Auto` is another name of an explicit method where it does not switch
-                let is_another = known.iter().all(|(before, _)| before.runs[0].ends != of.runs[0].ends);
-                if !is_another {
-                    continue;
-                }
                 match self.runs(of.candidate, tolerance, STEPS[1]) {
+                    // `Auto` is another name of an explicit method where it does not switch
+                    Ok(runs) if known.iter().any(|(_, before)| before.ends == runs.ends) => {}
                     Ok(runs) => known.push((of, runs)),
                     Err(failure) => failures.push((self.candidates[of.candidate].name, failure)),
                 }
