@@ -454,6 +454,52 @@ fn a_few_steps_at_the_limit_now_and_then_are_not_stiffness() {
     assert_eq!(statistics.switches, 0, "{statistics:?}");
 }
 
+/// A stiff spring with a damper, whose far end moves as `cos t`: the mass follows it.
+struct Following {
+    rate: f64,
+    damping: f64,
+}
+
+impl System<f64, 2> for Following {
+    fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        let (gap, closing) = (x[0] - t.cos(), x[1] + t.sin());
+        SVector::from([x[1], -self.rate * self.rate * gap - 2.0 * self.damping * closing])
+    }
+}
+
+impl Jacobian<f64, 2> for Following {
+    fn jacobian(&self, _t: f64, _x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+        SMatrix::from([[0.0, -self.rate * self.rate], [1.0, -2.0 * self.damping]])
+    }
+
+    fn time_derivative(&self, t: f64, _x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        SVector::from([0.0, -self.rate * self.rate * t.sin() - 2.0 * self.damping * t.cos()])
+    }
+}
+
+#[test]
+fn motions_along_a_stiff_spring_take_no_more_steps_than_the_implicit_method_alone() {
+    for (rate, damping) in [(1000.0, 300.0), (1000.0, 700.0), (300.0, 90.0)] {
+        let system = Following { rate, damping };
+        for tolerance in [1e-4, 1e-5, 3e-6] {
+            let auto = Auto::new().rtol(tolerance).atol(tolerance);
+            let auto = auto
+                .solve(&system, 0.0, 10.0, [1.0, 0.0])
+                .expect("regular")
+                .statistics();
+            let alone = Rodas5P::new().rtol(tolerance).atol(tolerance);
+            let alone = alone
+                .solve(&system, 0.0, 10.0, [1.0, 0.0])
+                .expect("regular")
+                .statistics();
+            assert!(
+                auto.switches == 1 && auto.stiff <= alone.accepted,
+                "{rate} {damping} {tolerance}: {auto:?} {alone:?}"
+            );
+        }
+    }
+}
+
 #[test]
 fn where_it_is_stiff_it_takes_the_steps_of_the_implicit_method() {
     fn accepted(method: &impl Method<Prothero, f64, 1>) -> Statistics {
@@ -468,5 +514,5 @@ fn where_it_is_stiff_it_takes_the_steps_of_the_implicit_method() {
             assert_eq!(auto.iterations > 0, implicit.iterations > 0, "{}", stringify!($method));
         )* };
     }
-    check! { 1e-3: Rodas4; 2.01e-6: Rodas4; 2e-6: Rodas5P; 2e-9: Rodas5P; 1e-9: Radau13; }
+    check! { 1e-3: Rodas4; 1.01e-4: Rodas4; 1e-4: Rodas5P; 2e-9: Rodas5P; 1e-9: Radau13; }
 }
