@@ -218,7 +218,14 @@ impl<'q> Origin<'q> {
             for own in parameters.filter(|own| idle.iter().any(|part| part.place == own.place)) {
                 if let Some(place) = outline.default_of(own) {
                     let value = outline.text[place].trim();
-                    edits.extend(outline.uses(&own.word, own).map(|place| (place, format!("({value})"))));
+                    let value = match outline.unit_of(own).map(|place| &outline.text[place]) {
+                        None | Some("1") => format!("({value})"),
+                        Some(unit) => match unit.strip_prefix("1/") {
+                            Some(below) => format!("(({value})/(1 {below}))"),
+                            None => format!("(({value})*(1 {unit}))"),
+                        },
+                    };
+                    edits.extend(outline.uses(&own.word, own).map(|place| (place, value.clone())));
                 }
             }
             outline = Outline::new(outline.with(edits))?;

@@ -188,6 +188,14 @@ impl Outline {
         Some(begin..parameter.own.end)
     }
 
+    /// Place of the unit of a parameter, if it has one.
+    pub(super) fn unit_of(&self, parameter: &Part) -> Option<Range<usize>> {
+        let value = &parameter.value;
+        let end = value.iter().position(|(token, _)| token == "=")?;
+        let unit = &value[..end];
+        Some(unit.first()?.1.start..unit.last()?.1.end)
+    }
+
     /// True if there is a parameter of this name.
     pub(super) fn has_parameter(&self, name: &str) -> bool {
         self.of("params").any(|params| params.field(name).is_some())

@@ -209,6 +209,32 @@ fn bodies_of_a_robot_are_written_out() {
 }
 
 #[test]
+fn values_keep_the_units_of_parameters_that_drop_out() {
+    // of a rotor that does not turn, only the current is left, and no torque needs `k`
+    let text = "pub Motor {
+        params { k: N m/A = 0.4, slow: 1/s = 0.5, lag: s = 2, r: ohm = 0.5, l: H = 0.001 }
+        input u: V,
+        state i { unit: A, rate: (u - r*i - k*slow*lag*dot(theta))/l }
+        body bob on ground { mass: 1, inertia: 10, joint: revolute(z), coordinate: theta, torque: k*i }
+    }";
+    let question = Question {
+        starts: vec![vec![0.0, 0.0, 0.0]],
+        inputs: vec![("u".to_owned(), 1.0)],
+        horizon: 0.01,
+        outputs: names(&["i"]),
+        ..Question::default()
+    };
+    let answer = simplest(&Declaration::new(text), &question).expect("valid");
+    let locked = of(&answer, &["with the joint of `bob` fixed"]);
+    assert!(
+        locked.declaration.contains("((0.4)*(1 N m/A))"),
+        "{}",
+        locked.declaration
+    );
+    assert!(locked.observed[0] < 1e-2, "{answer}");
+}
+
+#[test]
 fn what_cannot_be_asked_is_refused() {
     let text = "pub Pendulum {
         gravity: [0, -9.81, 0],
