@@ -23,7 +23,12 @@ const COSTS: [(&str, Cost); 5] = [
 
 pub(crate) fn candidates(root: &Path, build: &Path) -> Result<Vec<Candidate>, Box<dyn Error>> {
     let mut all = Vec::new();
-    for (peer, processors) in [(OURS, Processors::This), (PLAIN, Processors::All)] {
+    for processors in [Processors::This, Processors::All] {
+        // endings of symbols, and names
+        let entrants: &[(&str, &str)] = match processors {
+            Processors::This => &[("", OURS)],
+            Processors::All => &[("", PLAIN), ("_fused", FUSED)],
+        };
         let library = package(&root.join("peers/ours"), build, processors)?;
         for (model, cost) in COSTS {
             for &function in Function::of(model) {
@@ -32,18 +37,9 @@ pub(crate) fn candidates(root: &Path, build: &Path) -> Result<Vec<Candidate>, Bo
                     Function::Jacobian => cost["jacobian"],
                     Function::Point => Ur5Flange::COST["flange_and_jacobian"],
                 };
-                let code = format!("{model}_{}", function.name());
-                add(&mut all, &library, &code, model, function, peer, Some(cost))?;
-                if processors == Processors::All {
-                    add(
-                        &mut all,
-                        &library,
-                        &format!("{code}_fused"),
-                        model,
-                        function,
-                        FUSED,
-                        Some(cost),
-                    )?;
+                for &(ending, peer) in entrants {
+                    let code = format!("{model}_{}{ending}", function.name());
+                    add(&mut all, &library, &code, model, function, peer, Some(cost))?;
                 }
             }
         }

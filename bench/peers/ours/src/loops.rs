@@ -102,10 +102,8 @@ pub(crate) type Given<'a, const N: usize> = (&'a [[f64; N]], *mut f64);
 #[allow(unsafe_code, reason = "called from another library")]
 pub(crate) unsafe fn given<'a, const N: usize>(states: *const f64, out: *mut f64, count: c_long) -> Given<'a, N> {
     // SAFETY: guaranteed by the caller.
-    (
-        unsafe { std::slice::from_raw_parts(states.cast(), count as usize) },
-        out,
-    )
+    let states = unsafe { std::slice::from_raw_parts(states.cast(), count as usize) };
+    (states, out)
 }
 
 impl<T, F, const N: usize> Routine<PhantomData<T>, Given<'_, N>> for Beside<F>
