@@ -34,13 +34,14 @@ use crate::tableau::{HairerWanner4, Steinebach5, Tableau, Tsitouras5, Verner7, V
 /// | up to 1e-9 | [`Vern9`](crate::Vern9) | [`Radau13`](crate::Radau13) |
 ///
 /// The explicit method estimates `|h lambda|`, the length of the step times the fastest rate of the system, as
-/// `h |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2). If the
-/// estimate repeatedly reaches the limit of stability, then stability rather than the tolerance limits the steps, and
-/// the implicit method takes over. It does so at a smaller estimate if the derivative bends much less over a step than
-/// it would at that rate, after a first step at the limit with tolerances above 1e-4, and with those above 5e-4 also
-/// after a first step that is rejected far beyond it. The implicit method estimates `|h lambda|` by power iteration
-/// with its Jacobian, and hands back once explicit steps of the same length would be stable. `Vern9` and the implicit
-/// methods are tested in every second step.
+/// `h |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2). If it
+/// repeatedly reaches the limit of stability, then stability rather than the tolerance limits the steps, and the
+/// implicit method takes over. It also does so where the error estimate is repeatedly larger than it could be along a
+/// smooth solution: as large as that of the trapezoidal rule, reduced by the order of the method. Steps are like this
+/// far below the limit of stability if fast modes oscillate or are driven. With tolerances above 1e-4 a first step at
+/// the limit is enough, and with those above 5e-4 also a first step that is rejected far beyond it. The implicit method
+/// estimates `|h lambda|` by power iteration with its Jacobian, and hands back once explicit steps could be as long.
+/// Every second step is tested.
 ///
 /// [`Statistics`] count the implicit steps and the switches.
 ///
@@ -65,7 +66,7 @@ pub type Auto = Adaptive<Switching>;
 #[cfg(feature = "std")]
 pub(crate) use in_lanes::{SwitchInLanes, SwitchingFrom};
 use stiff::Stiff;
-use stiffness::{Limit, Stiffness, even, of_fastest_rate};
+use stiffness::{Limits, Stiffness, even, of_fastest_rate};
 
 /// Kind of method of [`Auto`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -112,6 +113,7 @@ where
             implicit: Stiff::new(pair, system, tolerance)?,
             stiffness: pair.stiffness(),
             fastest: even(system.active()),
+            error: T::default(),
         })
     }
 }
@@ -126,12 +128,14 @@ pub struct Switch<T, const N: usize> {
     stiffness: Stiffness,
     /// Direction of the fastest change, for power iteration.
     fastest: SVector<T, N>,
+    /// Mean square of the error of the last explicit attempt.
+    error: T,
 }
 
-/// An explicit method with its limit of stability.
+/// An explicit method with its limits.
 pub(crate) trait Bounded<const STAGES: usize>: Tableau<STAGES> {
-    /// Limit of the steps.
-    const LIMIT: Limit;
+    /// Limits of the steps.
+    const LIMITS: Limits;
 
     /// True if the implicit method takes over where the first step is rejected far beyond the limit. Other methods do
     /// not know their last stage then.
@@ -139,24 +143,19 @@ pub(crate) trait Bounded<const STAGES: usize>: Tableau<STAGES> {
 }
 
 impl Bounded<7> for Tsitouras5 {
-    const LIMIT: Limit = Limit {
-        stable: 3.5,
-        creeps: false,
-    };
+    const LIMITS: Limits = Limits { stable: 3.5, free: 1.0 };
     const YIELDS_IF_REJECTED: bool = true;
 }
 
 impl Bounded<11> for Verner7 {
-    const LIMIT: Limit = Limit {
-        stable: 4.6,
-        creeps: false,
-    };
+    const LIMITS: Limits = Limits { stable: 4.6, free: 1.4 };
 }
 
 impl Bounded<17> for Verner9 {
-    const LIMIT: Limit = Limit {
+    const LIMITS: Limits = Limits {
         stable: 4.4,
-        creeps: true,
+        // with tight tolerances error estimates grow from 0.4 on
+        free: 0.7,
     };
 }
 
@@ -232,37 +231,31 @@ impl<T: Float, const N: usize> Free<T, N> {
         })
     }
 
-    /// Limit of the steps.
-    fn limit(&self) -> Limit {
+    /// Limits of the steps.
+    fn limits(&self) -> Limits {
         match self {
-            Self::Tsit5(_) => Tsitouras5::LIMIT,
-            Self::Vern7(_) => Verner7::LIMIT,
-            Self::Vern9(_) => Verner9::LIMIT,
+            Self::Tsit5(_) => Tsitouras5::LIMITS,
+            Self::Vern7(_) => Verner7::LIMITS,
+            Self::Vern9(_) => Verner9::LIMITS,
         }
     }
 }
 
-/// Tests the last explicit step, of length `h`, if one is due.
+/// Tests the last explicit step with its error if a test is due.
 #[inline(always)]
 fn test<B, T, const STAGES: usize, const N: usize>(
     stages: &ExplicitStages<B, T, STAGES, N>,
-    h: T,
+    (step, error, active): (&Step<T, N>, T, usize),
     stiffness: &mut Stiffness,
 ) where
     B: Bounded<STAGES>,
     T: Float,
 {
-    if !stiffness.takes_test(B::LIMIT) {
-        return;
+    if stiffness.takes_test() {
+        let measured = stages.stiffness(step.h).to_f64();
+        let if_smooth = stages.error_if_smooth(step, active).to_f64();
+        stiffness.after_explicit(measured, B::LIMITS, [error.to_f64(), if_smooth]);
     }
-    let measured = stages.stiffness(h).to_f64();
-    let needs_bend = Stiffness::needs_bend(measured, B::LIMIT);
-    let bend = if needs_bend {
-        stages.bend().to_f64()
-    } else {
-        f64::INFINITY
-    };
-    stiffness.after_explicit(measured, bend, B::LIMIT);
 }
 
 impl<T: Float, const N: usize> Switch<T, N> {
@@ -325,13 +318,14 @@ where
             return self.implicit.attempt(system, (t, x), (t_new, x_new), work);
         }
         let error = explicit!(&mut self.explicit, stages => stages.attempt(system, (t, x), (t_new, x_new), work)?);
+        self.error = error;
         if const { Tsitouras5::YIELDS_IF_REJECTED }
             && let Free::Tsit5(stages) = &self.explicit
             && self.stiffness.doubts_rejected()
             && !is_within_tolerance(error)
         {
             let measured = stages.stiffness(t_new - t).to_f64();
-            self.stiffness.after_rejected(measured, Tsitouras5::LIMIT.stable);
+            self.stiffness.after_rejected(measured, Tsitouras5::LIMITS);
             if self.stiffness.changes {
                 return Ok(T::from_f64(BARELY_TOO_LARGE));
             }
@@ -357,15 +351,15 @@ where
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
         if self.stiffness.is_stiff {
             work.stiff += 1;
-            let limit = self.explicit.limit();
-            let fastest = self.stiffness.takes_test(limit).then_some(&mut self.fastest);
+            let limits = self.explicit.limits();
+            let fastest = self.stiffness.takes_test().then_some(&mut self.fastest);
             if let Some(rate) = self.implicit.accept(system, (step, lanes), fastest, work) {
-                self.stiffness.after_implicit((step.h.abs() * rate).to_f64(), limit);
+                self.stiffness.after_implicit((step.h.abs() * rate).to_f64(), limits);
             }
         } else {
             explicit!(&mut self.explicit, stages => {
                 stages.accept(system, step, lanes, work);
-                test(stages, step.h, &mut self.stiffness);
+                test(stages, (step, self.error, system.active()), &mut self.stiffness);
             });
         }
     }

@@ -94,16 +94,15 @@ pub(super) const fn attempt_within<B: Tableau<STAGES>, const STAGES: usize>(rhs:
     stages::<B, STAGES>(rhs, n).and(length).and(error)
 }
 
-/// Operations of [`ExplicitStages::stiffness`].
+/// Operations of [`ExplicitStages::stiffness`] and [`ExplicitStages::error_if_smooth`].
 pub(super) const fn stiffness<B: Tableau<STAGES>, const STAGES: usize>(n: usize) -> Operations {
     let apart = count::weighted_sum(&difference(B::TABLEAU.b, B::TABLEAU.a[STAGES - 2]), n).and(count::square(n));
     let change = count::added(n).and(count::square(n));
-    let bend = count::added(n)
-        .times(3)
-        .and(count::multiplied(n))
-        .and(count::square(n).times(2));
-    let bend = bend.and(Operations::new(0, 1, 1, 0, 2, 25));
-    apart.and(change).and(Operations::new(0, 1, 1, 0, 3, 25)).and(bend)
+    let measured = apart.and(change).and(Operations::new(0, 1, 1, 0, 3, 25));
+    let second = count::added(n).times(3).and(count::multiplied(n).times(3));
+    let if_smooth = second.and(count::square(n).times(2)).and(count::mean_square(n));
+    let orders = B::TABLEAU.order_hat - TRAPEZOIDAL;
+    measured.and(if_smooth).and(Operations::new(0, 2 + orders, 1, 0, 0, 1))
 }
 
 impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Explicit<B, STAGES>
@@ -130,11 +129,14 @@ where
 
 impl<B: Estimates, const STAGES: usize> Estimates for Explicit<B, STAGES> {}
 
-/// Index of the stage whose time is nearest to the middle of a step.
-const fn halfway<B: Tableau<STAGES>, const STAGES: usize>() -> usize {
+/// Order of the trapezoidal rule.
+const TRAPEZOIDAL: usize = 2;
+
+/// Index of the stage whose time is nearest to `c`, as a fraction of the step.
+const fn nearest_to<B: Tableau<STAGES>, const STAGES: usize>(c: f64) -> usize {
     let (mut nearest, mut i) = (1, 2);
     while i < STAGES - 2 {
-        if (B::TABLEAU.c[i] - 0.5).abs() < (B::TABLEAU.c[nearest] - 0.5).abs() {
+        if (B::TABLEAU.c[i] - c).abs() < (B::TABLEAU.c[nearest] - c).abs() {
             nearest = i;
         }
         i += 1;
@@ -282,25 +284,33 @@ where
         })
     }
 
-    /// Deviation of the derivative from a straight line over the last attempt, relative to its change, and scaled to be
-    /// `|h lambda|` if the solution moves at a small rate `lambda`; 0 without a change. A constant part of the
-    /// derivative, as of a rotor, does not affect it.
+    /// Mean square of the error of the trapezoidal rule over a step, the last attempt, times the bend for each order
+    /// that the error estimate has more. Along smooth solutions the estimate is much smaller. The bend is the deviation
+    /// of the derivative from a straight line, relative to its change: the length of the step times the rate of the
+    /// solution. A constant part of the derivative, as of a rotor, does not affect it. NaN if the derivative does not
+    /// change, and 0 without a tolerance.
     #[inline(always)]
-    pub(super) fn bend(&self) -> T {
-        let i = const { halfway::<B, STAGES>() };
-        let c = const { B::TABLEAU.c[halfway::<B, STAGES>()] };
-        let (first, middle, last) = (&self.stages[0], &self.stages[i], &self.stages[STAGES - 1]);
+    pub(super) fn error_if_smooth(&self, step: &Step<T, N>, active: usize) -> T {
+        let Some(tolerance) = &self.tolerance else {
+            return T::default();
+        };
+        let (first, last) = (&self.stages[0], &self.stages[STAGES - 1]);
         let change = last - first;
-        let off = square(&(middle - first - change * T::from_f64(c))).sqrt() * T::from_f64(2.0 / (c * (1.0 - c)));
-        let change = square(&change).sqrt();
-        T::from_fn(|lane| {
-            let [off, change] = [off, change].map(|length| length.lane(lane));
-            if change > T::Scalar::default() {
-                off / change
-            } else {
-                T::Scalar::default()
-            }
-        })
+        // both thirds, since a point of inflection may be near one
+        let off = |i: usize| {
+            let c = B::TABLEAU.c[i];
+            let off = self.stages[i] - first - change * T::from_f64(c);
+            off.map(|off| (off * T::from_f64(1.0 / (c * (c - 1.0)))).abs())
+        };
+        let second = const { nearest_to::<B, STAGES>(1.0 / 3.0) };
+        let second = off(second) + off(const { nearest_to::<B, STAGES>(2.0 / 3.0) });
+        let bend = (square(&second) / square(&change)).at_most(T::from_f64(1.0));
+        let trapezoidal = second * (step.h * T::from_f64(1.0 / 12.0));
+        let mut error = tolerance.mean_square(&trapezoidal, [&step.x0, &step.x1], active);
+        for _ in TRAPEZOIDAL..B::TABLEAU.order_hat {
+            error *= bend;
+        }
+        error
     }
 }
 

@@ -76,6 +76,8 @@ pub(crate) struct SwitchInLanes<B, I, V: Lanes, const STAGES: usize, const STIFF
     stiffness: [Stiffness; MOST_LANES],
     /// Directions of the fastest change, for power iteration.
     fastest: SVector<V, N>,
+    /// Mean square of the errors of the last explicit attempt.
+    error: V,
     /// Number of components that are not padding.
     active: usize,
     /// Derivatives at the ends of the steps of both methods.
@@ -111,6 +113,7 @@ where
             pair,
             stiffness: [pair.stiffness(); MOST_LANES],
             fastest: even(system.active()),
+            error: V::default(),
             active: system.active(),
             slope: SVector::from_element(V::default()),
             work: Work::default(),
@@ -134,7 +137,7 @@ where
         let measured = self.explicit.stiffness(h);
         for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
             if is_doubtful(own, lane) {
-                own.after_rejected(measured.lane(lane).to_f64(), B::LIMIT.stable);
+                own.after_rejected(measured.lane(lane).to_f64(), B::LIMITS);
             }
         }
         V::from_fn(|lane| match self.stiffness[lane].changes {
@@ -240,6 +243,7 @@ where
         if some_free {
             let (t_new, work) = (self.end_of_free(start.0, t_new), &mut self.work.explicit);
             error = self.explicit.attempt(system, start, (t_new, x_new), work)?;
+            self.error = error;
             if const { B::YIELDS_IF_REJECTED } {
                 error = self.judge_first(t_new - start.0, error);
             }
@@ -281,17 +285,17 @@ where
         let [some_free, some_stiff] = self.at_work();
         let (mut is_tested, mut tests_free) = ([false; MOST_LANES], false);
         for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
-            is_tested[lane] = lanes.is_in(lane) && own.takes_test(B::LIMIT);
+            is_tested[lane] = lanes.is_in(lane) && own.takes_test();
             tests_free |= is_tested[lane] && !own.is_stiff;
         }
         if tests_free {
             // before acceptance, which overwrites the first stage by the one of the next step
-            let (measured, bend) = (self.explicit.stiffness(step.h), self.explicit.bend());
+            let measured = self.explicit.stiffness(step.h);
+            let if_smooth = self.explicit.error_if_smooth(step, self.active);
             for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
                 if !own.is_stiff && is_tested[lane] {
-                    let (measured, bend) = (measured.lane(lane).to_f64(), bend.lane(lane).to_f64());
-                    let needs_bend = Stiffness::needs_bend(measured, B::LIMIT);
-                    own.after_explicit(measured, if needs_bend { bend } else { f64::INFINITY }, B::LIMIT);
+                    let errors = [self.error, if_smooth].map(|error| error.lane(lane).to_f64());
+                    own.after_explicit(measured.lane(lane).to_f64(), B::LIMITS, errors);
                 }
             }
         }
@@ -306,7 +310,7 @@ where
                     let mut fastest = in_lane(&self.fastest, lane);
                     let rate = fastest_rate(&jacobian, &mut fastest, self.active);
                     set_lane(&mut self.fastest, lane, &fastest);
-                    own.after_implicit((step.h.lane(lane).abs() * rate).to_f64(), B::LIMIT);
+                    own.after_implicit((step.h.lane(lane).abs() * rate).to_f64(), B::LIMITS);
                 }
             }
         }
