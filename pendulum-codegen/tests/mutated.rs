@@ -44,7 +44,7 @@ const FOLDERS: [&str; 11] = [
     "examples",
     "examples/gallery/src",
     "pendulum-draw/tests",
-    "studies/tests/it",
+    "studies/tests/thorough",
 ];
 
 /// Maximum length of a declaration, in characters: longer ones take too long if they are still right after a change.
