@@ -31,6 +31,8 @@ pub enum TuneError {
     NotReached {
         /// The stated error.
         error: f64,
+        /// Largest error of pilot runs, a part of it: other starts may err more.
+        most: f64,
         /// The smallest one that was reached, and by which method.
         least: (f64, &'static str),
     },
@@ -48,9 +50,9 @@ messages! {
     Self::BelowUncertainty { error, uncertainty, methods: [a, b] } =>
         "an error of {error:.1e} is not reached in `f64`: `{a}` and `{b}` with the smallest tolerances differ by \
          {uncertainty:.1e} at the end; state an error well above that, or shorten the span if the motion is chaotic";
-    Self::NotReached { error, least: (least, name) } =>
-        "no method reaches an error of {error:.1e}; the smallest one was {least:.1e}, by `{name}`: state a larger \
-         error, or add methods of higher order";
+    Self::NotReached { error, most, least: (least, name) } =>
+        "no method reaches an error of {error:.1e}, for which pilot runs have to keep within {most:.2e}; the smallest \
+         error was {least:.2e}, by `{name}`: state a larger error, or add methods of higher order";
 }
 
 impl Error for TuneError {}

@@ -64,6 +64,7 @@ impl<S: System<f64, N>, const N: usize> Pilot<'_, '_, S, N> {
         if found.is_empty() {
             return Err(TuneError::NotReached {
                 error: self.error,
+                most: self.within[1],
                 least,
             });
         }

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 
 use super::TuneError;
 use super::candidate::{Candidate, Control, Motion};
+use super::search::rounded;
 use crate::accuracy::Failure;
 use crate::error::Reason;
 use crate::method::{check_span, require};
@@ -75,10 +76,10 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
         check_span(t0, t1)?;
         require(t0 != t1, "t1", t1, "the span must not be empty")?;
         let rule = "there must be at least one start";
-        require(!starts.is_empty(), "starts", 0.0, rule)?;
+        require(!starts.is_empty(), "starts.len()", 0.0, rule)?;
         let count = of_kind(candidates, Control::Tolerance).count();
         let rule = "at least two methods must be adaptive, since they tell the end states";
-        require(count >= 2, "methods", count as f64, rule)?;
+        require(count >= 2, "methods.len()", count as f64, rule)?;
         let rule = "the scale must be positive and finite";
         require(
             motion.scale.is_finite() && motion.scale > 0.0,
@@ -147,13 +148,17 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
 
     /// Runs all adaptive candidates with two tolerances, and returns the ones that reach the end with both.
     pub(super) fn compare(&self) -> Result<(Vec<Compared<N>>, Vec<Dropped>), TuneError> {
-        let first = self.error.clamp(FIRST[0], FIRST[1]);
+        let first = rounded(self.error.clamp(FIRST[0], FIRST[1]));
         let mut most = STEPS[0];
         loop {
             let (mut compared, mut failures) = (Vec::new(), Vec::new());
             for candidate in of_kind(self.candidates, Control::Tolerance) {
                 let both = self.runs(candidate, first, most).and_then(|first| {
-                    let second = self.runs(candidate, TIGHTER * first.value, MORE_STEPS * first.steps.max(100))?;
+                    let second = self.runs(
+                        candidate,
+                        rounded(TIGHTER * first.value),
+                        MORE_STEPS * first.steps.max(100),
+                    )?;
                     Ok([first, second])
                 });
                 match both {

@@ -205,6 +205,6 @@ impl<S: System<f64, N>, const N: usize> Search<'_, '_, '_, S, N> {
 }
 
 /// Two significant digits, for a setting to be read.
-fn rounded(value: f64) -> f64 {
+pub(super) fn rounded(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
