@@ -17,6 +17,9 @@ const INTERVALS: usize = 200;
 /// Number of intervals over which an error spreads as at their beginning.
 const TOGETHER: usize = 4;
 
+/// Absolute tolerance over the relative one. Motions of a smaller size take their size.
+const ABSOLUTE: f64 = 1e-3;
+
 /// Motions of the full model.
 pub(super) struct Full {
     pub(super) cost: Cost,
@@ -25,6 +28,8 @@ pub(super) struct Full {
     times: Vec<f64>,
     motions: Vec<Samples>,
     tolerance: f64,
+    /// Absolute tolerance over the relative one.
+    absolute: f64,
     is_stiff: bool,
 }
 
@@ -42,6 +47,28 @@ impl Full {
         compared: &[usize],
         cancel: &Cancel<'_>,
     ) -> Result<Self, Error> {
+        let size_of = |states: &[Vec<f64>]| states.iter().flatten().fold(0.0, |size: f64, x| size.max(x.abs()));
+        let mut absolute = match size_of(&question.starts) {
+            0.0 => ABSOLUTE,
+            size => size.min(ABSOLUTE),
+        };
+        loop {
+            let full = Self::within(absolute, (model, question, compared), cancel)?;
+            let sizes = full.motions.iter().map(|motion| size_of(&motion.states));
+            let size = sizes.fold(0.0, f64::max);
+            if size == 0.0 || size >= 0.1 * absolute {
+                return Ok(full);
+            }
+            absolute = size;
+        }
+    }
+
+    /// Integrates with this absolute tolerance over the relative one.
+    fn within(
+        absolute: f64,
+        (model, question, compared): (&Model, &Question, &[usize]),
+        cancel: &Cancel<'_>,
+    ) -> Result<Self, Error> {
         let times = (0..=INTERVALS).map(|n| question.horizon * (n as f64 / INTERVALS as f64));
         let mut full = Self {
             cost: Cost::new(model),
@@ -49,6 +76,7 @@ impl Full {
             times: times.collect(),
             motions: Vec::new(),
             tolerance: 1e-3 * question.error,
+            absolute,
             is_stiff: false,
         };
         for start in &question.starts {
@@ -68,7 +96,7 @@ impl Full {
             full.motions.push(samples);
         }
         // an output that stays at zero, up to the tolerance, has absolute errors
-        let noise = 1e-3 * full.tolerance;
+        let noise = full.absolute * full.tolerance;
         full.sizes
             .iter_mut()
             .filter(|size| **size <= noise)
@@ -76,8 +104,14 @@ impl Full {
         Ok(full)
     }
 
+    /// A method with the tolerances of the motions.
+    fn method(&self, name: &str) -> Result<Method, Error> {
+        let method = Method::new(name)?;
+        Ok(method.rtol(self.tolerance).atol(self.absolute * self.tolerance))
+    }
+
     fn solve(&self, model: &Model, start: &[f64], cancel: &Cancel<'_>) -> Result<Motion, Stopped> {
-        let method = Method::new("Auto")?.rtol(self.tolerance).atol(1e-3 * self.tolerance);
+        let method = self.method("Auto")?;
         let options = Options {
             times: Some(self.times.clone()),
             cancel: Some(cancel),
@@ -98,8 +132,7 @@ impl Full {
         question: &Question,
         cancel: &Cancel<'_>,
     ) -> Result<Vec<f64>, Error> {
-        let method = Method::new(if self.is_stiff { "Rodas5P" } else { "Vern9" })?;
-        let method = method.rtol(self.tolerance).atol(1e-3 * self.tolerance);
+        let method = self.method(if self.is_stiff { "Rodas5P" } else { "Vern9" })?;
         let mut largest = vec![0.0; self.sizes.len()];
         for (full, start) in self.motions.iter().zip(&question.starts) {
             let model = simpler.at(start)?;

@@ -150,6 +150,44 @@ fn linear_models_keep_inputs() {
 }
 
 #[test]
+fn motions_may_be_small() {
+    let declaration = Declaration::new(
+        "pub Stage {
+            input drive: N,
+            body slide on ground { mass: 1, joint: prismatic(x), coordinate: x, spring: (100, 0), friction: 0.02 },
+            body probe on slide {
+                mass: 0.1, joint: prismatic(x), coordinate: y, spring: (3, 0), friction: 0.01,
+            }
+            force x: drive,
+        }",
+    );
+    let errors = |start: f64, drive: f64| {
+        let question = Question {
+            starts: vec![vec![start, 0.0, 0.0, 0.0]],
+            horizon: 2.0,
+            outputs: names(&["x", "y"]),
+            error: 0.05,
+            inputs: vec![("drive".to_owned(), drive)],
+            ..Question::default()
+        };
+        let answer = simplest(&declaration, &question).expect("valid");
+        let errors = |one: &Simpler| [&one.predicted, &one.observed].map(|errors| errors.clone());
+        errors(of(&answer, &["without the friction of `slide`"]))
+    };
+    // the scene is linear; motions keep a thousandth of the error that is asked for
+    for [large, small] in [[(1.0, 0.0), (1e-9, 0.0)], [(0.0, 1.0), (0.0, 1e-12)]] {
+        let [large, small] = [large, small].map(|(start, drive)| errors(start, drive));
+        assert!(
+            large[1].iter().all(|&error| (0.001..0.05).contains(&error)),
+            "{large:?}"
+        );
+        for (large, small) in large.iter().flatten().zip(small.iter().flatten()) {
+            assert!((small - large).abs() < 0.01 * 0.05, "{small} and {large}");
+        }
+    }
+}
+
+#[test]
 fn dry_friction_is_left_out_where_it_does_little() {
     let text = "pub Slider {
         params { mu: N = 0.002, k: N/m = 1 }
