@@ -294,8 +294,14 @@ impl Places {
     #[inline(always)]
     fn gather<V: Lanes, const N: usize>(self, vectors: &[SVector<V::Scalar, N>]) -> SVector<V, N> {
         let mut x = [V::default(); N];
-        for (i, x) in x.iter_mut().enumerate() {
-            *x = V::from_fn(|lane| vectors[self.of(lane)][i]);
+        if let Some(vectors) = vectors.get(self.first..self.first + V::LANES) {
+            for (i, x) in x.iter_mut().enumerate() {
+                *x = V::from_fn(|lane| vectors[lane][i]);
+            }
+        } else {
+            for (i, x) in x.iter_mut().enumerate() {
+                *x = V::from_fn(|lane| vectors[self.of(lane)][i]);
+            }
         }
         SVector::from(x)
     }
@@ -307,8 +313,21 @@ impl Places {
         results: &SMatrix<V, R, C>,
         into: &mut [SMatrix<V::Scalar, R, C>],
     ) {
-        for (lane, into) in into[self.first..].iter_mut().take(V::LANES).enumerate() {
-            for (into, column) in into.data.0.iter_mut().zip(&results.data.0) {
+        match into.get_mut(self.first..self.first + V::LANES) {
+            Some(into) => Self::write(results, into, V::LANES),
+            None => Self::write(results, &mut into[self.first..], self.last + 1 - self.first),
+        }
+    }
+
+    /// Writes the results in the first `count` lanes.
+    #[inline(always)]
+    fn write<V: Lanes, const R: usize, const C: usize>(
+        results: &SMatrix<V, R, C>,
+        into: &mut [SMatrix<V::Scalar, R, C>],
+        count: usize,
+    ) {
+        for lane in 0..count {
+            for (into, column) in into[lane].data.0.iter_mut().zip(&results.data.0) {
                 for (into, result) in into.iter_mut().zip(column) {
                     *into = result.lane(lane);
                 }
