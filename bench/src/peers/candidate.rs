@@ -7,10 +7,11 @@ use crate::compile::Job;
 use crate::library::Program;
 
 /// Names of the generated code among the peers: compiled for this processor, as in a plain release build, and in the
-/// latter with fused arithmetic, as the C of the peers has.
+/// latter with fused arithmetic, as the C of the peers has, and several states at once in lanes, which no peer does.
 pub(crate) const OURS: &str = "pendulum";
 pub(crate) const PLAIN: &str = "pendulum, plain build";
 pub(crate) const FUSED: &str = "pendulum, fused";
+pub(crate) const BATCH: &str = "pendulum, in batches";
 /// Name of hand-written code, which is shown but is no generator to compete with.
 pub(crate) const BY_HAND: &str = "by hand";
 

@@ -8,7 +8,7 @@ use pendulum_core::{Cost, FunctionCost};
 use testbed::robots::{Panda, Ur5, Ur5Flange};
 use testbed::scenes::DoublePendulum;
 
-use super::candidate::{BY_HAND, Candidate, FUSED, Function, OURS, Order, PLAIN};
+use super::candidate::{BATCH, BY_HAND, Candidate, FUSED, Function, OURS, Order, PLAIN};
 use super::entrants::sizes;
 use crate::library::load;
 use crate::rust::{Processors, package};
@@ -27,7 +27,7 @@ pub(crate) fn candidates(root: &Path, build: &Path) -> Result<Vec<Candidate>, Bo
         // endings of symbols, and names
         let entrants: &[(&str, &str)] = match processors {
             Processors::This => &[("", OURS)],
-            Processors::All => &[("", PLAIN), ("_fused", FUSED)],
+            Processors::All => &[("", PLAIN), ("_fused", FUSED), ("_batch", BATCH)],
         };
         let library = package(&root.join("peers/ours"), build, processors)?;
         for (model, cost) in COSTS {
@@ -37,7 +37,8 @@ pub(crate) fn candidates(root: &Path, build: &Path) -> Result<Vec<Candidate>, Bo
                     Function::Jacobian => cost["jacobian"],
                     Function::Point => Ur5Flange::COST["flange_and_jacobian"],
                 };
-                for &(ending, peer) in entrants {
+                let is_entered = |peer: &str| peer != BATCH || function != Function::Point;
+                for &(ending, peer) in entrants.iter().filter(|(_, peer)| is_entered(peer)) {
                     let code = format!("{model}_{}{ending}", function.name());
                     add(&mut all, &library, &code, model, function, peer, Some(cost))?;
                 }
@@ -53,7 +54,7 @@ pub(crate) fn candidates(root: &Path, build: &Path) -> Result<Vec<Candidate>, Bo
     Ok(all)
 }
 
-/// Adds a function in both orders; `code` is the name of its symbol for states side by side.
+/// Adds a function in both orders, or in the only one; `code` is the name of its symbol for states side by side.
 fn add(
     all: &mut Vec<Candidate>,
     library: &Path,
@@ -67,8 +68,9 @@ fn add(
     let program = |ending| load(library, &format!("{code}{ending}"), states, results);
     for order in Order::ALL {
         let (ending, cheap) = match order {
-            Order::SideBySide if peer == FUSED => ("", None),
+            Order::SideBySide if [FUSED, BATCH].contains(&peer) => ("", None),
             Order::SideBySide => ("", Some(program("_cheap")?)),
+            Order::InSequence if peer == BATCH => continue,
             Order::InSequence => ("_in_sequence", None),
         };
         all.push(Candidate {

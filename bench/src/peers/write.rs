@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use super::candidate::{BY_HAND, FUSED, Function, MODELS, OURS, Order, PLAIN};
+use super::candidate::{BATCH, BY_HAND, FUSED, Function, MODELS, OURS, Order, PLAIN};
 use super::results::{Results, Row};
 use crate::report::{count, list, number, table, write};
 use crate::timing::Times;
@@ -52,7 +52,7 @@ impl<'a> Field<'a> {
         let rivals = self
             .rows
             .iter()
-            .filter(|row| ![OURS, PLAIN, FUSED, BY_HAND].contains(&&*row.peer));
+            .filter(|row| ![OURS, PLAIN, FUSED, BATCH, BY_HAND].contains(&&*row.peer));
         rivals
             .copied()
             .min_by(|a, b| a.times.least().total_cmp(&b.times.least()))
@@ -115,12 +115,14 @@ fn summary(results: &Results) -> String {
                     least(field.by(OURS)),
                     least(field.by(PLAIN)),
                     least(field.by(FUSED)),
+                    least(field.by(BATCH)),
                     least(Some(best)),
                     number(ratio(OURS, Times::over)),
                     number(ratio(OURS, Times::over_in_least)),
                     number(ratio(PLAIN, Times::over)),
                     number(plain),
                     number(ratio(FUSED, Times::over_in_least)),
+                    number(ratio(BATCH, Times::over_in_least)),
                     target.zip(plain).map_or(String::new(), |(&(.., target), reached)| {
                         let word = if reached <= target { "met" } else { "missed" };
                         format!("{target:.2}, {word}")
@@ -139,12 +141,14 @@ fn summary(results: &Results) -> String {
         "our ns",
         "plain ns",
         "fused ns",
+        "batch ns",
         "its ns",
         "ratio, median",
         "ratio of least",
         "plain, median",
         "plain, of least",
         "fused, of least",
+        "batch, of least",
         "target",
     ];
     table(&head, 3, &rows)
@@ -226,11 +230,12 @@ fn chart(results: &Results, functions: &[Function]) -> Bars {
             OURS => "mechanism!",
             PLAIN => "plain build",
             FUSED => "fused",
+            BATCH => "in batches",
             peer => peer,
         }
         .to_owned(),
         value,
-        ours: [OURS, PLAIN, FUSED].contains(&peer),
+        ours: [OURS, PLAIN, FUSED, BATCH].contains(&peer),
     };
     let field = |model: &str, function| Field::of(results, model, function, Order::SideBySide).rows;
     let panel = |model: &str, function| {

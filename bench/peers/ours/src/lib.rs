@@ -20,7 +20,7 @@ use testbed::eq22::{Eq22, Plate};
 use testbed::robots::{Panda, PandaParams, Ur5, Ur5Flange, Ur5FlangeParams, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
-use loops::{After, Beside, Both, Function, Given, Rhs};
+use loops::{After, Beside, Both, Function, Given, Rates, RatesAndJacobian, Rhs};
 
 mechanism! {
     /// Solo 12 with its trunk in the air.
@@ -182,4 +182,23 @@ functions! {
     "xarm7_rhs": Rhs(xarm7);
     "xarm7_jacobian": Both(xarm7);
     "solo_rhs": Rhs(solo);
+}
+
+/// Functions in batches, with the rows and columns of their results.
+macro_rules! batches {
+    ($($name:literal: $function:ident($model:ident), $rows:literal, $columns:literal;)*) => { $(
+        export! { $name "_batch": |given| loops::batch::<_, _, _, $rows, $columns>(&$function, &$model(), given) }
+    )* };
+}
+
+batches! {
+    "eq22_rhs": Rates(pendulum), 2, 1;
+    "eq22_jacobian": RatesAndJacobian(pendulum), 2, 5;
+    "ur5_rhs": Rates(ur5), 6, 1;
+    "ur5_jacobian": RatesAndJacobian(ur5), 6, 13;
+    "panda_rhs": Rates(panda), 7, 1;
+    "panda_jacobian": RatesAndJacobian(panda), 7, 15;
+    "xarm7_rhs": Rates(xarm7), 7, 1;
+    "xarm7_jacobian": RatesAndJacobian(xarm7), 7, 15;
+    "solo_rhs": Rates(solo), 18, 1;
 }

@@ -5,9 +5,11 @@ use std::hint::black_box;
 use std::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::batch::{self, StateFunction};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::Routine;
 use pendulum_core::real::{Float, Real};
+use pendulum_core::{Cast, CastJacobian};
 
 use crate::cheap::Cheap;
 
@@ -153,6 +155,61 @@ where
             }
         }
     }
+}
+
+/// Accelerations, of which a result has as many as there are rows.
+pub(crate) struct Rates;
+
+impl<M: Cast<N>, const N: usize, const R: usize> StateFunction<M, N, R> for Rates {
+    #[inline(always)]
+    fn value<T: Real>(&self, model: &M::In<T>, t: T, x: &SVector<T, N>) -> SVector<T, R> {
+        let rates = model.rhs(t, x);
+        SVector::from_fn(|i, _| rates[N - R + i])
+    }
+}
+
+/// Accelerations, and columns of their derivatives.
+pub(crate) struct RatesAndJacobian;
+
+impl<M: CastJacobian<N>, const N: usize, const R: usize, const C: usize> StateFunction<M, N, R, C>
+    for RatesAndJacobian
+{
+    #[inline(always)]
+    fn value<T: Real>(&self, model: &M::In<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, R, C> {
+        let (rates, jacobian) = M::with_jacobian(model).rhs_and_jacobian(t, x);
+        SMatrix::from_fn(|i, j| match j {
+            0 => rates[N - R + i],
+            _ => jacobian[(N - R + i, j - 1)],
+        })
+    }
+}
+
+/// Number of states of a batch: its results stay in the cache, as those of evaluations alone do.
+const BATCH: usize = 32;
+
+/// Evaluates states in batches, and writes the last result.
+#[allow(unsafe_code, reason = "vectors are arrays, and the results go to another library")]
+pub(crate) fn batch<F, M, const N: usize, const R: usize, const C: usize>(
+    function: &F,
+    model: &M,
+    (states, out): Given<'_, N>,
+) where
+    F: StateFunction<M, N, R, C>,
+    M: Cast<N> + Clone,
+{
+    // SAFETY: a vector is a column of numbers.
+    let states: &[SVector<f64, N>] = unsafe { std::slice::from_raw_parts(states.as_ptr().cast(), states.len()) };
+    let mut results = [SMatrix::<f64, R, C>::zeros(); BATCH];
+    let models = std::slice::from_ref(model);
+    let mut last = 0;
+    for states in states.chunks(BATCH) {
+        last = states.len() - 1;
+        batch::evaluate(function, models, 0.0, states, &mut results[..=last]).expect("one model");
+        black_box(&results);
+    }
+    let last = results[last].as_slice();
+    // SAFETY: the pointer is that of `given`.
+    unsafe { out.copy_from_nonoverlapping(last.as_ptr(), last.len()) };
 }
 
 /// Evaluates states that do not depend on each other, with cheap sines and cosines.
