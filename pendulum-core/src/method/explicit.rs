@@ -99,10 +99,13 @@ pub(super) const fn stiffness<B: Tableau<STAGES>, const STAGES: usize>(n: usize)
     let apart = count::weighted_sum(&difference(B::TABLEAU.b, B::TABLEAU.a[STAGES - 2]), n).and(count::square(n));
     let change = count::added(n).and(count::square(n));
     let measured = apart.and(change).and(Operations::new(0, 1, 1, 0, 3, 25));
-    let second = count::added(n).times(3).and(count::multiplied(n).times(3));
-    let if_smooth = second.and(count::square(n).times(2)).and(count::mean_square(n));
+    let off = count::added(n).and(count::multiplied(n)).times(2);
+    let off = off.and(Operations::new(0, 0, 0, 0, n, 0));
+    let second = off.times(2).and(count::added(n).times(2));
+    let bent = count::multiplied(n).and(Operations::new(0, 0, n, 0, 3 * n, 0));
+    let if_smooth = second.and(bent).and(count::mean_square(n).times(2));
     let orders = B::TABLEAU.order_hat - TRAPEZOIDAL;
-    measured.and(if_smooth).and(Operations::new(0, 2 + orders, 1, 0, 0, 1))
+    measured.and(if_smooth).and(Operations::new(0, 3 + orders, 1, 0, 0, 5))
 }
 
 impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Explicit<B, STAGES>
@@ -131,6 +134,8 @@ impl<B: Estimates, const STAGES: usize> Estimates for Explicit<B, STAGES> {}
 
 /// Order of the trapezoidal rule.
 const TRAPEZOIDAL: usize = 2;
+/// Positive number for a quotient of zeros, in the range of `f32`.
+const TINY: f64 = 1e-37;
 
 /// Index of the stage whose time is nearest to `c`, as a fraction of the step.
 const fn nearest_to<B: Tableau<STAGES>, const STAGES: usize>(c: f64) -> usize {
@@ -284,11 +289,12 @@ where
         })
     }
 
-    /// Mean square of the error of the trapezoidal rule over a step, the last attempt, times the bend for each order
-    /// that the error estimate has more. Along smooth solutions the estimate is much smaller. The bend is the deviation
-    /// of the derivative from a straight line, relative to its change: the length of the step times the rate of the
-    /// solution. A constant part of the derivative, as of a rotor, does not affect it. NaN if the derivative does not
-    /// change, and 0 without a tolerance.
+    /// Mean square of the error of the trapezoidal rule over a step, the last attempt, times that of the bend for each
+    /// order that the error estimate has more. Along smooth solutions the estimate is much smaller. The bend of a
+    /// component is twice the deviation of its derivative from a straight line, relative to the change, and at most 1:
+    /// the length of the step times the rate of the solution. Components count by their parts of the error, so that one
+    /// whose derivative grows steadily does not hide the others. NaN if all derivatives are straight lines, and 0
+    /// without a tolerance.
     #[inline(always)]
     pub(super) fn error_if_smooth(&self, step: &Step<T, N>, active: usize) -> T {
         let Some(tolerance) = &self.tolerance else {
@@ -296,7 +302,7 @@ where
         };
         let (first, last) = (&self.stages[0], &self.stages[STAGES - 1]);
         let change = last - first;
-        // both thirds, since a point of inflection may be near one
+        // two stages, near the thirds if possible, since a point of inflection may be near one
         let off = |i: usize| {
             let c = B::TABLEAU.c[i];
             let off = self.stages[i] - first - change * T::from_f64(c);
@@ -304,9 +310,14 @@ where
         };
         let second = const { nearest_to::<B, STAGES>(1.0 / 3.0) };
         let second = off(second) + off(const { nearest_to::<B, STAGES>(2.0 / 3.0) });
-        let bend = (square(&second) / square(&change)).at_most(T::from_f64(1.0));
-        let trapezoidal = second * (step.h * T::from_f64(1.0 / 12.0));
-        let mut error = tolerance.mean_square(&trapezoidal, [&step.x0, &step.x1], active);
+        let bent = second.zip_map(&change, |second, change| {
+            let larger = change.abs().at_least(second).at_least(T::from_f64(TINY));
+            second * (second / larger)
+        });
+        let [size, of_bent] = [&second, &bent].map(|v| tolerance.mean_square(v, [&step.x0, &step.x1], active));
+        let bend = of_bent / size;
+        let h = step.h * T::from_f64(1.0 / 12.0);
+        let mut error = size * (h * h);
         for _ in TRAPEZOIDAL..B::TABLEAU.order_hat {
             error *= bend;
         }

@@ -155,6 +155,28 @@ fn stiff_modes_that_oscillate_are_left_to_the_implicit_method() {
     }
 }
 
+/// A swing beside a fall, whose change hides that of the swing unless it is measured by the tolerance.
+#[test]
+fn a_swing_that_falls_is_not_stiff() {
+    let system = FnSystem::with_jacobian(
+        |_t: f64, x: &SVector<f64, 4>| SVector::from([x[1], -9.81, x[3], -4.0 * x[2]]),
+        |_t: f64, _x: &SVector<f64, 4>| {
+            let mut jacobian = SMatrix::zeros();
+            (jacobian[(0, 1)], jacobian[(2, 3)], jacobian[(3, 2)]) = (1.0, 1.0, -4.0);
+            jacobian
+        },
+    );
+    for (rtol, atol) in [(1e-4, 1e-7), (1e-6, 1e-9), (1e-6, 1e-6), (1e-9, 1e-12), (1e-11, 1e-11)] {
+        for swing in [0.1, 0.01] {
+            let method = Auto::new().rtol(rtol).atol(atol);
+            let solution = method
+                .solve(&system, 0.0, 30.0, [0.0, 0.0, swing, 0.0])
+                .expect("regular");
+            assert_eq!(solution.statistics().switches, 0, "{rtol} {atol} {swing}");
+        }
+    }
+}
+
 /// An oscillation beside a motion of constant rate, which almost hides how the derivative changes.
 #[test]
 fn a_constant_part_of_the_derivative_is_not_smoothness() {

@@ -27,7 +27,7 @@ const STIFF: usize = 8;
 /// Number of steps in a row below the limit that reset the count, or that return to the explicit method.
 const FREE: usize = 4;
 
-/// Limits of an explicit method to `|h lambda|`.
+/// Limits of `|h lambda|` for an explicit method.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
     /// Limit of stability on the negative real axis.
@@ -49,7 +49,7 @@ pub(crate) struct Stiffness {
     at_start: bool,
     /// True if the next step is tested.
     is_due: bool,
-    /// Number of steps at the limit of stability.
+    /// Number of steps that stability limits.
     at_limit: usize,
     /// Number of steps in a row that are not.
     free: usize,
@@ -89,12 +89,13 @@ impl Stiffness {
         self.changes = measured > UNSTABLE * limits.stable;
     }
 
-    /// Counts tested explicit steps, and requests a switch after enough of them at the limit of stability. They are
-    /// there if `|h lambda|` is, or if the error estimate is larger than along a smooth solution: with fast modes that
+    /// Counts tested explicit steps, and requests a switch after enough of them that stability limits. It does if
+    /// `|h lambda|` is at the limit, or if the error estimate is larger than along a smooth solution: with fast modes that
     /// oscillate or are driven, estimates grow far below the limit. Errors are mean squares.
     pub(crate) fn after_explicit(&mut self, measured: f64, limits: Limits, [error, if_smooth]: [f64; 2]) {
         let is_unstable = measured > AT_THE_LIMIT * limits.stable;
-        if is_unstable || error > NEGLIGIBLE && error > NOT_SMOOTH * if_smooth {
+        let is_not_smooth = if_smooth > 0.0 && error > NOT_SMOOTH * if_smooth;
+        if is_unstable || is_not_smooth && error > NEGLIGIBLE {
             self.at_limit += STEPS;
             self.free = 0;
         } else {
