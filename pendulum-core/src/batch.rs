@@ -294,6 +294,7 @@ impl Places {
     #[inline(always)]
     fn gather<V: Lanes, const N: usize>(self, vectors: &[SVector<V::Scalar, N>]) -> SVector<V, N> {
         let mut x = [V::default(); N];
+        // a full group needs no checks of places
         if let Some(vectors) = vectors.get(self.first..self.first + V::LANES) {
             for (i, x) in x.iter_mut().enumerate() {
                 *x = V::from_fn(|lane| vectors[lane][i]);

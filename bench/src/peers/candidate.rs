@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 use crate::compile::Job;
 use crate::library::Program;
 
-/// Names of the generated code among the peers: compiled for this processor, as in a plain release build, and in the
-/// latter with fused arithmetic, as the C of the peers has, and several states at once in lanes, which no peer does.
+/// Names of the generated code among the peers: compiled for this processor, and as in a plain release build. The
+/// latter also with fused arithmetic, as the C of the peers has, and with several states at once in lanes, which no
+/// generator here does.
 pub(crate) const OURS: &str = "pendulum";
 pub(crate) const PLAIN: &str = "pendulum, plain build";
 pub(crate) const FUSED: &str = "pendulum, fused";

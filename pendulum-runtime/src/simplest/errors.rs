@@ -17,8 +17,13 @@ const INTERVALS: usize = 200;
 /// Number of intervals over which an error spreads as at their beginning.
 const TOGETHER: usize = 4;
 
-/// Absolute tolerance over the relative one. Motions of a smaller size take their size.
+/// Absolute tolerance over the relative one, unless the largest component of all states is smaller, which takes its
+/// place.
 const ABSOLUTE: f64 = 1e-3;
+/// Fraction of the assumed size below which motions from rest are integrated again, with their own size.
+const MUCH_SMALLER: f64 = 0.1;
+/// Smallest size that counts: others are rounding errors.
+const LEAST: f64 = 1e-200;
 
 /// Motions of the full model.
 pub(super) struct Full {
@@ -56,7 +61,7 @@ impl Full {
             let full = Self::within(absolute, (model, question, compared), cancel)?;
             let sizes = full.motions.iter().map(|motion| size_of(&motion.states));
             let size = sizes.fold(0.0, f64::max);
-            if size == 0.0 || size >= 0.1 * absolute {
+            if size < LEAST || size >= MUCH_SMALLER * absolute {
                 return Ok(full);
             }
             absolute = size;
@@ -95,12 +100,12 @@ impl Full {
             }
             full.motions.push(samples);
         }
-        // an output that stays at zero, up to the tolerance, has absolute errors
+        // an output that stays at zero, up to the tolerance, has absolute errors, in the units of the motion's size
         let noise = full.absolute * full.tolerance;
         full.sizes
             .iter_mut()
             .filter(|size| **size <= noise)
-            .for_each(|size| *size = 1.0);
+            .for_each(|size| *size = absolute / ABSOLUTE);
         Ok(full)
     }
 

@@ -31,7 +31,7 @@ pub enum TuneError {
     NotReached {
         /// The stated error.
         error: f64,
-        /// Largest error of pilot runs, a part of it: other starts may err more.
+        /// Largest error allowed in pilot runs, below `error` because other starts may err more.
         most: f64,
         /// The smallest one that was reached, and by which method.
         least: (f64, &'static str),

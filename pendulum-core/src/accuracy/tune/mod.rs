@@ -33,9 +33,9 @@ use crate::{
 /// [`Rk4`]; [`Tuning`] makes another choice of methods, and another scale than 1.
 ///
 /// Pilot runs from the `starts` measure errors and times: from all of them, or from sixteen if there are more. Hence
-/// the error is that of these trajectories, and of others that are like them. Give several: from a single start a
-/// setting may be accurate by chance, and err much more from starts close by. Two methods with tolerances far below the
-/// error tell the end states. The search takes as long as some thousand trajectories, on one core.
+/// the error is that of these trajectories, and of others that are like them. Two methods with tolerances far below the
+/// error tell the end states. The search takes as long as some thousand trajectories, on one core. Give several starts:
+/// from a single one a setting may be accurate by chance, and err much more from starts close by.
 ///
 /// ```
 /// use pendulum_core::accuracy::tune;
