@@ -52,6 +52,34 @@ impl<T: Real> Tolerance<T> {
         mean
     }
 
+    /// [`mean_square`](Self::mean_square) of `v`, and the mean square of its ratio to `other`, at most 1, to which
+    /// components count by their parts of the former; NaN if `v` is zero.
+    #[inline(always)]
+    pub(crate) fn mean_square_and_ratio<const N: usize>(
+        &self,
+        [v, other]: [&SVector<T, N>; 2],
+        [x0, x1]: [&SVector<T, N>; 2],
+        active: usize,
+    ) -> [T; 2] {
+        let half = self.rtol * T::from_f64(0.5);
+        let [mut sum, mut of_v, mut of_other] = [T::default(); 3];
+        for i in 0..active.min(N) {
+            let [v, other, x0, x1] = [v, other, x0, x1].map(|all| all.data.0[0][i].without_slopes());
+            let ratio = v / (self.atol + half * (x0.abs() + x1.abs()));
+            let part = ratio * ratio;
+            sum += part;
+            of_v += part * (v * v);
+            of_other += part * (other * other);
+        }
+        let mut mean = (sum * T::from_f64(1.0 / active as f64)).without_slopes();
+        if const { T::HAS_SLOPES }
+            && let Some(ratio) = self.ratio_of_slopes(v, x0, x1)
+        {
+            mean = mean.at_least(ratio * ratio);
+        }
+        [mean, (of_v / of_other).at_most(T::from_f64(1.0))]
+    }
+
     /// Means of `|v| / (atol + rtol |x|)`, of several `v`. They are not squared: the coefficients of a fast motion grow
     /// with the order, and would leave the range of `f32`.
     #[inline(always)]

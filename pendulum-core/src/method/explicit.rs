@@ -102,8 +102,8 @@ pub(super) const fn stiffness<B: Tableau<STAGES>, const STAGES: usize>(n: usize)
     let off = count::added(n).and(count::multiplied(n)).times(2);
     let off = off.and(Operations::new(0, 0, 0, 0, n, 0));
     let second = off.times(2).and(count::added(n).times(2));
-    let bent = count::multiplied(n).and(Operations::new(0, 0, n, 0, 3 * n, 0));
-    let if_smooth = second.and(bent).and(count::mean_square(n).times(2));
+    let ratio = Operations::new(2 * n, 4 * n, 1, 0, 0, 3 * n);
+    let if_smooth = second.and(count::mean_square(n)).and(ratio);
     let orders = B::TABLEAU.order_hat - TRAPEZOIDAL;
     measured.and(if_smooth).and(Operations::new(0, 3 + orders, 1, 0, 0, 5))
 }
@@ -134,8 +134,6 @@ impl<B: Estimates, const STAGES: usize> Estimates for Explicit<B, STAGES> {}
 
 /// Order of the trapezoidal rule.
 const TRAPEZOIDAL: usize = 2;
-/// Positive number for a quotient of zeros, in the range of `f32`.
-const TINY: f64 = 1e-37;
 
 /// Index of the stage whose time is nearest to `c`, as a fraction of the step.
 const fn nearest_to<B: Tableau<STAGES>, const STAGES: usize>(c: f64) -> usize {
@@ -310,12 +308,8 @@ where
         };
         let second = const { nearest_to::<B, STAGES>(1.0 / 3.0) };
         let second = off(second) + off(const { nearest_to::<B, STAGES>(2.0 / 3.0) });
-        let bent = second.zip_map(&change, |second, change| {
-            let larger = change.abs().at_least(second).at_least(T::from_f64(TINY));
-            second * (second / larger)
-        });
-        let [size, of_bent] = [&second, &bent].map(|v| tolerance.mean_square(v, [&step.x0, &step.x1], active));
-        let bend = of_bent / size;
+        let states = [&step.x0, &step.x1];
+        let [size, bend] = tolerance.mean_square_and_ratio([&second, &change], states, active);
         let h = step.h * T::from_f64(1.0 / 12.0);
         let mut error = size * (h * h);
         for _ in TRAPEZOIDAL..B::TABLEAU.order_hat {
