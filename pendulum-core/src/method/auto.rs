@@ -33,15 +33,15 @@ use crate::tableau::{HairerWanner4, Steinebach5, Tableau, Tsitouras5, Verner7, V
 /// | above 1e-9 | [`Vern9`](crate::Vern9) | [`Rodas5P`](crate::Rodas5P) |
 /// | up to 1e-9 | [`Vern9`](crate::Vern9) | [`Radau13`](crate::Radau13) |
 ///
-/// The explicit method estimates `|h lambda|`, the length of the step times the fastest rate of the system, as
-/// `h |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2). If it
+/// The explicit method estimates `|h lambda|`, the length of the step times the fastest rate of the system, as `h
+/// |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2). If it
 /// repeatedly reaches the limit of stability, then stability rather than the tolerance limits the steps, and the
-/// implicit method takes over. It also does so where the error estimate, of order `p`, repeatedly exceeds a tenth of the
-/// trapezoidal rule's error times `(h r)^(p - 2)`, with the rate `r` of the solution. Along smooth solutions it is far
-/// smaller, but not where fast modes oscillate or are driven, even far below the limit of stability. With tolerances above 1e-4 a first step at
-/// the limit is enough, and with those above 5e-4 also a first step that is rejected far beyond it. The implicit method
-/// estimates `|h lambda|` by power iteration with its Jacobian, and hands back once explicit steps could be as long.
-/// Every second step is tested.
+/// implicit method takes over. It also does so where the error estimate, of order `p`, repeatedly exceeds a tenth of
+/// the trapezoidal rule's error times `(h r)^(p - 2)`, with the rate `r` of the solution. Along smooth solutions it is
+/// far smaller, but not where fast modes oscillate or are driven, even far below the limit of stability. With
+/// tolerances above 1e-4 a first step at the limit is enough, and with those above 5e-4 also a first step that is
+/// rejected far beyond it. The implicit method estimates `|h lambda|` by power iteration with its Jacobian, and hands
+/// back once explicit steps could be as long. Every second step is tested.
 ///
 /// [`Statistics`] count the implicit steps and the switches.
 ///

@@ -35,6 +35,10 @@ const WITHIN: [[f64; 2]; 2] = [[0.25, 0.9], [0.1, 0.4]];
 pub(super) const STEPS: [usize; 2] = [4_000, 4_000_000];
 /// Number of steps that a method may take for each of the fastest one.
 pub(super) const MORE_STEPS: usize = 50;
+/// A method that takes the steps of others, which cannot confirm it, and these others.
+const AUTO: &str = "Auto";
+const OF_AUTO: [&str; 6] = ["Tsit5", "Vern7", "Vern9", "Rodas4", "Rodas5P", "Radau13"];
+
 /// Pilot runs of all candidates.
 pub(super) struct Pilot<'p, 'a, S, const N: usize> {
     motion: &'p Motion<'a, S>,
@@ -189,14 +193,20 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
         loop {
             let mut order: Vec<_> = compared.iter().collect();
             order.sort_by(|a, b| a.time_at(tolerance).total_cmp(&b.time_at(tolerance)));
+            let name = |of: &Compared<N>| self.candidates[of.candidate].name;
+            // `Auto` takes the steps of other methods, up to a switch or to the end
+            order.sort_by_key(|of| name(of) == AUTO);
+            let is_part = |of: &Compared<N>, part: &Compared<N>| name(of) == AUTO && OF_AUTO.contains(&name(part));
             let mut known: Vec<(&Compared<N>, Runs<N>)> = Vec::new();
             let mut failures = Vec::new();
             for of in order {
                 match self.runs(of.candidate, tolerance, STEPS[1]) {
-                    // `Auto` is another name of an explicit method where it does not switch
-                    Ok(runs) if known.iter().any(|(_, before)| before.ends == runs.ends) => {}
+                    Ok(runs)
+                        if known
+                            .iter()
+                            .any(|(before, at)| is_part(of, before) || at.ends == runs.ends) => {}
                     Ok(runs) => known.push((of, runs)),
-                    Err(failure) => failures.push((self.candidates[of.candidate].name, failure)),
+                    Err(failure) => failures.push((name(of), failure)),
                 }
                 if known.len() == 2 {
                     break;

@@ -90,8 +90,8 @@ impl Stiffness {
     }
 
     /// Counts tested explicit steps, and requests a switch after enough of them that stability limits. It does if
-    /// `|h lambda|` is at the limit, or if the error estimate is larger than along a smooth solution: with fast modes that
-    /// oscillate or are driven, estimates grow far below the limit. Errors are mean squares.
+    /// `|h lambda|` is at the limit, or if the error estimate is larger than along a smooth solution: with fast modes
+    /// that oscillate or are driven, estimates grow far below the limit. Errors are mean squares.
     pub(crate) fn after_explicit(&mut self, measured: f64, limits: Limits, [error, if_smooth]: [f64; 2]) {
         let is_unstable = measured > AT_THE_LIMIT * limits.stable;
         let is_not_smooth = if_smooth > 0.0 && error > NOT_SMOOTH * if_smooth;
