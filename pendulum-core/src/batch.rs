@@ -293,18 +293,11 @@ impl Places {
     /// Vectors at these places, side by side.
     #[inline(always)]
     fn gather<V: Lanes, const N: usize>(self, vectors: &[SVector<V::Scalar, N>]) -> SVector<V, N> {
-        let mut x = [V::default(); N];
         // a full group needs no checks of places
-        if let Some(vectors) = vectors.get(self.first..self.first + V::LANES) {
-            for (i, x) in x.iter_mut().enumerate() {
-                *x = V::from_fn(|lane| vectors[lane][i]);
-            }
-        } else {
-            for (i, x) in x.iter_mut().enumerate() {
-                *x = V::from_fn(|lane| vectors[self.of(lane)][i]);
-            }
+        match vectors.get(self.first..self.first + V::LANES) {
+            Some(vectors) => side_by_side(vectors, |lane| lane),
+            None => side_by_side(vectors, |lane| self.of(lane)),
         }
-        SVector::from(x)
     }
 
     /// Writes the results to these places.
@@ -335,6 +328,19 @@ impl Places {
             }
         }
     }
+}
+
+/// Vectors at `place(lane)`, side by side.
+#[inline(always)]
+fn side_by_side<V: Lanes, const N: usize>(
+    vectors: &[SVector<V::Scalar, N>],
+    place: impl Fn(usize) -> usize,
+) -> SVector<V, N> {
+    let mut x = [V::default(); N];
+    for (i, x) in x.iter_mut().enumerate() {
+        *x = V::from_fn(|lane| vectors[place(lane)][i]);
+    }
+    SVector::from(x)
 }
 
 /// Checks that there is one argument for each state.

@@ -33,8 +33,8 @@ use crate::tableau::{HairerWanner4, Steinebach5, Tableau, Tsitouras5, Verner7, V
 /// | above 1e-9 | [`Vern9`](crate::Vern9) | [`Rodas5P`](crate::Rodas5P) |
 /// | up to 1e-9 | [`Vern9`](crate::Vern9) | [`Radau13`](crate::Radau13) |
 ///
-/// The explicit method estimates `|h lambda|`, the length of the step times the fastest rate of the system, as `h
-/// |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2). If it
+/// The explicit method estimates `|h lambda|`, the length of the step times the fastest rate of the system, as
+/// `h |f(x1) - f(x2)| / |x1 - x2|` from its two states at the end of the step (Hairer and Wanner II, IV.2). If it
 /// repeatedly reaches the limit of stability, then stability rather than the tolerance limits the steps, and the
 /// implicit method takes over. It also does so where the error estimate, of order `p`, repeatedly exceeds a tenth of
 /// the trapezoidal rule's error times `(h r)^(p - 2)`, with the rate `r` of the solution. Along smooth solutions it is

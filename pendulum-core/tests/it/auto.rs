@@ -155,7 +155,8 @@ fn stiff_modes_that_oscillate_are_left_to_the_implicit_method() {
     }
 }
 
-/// A swing beside a fall, whose change hides that of the swing unless it is measured by the tolerance.
+/// A swing beside a fall, whose derivative changes more but does not bend: in one norm of all components it would hide
+/// the bend of the swing.
 #[test]
 fn a_swing_that_falls_is_not_stiff() {
     let system = FnSystem::with_jacobian(

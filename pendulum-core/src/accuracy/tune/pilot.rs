@@ -35,7 +35,8 @@ const WITHIN: [[f64; 2]; 2] = [[0.25, 0.9], [0.1, 0.4]];
 pub(super) const STEPS: [usize; 2] = [4_000, 4_000_000];
 /// Number of steps that a method may take for each of the fastest one.
 pub(super) const MORE_STEPS: usize = 50;
-/// A method that takes the steps of others, which cannot confirm it, and these others.
+/// A method that takes the steps of others, up to a switch or to the end, so that they cannot confirm it; and these
+/// others, those of its table.
 const AUTO: &str = "Auto";
 const OF_AUTO: [&str; 6] = ["Tsit5", "Vern7", "Vern9", "Rodas4", "Rodas5P", "Radau13"];
 
@@ -192,10 +193,12 @@ impl<'p, 'a, S: System<f64, N>, const N: usize> Pilot<'p, 'a, S, N> {
         let mut tolerance = (FAR_BELOW * self.error).clamp(LEAST, MOST);
         loop {
             let mut order: Vec<_> = compared.iter().collect();
-            order.sort_by(|a, b| a.time_at(tolerance).total_cmp(&b.time_at(tolerance)));
             let name = |of: &Compared<N>| self.candidates[of.candidate].name;
-            // `Auto` takes the steps of other methods, up to a switch or to the end
-            order.sort_by_key(|of| name(of) == AUTO);
+            order.sort_by(|a, b| {
+                let last = |of| name(of) == AUTO;
+                let by_time = a.time_at(tolerance).total_cmp(&b.time_at(tolerance));
+                last(a).cmp(&last(b)).then(by_time)
+            });
             let is_part = |of: &Compared<N>, part: &Compared<N>| name(of) == AUTO && OF_AUTO.contains(&name(part));
             let mut known: Vec<(&Compared<N>, Runs<N>)> = Vec::new();
             let mut failures = Vec::new();
